@@ -1,0 +1,51 @@
+"""softcat_sym: slender soft filaments that sag, stretch, yield and stop.
+
+``load_scene`` reads a scene, ``simulate`` runs it. SymPy, CasADi and matplotlib are loaded when they are first used.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+# Not lazily: the function must take the place of its module's name in this package.
+from softcat_sym.simulate import simulate
+
+if TYPE_CHECKING:
+    from softcat_sym.errors import SceneError, SoftcatError
+    from softcat_sym.scene import Scene, bundled_names, load_scene
+    from softcat_sym.solve import Outcome
+    from softcat_sym.trajectory import Trajectory
+
+_HOMES = {
+    "Outcome": "softcat_sym.solve",
+    "Scene": "softcat_sym.scene",
+    "SceneError": "softcat_sym.errors",
+    "SoftcatError": "softcat_sym.errors",
+    "Trajectory": "softcat_sym.trajectory",
+    "bundled_names": "softcat_sym.scene",
+    "load_scene": "softcat_sym.scene",
+}
+
+__all__ = [
+    "Outcome",
+    "Scene",
+    "SceneError",
+    "SoftcatError",
+    "Trajectory",
+    "bundled_names",
+    "load_scene",
+    "simulate",
+]
+
+
+def __getattr__(name: str) -> Any:
+    try:
+        home = _HOMES[name]
+    except KeyError:
+        raise AttributeError(f"module 'softcat_sym' has no attribute {name!r}; it has {', '.join(__all__)}") from None
+    return getattr(importlib.import_module(home), name)
+
+
+def __dir__() -> list[str]:
+    return list(__all__)
