@@ -1,0 +1,36 @@
+"""What is asked: frozen models, units at this boundary only, TOML; and the bundled scenes."""
+
+from __future__ import annotations
+
+from softcat_sym.scene.bundled import bundled_names, bundled_text, bundled_title
+from softcat_sym.scene.ends import Ends
+from softcat_sym.scene.filament import Filament
+from softcat_sym.scene.initial import Initial
+from softcat_sym.scene.load import Load
+from softcat_sym.scene.material import Material
+from softcat_sym.scene.model import Scene
+from softcat_sym.scene.numerics import Numerics
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.run import Run
+from softcat_sym.scene.scales import Groups, elastic_time, gravity_time, groups_of
+from softcat_sym.scene.surroundings import Surroundings
+
+__all__ = [
+    "Ends",
+    "Filament",
+    "Groups",
+    "Initial",
+    "Load",
+    "Material",
+    "Numerics",
+    "Run",
+    "Scene",
+    "Surroundings",
+    "bundled_names",
+    "bundled_text",
+    "bundled_title",
+    "elastic_time",
+    "gravity_time",
+    "groups_of",
+    "load_scene",
+]

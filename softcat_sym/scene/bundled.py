@@ -1,0 +1,59 @@
+"""The scenes that come with the package."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+
+_FOLDER = "bundled"
+
+
+@cache
+def bundled_names() -> tuple[str, ...]:
+    """Name the scenes that come with the package.
+
+    Returns
+    -------
+    tuple of str
+        In alphabetical order; each may be given wherever a scene file may.
+    """
+    names = (entry.name for entry in _folder().iterdir())
+    return tuple(sorted(name.removesuffix(".toml") for name in names if name.endswith(".toml")))
+
+
+def bundled_text(name: str) -> str:
+    """Return the TOML text of a bundled scene.
+
+    Parameters
+    ----------
+    name : str
+        One of `bundled_names`.
+
+    Returns
+    -------
+    str
+        With its comments.
+    """
+    return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def bundled_title(name: str) -> str:
+    """Return the title of a bundled scene.
+
+    Parameters
+    ----------
+    name : str
+        One of `bundled_names`.
+
+    Returns
+    -------
+    str
+        One line.
+    """
+    return str(tomllib.loads(bundled_text(name))["title"])
+
+
+def _folder() -> Traversable:
+    return files("softcat_sym.scene") / _FOLDER

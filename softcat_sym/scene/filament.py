@@ -1,0 +1,81 @@
+"""The filament: how far it spans, how thick it is, what it weighs."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator
+
+from softcat_sym.scene.kinds import Choice, Numbers, Quantity, refusal
+from softcat_sym.scene.part import Part
+from softcat_sym.scene.units import shown
+
+Section = Literal["rectangle", "circle", "sheet"]
+Length = Annotated[float, Quantity("length", "6 mm")]
+
+
+class Filament(Part):
+    """Geometry and density; lengths in m, density in kg/m^3.
+
+    Attributes
+    ----------
+    span : float
+        Distance between the supports, L [m].
+    rest_length : float
+        Stress-free length [m]; the span unless given.
+    thickness : float
+        h0 [m], in the plane of bending; the diameter of a circle.
+    section : str
+        Shape of the cross-section.
+    width : float
+        D0 [m], across the plane of bending; the thickness unless given.
+    density : float
+        rho [kg/m^3].
+    profile : tuple of float
+        Relative thickness at equally spaced material points.
+    curvature : float
+        Natural curvature [1/m].
+    """
+
+    table_name: ClassVar[str] = "filament"
+
+    span: Annotated[float, Quantity("length", "0.2 m")]
+    rest_length: Length = Field(default=None, validate_default=True)
+    thickness: Length
+    section: Annotated[Section, Choice(("rectangle", "circle", "sheet"))] = "rectangle"
+    width: Length = Field(default=None, validate_default=True)
+    density: Annotated[float, Quantity("density", "1900 kg/m^3")]
+    profile: Annotated[tuple[float, ...], Numbers()] = ()
+    curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
+
+    @field_validator("rest_length", mode="wrap")
+    @classmethod
+    def _follow_span(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        # NaN never escapes: without a span there is a fault, and with a fault there is no filament.
+        return info.data.get("span", math.nan) if value is None else handler(value)
+
+    @field_validator("thickness", mode="wrap")
+    @classmethod
+    def _thinner_than_long(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        thickness = handler(value)
+        span = info.data.get("span")
+        if span is not None and thickness >= span:
+            raise refusal(f"{shown(value)} is not less than the span", f"a thickness below the span, {span:g} m")
+        return thickness
+
+    @field_validator("width", mode="wrap")
+    @classmethod
+    def _follow_thickness(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        thickness = info.data.get("thickness", math.nan)
+        if value is None:
+            return thickness
+        width = handler(value)
+        if info.data.get("section") == "circle" and math.isfinite(thickness) and width != thickness:
+            raise refusal("a circle has no width of its own", "leaving it out; the diameter is filament.thickness")
+        return width
+
+    def follows(self) -> dict[str, str]:
+        """Name the values that only repeat another, and need not be written: ``{field: the other}``."""
+        pairs = {"rest_length": "span", "width": "thickness"}
+        return {name: other for name, other in pairs.items() if getattr(self, name) == getattr(self, other)}

@@ -1,0 +1,251 @@
+"""The kinds of value a scene holds: each reads raw TOML, says what it accepts, and writes itself back."""
+
+# The protocol `Kind` documents the three methods once for all kinds.
+# ruff: noqa: D102
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from numbers import Integral, Real
+from typing import Any, Literal, Protocol, runtime_checkable
+
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+
+from softcat_sym.scene.faults import did_you_mean
+from softcat_sym.scene.units import NotAQuantity, shown, to_si, with_unit
+
+Sign = Literal["any", "non-negative", "positive"]
+
+
+def refusal(found: str, accepted: str, code: str = "scene") -> PydanticCustomError:
+    """Build the error by which a validator hands ``Fault(found, accepted)`` through pydantic."""
+    return PydanticCustomError(code, "{found}; accepted: {accepted}", {"found": found, "accepted": accepted})
+
+
+@runtime_checkable
+class Kind(Protocol):
+    """How one sort of value is read, described and written."""
+
+    @property
+    def accepted(self) -> str:
+        """What is accepted, for a fault."""
+        ...
+
+    def read(self, value: object) -> Any:
+        """Return the validated value; raises `refusal`."""
+        ...
+
+    def write(self, value: Any) -> object:
+        """Return what TOML holds; ``read(write(value)) == value``."""
+        ...
+
+
+class _AsValidator:
+    """Lets a kind stand in ``Annotated[float, kind]``."""
+
+    __slots__ = ()
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def read(self, value: object) -> Any:
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity(_AsValidator):
+    """A dimensional quantity, stored as an SI float."""
+
+    dimension: str
+    example: str
+    sign: Sign = "positive"
+
+    @property
+    def accepted(self) -> str:
+        prefix = "" if self.sign == "any" else f"{self.sign} "
+        return f'a {prefix}{self.dimension} with its unit, such as "{self.example}"'
+
+    def read(self, value: object) -> float:
+        try:
+            si = to_si(value, self.dimension)
+        except NotAQuantity as found:
+            raise refusal(str(found), self.accepted) from None
+        if si < 0 and self.sign != "any":
+            raise refusal(f"{shown(value)} is negative", self.accepted)
+        if si == 0 and self.sign == "positive":
+            raise refusal(f"{shown(value)} is zero", self.accepted)
+        return si + 0.0  # -0.0 would make equal scenes print differently
+
+    def write(self, value: float) -> object:
+        return with_unit(value, self.dimension)
+
+
+@dataclass(frozen=True, slots=True)
+class Number(_AsValidator):
+    """A dimensionless number strictly between two bounds, or equal to the lower one if that is `closed`."""
+
+    above: float = -math.inf
+    below: float = math.inf
+    closed: bool = False
+
+    @property
+    def accepted(self) -> str:
+        if self.below < math.inf:
+            return f"a number between {self.above:g} and {self.below:g}, both excluded"
+        sign = "" if self.above < 0 else "non-negative " if self.closed else "positive "
+        return f"a {sign}number without a unit"
+
+    def read(self, value: object) -> float:
+        if isinstance(value, bool) or not isinstance(value, Real):
+            raise refusal(f"{shown(value)} is not a number", self.accepted)
+        try:
+            number = float(value)
+        except OverflowError:
+            number = math.inf
+        if not math.isfinite(number):
+            raise refusal(f"{shown(value)} is not finite", self.accepted)
+        if not self.above < number < self.below and not (self.closed and number == self.above):
+            raise refusal(f"{shown(value)} is out of range", self.accepted)
+        return number
+
+    def write(self, value: float) -> object:
+        return float(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Whole(_AsValidator):
+    """A whole number between two bounds, both included."""
+
+    least: int
+    most: int
+
+    @property
+    def accepted(self) -> str:
+        return f"a whole number from {self.least} to {self.most}"
+
+    def read(self, value: object) -> int:
+        if isinstance(value, bool) or not isinstance(value, Integral):
+            raise refusal(f"{shown(value)} is not a whole number", self.accepted)
+        number = int(value)
+        if not self.least <= number <= self.most:
+            raise refusal(f"{shown(value)} is out of range", self.accepted)
+        return number
+
+    def write(self, value: int) -> object:
+        return int(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Choice(_AsValidator):
+    """One of a few names."""
+
+    names: tuple[str, ...]
+
+    @property
+    def accepted(self) -> str:
+        return ", ".join(self.names)
+
+    def read(self, value: object) -> str:
+        if isinstance(value, str) and value in self.names:
+            return value
+        raise refusal(self.unknown(value), self.accepted)
+
+    def unknown(self, value: object) -> str:
+        """Say what was found in place of a name."""
+        return _unknown_name(value, self.names)
+
+    def write(self, value: str) -> object:
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Text(_AsValidator):
+    """Any text."""
+
+    accepted: str = "text in quotes"
+
+    def read(self, value: object) -> str:
+        if isinstance(value, str) and not any("\ud800" <= letter <= "\udfff" for letter in value):
+            return value
+        raise refusal(f"{shown(value)} is not text", self.accepted)
+
+    def write(self, value: str) -> object:
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Flag(_AsValidator):
+    """True or false."""
+
+    accepted: str = "true or false"
+
+    def read(self, value: object) -> bool:
+        if isinstance(value, bool):
+            return value
+        raise refusal(f"{shown(value)} is neither true nor false", self.accepted)
+
+    def write(self, value: bool) -> object:
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers(_AsValidator):
+    """A list of dimensionless numbers."""
+
+    accepted: str = "a list of numbers without units"
+
+    def read(self, value: object) -> tuple[float, ...]:
+        if not isinstance(value, (list, tuple)):
+            raise refusal(f"{shown(value)} is not a list", self.accepted)
+        return tuple(Number().read(item) for item in value)
+
+    def write(self, value: tuple[float, ...]) -> object:
+        return list(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Names(_AsValidator):
+    """A list of names, or one of a few words that stand for a list."""
+
+    words: tuple[str, ...]
+
+    @property
+    def accepted(self) -> str:
+        return f"{', '.join(self.words)}, or a list of names"
+
+    def read(self, value: object) -> str | tuple[str, ...]:
+        if isinstance(value, str):
+            if value in self.words:
+                return value
+            raise refusal(_unknown_name(value, self.words), self.accepted)
+        if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
+            raise refusal(f"{shown(value)} is not a list of names", self.accepted)
+        repeated = sorted({item for item in value if value.count(item) > 1})
+        if repeated:
+            raise refusal(f"{', '.join(repeated)} named twice", self.accepted)
+        return tuple(value)
+
+    def write(self, value: str | tuple[str, ...]) -> object:
+        return value if isinstance(value, str) else list(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Empty(_AsValidator):
+    """A key whose shape is settled together with its physics: only an empty value so far."""
+
+    accepted: str = "nothing"
+
+    def read(self, value: object) -> tuple[()]:
+        if isinstance(value, (str, list, tuple, dict)) and not value:
+            return ()
+        raise refusal(f"{shown(value)} is not empty", self.accepted)
+
+    def write(self, value: tuple[()]) -> object:
+        return list(value)
+
+
+def _unknown_name(value: object, names: tuple[str, ...]) -> str:
+    hint = did_you_mean(value, names) if isinstance(value, str) else ""
+    return f"{shown(value)} is not a name known here{hint}"

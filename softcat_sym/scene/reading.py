@@ -1,0 +1,107 @@
+"""From a name or a path to a scene."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.bundled import bundled_names, bundled_text
+from softcat_sym.scene.faults import did_you_mean
+from softcat_sym.scene.model import LATE, Scene
+from softcat_sym.scene.overriding import Override, apply, read_overrides
+from softcat_sym.scene.resolving import determined_by_groups
+from softcat_sym.scene.units import shown
+
+# A scene has some kilobytes; whatever is a thousand times longer was given by mistake (a device, a result).
+_LONGEST = 1 << 20
+
+
+def load_scene(
+    name_or_path: str | os.PathLike[str],
+    overrides: Mapping[str, object] | Sequence[str] = (),
+) -> Scene:
+    """Read a scene and validate it.
+
+    Parameters
+    ----------
+    name_or_path : str or path
+        Name of a bundled scene, or a path of a TOML file. ``./no-yield`` is a file even where a scene has that name.
+    overrides : mapping or sequence of str, optional
+        ``{"material.yield_stress": "5 kPa"}`` or ``["run.effects=paper", "numerics.cells=40"]``. An override wins over
+        whatever the file or its ``[groups]`` say: span, density, gravity and groups are set before the groups are
+        resolved, values that the groups determine are set afterwards.
+
+    Returns
+    -------
+    Scene
+        Frozen, plain SI.
+
+    Raises
+    ------
+    SceneError
+        With every fault at once.
+    """
+    source = str(name_or_path)
+    table = _table_of(_text_of(name_or_path, source), source)
+    changes, faults = read_overrides(overrides)
+    faults += apply([change for change in changes if _is_group(change)], table)
+    determined = determined_by_groups(table)
+    late = tuple(change for change in changes if _overrules(change, determined))
+    faults += apply([change for change in changes if change not in late and not _is_group(change)], table)
+    try:
+        scene = Scene.model_validate(table, context={LATE: late})
+    except SceneError as error:
+        raise SceneError([*faults, *error.faults], source) from None
+    if faults:
+        raise SceneError(faults, source)
+    return scene
+
+
+def _is_group(change: Override) -> bool:
+    return change.path.split(".")[0] == "groups"
+
+
+def _overrules(change: Override, determined: frozenset[str]) -> bool:
+    return change.path in determined or change.path.replace("material.shear_", "material.") in determined
+
+
+def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
+    if isinstance(name_or_path, str) and name_or_path in bundled_names():
+        return bundled_text(name_or_path)
+    known = f"a path of a TOML file, or a bundled scene: {', '.join(bundled_names())}"
+    try:
+        with Path(name_or_path).open("rb") as file:
+            content = file.read(_LONGEST + 1)
+    except FileNotFoundError:
+        hint = did_you_mean(Path(source).stem, bundled_names())
+        raise _refuse(source, f"no such file and no bundled scene of this name{hint}", known) from None
+    except IsADirectoryError:
+        raise _refuse(source, "a directory, not a file", known) from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise _refuse(source, f"cannot be read: {reason}", known) from None
+    if len(content) > _LONGEST:
+        raise _refuse(source, "longer than 1 MiB, so not a scene", known)
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise _refuse(source, f"not UTF-8 text (line {line})", "TOML in UTF-8") from None
+
+
+def _table_of(text: str, source: str) -> dict[str, Any]:
+    try:
+        table = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise _refuse(source, f"not TOML: {shown(str(error), 200)[1:-1]}", "TOML, as `softcat scenes` shows") from None
+    if not table:
+        raise _refuse(source, "the file is empty", "at least the tables [filament], [material], [run], or [groups]")
+    return table
+
+
+def _refuse(source: str, found: str, accepted: str) -> SceneError:
+    return SceneError([Fault("", found, accepted)], source)

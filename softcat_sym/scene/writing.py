@@ -1,0 +1,67 @@
+"""Scene to TOML: physical form, SI units, exact numbers."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+from softcat_sym.scene.filament import Filament
+from softcat_sym.scene.material import Material
+from softcat_sym.scene.notyet import AVAILABLE
+from softcat_sym.scene.part import Part, dotted, kinds_of
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.model import Scene
+
+
+def toml_of(scene: Scene) -> str:
+    """Write a scene so that reading it again gives an equal one.
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+
+    Returns
+    -------
+    str
+        TOML; every number is the shortest text that reads back to the same float.
+    """
+    lines = ["# The scene as resolved: physical values, SI units.", *_table_lines(scene)]
+    for name in type(scene).model_fields:
+        part = getattr(scene, name)
+        if isinstance(part, Part):
+            written = _table_lines(part)
+            if written:
+                lines += ["", f"[{name}]", *written]
+    return "\n".join([*lines, ""])
+
+
+def _table_lines(part: Part) -> list[str]:
+    kinds = kinds_of(type(part))
+    follows = part.follows() if isinstance(part, Filament) else {}
+    lines = []
+    for name, value in part.physics().items():
+        # A key with a single possible value says nothing.
+        only_one = len(AVAILABLE.get(dotted(part.table_name, name), ("", ""))) == 1
+        if name not in kinds or value is None or (only_one and part.table_name):
+            continue
+        if name in follows:
+            # As a comment, so that an override of the one it follows still carries it along.
+            lines.append(f"# {name} = {follows[name]}")
+        else:
+            lines.append(f"{name} = {_toml(kinds[name].write(value))}")
+    if isinstance(part, Material):
+        lines += [f"# {note}" for note in part.notes]
+    return lines
+
+
+def _toml(value: object) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        # JSON strings are TOML basic strings but for DEL, which TOML wants escaped.
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(_toml(item) for item in value)}]"
+    return repr(value)
