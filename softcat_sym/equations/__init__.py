@@ -1,0 +1,1 @@
+"""The mathematics of a soft filament in SymPy: one cross-section, one cell, one node; no numbers, no grid."""

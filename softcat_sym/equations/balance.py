@@ -1,0 +1,41 @@
+"""Balance of momentum in conservative form (THEORY 2; equations 2.1-2.4 of the paper, corrected).
+
+lambda_0 x_tt = d/dX (Q t + N n) - lambda_0 g e_y,   N = M_X / s.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from softcat_sym.equations.kinematics import Kinematics
+from softcat_sym.equations.symbols import A0, M_X, Q, rho
+
+
+@dataclass(frozen=True, slots=True)
+class InternalForce:
+    """Force (F_x, F_y) that the filament behind a section exerts on the filament before it.
+
+    Written through the gradients of stretch and angle, so that its power is Q s_t + M_X theta_t whatever the
+    kinematics; for large rotations it is Q t + (M_X/s) n.
+    """
+
+    horizontal: sp.Expr
+    vertical: sp.Expr
+
+
+def internal_force(kinematics: Kinematics, *, bending: bool) -> InternalForce:
+    """Q grad s + M_X grad theta, without the second part when the filament does not bend."""
+    along = kinematics.stretch_gradient()
+    across = kinematics.angle_gradient()
+    moment_change = M_X if bending else sp.Integer(0)
+    return InternalForce(
+        horizontal=Q * along[0] + moment_change * across[0],
+        vertical=Q * along[1] + moment_change * across[1],
+    )
+
+
+def mass_per_length() -> sp.Expr:
+    """lambda_0 = rho A_0, mass per unit material length."""
+    return rho * A0

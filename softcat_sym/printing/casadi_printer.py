@@ -1,0 +1,182 @@
+"""SymPy to CasADi: a whitelist of functions, exact numbers, and no symbol left unbound."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import casadi as ca
+import sympy as sp
+from sympy.printing.printer import Printer
+
+from softcat_sym.errors import PrintingError
+
+_ELEMENTARY: dict[str, Callable[..., Any]] = {
+    "exp": ca.exp,
+    "log": ca.log,
+    "sin": ca.sin,
+    "cos": ca.cos,
+    "tan": ca.tan,
+    "asin": ca.asin,
+    "acos": ca.acos,
+    "atan": ca.atan,
+    "atan2": ca.atan2,
+    "sinh": ca.sinh,
+    "cosh": ca.cosh,
+    "tanh": ca.tanh,
+    "Abs": ca.fabs,
+    "sign": ca.sign,
+}
+
+_RELATIONS: dict[type, Callable[[Any, Any], Any]] = {
+    sp.StrictGreaterThan: lambda a, b: a > b,
+    sp.GreaterThan: lambda a, b: a >= b,
+    sp.StrictLessThan: lambda a, b: a < b,
+    sp.LessThan: lambda a, b: a <= b,
+    sp.Equality: lambda a, b: a == b,
+    sp.Unequality: lambda a, b: a != b,
+}
+
+
+class CasadiPrinter(Printer):  # type: ignore[misc]  # SymPy has no types
+    """Builds CasADi expressions from SymPy ones; symbols are looked up in `bindings`.
+
+    Values may be scalars or column vectors (SX, MX, DM): every operation is elementwise, so one cell's expression,
+    given vectors, is the expression of all cells.
+    """
+
+    def __init__(self, bindings: Mapping[sp.Symbol, Any]) -> None:
+        super().__init__()
+        self._bindings = dict(bindings)
+
+    def bind(self, symbol: sp.Symbol, value: Any) -> None:
+        """Give a symbol its value; common subexpressions are bound this way, one after the other."""
+        self._bindings[symbol] = value
+
+    def value(self, expr: sp.Expr) -> Any:
+        """The CasADi value of an expression, under the present bindings."""
+        return self._print(expr)
+
+    def emptyPrinter(self, expr: sp.Basic) -> Any:
+        """Refuse whatever has no rule below."""
+        raise PrintingError(f"cannot print {type(expr).__name__} in {expr}: not in the whitelist of the CasADi printer")
+
+    def _print_Symbol(self, expr: sp.Symbol) -> Any:
+        try:
+            return self._bindings[expr]
+        except KeyError:
+            raise PrintingError(f"symbol {expr} has no value; bound are {sorted(map(str, self._bindings))}") from None
+
+    _print_Dummy = _print_Symbol
+
+    def _print_Integer(self, expr: sp.Integer) -> float:
+        return float(expr.p)
+
+    def _print_Rational(self, expr: sp.Rational) -> float:
+        return float(expr.p / expr.q)
+
+    def _print_Float(self, expr: sp.Float) -> float:
+        return float(expr)
+
+    def _print_NumberSymbol(self, expr: sp.NumberSymbol) -> float:
+        return float(expr.evalf(20))
+
+    def _print_Add(self, expr: sp.Add) -> Any:
+        first, *rest = [self._print(a) for a in expr.args]
+        for term in rest:
+            first = first + term
+        return first
+
+    def _print_Mul(self, expr: sp.Mul) -> Any:
+        # Factor by factor: reciprocals, of parameters above all, are then shared between terms, and products are cheap.
+        first, *rest = [self._print(a) for a in expr.args]
+        for factor in rest:
+            first = first * factor
+        return first
+
+    def _print_Pow(self, expr: sp.Pow) -> Any:
+        base, exponent = expr.args
+        if exponent.is_negative and exponent.is_Rational:
+            return 1 / self._print(base**-exponent)
+        if exponent.is_Integer and exponent.p <= 8:
+            return _whole_power(self._print(base), exponent.p)
+        if exponent.is_Rational and exponent.q == 2:
+            value, whole = self._print(base), exponent.p // 2
+            root = ca.sqrt(value)
+            return root if whole == 0 else root * _whole_power(value, whole)
+        return self._print(base) ** self._print(exponent)
+
+    def _print_Function(self, expr: sp.Function) -> Any:
+        name = type(expr).__name__
+        if name not in _ELEMENTARY:
+            raise PrintingError(f"function {name} in {expr} is not in the whitelist: {', '.join(sorted(_ELEMENTARY))}")
+        return _ELEMENTARY[name](*(self._print(a) for a in expr.args))
+
+    def _print_Max(self, expr: sp.Max) -> Any:
+        return self._fold(ca.fmax, expr)
+
+    def _print_Min(self, expr: sp.Min) -> Any:
+        return self._fold(ca.fmin, expr)
+
+    def _fold(self, operation: Callable[[Any, Any], Any], expr: sp.Expr) -> Any:
+        first, *rest = [self._print(a) for a in sorted(expr.args, key=sp.default_sort_key)]
+        for other in rest:
+            first = operation(first, other)
+        return first
+
+    def _print_Relational(self, expr: sp.core.relational.Relational) -> Any:
+        return _RELATIONS[type(expr)](self._print(expr.lhs), self._print(expr.rhs))
+
+    def _print_Piecewise(self, expr: sp.Piecewise) -> Any:
+        if expr.args[-1].cond != sp.true:
+            raise PrintingError(f"{expr} says nothing about what remains: end it with (value, True)")
+        value = self._print(expr.args[-1].expr)
+        for branch, condition in reversed(expr.args[:-1]):
+            value = ca.if_else(self._print(condition), self._print(branch), value)
+        return value
+
+
+def _whole_power(value: Any, exponent: int) -> Any:
+    """Repeated squaring, so that x^2 and x^3 stay products."""
+    if exponent == 1:
+        return value
+    half = _whole_power(value, exponent // 2)
+    return half * half if exponent % 2 == 0 else half * half * value
+
+
+class CellFunction:
+    """Several SymPy expressions of one cell, evaluated together on CasADi values with common parts shared.
+
+    Parameters
+    ----------
+    outputs : mapping of str to sympy.Expr
+        What to compute.
+    inputs : sequence of sympy.Symbol
+        Every symbol that may occur.
+
+    Raises
+    ------
+    PrintingError
+        If an output holds a symbol that is not an input, or a function outside the whitelist (when called).
+    """
+
+    def __init__(self, outputs: Mapping[str, sp.Expr], inputs: Sequence[sp.Symbol]) -> None:
+        self.inputs = tuple(inputs)
+        self.names = tuple(outputs)
+        missing = set().union(*(sp.sympify(e).free_symbols for e in outputs.values())) - set(self.inputs)
+        if missing:
+            raise PrintingError(f"no input for {sorted(map(str, missing))} in {list(outputs)}")
+        self._shared, self._reduced = sp.cse(list(outputs.values()), symbols=sp.numbered_symbols("w_", cls=sp.Dummy))
+
+    def __call__(self, values: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
+        """Evaluate on scalars or column vectors.
+
+        Parameters
+        ----------
+        values : mapping of sympy.Symbol to casadi value
+            One value for each input that occurs.
+        """
+        printer = CasadiPrinter({symbol: values[symbol] for symbol in self.inputs if symbol in values})
+        for symbol, expression in self._shared:
+            printer.bind(symbol, printer.value(expression))
+        return {name: printer.value(e) for name, e in zip(self.names, self._reduced, strict=True)}
