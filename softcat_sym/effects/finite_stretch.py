@@ -1,0 +1,29 @@
+"""Finite stretch: true strain log s and the curvature theta_s of the stretched centreline."""
+
+from dataclasses import replace
+
+from softcat_sym.effects.effect import Effect, Estimate, always
+from softcat_sym.effects.prediction import predicted_strain
+from softcat_sym.equations.filament import Terms
+from softcat_sym.equations.kinematics import TRUE_STRAIN
+from softcat_sym.scene import Scene
+
+
+def _contribute(terms: Terms) -> Terms:
+    return replace(terms, strain=TRUE_STRAIN)
+
+
+def _estimate(scene: Scene) -> Estimate:
+    return Estimate(predicted_strain(scene) / 2, "relative difference of s - 1 and log s, half the mean strain")
+
+
+FINITE_STRETCH = Effect(
+    name="finite-stretch",
+    summary="true strain log s instead of s - 1",
+    source="2.6",
+    contribute=_contribute,
+    applies=always,
+    without_it="",
+    estimate=_estimate,
+    observable="largest strain",
+)

@@ -1,0 +1,32 @@
+"""Gravity ramp: the weight is switched on smoothly instead of at once."""
+
+from dataclasses import replace
+
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.equations.filament import Terms
+from softcat_sym.equations.loading import ramp_rate, ramped_gravity
+from softcat_sym.scene import Scene
+
+
+def _contribute(terms: Terms) -> Terms:
+    return replace(terms, gravity=ramped_gravity(), gravity_rate=ramp_rate())
+
+
+def _applies(scene: Scene) -> bool:
+    return scene.load.ramp > 0
+
+
+def _estimate(scene: Scene) -> Estimate:
+    return Estimate(min(1.0, scene.load.ramp / scene.run.duration), "ramp over duration")
+
+
+GRAVITY_RAMP = Effect(
+    name="gravity-ramp",
+    summary="g(t) by a quintic smooth step",
+    source="section 3",
+    contribute=_contribute,
+    applies=_applies,
+    without_it="load.ramp is zero: gravity acts at once",
+    estimate=_estimate,
+    observable="ramp over duration",
+)

@@ -1,0 +1,29 @@
+"""Thinning: area and thickness shrink as the filament stretches."""
+
+from dataclasses import replace
+
+from softcat_sym.effects.effect import Effect, Estimate, always
+from softcat_sym.effects.prediction import predicted_strain
+from softcat_sym.equations.filament import Terms
+from softcat_sym.equations.section import UNIFORM
+from softcat_sym.scene import Scene
+
+
+def _contribute(terms: Terms) -> Terms:
+    return replace(terms, contraction=UNIFORM)
+
+
+def _estimate(scene: Scene) -> Estimate:
+    return Estimate(predicted_strain(scene), "relative loss of area, the mean strain")
+
+
+THINNING = Effect(
+    name="thinning",
+    summary="A = A0/s, h = h0/sqrt(s)",
+    source="2.9",
+    contribute=_contribute,
+    applies=always,
+    without_it="",
+    estimate=_estimate,
+    observable="largest relative loss of area",
+)

@@ -1,0 +1,98 @@
+"""The assembled Graph: a filament of N cells as one CasADi system, with every parameter an input."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.graph.grid import Floats, Grid
+
+
+@dataclass(frozen=True)
+class Graph:
+    """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures.
+
+    Unknowns are dimensionless: lengths in spans, time in units of the parameter ``time_scale``; parameters are SI.
+
+    Attributes
+    ----------
+    grid : Grid
+        Nodes and ends.
+    effects : tuple of str
+        Names of the effects in force.
+    parameters : tuple of str
+        Names of the inputs `p`, in order.
+    t, x, z, p : casadi.SX
+        Time, differential states (nx,), algebraic states (nz,), parameters.
+    ode, alg, quad : casadi.SX
+        Right-hand sides; `quad` is (plastic power, power of the changing load), per unit undeformed area and span.
+    state_names, algebraic_names : tuple of str
+        What each component is, for messages.
+    observables : casadi.Function
+        (t, x, z, p) to node and cell fields and energies, in SI per unit undeformed area.
+    start : ndarray, shape (nx,)
+        Differential states of the straight, relaxed filament at rest.
+    straight : ndarray, shape (nz,)
+        Algebraic states of the straight filament: where the search for equilibrium begins.
+    """
+
+    grid: Grid
+    effects: tuple[str, ...]
+    parameters: tuple[str, ...]
+    t: ca.SX
+    x: ca.SX
+    z: ca.SX
+    p: ca.SX
+    ode: ca.SX
+    alg: ca.SX
+    quad: ca.SX
+    state_names: tuple[str, ...]
+    algebraic_names: tuple[str, ...]
+    observables: ca.Function
+    start: Floats
+    straight: Floats
+
+    @property
+    def is_dae(self) -> bool:
+        """Whether positions are algebraic, because inertia is left out."""
+        return bool(self.z.numel())
+
+    @cached_property
+    def instructions(self) -> int:
+        """Number of elementary operations in one evaluation of the right-hand side."""
+        return int(ca.Function("rhs", [self.t, self.x, self.z, self.p], [self.ode, self.alg]).n_instructions())
+
+    def vector(self, values: dict[str, float]) -> Floats:
+        """Parameter values in the order of `p`.
+
+        Raises
+        ------
+        KeyError
+            If a parameter of the graph has no value.
+        """
+        return np.array([values[name] for name in self.parameters], dtype=float)
+
+    def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
+        """Fields and energies at several times.
+
+        Parameters
+        ----------
+        time : ndarray, shape (frames,)
+            Dimensionless times.
+        x, z : ndarray, shapes (nx, frames) and (nz, frames)
+            States.
+        p : ndarray, shape (np,)
+            Parameters.
+
+        Returns
+        -------
+        dict of str to ndarray, shape (frames, size)
+            Whatever `observables` computes, a row for each time.
+        """
+        frames = len(time)
+        mapped = self.observables.map(frames)
+        out = mapped(time=time.reshape(1, -1), state=x, algebraic=z, parameters=np.repeat(p[:, None], frames, axis=1))
+        return {name: np.asarray(value, dtype=float).reshape(-1, frames, order="F").T for name, value in out.items()}
