@@ -1,0 +1,197 @@
+"""Integration in time with CVODES, IDAS or CasADi's Rosenbrock method, in chunks that report progress."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.graph import Graph
+from softcat_sym.graph.grid import Floats
+from softcat_sym.solve.outcome import Outcome
+from softcat_sym.solve.progress import Progress
+from softcat_sym.solve.settings import Settings
+from softcat_sym.solve.solution import Solution
+
+_LARGE = 1000
+
+
+@dataclass(frozen=True)
+class _State:
+    """Where an integration stands at one output time."""
+
+    x: Floats
+    z: Floats
+    quad: Floats
+
+
+class FrameIntegrator:
+    """Carries a filament over a number of equal output intervals.
+
+    Time is written t = start + interval * tau, so that one integrator serves every chunk of the run.
+
+    Parameters
+    ----------
+    graph : Graph
+        What to integrate; it must have differential states.
+    settings : Settings
+        Integrator and tolerances.
+    intervals : int
+        Output intervals in one call.
+    """
+
+    def __init__(self, graph: Graph, settings: Settings, intervals: int) -> None:
+        self.intervals = intervals
+        tau, start, interval = ca.SX.sym("tau"), ca.SX.sym("start"), ca.SX.sym("interval")
+        now = start + interval * tau
+        ode, alg, quad = ca.substitute([graph.ode, graph.alg, graph.quad], [graph.t], [now])
+        dae = {
+            "t": tau,
+            "x": graph.x,
+            "p": ca.vertcat(graph.p, start, interval),
+            "ode": ode * interval,
+            "quad": quad * interval,
+        }
+        if graph.is_dae:
+            dae |= {"z": graph.z, "alg": alg}
+        self._call = ca.integrator("filament", settings.solver, dae, 0, list(range(intervals + 1)), settings.options())
+
+    def advance(self, state: _State, p: Floats, start: float, interval: float) -> tuple[Floats, Floats, Floats, int]:
+        """States and quadratures at the end of each interval (as columns), and the steps taken.
+
+        Raises
+        ------
+        RuntimeError
+            If the integrator gives up.
+        """
+        parameters = np.concatenate([p, [start, interval]])
+        silence = io.StringIO()
+        with contextlib.redirect_stdout(silence), contextlib.redirect_stderr(silence):
+            out = self._call(x0=state.x, z0=state.z, p=parameters)
+        x, z, quad = (np.asarray(out[key], dtype=float)[:, 1:] for key in ("xf", "zf", "qf"))
+        stats = self._call.stats()
+        return x, z, quad + state.quad[:, None], int(stats.get("nsteps", stats.get("n_steps", 0)))
+
+
+class Integration:
+    """A prepared run: the integrator is built, and can be asked for the solution.
+
+    Parameters
+    ----------
+    graph, settings
+        What to integrate and how.
+    frames : int
+        Number of output times, t = 0 included.
+    """
+
+    def __init__(self, graph: Graph, settings: Settings, frames: int) -> None:
+        self._graph, self._settings, self._frames = graph, settings, frames
+        self._chunk = FrameIntegrator(graph, settings, max(1, -(-(frames - 1) // _chunks(graph, settings))))
+
+    def run(self, z0: Floats, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
+        """Integrate from the straight filament at rest.
+
+        Parameters
+        ----------
+        z0 : ndarray, shape (nz,)
+            Consistent algebraic states.
+        p : ndarray
+            Parameters.
+        duration : float
+            In units of the time scale.
+        scale : float
+            The time scale [s], for messages.
+        progress : Progress
+            Told after every chunk.
+        """
+        interval = duration / (self._frames - 1)
+        record = _Record(_State(self._graph.start, z0, np.zeros(2)))
+        while record.reached < self._frames - 1:
+            complaint = self._attempt(self._chunk, record, p, interval)
+            if complaint:
+                return self._to_the_bitter_end(record, p, interval, scale, complaint)
+            done = min(record.reached, self._frames - 1)
+            steps = record.last_steps
+            progress.update(
+                done * interval * scale, self._chunk.intervals * interval * scale / steps if steps else None
+            )
+        return record.solution(interval, self._frames, Outcome.solved, "")
+
+    def _attempt(self, integrator: FrameIntegrator, record: _Record, p: Floats, interval: float) -> str:
+        """Advance by one call; what went wrong, or an empty text."""
+        try:
+            x, z, quad, steps = integrator.advance(record.last, p, record.reached * interval, interval)
+        except RuntimeError as error:
+            return str(error)
+        if not (np.all(np.isfinite(x)) and np.all(np.isfinite(z))):
+            return "non-finite state"
+        record.extend(x, z, quad, steps)
+        return ""
+
+    def _to_the_bitter_end(self, record: _Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
+        """Go on frame by frame to where it fails, so that the part that is sound is kept."""
+        single = FrameIntegrator(self._graph, self._settings, 1)
+        while record.reached < self._frames - 1:
+            failed = self._attempt(single, record, p, interval)
+            if failed:
+                complaint = failed
+                break
+        else:
+            return record.solution(interval, self._frames, Outcome.solved, "")
+        worst = worst_component(self._graph, record.reached * interval, record.last.x, record.last.z, p)
+        text = f"stopped after t = {record.reached * interval * scale:.6g} s; fastest: {worst}; {_digest(complaint)}"
+        return record.solution(interval, self._frames, _outcome_of(complaint), text)
+
+
+def _chunks(graph: Graph, settings: Settings) -> int:
+    """In how many calls to integrate: a multistep method starts anew in each, so a short run gets one."""
+    if graph.x.numel() > _LARGE:
+        return 40
+    return 8 if settings.solver == "rosenbrock" else 1
+
+
+class _Record:
+    """Frames gathered so far."""
+
+    def __init__(self, first: _State) -> None:
+        self._x, self._z, self._quad = [first.x[:, None]], [first.z[:, None]], [first.quad[:, None]]
+        self.reached, self.steps, self.last_steps = 0, 0, 0
+
+    @property
+    def last(self) -> _State:
+        return _State(self._x[-1][:, -1], self._z[-1][:, -1], self._quad[-1][:, -1])
+
+    def extend(self, x: Floats, z: Floats, quad: Floats, steps: int) -> None:
+        self._x.append(x)
+        self._z.append(z)
+        self._quad.append(quad)
+        self.reached += x.shape[1]
+        self.steps += steps
+        self.last_steps = steps
+
+    def solution(self, interval: float, frames: int, outcome: Outcome, complaint: str) -> Solution:
+        # The last chunk may overshoot the run: whatever lies beyond it is dropped.
+        x, z, quad = (np.concatenate(parts, axis=1)[:, :frames] for parts in (self._x, self._z, self._quad))
+        return Solution(np.arange(x.shape[1], dtype=float) * interval, x, z, quad, outcome, complaint, self.steps)
+
+
+def worst_component(graph: Graph, time: float, x: Floats, z: Floats, p: Floats) -> str:
+    """Name of the differential state that changes fastest."""
+    rates = np.abs(np.asarray(ca.Function("ode", [graph.t, graph.x, graph.z, graph.p], [graph.ode])(time, x, z, p)))
+    return graph.state_names[int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))]
+
+
+def _outcome_of(complaint: str) -> Outcome:
+    if "non-finite" in complaint or "nan" in complaint.lower():
+        return Outcome.non_finite
+    if "TOO_MUCH_WORK" in complaint or "max_num_steps" in complaint or "number of steps" in complaint:
+        return Outcome.step_limit
+    return Outcome.no_convergence
+
+
+def _digest(complaint: str) -> str:
+    """The integrator's own words, without its source files."""
+    return complaint.strip().splitlines()[-1].split(": ", 1)[-1][:200]

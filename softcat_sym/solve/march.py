@@ -1,0 +1,61 @@
+"""A filament without inertia or flow: a sequence of equilibria."""
+
+from __future__ import annotations
+
+import itertools
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.graph import Graph
+from softcat_sym.graph.grid import Floats
+from softcat_sym.solve.equilibrium import Equilibrium
+from softcat_sym.solve.outcome import Outcome
+from softcat_sym.solve.progress import Progress
+from softcat_sym.solve.solution import Solution
+
+
+def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
+    """Equilibrium at each output time, each found from the one before.
+
+    Parameters
+    ----------
+    graph : Graph
+        Without differential states.
+    z0 : ndarray, shape (nz,)
+        Equilibrium at the first time.
+    p : ndarray
+        Parameters.
+    times : ndarray, shape (frames,)
+        In units of the time scale.
+    scale : float
+        Time scale [s].
+    progress : Progress
+        Told after every frame.
+    """
+    equilibrium = Equilibrium(graph)
+    empty = np.zeros(0)
+    shapes, work = [z0], [0.0]
+    for before, time in itertools.pairwise(times):
+        z = equilibrium.search(float(time), empty, p, [shapes[-1]])
+        if z is None:
+            text = f"no equilibrium at t = {time * scale:.6g} s"
+            return _solution(times[: len(shapes)], shapes, work, Outcome.no_equilibrium, text)
+        work.append(work[-1] + _work(graph, (float(before), shapes[-1]), (float(time), z), p))
+        shapes.append(z)
+        progress.update(float(time) * scale, None)
+    return _solution(times, shapes, work, Outcome.solved, "")
+
+
+def _work(graph: Graph, one: tuple[float, Floats], two: tuple[float, Floats], p: Floats) -> float:
+    """Work of the changing load over one interval: Simpson's rule in time, the shape taken as linear between frames."""
+    power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
+    middle = ((one[0] + two[0]) / 2, (one[1] + two[1]) / 2)
+    values = [float(np.asarray(power(time, [], z, p)).ravel()[1]) for time, z in (one, middle, two)]
+    return (two[0] - one[0]) / 6 * (values[0] + 4 * values[1] + values[2])
+
+
+def _solution(times: Floats, shapes: list[Floats], work: list[float], outcome: Outcome, text: str) -> Solution:
+    frames = len(shapes)
+    quad = np.vstack([np.zeros(frames), work])
+    return Solution(times, np.zeros((0, frames)), np.array(shapes).T, quad, outcome, text, frames - 1)

@@ -1,0 +1,33 @@
+"""How a run ended; the value of each member is the advice."""
+
+from enum import Enum
+
+
+class Outcome(Enum):
+    """End of a run; ``Outcome.x.name`` goes into the summary, ``Outcome.x.value`` tells the user what to do."""
+
+    solved = "the whole run was integrated; nothing speaks against the answer"
+    localised = (
+        "strain gathers in one cell and the answer changes with the grid: this physics has no length scale that stops "
+        "a neck; do not trust the sag, and lower gravity, thicken the filament or raise the yield stress"
+    )
+    energy_drift = (
+        "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, or ask for a smaller "
+        "run.accuracy"
+    )
+    step_limit = (
+        "the integrator ran out of steps: loosen numerics.rtol, shorten run.duration, or try another numerics.solver"
+    )
+    no_convergence = (
+        "the integrator could not converge with its smallest step: try another numerics.solver, a tighter "
+        "numerics.rtol, or a load.ramp"
+    )
+    non_finite = "the state became infinite or undefined: the filament has run away or ruptured; shorten run.duration"
+    no_equilibrium = (
+        "without inertia the filament must begin in equilibrium and none was found: keep the inertia effect, or bending"
+    )
+
+    @property
+    def is_success(self) -> bool:
+        """Whether the answer may be used."""
+        return self is Outcome.solved

@@ -1,0 +1,5 @@
+"""The result of a run, with its energy audit, regime and verdict."""
+
+from softcat_sym.trajectory.trajectory import Trajectory, judge
+
+__all__ = ["Trajectory", "judge"]

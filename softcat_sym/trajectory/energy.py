@@ -1,0 +1,24 @@
+"""Energy audit: kinetic + elastic + potential + dissipated - work of the load must stay what it was."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from softcat_sym.graph.grid import Floats
+
+_STORED = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated")
+
+
+def energy_residual(fields: Mapping[str, Floats]) -> float:
+    """Largest imbalance over the run, relative to the largest energy in it.
+
+    Parameters
+    ----------
+    fields : mapping of str to ndarray, shape (frames,)
+        The four energies and ``work_external`` [J].
+    """
+    balance = sum(fields[name] for name in _STORED) - fields["work_external"]
+    scale = max(float(np.max(np.abs(fields[name]))) for name in (*_STORED, "work_external"))
+    return float(np.max(np.abs(balance - balance[0]))) / scale if scale > 0 else 0.0

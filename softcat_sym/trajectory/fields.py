@@ -1,0 +1,53 @@
+"""The raw solution becomes fields over the whole span, in SI units."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from softcat_sym.graph import Graph
+from softcat_sym.graph.grid import Floats
+from softcat_sym.scene import Scene
+from softcat_sym.solve import Prepared, Solution
+from softcat_sym.trajectory.mirror import mirrored
+from softcat_sym.trajectory.variables import ENERGIES, VARIABLES
+
+
+def undeformed_area(scene: Scene) -> float:
+    """A_0 [m^2] of a rectangle or a circle."""
+    filament = scene.filament
+    if filament.section == "circle":
+        return math.pi * filament.thickness**2 / 4
+    return filament.thickness * filament.width
+
+
+def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
+    """Every variable of the trajectory, whole span, whole filament.
+
+    Returns
+    -------
+    dict of str to ndarray
+        (frames, nodes), (frames, cells) or (frames,).
+    """
+    graph, span = prepared.graph, scene.filament.span
+    observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
+    observed["energy_dissipated"] = solution.quad[0][:, None] * span
+    observed["work_external"] = solution.quad[1][:, None] * span
+    observed["shear"] = np.zeros_like(observed["stretch"])
+    area = undeformed_area(scene)
+    return {v.name: _whole(graph, v.name, observed[v.name] * (area if v.per_area else 1.0)) for v in VARIABLES}
+
+
+def _whole(graph: Graph, name: str, values: Floats) -> Floats:
+    if name in ENERGIES:
+        return values[:, 0] * (2.0 if graph.grid.is_half else 1.0)
+    return mirrored(name, values) if graph.grid.is_half else values
+
+
+def node_positions(graph: Graph, span: float) -> tuple[Floats, Floats]:
+    """Material coordinates [m] of nodes and cells over the whole span, X = 0 at midspan."""
+    nodes, cells = graph.grid.nodes * span, graph.grid.centres * span
+    if not graph.grid.is_half:
+        return nodes, cells
+    return np.concatenate([-nodes[:0:-1], nodes]), np.concatenate([-cells[::-1], cells])

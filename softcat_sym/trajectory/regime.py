@@ -1,0 +1,65 @@
+"""The regime of a run, by what the run shows (THEORY 7)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+import numpy as np
+
+from softcat_sym.effects import Effects
+from softcat_sym.graph.grid import Floats
+from softcat_sym.scene import Scene
+
+Regime = Literal["no-yield", "arrested-overdamped", "arrested-underdamped", "descending", "viscous", "elastic"]
+
+ARREST_RATE = 0.5
+"""Arrested: the plastic rate stays below this fraction of sigma_Y/eta, in every fibre ...
+
+The hinges at the clamps are the last to stop: in the paper's overdamped arrest they still flow at 0.25 sigma_Y/eta at
+t~ = 460 (N = 320), in its continual descent at 2.
+"""
+
+ARREST_TIME = 0.1
+"""... over this last fraction of the run."""
+
+TURNED_BACK = 0.05
+"""Underdamped: the midpoint came back up by more than this fraction of its largest sag."""
+
+
+def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midpoint: Floats) -> Regime:
+    """Name the regime.
+
+    Parameters
+    ----------
+    fields : mapping of str to ndarray
+        ``plastic_rate`` and ``yielded_fraction`` (frames, cells), ``energy_dissipated`` (frames,).
+    midpoint : ndarray, shape (frames,)
+        Height of the midpoint [m].
+    """
+    if "viscous-flow" not in effects.names:
+        return "elastic"
+    if "yielding" not in effects.names:
+        return "viscous"
+    if not np.any(fields["yielded_fraction"] > 0) and not np.any(fields["energy_dissipated"] > 0):
+        return "no-yield"
+    if not is_arrested(scene, fields["plastic_rate"]):
+        return "descending"
+    return "arrested-underdamped" if turned_back(midpoint) > TURNED_BACK else "arrested-overdamped"
+
+
+def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
+    """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`."""
+    yield_stress, viscosity = scene.material.yield_stress, scene.material.viscosity
+    if not yield_stress or not viscosity:
+        return False
+    frames = len(plastic_rate)
+    last = plastic_rate[min(frames - 1, int((1 - ARREST_TIME) * (frames - 1))) :]
+    return bool(np.max(last) < ARREST_RATE * yield_stress / viscosity)
+
+
+def turned_back(midpoint: Floats) -> float:
+    """Largest rise of the midpoint after it had been lower, relative to its largest sag."""
+    sag = -midpoint
+    deepest = np.maximum.accumulate(sag)
+    return float(np.max(deepest - sag) / np.max(sag)) if np.max(sag) > 0 else 0.0

@@ -1,0 +1,123 @@
+"""What a run returns: the trajectory, judged."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from softcat_sym.effects import Effects
+from softcat_sym.graph.grid import Floats
+from softcat_sym.scene import Scene
+from softcat_sym.solve import Outcome, Prepared, Solution
+from softcat_sym.trajectory.energy import energy_residual
+from softcat_sym.trajectory.fields import node_positions, whole_span_fields
+from softcat_sym.trajectory.localisation import SHARE_OF_ONE_CELL, largest_share_of_one_cell
+from softcat_sym.trajectory.regime import regime_of
+from softcat_sym.trajectory.validity import warnings_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """A finished run.
+
+    Attributes
+    ----------
+    scene : Scene
+        What was asked.
+    data : xarray.Dataset
+        Dims ``time``, ``node``, ``cell``; variables in SI units with ``units`` attributes.
+    summary : dict
+        What ``summary.json`` holds.
+    outcome : Outcome
+        Whether the answer may be used, and otherwise what to do.
+    """
+
+    scene: Scene
+    data: xr.Dataset
+    summary: dict[str, Any]
+    outcome: Outcome
+
+    def save(self, directory: str | Path) -> list[Path]:
+        """Write ``trajectory.nc``, ``summary.json`` and ``scene.toml``; files of the same name are replaced whole.
+
+        Raises
+        ------
+        OSError
+            If the directory cannot be made or written.
+        """
+        from softcat_sym.trajectory.files import write_scene, write_summary, write_trajectory
+
+        folder = Path(directory)
+        folder.mkdir(parents=True, exist_ok=True)
+        return [
+            write_trajectory(self.data, folder),
+            write_summary(self.summary, folder),
+            write_scene(self.scene.to_toml(), folder),
+        ]
+
+
+def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, wall: dict[str, float]) -> Trajectory:
+    """Turn a raw solution into a Trajectory, and decide whether it may be trusted.
+
+    Parameters
+    ----------
+    wall : dict of str to float
+        Seconds spent in each stage so far.
+    """
+    from softcat_sym.trajectory.dataset import dataset_of
+
+    fields = whole_span_fields(scene, prepared, solution)
+    places = node_positions(prepared.graph, scene.filament.span)
+    time = solution.time * prepared.scale
+    data = dataset_of(scene, effects, time, places, fields)
+    midpoint = fields["y"][:, fields["y"].shape[1] // 2]
+    residual = energy_residual(fields)
+    outcome, complaint = _outcome(scene, solution, fields, places[0], residual)
+    summary = {
+        "title": scene.title,
+        "outcome": outcome.name,
+        "advice": outcome.value,
+        "complaint": complaint,
+        # An answer that is not to be trusted has no regime.
+        "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
+        "midpoint_final_m": float(midpoint[-1]),
+        "time_final_s": float(time[-1]),
+        "error_estimate": None,
+        "energy_residual": residual,
+        "effects": dict(effects.reasons),
+        "left_out": dict(effects.left_out),
+        "closure": scene.run.closure,
+        "cells": prepared.graph.grid.cells if prepared.graph.grid.is_half else prepared.graph.grid.cells // 2,
+        "solver": prepared.settings.solver,
+        "solver_reason": prepared.settings.reason,
+        "rtol": prepared.settings.rtol,
+        "steps": solution.steps,
+        "backend": "interpreted",
+        "warnings": [*warnings_of(scene, time, midpoint)],
+        "wall_s": wall,
+    }
+    data.attrs["summary_outcome"] = outcome.name
+    return Trajectory(scene, data, summary, outcome)
+
+
+def _outcome(
+    scene: Scene, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
+) -> tuple[Outcome, str]:
+    """The verdict: a failed integration first, then a localised neck, then an energy balance that does not close."""
+    share = largest_share_of_one_cell(fields["stretch"][-1], np.diff(nodes))
+    if share > SHARE_OF_ONE_CELL:
+        cell = int(np.argmax(fields["stretch"][-1]))
+        where = (nodes[cell] + nodes[cell + 1]) / 2 / scene.filament.span
+        text = f"the cell at X/L = {where:.4g} carries {share:.0%} of the elongation of its half beyond its neighbour"
+        return Outcome.localised, "; ".join(filter(None, [text, solution.complaint]))
+    if not solution.outcome.is_success:
+        return solution.outcome, solution.complaint
+    if scene.run.closure == "material" and residual > scene.run.accuracy:
+        return Outcome.energy_drift, f"energy residual {residual:.2g} against an accuracy of {scene.run.accuracy:g}"
+    return Outcome.solved, ""

@@ -1,0 +1,54 @@
+"""Names, dimensions, units and meanings of what a trajectory holds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """One variable of ``trajectory.nc``.
+
+    Attributes
+    ----------
+    name : str
+        As in the file.
+    place : str
+        ``node``, ``cell`` or empty for one number a frame.
+    unit : str
+        Pint symbol.
+    meaning : str
+        ``long_name`` in the file.
+    per_area : bool
+        Whether the graph computes it per unit undeformed area.
+    """
+
+    name: str
+    place: str
+    unit: str
+    meaning: str
+    per_area: bool = False
+
+
+VARIABLES: tuple[Variable, ...] = (
+    Variable("x", "node", "m", "horizontal position of the centreline, 0 at midspan"),
+    Variable("y", "node", "m", "height of the centreline above the left support"),
+    Variable("stretch", "cell", "1", "stretch of the centreline"),
+    Variable("curvature", "cell", "1/m", "curvature theta_s of the centreline"),
+    Variable("shear", "cell", "1", "shear strain of the section"),
+    Variable("tension", "cell", "N", "tension T = A <sigma>", per_area=True),
+    Variable("moment", "cell", "N*m", "bending moment M", per_area=True),
+    Variable("shear_force", "cell", "N", "transverse force N = M_X/s", per_area=True),
+    Variable("yielded_fraction", "cell", "1", "share of the section that flows"),
+    Variable("plastic_rate", "cell", "1/s", "largest plastic strain rate over the section"),
+    Variable("thickness", "cell", "m", "thickness of the section"),
+    Variable("stress_mean", "cell", "Pa", "section mean sigma_0 of the axial stress sigma_0 + sigma_1 zeta"),
+    Variable("stress_bending", "cell", "Pa", "axial stress of bending sigma_1 at zeta = 1"),
+    Variable("energy_kinetic", "", "J", "kinetic energy", per_area=True),
+    Variable("energy_elastic", "", "J", "elastic energy", per_area=True),
+    Variable("energy_potential", "", "J", "potential energy of the weight, 0 when straight", per_area=True),
+    Variable("energy_dissipated", "", "J", "plastic work since t = 0", per_area=True),
+    Variable("work_external", "", "J", "work of the changing load since t = 0", per_area=True),
+)
+
+ENERGIES = tuple(v.name for v in VARIABLES if v.unit == "J")
