@@ -1,0 +1,134 @@
+"""The ``softcat`` command.
+
+Exit status: 0 a sound answer, 1 an answer not to be trusted, 2 bad input, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+import typer
+
+if TYPE_CHECKING:
+    from softcat_sym.scene import Scene
+
+_BAD_INPUT, _UNTRUSTED, _INTERRUPTED = 2, 1, 130
+
+app = typer.Typer(
+    name="softcat",
+    help="Slender soft filaments that sag, stretch, yield and stop.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+SceneArgument = Annotated[str, typer.Argument(metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.")]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="KEY=VALUE",
+        help="Change a value of the scene: --set 'material.yield_stress=5 kPa'. Repeatable.",
+    ),
+]
+OutputOption = Annotated[Path, typer.Option("--output", "-o", metavar="DIR", help="Where the files go.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
+
+
+@app.command()
+def run(
+    scene: SceneArgument,
+    output: OutputOption,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Run a scene: trajectory.nc, summary.json, scene.toml, pictures and a table in DIR."""
+    asked = _scene(scene, changes)
+    _check_directory(output)
+    from softcat_sym.report.progress import IntegrationProgress
+    from softcat_sym.report.run_files import write_run
+    from softcat_sym.simulate import simulate
+
+    try:
+        with IntegrationProgress(asked.run.duration, asked.title or "integrating", quiet=quiet) as progress:
+            trajectory = simulate(asked, progress)
+    except KeyboardInterrupt:
+        _complain("interrupted; nothing was written")
+        raise typer.Exit(_INTERRUPTED) from None
+    written = write_run(trajectory, output)
+    if not quiet:
+        from softcat_sym.report.terminal import print_summary
+
+        print_summary(trajectory.summary, asked)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    if not trajectory.outcome.is_success:
+        if quiet:
+            _complain(f"{trajectory.outcome.name}: {trajectory.outcome.value}")
+        raise typer.Exit(_UNTRUSTED)
+
+
+@app.command()
+def scenes() -> None:
+    """List the bundled scenes."""
+    from softcat_sym.scene import bundled_names, bundled_title
+
+    names = bundled_names()
+    width = max(map(len, names))
+    for name in names:
+        typer.echo(f"{name:{width}}  {bundled_title(name)}")
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        import importlib.metadata
+
+        typer.echo(f"softcat {importlib.metadata.version('softcat_sym')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and stop.")
+    ] = False,
+) -> None:
+    del version
+
+
+def _scene(name: str, changes: list[str] | None) -> Scene:
+    from softcat_sym.scene import load_scene
+
+    return load_scene(name, changes or [])
+
+
+def _check_directory(directory: Path) -> None:
+    """Refuse a DIR that cannot be written before anything is computed."""
+    parent = directory
+    while not parent.exists() and parent != parent.parent:
+        parent = parent.parent
+    if not parent.is_dir():
+        raise NotADirectoryError(f"{parent} is not a directory")
+    if not os.access(parent, os.W_OK):
+        raise PermissionError(f"{parent} cannot be written")
+
+
+def _complain(text: str) -> None:
+    typer.echo(f"softcat: {text}", err=True)
+
+
+def main() -> NoReturn:
+    """Entry point: every refusal is one clear message and an exit status."""
+    from softcat_sym.errors import SoftcatError
+
+    try:
+        app()
+    except SoftcatError as error:
+        _complain(str(error))
+        sys.exit(_BAD_INPUT)
+    except OSError as error:
+        _complain(f"cannot write the results: {error}")
+        sys.exit(_BAD_INPUT)
+    sys.exit(0)

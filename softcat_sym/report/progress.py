@@ -1,0 +1,167 @@
+"""Progress of an integration on the terminal: simulated time, mean step, elapsed."""
+
+from __future__ import annotations
+
+import time
+from types import TracebackType
+from typing import TYPE_CHECKING, Protocol, Self
+
+from softcat_sym.report.units import significant, time_unit
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.progress import Progress as RichProgress
+    from rich.progress import TaskID
+
+_DELAY = 1.0
+_INTERVAL = 0.1
+
+
+class Progress(Protocol):
+    """What an integration tells while it runs."""
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Tell the time reached [s] and the mean step since the last call [s], ``None`` if unknown."""
+
+
+class NullProgress:
+    """Progress that nobody watches."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        return None
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Do nothing."""
+
+
+class IntegrationProgress:
+    """A progress bar that appears once a run takes longer than a second, and disappears when it ends.
+
+    Parameters
+    ----------
+    duration : float
+        Time to be simulated [s].
+    description : str
+        What is going on.
+    quiet : bool
+        Show nothing.
+    force : bool
+        Show at once, without waiting a second.
+    console : rich.console.Console or None
+        Where to draw; standard error by default. Nothing is drawn where that is not a terminal.
+
+    Notes
+    -----
+    Drawn from within `update`, ten times a second at most: no thread of its own competes with the integration.
+    """
+
+    def __init__(
+        self,
+        duration: float,
+        description: str = "integrating",
+        *,
+        quiet: bool = False,
+        force: bool = False,
+        console: Console | None = None,
+    ) -> None:
+        self._duration = duration
+        self._description = description
+        self._silent = quiet
+        self._delay = 0.0 if force else _DELAY
+        self._console = console
+        self._start = self._drawn = time.monotonic()
+        self._reached = 0.0
+        self._stepped = 0.0
+        self._steps = 0.0
+        self._bar: RichProgress | None = None
+        self._task: TaskID | None = None
+
+    def __enter__(self) -> Self:
+        self._start = time.monotonic()
+        if not self._silent and self._delay == 0:
+            self._draw()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+            self._bar = None
+
+    @property
+    def shown(self) -> bool:
+        """Whether the bar is on the terminal."""
+        return self._bar is not None
+
+    @property
+    def mean_step(self) -> float | None:
+        """Mean step so far [s]: time covered over steps taken; ``None`` until a step is known."""
+        return self._stepped / self._steps if self._steps > 0 else None
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Take note of the progress made, and draw it if it is time to.
+
+        Parameters
+        ----------
+        simulated_time : float
+            Time reached [s].
+        step_size : float or None
+            Mean step since the last call [s], or the last step; ``None`` if unknown.
+        """
+        advance = simulated_time - self._reached
+        if advance > 0:
+            self._reached = simulated_time
+            if step_size is not None and step_size > 0:
+                self._stepped += advance
+                self._steps += advance / step_size
+        if self._silent:
+            return
+        now = time.monotonic()
+        waited = now - self._drawn >= _INTERVAL if self.shown else now - self._start >= self._delay
+        if waited:
+            self._drawn = now
+            self._draw()
+
+    def _draw(self) -> None:
+        """Make the bar on first use, then bring it up to date."""
+        if self._bar is None:
+            self._make()
+        if self._bar is None or self._task is None:
+            return
+        done = min(self._reached, self._duration)
+        self._bar.update(self._task, completed=done, state=self._state())
+        self._bar.refresh()
+
+    def _make(self) -> None:
+        """Load rich, unless there is no terminal to draw on: then stay silent for good."""
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+        console = self._console or Console(stderr=True)
+        if not console.is_terminal:
+            self._silent = True
+            return
+        self._bar = Progress(
+            TextColumn("{task.description}", markup=False),
+            BarColumn(bar_width=24),
+            TextColumn("{task.fields[state]}", markup=False),
+            TimeElapsedColumn(),
+            console=console,
+            auto_refresh=False,
+            transient=True,
+        )
+        self._task = self._bar.add_task(self._description, total=self._duration, state=self._state())
+        self._bar.start()
+
+    def _state(self) -> str:
+        """Simulated time of the duration, and the mean step."""
+        clock = time_unit(self._duration)
+        reached = f"{significant(self._reached / clock.size)} of {clock.text(self._duration)}"
+        step = self.mean_step
+        return reached if step is None else f"{reached}, step {time_unit(step).text(step)}"

@@ -1,0 +1,36 @@
+"""All files of one run."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from softcat_sym.report import write_pictures
+
+if TYPE_CHECKING:
+    from softcat_sym.trajectory import Trajectory
+
+
+def write_run(trajectory: Trajectory, directory: str | Path) -> list[Path]:
+    """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
+
+    The summary goes last, so that it can state how long the writing took.
+
+    Raises
+    ------
+    OSError
+        If the directory cannot be made or written.
+    """
+    from softcat_sym.trajectory.files import write_scene, write_summary, write_trajectory
+
+    began = time.perf_counter()
+    folder = Path(directory)
+    folder.mkdir(parents=True, exist_ok=True)
+    pictures = write_pictures(trajectory.data, trajectory.summary, trajectory.scene, folder)
+    data = write_trajectory(trajectory.data, folder)
+    scene = write_scene(trajectory.scene.to_toml(), folder)
+    spent = time.perf_counter() - began
+    wall = trajectory.summary["wall_s"]
+    summary = {**trajectory.summary, "wall_s": {**wall, "write": spent, "total": wall["total"] + spent}}
+    return [data, write_summary(summary, folder), scene, *pictures]

@@ -1,0 +1,174 @@
+"""Geometry of a filament seen from the side: outline with its thickness, and the zones that yield."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+# Beyond this angle [rad] at an end an extrapolation would turn the drawn end face, not follow a curve.
+_LARGEST_END_TURN = 0.3
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """The filament at one instant.
+
+    Attributes
+    ----------
+    x, y : numpy.ndarray
+        Centreline, shape (node,) [m].
+    normal : numpy.ndarray
+        Unit normals (-sin th, cos th), shape (node, 2).
+    thickness : numpy.ndarray
+        Current thickness, shape (node,) [m].
+    """
+
+    x: Floats
+    y: Floats
+    normal: Floats
+    thickness: Floats
+
+    def at(self, zeta: float | Floats, nodes: slice = slice(None)) -> Floats:
+        """Place through-thickness coordinates in the plane.
+
+        Parameters
+        ----------
+        zeta : float or numpy.ndarray
+            Coordinate in [-1, 1] for each of the chosen nodes; +1 is the side of the normal.
+        nodes : slice
+            The nodes.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points, shape (node, 2) [m].
+        """
+        centre = np.column_stack([self.x[nodes], self.y[nodes]])
+        offset = 0.5 * np.asarray(zeta) * self.thickness[nodes]
+        points: Floats = centre + offset[:, None] * self.normal[nodes]
+        return points
+
+
+def section_at(data: xr.Dataset, frame: int) -> Section:
+    """Read the filament of one frame.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory with ``x``, ``y`` (time, node) and ``thickness`` (time, cell), all [m].
+    frame : int
+        Index along ``time``.
+
+    Returns
+    -------
+    Section
+        Centreline, normals and thickness on the nodes.
+    """
+    x = np.asarray(data["x"].values[frame], dtype=np.float64)
+    y = np.asarray(data["y"].values[frame], dtype=np.float64)
+    cells = np.asarray(data["thickness"].values[frame], dtype=np.float64)
+    thickness = np.interp(data["X_node"].values, data["X_cell"].values, cells)
+    angle = node_angles(x, y)
+    return Section(x, y, np.column_stack([-np.sin(angle), np.cos(angle)]), thickness)
+
+
+def node_angles(x: Floats, y: Floats) -> Floats:
+    """Tangent angle on the nodes: the bisector of the chords that meet there, extrapolated at the ends.
+
+    Parameters
+    ----------
+    x, y : numpy.ndarray
+        Centreline, shape (node,) with at least two nodes [m].
+
+    Returns
+    -------
+    numpy.ndarray
+        Angles [rad], shape (node,), continuous along the filament.
+    """
+    chord = np.unwrap(np.arctan2(np.diff(y), np.diff(x)))
+    if chord.size == 1:
+        return np.repeat(chord, 2)
+    turns = np.clip(0.5 * np.diff(chord)[[0, -1]], -_LARGEST_END_TURN, _LARGEST_END_TURN)
+    middle = 0.5 * (chord[1:] + chord[:-1])
+    return np.concatenate([[chord[0] - turns[0]], middle, [chord[-1] + turns[1]]])
+
+
+def outline(section: Section) -> Floats:
+    """Closed polygon of the filament's side view.
+
+    Parameters
+    ----------
+    section : Section
+        The filament.
+
+    Returns
+    -------
+    numpy.ndarray
+        Vertices, shape (2 * node, 2) [m], anticlockwise for a filament that runs to the right.
+    """
+    return np.concatenate([section.at(-1.0), section.at(1.0)[::-1]])
+
+
+def elastic_core(mean: Floats, bending: Floats, yield_stress: float) -> tuple[Floats, Floats]:
+    """Limits in zeta between which ``|mean + bending * zeta| <= yield_stress``.
+
+    Parameters
+    ----------
+    mean, bending : numpy.ndarray
+        Section-mean stress sigma_0 and its slope sigma_1, shape (cell,) [Pa].
+    yield_stress : float
+        Yield stress [Pa].
+
+    Returns
+    -------
+    lower, upper : numpy.ndarray
+        Limits clipped to [-1, 1]. Below ``lower`` and above ``upper`` the material yields; they coincide, on
+        one face, where the whole thickness does.
+    """
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        one = (-yield_stress - mean) / bending
+        other = (yield_stress - mean) / bending
+    lower, upper = np.minimum(one, other), np.maximum(one, other)
+    uniform = bending == 0
+    whole = uniform & (np.abs(mean) > yield_stress)
+    lower = np.where(uniform, -1.0, np.clip(lower, -1.0, 1.0))
+    upper = np.where(uniform, np.where(whole, -1.0, 1.0), np.clip(upper, -1.0, 1.0))
+    return lower, upper
+
+
+def yielded_quads(section: Section, mean: Floats, bending: Floats, yield_stress: float | None) -> Floats:
+    """Quadrilaterals that cover the yielded part of the side view, cell by cell.
+
+    Parameters
+    ----------
+    section : Section
+        The filament.
+    mean, bending : numpy.ndarray
+        Stress sigma_0 + sigma_1 zeta of each cell, shape (cell,) [Pa].
+    yield_stress : float or None
+        Yield stress [Pa]; ``None`` for a law without one.
+
+    Returns
+    -------
+    numpy.ndarray
+        Vertices, shape (quad, 4, 2) [m]; no quad for a cell side that does not yield.
+    """
+    if yield_stress is None:
+        return np.empty((0, 4, 2))
+    lower, upper = elastic_core(mean, bending, yield_stress)
+    ones = np.ones_like(lower)
+    below = _quads(section, -ones, lower)
+    above = _quads(section, upper, ones)
+    return np.concatenate([below, above])
+
+
+def _quads(section: Section, low: Floats, high: Floats) -> Floats:
+    """Quads between two zeta limits per cell; empty bands are left out."""
+    left, right = slice(None, -1), slice(1, None)
+    corners = [section.at(low, left), section.at(low, right), section.at(high, right), section.at(high, left)]
+    return np.stack(corners, axis=1)[high > low]

@@ -1,0 +1,112 @@
+"""``softcat run`` as a user meets it: files, exit status, overrides, interruption, a place that cannot be written."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+import xarray as xr
+
+import softcat_sym as sc
+
+SOFTCAT = str(Path(sys.executable).with_name("softcat"))
+QUICK = ("--set", "numerics.cells=10", "--set", "run.frames=21")
+FILES = {"trajectory.nc", "summary.json", "scene.toml", "midpoint.png", "shapes.png", "energy.png", "midpoint.csv"}
+
+
+def softcat(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([SOFTCAT, *arguments], capture_output=True, text=True, check=False)
+
+
+def test_run_writes_its_files_and_tells_the_regime(tmp_path: Path) -> None:
+    output = tmp_path / "deep" / "out"
+    done = softcat("run", "arrested-overdamped", "-o", str(output), *QUICK)
+    assert done.returncode == 0, done.stderr
+    assert {path.name for path in output.iterdir()} == FILES
+    assert "arrested-overdamped" in done.stdout
+    summary = json.loads((output / "summary.json").read_text())
+    assert summary["outcome"] == "solved"
+    assert summary["cells"] == 10
+    assert set(summary["wall_s"]) == {"build", "compile", "solve", "estimate", "write", "total"}
+    with xr.open_dataset(output / "trajectory.nc") as data:
+        assert dict(data.sizes) == {"time": 21, "node": 21, "cell": 20}
+        assert data.midpoint.values[-1] == pytest.approx(summary["midpoint_final_m"])
+        assert data.time.dtype.kind == "f"
+
+
+def test_the_resolved_scene_runs_to_the_same_answer(tmp_path: Path) -> None:
+    first, second = tmp_path / "first", tmp_path / "second"
+    assert softcat("run", "ink-bridge", "-o", str(first), "-q", *QUICK).returncode == 0
+    assert softcat("run", str(first / "scene.toml"), "-o", str(second), "-q").returncode == 0
+    one, two = (json.loads((folder / "summary.json").read_text()) for folder in (first, second))
+    assert one["midpoint_final_m"] == two["midpoint_final_m"]
+    assert sc.load_scene(first / "scene.toml") == sc.load_scene(second / "scene.toml")
+
+
+def test_overrides_reach_the_run(tmp_path: Path) -> None:
+    done = softcat("run", "arrested-overdamped", "-o", str(tmp_path), "-q", "--set", "run.closure=printed", *QUICK)
+    assert done.returncode == 0
+    assert done.stdout == ""
+    assert json.loads((tmp_path / "summary.json").read_text())["closure"] == "printed"
+    bad = softcat("run", "arrested-overdamped", "-o", str(tmp_path), "--set", "material.yeild_stress=5 kPa")
+    assert bad.returncode == 2
+    assert "yield_stress" in bad.stderr
+
+
+def test_an_answer_not_to_be_trusted_exits_1_and_still_writes(tmp_path: Path) -> None:
+    done = softcat("run", "edge-of-rupture", "-o", str(tmp_path), "-q", *QUICK)
+    assert done.returncode == 1
+    assert done.stderr.startswith("softcat: localised")
+    assert {path.name for path in tmp_path.iterdir()} == FILES
+    summary = json.loads((tmp_path / "summary.json").read_text())
+    assert summary["outcome"] == "localised"
+    assert summary["regime"] is None
+    assert summary["advice"] == sc.Outcome.localised.value
+
+
+def test_a_place_that_cannot_be_written_is_refused_before_the_run(tmp_path: Path) -> None:
+    taken = tmp_path / "taken"
+    taken.write_text("a file")
+    for output in (taken, taken / "below"):
+        done = softcat("run", "arrested-overdamped", "-o", str(output), *QUICK)
+        assert done.returncode == 2
+        assert "not a directory" in done.stderr
+        assert "Traceback" not in done.stderr
+    assert taken.read_text() == "a file"
+
+
+def test_an_interrupted_run_writes_nothing(tmp_path: Path) -> None:
+    output = tmp_path / "out"
+    command = [
+        SOFTCAT,
+        "run",
+        "no-yield",
+        "-o",
+        str(output),
+        "--set",
+        "numerics.cells=300",
+        "--set",
+        "numerics.rtol=1e-7",
+    ]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        time.sleep(6)
+        process.send_signal(signal.SIGINT)
+        _, complaint = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "interrupted" in complaint
+    assert "Traceback" not in complaint
+    assert not output.exists() or not os.listdir(output)  # noqa: PTH208
+
+
+def test_help_and_scenes_and_version() -> None:
+    assert "run" in softcat("--help").stdout
+    listing = softcat("scenes").stdout.splitlines()
+    assert [line.split()[0] for line in listing] == list(sc.bundled_names())
+    assert softcat("--version").stdout.startswith("softcat ")
+    assert softcat("fly").returncode == 2
