@@ -1,0 +1,160 @@
+"""Rough predictions have the prefactors of the closed forms that they are made of."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from softcat_sym.effects import REGISTRY
+from softcat_sym.effects.prediction import (
+    beam_constant,
+    duration_star,
+    elastic_sag,
+    first_yield_gravity_number,
+    flowing_sag,
+    predicted_sag,
+    predicted_strain,
+    radius_of_gyration_squared,
+    smaller_of,
+)
+from softcat_sym.scene import bundled_names, load_scene
+
+from .scenes import scene_of
+
+G, RHO, SPAN = 9.81, 1900.0, 0.2
+PINNED = {"left": "pinned", "right": "pinned"}
+MIXED = {"left": "pinned", "right": "clamped"}
+
+
+def second_moment(section: str, thickness: float) -> tuple[float, float]:
+    """Area and second moment of area."""
+    if section == "circle":
+        return math.pi * thickness**2 / 4, math.pi * thickness**4 / 64
+    return thickness**2, thickness**4 / 12
+
+
+@pytest.mark.parametrize(("ends", "constant"), [({}, 384.0), (PINNED, 76.8)])
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
+def test_a_stiff_beam_sags_as_the_textbook_says(section: str, ends: dict[str, str], constant: float) -> None:
+    modulus, thickness = 1e11, 0.006
+    scene = scene_of("elastic", filament={"section": section}, material={"youngs_modulus": "100 GPa"}, ends=ends)
+    area, inertia = second_moment(section, thickness)
+    wanted = RHO * G * area * SPAN**4 / (constant * modulus * inertia)
+    # stretching takes a share of the load even here
+    assert elastic_sag(scene) * SPAN == pytest.approx(wanted, rel=0.01)
+    assert elastic_sag(scene) * SPAN < wanted
+
+
+def test_a_thin_cable_sags_as_the_elastic_cable() -> None:
+    scene = scene_of("elastic", filament={"thickness": "0.05 mm"})
+    wanted = (3 * RHO * G * SPAN**4 / (64 * 4e6)) ** (1 / 3)
+    assert elastic_sag(scene) * SPAN == pytest.approx(wanted, rel=0.01)
+
+
+def test_the_beam_of_one_clamp_lies_between() -> None:
+    between = beam_constant(scene_of(ends=MIXED))
+    mirrored = beam_constant(scene_of(ends={"left": "clamped", "right": "pinned"}))
+    assert between == mirrored
+    # largest sag of a propped cantilever: q L^4/(185 E I)
+    assert between == pytest.approx(185, rel=5e-3)
+    assert beam_constant(scene_of(ends=PINNED)) < between < beam_constant(scene_of())
+
+
+def test_radii_of_gyration() -> None:
+    assert radius_of_gyration_squared(scene_of()) == pytest.approx(1 / 12)
+    assert radius_of_gyration_squared(scene_of(filament={"section": "circle"})) == pytest.approx(1 / 16)
+
+
+@pytest.mark.parametrize(
+    ("section", "ends", "wanted"),
+    [
+        ("rectangle", {}, 2.0),
+        ("circle", {}, 1.5),
+        ("rectangle", PINNED, 4 / 3),
+        ("circle", PINNED, 1.0),
+        ("rectangle", MIXED, 4 / 3),
+    ],
+)
+def test_first_yield(section: str, ends: dict[str, str], wanted: float) -> None:
+    scene = scene_of(filament={"section": section}, ends=ends)
+    assert first_yield_gravity_number(scene) == pytest.approx(wanted * 0.03)
+
+
+def test_a_viscous_string_flows_as_the_cube_root_of_time() -> None:
+    scene = scene_of("maxwell", "0 s", filament={"thickness": "0.02 mm"}, run={"duration": "0.1 s"})
+    wanted = (9 * RHO * G * SPAN**4 * 0.1 / (128 * 13840)) ** (1 / 3)
+    assert flowing_sag(scene) * SPAN == pytest.approx(wanted, rel=0.01)
+
+
+def test_a_viscous_beam_flows_in_proportion_to_time() -> None:
+    scene = scene_of("maxwell", "0 s", filament={"section": "circle"}, run={"duration": "1e-6 s"})
+    area, inertia = second_moment("circle", 0.006)
+    wanted = RHO * G * area * SPAN**4 * 1e-6 / (384 * 13840 * inertia)
+    assert flowing_sag(scene) * SPAN == pytest.approx(wanted, rel=0.02)
+
+
+def test_nothing_flows_below_first_yield_or_without_a_viscosity() -> None:
+    assert flowing_sag(scene_of(material={"yield_stress": "1 MPa"})) == 0
+    assert flowing_sag(scene_of("elastic")) == 0
+    assert flowing_sag(load_scene("no-yield")) == 0
+
+
+@pytest.mark.parametrize("gravity_number", [0.1, 0.4, 1.0, 1.4])
+def test_arrest_is_no_deeper_than_the_catenary_that_just_holds(gravity_number: float) -> None:
+    """(3.13): sigma_Y = rho g L (H + 1/(8 H)), the tension of a shallow catenary at its supports."""
+    stress = RHO * G * SPAN / gravity_number
+    scene = scene_of(material={"yield_stress": f"{stress!r} Pa", "viscosity": "1 Pa*s"}, run={"duration": "1000 s"})
+    stop = flowing_sag(scene)
+    assert stop + 1 / (8 * stop) == pytest.approx(1 / gravity_number)
+    assert stop <= 1 / math.sqrt(8) + 1e-12
+
+
+def test_above_the_square_root_of_two_nothing_holds() -> None:
+    weak = {"yield_stress": f"{RHO * G * SPAN / 1.5!r} Pa", "viscosity": "1 Pa*s"}
+    scene = scene_of(material=weak, run={"duration": "1000 s"})
+    assert flowing_sag(scene) > 1
+
+
+def test_no_prediction_goes_beyond_free_fall() -> None:
+    scene = scene_of("maxwell", "0 s", run={"duration": "5 ms"})
+    assert predicted_sag(scene) * SPAN == pytest.approx(G * 0.005**2 / 2)
+
+
+@pytest.mark.parametrize(("bending", "stretching"), [(1.0, 2.0), (0.5, 1e-3), (1e9, 0.3), (0.3, 1e9)])
+def test_two_resistances_together(bending: float, stretching: float) -> None:
+    both = smaller_of(bending, stretching)
+    assert 0 < both < min(bending, stretching)
+    assert both >= min(bending, stretching) / 2
+    assert smaller_of(0.0, stretching) == smaller_of(bending, 0.0) == 0
+
+
+def test_strain_of_a_shallow_parabola() -> None:
+    scene = scene_of("elastic")
+    assert predicted_strain(scene) == pytest.approx(8 / 3 * predicted_sag(scene) ** 2)
+
+
+def test_duration_in_units_of_the_fall() -> None:
+    assert duration_star(scene_of(run={"duration": "1 s"})) == pytest.approx(1 / math.sqrt(SPAN / G))
+    assert duration_star(scene_of(load={"gravity": "0 m/s^2"})) == 0
+
+
+@pytest.mark.parametrize("name", bundled_names())
+def test_estimates_of_bundled_scenes_are_finite_and_not_negative(name: str) -> None:
+    scene = load_scene(name)
+    for effect in REGISTRY:
+        estimate = effect.estimate(scene)
+        assert math.isfinite(estimate.value), effect.name
+        assert estimate.value >= 0, effect.name
+        assert estimate.meaning in str(estimate)
+    assert 0 < predicted_sag(scene) < math.inf
+
+
+@pytest.mark.parametrize("law", ["elastic", "maxwell", "bingham"])
+@pytest.mark.parametrize("gravity", ["0 m/s^2", "9.81 m/s^2"])
+@pytest.mark.parametrize("ends", [{}, PINNED, MIXED], ids=["clamped", "pinned", "mixed"])
+def test_estimates_of_any_scene_are_finite_and_not_negative(law: str, gravity: str, ends: dict[str, str]) -> None:
+    scene = scene_of(law, load={"gravity": gravity}, ends=ends)
+    for effect in REGISTRY:
+        assert math.isfinite(effect.estimate(scene).value), effect.name
+        assert effect.estimate(scene).value >= 0, effect.name

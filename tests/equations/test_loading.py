@@ -1,0 +1,51 @@
+"""The smooth step and its rate."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from softcat_sym.equations.loading import quintic_step, ramp_rate, ramped_gravity
+from softcat_sym.equations.symbols import g, g_on, t
+
+u = sp.Symbol("u", real=True)
+inside = sp.Symbol("v", positive=True)
+
+
+def open_step() -> sp.Expr:
+    """The step between its ends, where neither Min nor Max acts."""
+    return quintic_step(u).replace(sp.Min, lambda *_: u)
+
+
+def test_it_is_the_quintic() -> None:
+    assert sp.expand(open_step() - (10 * u**3 - 15 * u**4 + 6 * u**5)) == 0
+
+
+@pytest.mark.parametrize(("at", "wanted"), [(-3, 0), (0, 0), (sp.Rational(1, 2), sp.Rational(1, 2)), (1, 1), (7, 1)])
+def test_it_goes_from_zero_to_one(at: sp.Expr, wanted: sp.Expr) -> None:
+    assert quintic_step(u).subs(u, at) == wanted
+
+
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("end", [0, 1])
+def test_two_derivatives_vanish_at_either_end(order: int, end: int) -> None:
+    assert sp.diff(open_step(), u, order).subs(u, end) == 0
+
+
+def test_the_rate_is_the_derivative_of_the_load() -> None:
+    """During, before and after the ramp."""
+    between = {t: g_on * u}
+    load = ramped_gravity().subs(between).replace(sp.Min, lambda *_: u)
+    rate = ramp_rate().subs(between).replace(sp.Min, lambda *_: u)
+    assert sp.simplify(sp.diff(load, u) / g_on - rate) == 0
+    for at in (-1, 0, 1, 3):
+        assert ramp_rate().subs(t, at * g_on) == 0
+    assert ramp_rate().subs(t, g_on / 2) == g * sp.Rational(15, 8) / g_on
+
+
+def test_the_whole_rate_adds_up_to_the_whole_load() -> None:
+    rate = sp.lambdify(t, ramp_rate().subs({g: 9.81, g_on: 0.3}), "math")
+    from scipy.integrate import quad
+
+    total, _ = quad(rate, 0, 0.3)
+    assert total == pytest.approx(9.81, rel=1e-12)

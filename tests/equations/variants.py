@@ -1,0 +1,86 @@
+"""Every filament that can be derived, and all expressions of one."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from functools import cache
+from itertools import product
+
+import sympy as sp
+
+from softcat_sym.equations import kinematics, section
+from softcat_sym.equations.closure import CLOSURES
+from softcat_sym.equations.filament import FilamentEquations, SectionEquations, Terms, derive
+from softcat_sym.equations.loading import ramp_rate, ramped_gravity
+from softcat_sym.equations.rheology import bingham_means, maxwell_means
+
+LAWS = {
+    "elastic": {},
+    "maxwell": {"flow": maxwell_means},
+    "bingham": {"flow": maxwell_means, "flow_beyond_yield": bingham_means},
+}
+
+
+@cache
+def filament(
+    shape: str = "rectangle",
+    closure: str = "material",
+    law: str = "bingham",
+    *,
+    finite: bool = True,
+    thin: bool = True,
+    bending: bool = True,
+    large: bool = True,
+    ramp: bool = True,
+) -> FilamentEquations:
+    """One cell, with or without each effect."""
+    terms = Terms(
+        centreline=kinematics.LARGE_ROTATION if large else kinematics.SMALL_SLOPE,
+        strain=kinematics.TRUE_STRAIN if finite else kinematics.SMALL_STRAIN,
+        contraction=section.UNIFORM if thin else section.NONE,
+        inertia=True,
+        bending=bending,
+        gravity=ramped_gravity() if ramp else Terms().gravity,
+        gravity_rate=ramp_rate() if ramp else sp.Integer(0),
+        **LAWS[law],
+    )
+    return derive(terms, section.SECTIONS[shape], closure)
+
+
+def all_filaments() -> list[FilamentEquations]:
+    """Both sections, both closures, three laws, with everything and with each effect missing."""
+    missing = [{}, *({name: False} for name in ("finite", "thin", "bending", "large", "ramp"))]
+    return [
+        filament(shape, closure, law, **options)
+        for shape, closure, law, options in product(section.SECTIONS, CLOSURES, LAWS, missing)
+    ]
+
+
+def expressions(equations: FilamentEquations) -> dict[str, sp.Expr]:
+    """All of its expressions by name."""
+    response, terms = equations.response, equations.terms
+    found = {f.name: getattr(response, f.name) for f in fields(SectionEquations) if f.name != "means"}
+    if response.means is not None:
+        found |= {f"means.{f.name}": getattr(response.means, f.name) for f in fields(type(response.means))}
+    gradients = {
+        f"{name}_{axis}": component
+        for name, pair in (
+            ("stretch_gradient", terms.centreline.stretch_gradient()),
+            ("angle_gradient", terms.centreline.angle_gradient()),
+        )
+        for axis, component in zip("xy", pair, strict=True)
+    }
+    return (
+        found
+        | gradients
+        | {
+            "force.horizontal": equations.force.horizontal,
+            "force.vertical": equations.force.vertical,
+            "gravity": terms.gravity,
+            "gravity_rate": terms.gravity_rate,
+            "stretch": terms.centreline.stretch,
+            "turning": terms.centreline.turning,
+            "strain": terms.strain.strain,
+            "arc_stretch": terms.strain.arc_stretch,
+        }
+    )

@@ -1,0 +1,277 @@
+"""Regimes, localisation, energy balance and warnings, on fields made by hand."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+import pytest
+
+from softcat_sym import simulate
+from softcat_sym.effects import choose_effects
+from softcat_sym.solve import Outcome
+from softcat_sym.trajectory.energy import energy_residual
+from softcat_sym.trajectory.localisation import SHARE_OF_ONE_CELL, largest_share_of_one_cell
+from softcat_sym.trajectory.regime import ARREST_RATE, ARREST_TIME, TURNED_BACK, is_arrested, regime_of, turned_back
+from softcat_sym.trajectory.validity import warnings_of
+
+from .runs import run, scene_of
+
+FRAMES, CELLS = 41, 8
+RATE = 1960 / 13840  # yield stress over viscosity of the scene
+SINKING = -0.05 * np.linspace(0, 1, FRAMES) ** 0.3
+
+
+def fields(rate: np.ndarray[Any, Any], yielded: float = 0.2, lost: float = 1e-3) -> dict[str, np.ndarray[Any, Any]]:
+    """Fields whose plastic rate is `rate` (frames,) in every cell."""
+    return {
+        "plastic_rate": np.repeat(rate[:, None], CELLS, axis=1),
+        "yielded_fraction": np.full((FRAMES, CELLS), yielded),
+        "energy_dissipated": np.linspace(0, lost, FRAMES),
+    }
+
+
+def label(law: str, seen: dict[str, np.ndarray[Any, Any]], midpoint: np.ndarray[Any, Any] = SINKING) -> str:
+    scene = scene_of(law)
+    return regime_of(scene, choose_effects(scene), seen, midpoint)
+
+
+def test_laws_that_do_not_yield() -> None:
+    assert label("elastic", fields(np.zeros(FRAMES))) == "elastic"
+    assert label("maxwell", fields(np.ones(FRAMES))) == "viscous"
+
+
+def test_no_fibre_ever_yields() -> None:
+    assert label("bingham", fields(np.zeros(FRAMES), yielded=0.0, lost=0.0)) == "no-yield"
+
+
+def test_one_fibre_once_is_yielding() -> None:
+    seen = fields(np.zeros(FRAMES), yielded=0.0, lost=0.0)
+    seen["yielded_fraction"][3, 5] = 0.01
+    assert label("bingham", seen) != "no-yield"
+
+
+def test_yielding_between_frames_shows_in_the_plastic_work() -> None:
+    assert label("bingham", fields(np.zeros(FRAMES), yielded=0.0, lost=1e-9)) != "no-yield"
+
+
+def test_flow_that_goes_on_is_descent() -> None:
+    assert label("bingham", fields(np.full(FRAMES, 2 * RATE))) == "descending"
+
+
+def test_flow_that_dies_out_is_arrest() -> None:
+    rate = 3 * RATE * np.exp(-np.linspace(0, 8, FRAMES))
+    assert label("bingham", fields(rate)) == "arrested-overdamped"
+
+
+def test_a_midpoint_that_comes_back_is_underdamped() -> None:
+    rate = 3 * RATE * np.exp(-np.linspace(0, 8, FRAMES))
+    time = np.linspace(0, 20, FRAMES)
+    ringing = -0.05 * (1 - np.exp(-0.1 * time) * np.cos(time))
+    assert label("bingham", fields(rate), ringing) == "arrested-underdamped"
+    hardly = -0.05 * (1 - 0.01 * np.cos(time) - np.exp(-time))
+    assert label("bingham", fields(rate), hardly) == "arrested-overdamped"
+
+
+@pytest.mark.parametrize(("factor", "arrested"), [(0.99, True), (1.01, False)])
+def test_the_threshold_of_arrest(factor: float, arrested: bool) -> None:
+    seen = fields(np.full(FRAMES, factor * ARREST_RATE * RATE))
+    assert is_arrested(scene_of(), seen["plastic_rate"]) is arrested
+
+
+def test_one_cell_that_flows_is_not_arrest() -> None:
+    seen = fields(np.zeros(FRAMES))
+    seen["plastic_rate"][-1, 2] = RATE
+    assert not is_arrested(scene_of(), seen["plastic_rate"])
+
+
+@pytest.mark.parametrize(("frame", "arrested"), [(-6, True), (-5, False), (-1, False)])
+def test_arrest_lasts_for_the_stated_time(frame: int, arrested: bool) -> None:
+    """The last tenth of forty intervals is the last five frames."""
+    assert pytest.approx(0.1) == ARREST_TIME
+    rate = np.zeros(FRAMES)
+    rate[frame] = RATE
+    assert is_arrested(scene_of(), fields(rate)["plastic_rate"]) is arrested
+
+
+def test_a_single_frame_can_be_judged() -> None:
+    assert is_arrested(scene_of(), np.zeros((1, CELLS)))
+    assert not is_arrested(scene_of(), np.full((1, CELLS), RATE))
+
+
+def test_how_far_the_midpoint_turned_back() -> None:
+    assert turned_back(np.array([0.0, -1.0, -2.0])) == 0
+    assert turned_back(np.array([0.0, -2.0, -1.5, -1.8])) == pytest.approx(0.25)
+    assert turned_back(np.array([0.0, -1.0, -0.5, -4.0])) == pytest.approx(0.125)
+    assert turned_back(np.zeros(3)) == 0
+    assert 0 < TURNED_BACK < 0.25
+
+
+@pytest.mark.parametrize(("law", "regime"), [("elastic", "elastic"), ("maxwell", "viscous"), ("bingham", "descending")])
+def test_labels_of_real_runs(law: str, regime: str) -> None:
+    assert run(law).summary["regime"] == regime
+
+
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
+def test_a_filament_too_strong_to_yield(section: str) -> None:
+    strong = simulate(scene_of(material={"yield_stress": "1 MPa"}, filament={"section": section}))
+    assert strong.summary["regime"] == "no-yield"
+    assert float(strong.data["energy_dissipated"][-1]) == 0
+    assert float(strong.data["yielded_fraction"].max()) == 0
+
+
+def profile(half: list[float]) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
+    stretch = 1 + np.array(half[::-1] + half)
+    return stretch, np.full(len(stretch), 0.1)
+
+
+def test_smooth_profiles_are_not_localised() -> None:
+    for half in ([0.1] * 10, list(np.linspace(0.0, 0.3, 10)), list(np.exp(np.linspace(-3, 0, 10)) / 10)):
+        assert largest_share_of_one_cell(*profile(half)) < SHARE_OF_ONE_CELL
+
+
+def test_all_strain_in_one_cell_is_one() -> None:
+    assert largest_share_of_one_cell(*profile([0.0] * 9 + [2.0])) == pytest.approx(1)
+    assert largest_share_of_one_cell(*profile([0.0, 0.0, 2.0, 0.0])) == pytest.approx(1)
+
+
+def test_half_the_strain_in_the_cell_at_the_clamp() -> None:
+    share = largest_share_of_one_cell(*profile([0.1] * 9 + [1.0]))
+    assert share == pytest.approx(0.9 / 1.9)
+    assert share > SHARE_OF_ONE_CELL
+
+
+def test_one_half_is_enough() -> None:
+    stretch, length = profile([0.1] * 10)
+    stretch[0] += 5
+    assert largest_share_of_one_cell(stretch, length) == pytest.approx(5 / 6)
+    assert largest_share_of_one_cell(stretch[::-1], length) == pytest.approx(5 / 6)
+
+
+def test_no_stretch_and_compression_are_no_neck() -> None:
+    assert largest_share_of_one_cell(*profile([0.0] * 5)) == 0
+    assert largest_share_of_one_cell(*profile([-0.1] * 4 + [-0.05])) == 0
+
+
+def test_the_measure_does_not_depend_on_units_of_length() -> None:
+    stretch, length = profile([0.1] * 9 + [0.7])
+    in_metres, in_millimetres = (largest_share_of_one_cell(stretch, unit * length) for unit in (1.0, 1e3))
+    assert in_metres == pytest.approx(in_millimetres)
+
+
+ENERGY = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated", "work_external")
+
+
+def energies(*rows: list[float]) -> dict[str, np.ndarray[Any, Any]]:
+    return {name: np.array(row) for name, row in zip(ENERGY, rows, strict=True)}
+
+
+def test_a_closed_balance_has_no_residual() -> None:
+    assert energy_residual(energies([0, 1, 2], [0, 2, 1], [0, -4, -5], [0, 1, 3], [0, 0, 1])) == 0
+
+
+def test_the_residual_is_relative_to_the_largest_energy() -> None:
+    assert energy_residual(energies([0, 1], [0, 2], [0, -4], [0, 1.1], [0, 0])) == pytest.approx(0.1 / 4)
+    assert energy_residual(energies([0, 1], [0, 2], [0, -4], [0, 1], [0, 8])) == pytest.approx(1)
+
+
+def test_the_worst_moment_counts() -> None:
+    assert energy_residual(energies([0, 1, 0], [0, 0, 0], [0, 0, -4], [0, 0, 4], [0, 0, 0])) == pytest.approx(0.25)
+
+
+def test_what_was_there_at_the_start_is_no_imbalance() -> None:
+    assert energy_residual(energies([0, 0], [5, 5], [-1, -1], [0, 0], [0, 0])) == 0
+
+
+def test_no_energy_at_all() -> None:
+    assert energy_residual(energies(*[[0, 0]] * 5)) == 0
+
+
+def test_a_balance_that_does_not_close_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    from softcat_sym.trajectory import trajectory
+
+    monkeypatch.setattr(trajectory, "energy_residual", lambda fields: 0.5)
+    drifted = simulate(scene_of())
+    assert drifted.outcome is Outcome.energy_drift
+    assert "0.5" in drifted.summary["complaint"]
+    # the printed closure has no energy to be judged by
+    assert simulate(scene_of(run={"closure": "printed"})).outcome is Outcome.solved
+
+
+@pytest.mark.parametrize("absent", [(), ("thinning",), ("finite-stretch",), ("thinning", "finite-stretch")])
+def test_an_effect_that_the_user_left_out_is_no_failure(absent: tuple[str, ...]) -> None:
+    """Finite stretch without thinning has no stored energy whose gradient the force is: reported, not failed."""
+    soft = scene_of("elastic", material={"youngs_modulus": "0.1 MPa"}, run={"duration": "0.3 s"})
+    names = [name for name in choose_effects(soft).names if name not in absent]
+    assert simulate(soft.replace({"run.effects": names})).outcome is Outcome.solved
+
+
+def test_a_neck_is_worse_than_any_other_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
+    from softcat_sym.trajectory import trajectory
+
+    monkeypatch.setattr(trajectory, "largest_share_of_one_cell", lambda stretch, length: 0.6)
+    necked = simulate(scene_of())
+    assert necked.outcome is Outcome.localised
+    assert "60%" in necked.summary["complaint"]
+    assert "X/L = " in necked.summary["complaint"]
+
+
+TIME = np.linspace(0, 1, 11)
+STILL = np.zeros(11)
+FALLING = -0.01 * TIME
+
+
+def test_without_surface_tension_nothing_is_said() -> None:
+    assert warnings_of(scene_of(), TIME, FALLING) == []
+
+
+def test_small_surface_tension_is_not_worth_a_word() -> None:
+    # gamma/(rho g R L) = 0.02/(1900 x 9.81 x 0.003 x 0.2) = 0.0018
+    scene = scene_of(surroundings={"surface_tension": "20 mN/m"})
+    assert warnings_of(scene, TIME, STILL) == []
+
+
+def thread(viscosity: str) -> object:
+    # gamma/(rho g R L) = 0.07/(1900 x 9.81 x 5e-5 x 5e-3) = 15
+    return scene_of(
+        "maxwell",
+        filament={"span": "5 mm", "thickness": "0.1 mm"},
+        material={"viscosity": viscosity},
+        surroundings={"surface_tension": "70 mN/m"},
+    )
+
+
+def test_a_thin_thread_of_thin_fluid_is_warned_of() -> None:
+    (text,) = warnings_of(thread("1 Pa*s"), TIME, FALLING)  # type: ignore[arg-type]
+    assert "surface tension" in text
+    assert "15" in text
+    assert "1/Ca = 7" in text
+
+
+def test_a_viscous_thread_that_moves_outruns_it() -> None:
+    assert warnings_of(thread("1000 Pa*s"), TIME, FALLING) == []  # type: ignore[arg-type]
+    assert len(warnings_of(thread("1000 Pa*s"), TIME, STILL)) == 1  # type: ignore[arg-type]
+
+
+def test_one_frame_warns_of_nothing() -> None:
+    assert warnings_of(thread("1 Pa*s"), TIME[:1], STILL[:1]) == []  # type: ignore[arg-type]
+
+
+def test_the_warning_reaches_the_summary() -> None:
+    thin = simulate(
+        scene_of(
+            "elastic",
+            filament={"span": "5 mm", "thickness": "0.2 mm"},
+            run={"duration": "5 ms"},
+            load={"ramp": "2 ms"},
+            surroundings={"surface_tension": "0.5 N/m"},
+        )
+    )
+    assert len(thin.summary["warnings"]) == 1
+    assert run().summary["warnings"] == []
+
+
+def test_a_trajectory_is_frozen() -> None:
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        run().outcome = Outcome.localised  # type: ignore[misc]
