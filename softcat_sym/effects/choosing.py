@@ -87,8 +87,6 @@ def _refuse(scene: Scene, asked: tuple[str, ...]) -> None:
     known = {effect.name: effect for effect in REGISTRY}
     faults: list[Fault] = []
     for name in asked:
-        if asked.count(name) > 1 and all(f"{name!r} stands" not in fault.found for fault in faults):
-            faults.append(Fault("run.effects", f"{name!r} stands there more than once", "each effect once"))
         if name not in known:
             near = difflib.get_close_matches(name, known, 1)
             hint = f"did you mean {near[0]!r}? " if near else ""

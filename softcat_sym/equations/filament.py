@@ -15,7 +15,7 @@ import sympy as sp
 from softcat_sym.equations import closure, kinematics, section
 from softcat_sym.equations.balance import InternalForce, internal_force
 from softcat_sym.equations.rheology import SectionMeans
-from softcat_sym.equations.symbols import A0, E, M, T, a_0, a_1, g, s, sigma_0, sigma_1, theta_X
+from softcat_sym.equations.symbols import A0, E, M, T, a_0, a_1, g, h0, s, sigma_0, sigma_1, theta_X
 
 MeansOf = Callable[[section.Section], SectionMeans]
 
@@ -73,6 +73,9 @@ class SectionEquations:
         da_0/dt and da_1/dt of (sigma_0, sigma_1, s) (2.24).
     elastic_mean, elastic_bending : sympy.Expr
         Stored energy per unit material length, of stretching and of bending.
+    volume : sympy.Expr
+        Material that a unit of material length stores energy in. If it depends on s, because only one of finite stretch
+        and thinning is in force, T has no potential and the energy balance cannot close.
     dissipation_mean, dissipation_bending : sympy.Expr
         Plastic power per unit material length, of stretching and of bending. Neither is ever negative: for an odd,
         monotone flow rule and a symmetric section <phi> has the sign of sigma_0 and <phi zeta> that of sigma_1.
@@ -87,6 +90,7 @@ class SectionEquations:
     stress_of_tension: sp.Expr
     stress_of_moment: sp.Expr
     axial_correction: sp.Expr
+    volume: sp.Expr
     means: SectionMeans | None
     rate_mean: sp.Expr
     rate_bending: sp.Expr
@@ -108,9 +112,9 @@ class SectionEquations:
             "stress_of_tension",
             "stress_of_moment",
             "axial_correction",
-            "thickness",
         )
-        return {name: getattr(self, name).subs(A0, 1) for name in names}
+        relations = {name: getattr(self, name).subs(A0, 1) for name in names}
+        return {**relations, "relative_thickness": self.thickness / h0}
 
     def flow_per_area(self) -> dict[str, sp.Expr]:
         """What a known stress does to the section, of (sigma_0, sigma_1, s), per unit undeformed area."""
@@ -137,6 +141,11 @@ class FilamentEquations:
     closure: str
     response: SectionEquations
     force: InternalForce
+
+    @property
+    def conserves_energy(self) -> bool:
+        """Whether forces and stored energy belong together, so that the energy balance can be judged."""
+        return self.closure == "material" and s not in self.response.volume.free_symbols
 
 
 def derive(terms: Terms, shape: section.Section, closure_name: str) -> FilamentEquations:
@@ -182,6 +191,7 @@ def _respond(
         stress_of_tension=T / area,
         stress_of_moment=bends * M / modulus,
         axial_correction=bends * closed.axial_correction,
+        volume=weight,
         means=means,
         rate_mean=means.rate / closed.recall_mean if means else zero,
         rate_bending=bends * means.bending_rate / closed.recall_bending if means else zero,

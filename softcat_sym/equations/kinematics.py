@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from softcat_sym.equations.symbols import s, x_X, x_X_before, y_X, y_X_before
+from softcat_sym.equations.equation import Equation
+from softcat_sym.equations.symbols import s, theta, x_X, x_X_before, y_X, y_X_before
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,3 +73,10 @@ class StrainMeasure:
 
 TRUE_STRAIN = StrainMeasure(strain=sp.log(s), arc_stretch=s, source="2.6")
 SMALL_STRAIN = StrainMeasure(strain=s - 1, arc_stretch=sp.Integer(1), source="2.13")
+
+EQUATIONS: tuple[Equation, ...] = (
+    Equation("stretch of a cell", s, LARGE_ROTATION.stretch, LARGE_ROTATION.source),
+    Equation("tangent angle of a cell", theta, sp.atan2(y_X, x_X), LARGE_ROTATION.source),
+    Equation("stretch of a cell at small slope", s, SMALL_SLOPE.stretch, SMALL_SLOPE.source),
+    Equation("tangent angle of a cell at small slope", theta, y_X, SMALL_SLOPE.source),
+)

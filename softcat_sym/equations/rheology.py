@@ -93,8 +93,14 @@ class _OneSided:
 def _one_sided(section: Section, overstress: sp.Expr, slope: sp.Expr) -> _OneSided:
     low, high = section.interval
     edge = sp.Min(sp.Max(-overstress / sp.Max(slope, _TINY * E), low), high)
+
+    def beyond(partial: sp.Expr) -> sp.Expr:
+        value = partial.subs(c, edge)
+        # Where c is kept inside (-1, 1) a trace of 1e-21 would be left of a section that does not yield at all.
+        return value if high == 1 else sp.Piecewise((value, edge < high), (sp.Integer(0), True))
+
     return _OneSided(
-        mean=sp.Max(overstress - slope, 0) + slope * section.overstress_mean.subs(c, edge),
-        moment_per_slope=section.overstress_moment.subs(c, edge),
-        area=section.area.subs(c, edge),
+        mean=sp.Max(overstress - slope, 0) + slope * beyond(section.overstress_mean),
+        moment_per_slope=beyond(section.overstress_moment),
+        area=beyond(section.area),
     )

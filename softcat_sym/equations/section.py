@@ -86,5 +86,7 @@ class Contraction:
     source: str
 
 
+# Rectangle and circle shrink in both directions, a sheet only in its thickness: its width is held.
 UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s), source="2.9")
+WIDE = Contraction(area=A0 / s, thickness=h0 / s, source="THEORY 1")
 NONE = Contraction(area=A0, thickness=h0, source="2.13")

@@ -62,23 +62,26 @@ def assemble(equations: FilamentEquations, grid: Grid, effects: tuple[str, ...])
     now = _instant(cell, grid, time * time_scale, values, (moving, still))
     rates = _rates(now, grid, time_scale, values)
     outputs = _observables(now, grid, time_scale, values)
+    ode, alg = _tidy(moving.gather(rates), still.gather({"x": rates["u"], "y": rates["v"]}))
+    (quad,) = _tidy(_powers(now, grid, time_scale, values))
     return Graph(
         grid=grid,
         effects=effects,
+        conserves_energy=equations.conserves_energy,
         parameters=tuple(names),
         t=time,
         x=moving.vector,
         z=still.vector,
         p=p,
-        ode=_tidy(moving.gather(rates)),
-        alg=_tidy(still.gather({"x": rates["u"], "y": rates["v"]})),
-        quad=_tidy(_powers(now, grid, time_scale, values)),
+        ode=ode,
+        alg=alg,
+        quad=quad,
         state_names=moving.names,
         algebraic_names=still.names,
         observables=ca.Function(
             "observables",
             [time, moving.vector, still.vector, p],
-            [_tidy(value) for value in outputs.values()],
+            _tidy(*outputs.values()),
             ["time", "state", "algebraic", "parameters"],
             list(outputs),
         ),
@@ -87,9 +90,9 @@ def assemble(equations: FilamentEquations, grid: Grid, effects: tuple[str, ...])
     )
 
 
-def _tidy(expression: ca.SX) -> ca.SX:
-    """Dense, with common subexpressions shared; integrators refuse structural zeros in an output."""
-    return ca.cse(ca.densify(expression))
+def _tidy(*expressions: ca.SX) -> list[ca.SX]:
+    """Dense, with common subexpressions shared between them; integrators refuse structural zeros in an output."""
+    return list(ca.cse([ca.densify(expression) for expression in expressions]))
 
 
 def _layouts(equations: FilamentEquations, grid: Grid) -> tuple[Layout, Layout]:
@@ -164,7 +167,7 @@ def _observables(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[obje
         "shear_force": along,
         "yielded_fraction": to_cells(nodes.flow["yielded_fraction"]),
         "plastic_rate": to_cells(nodes.flow["plastic_rate"]),
-        "thickness": fields.thickness,
+        "relative_thickness": fields.relative_thickness,
         "stress_mean": cells.stress_mean,
         "stress_bending": cells.stress_bending,
         "energy_kinetic": ca.dot(node, now.u**2 + now.v**2) * speed**2 * values[rho] / 2 * span,

@@ -23,6 +23,8 @@ class Graph:
         Nodes and ends.
     effects : tuple of str
         Names of the effects in force.
+    conserves_energy : bool
+        Whether forces and stored energy belong together, so that the energy balance can be judged.
     parameters : tuple of str
         Names of the inputs `p`, in order.
     t, x, z, p : casadi.SX
@@ -41,6 +43,7 @@ class Graph:
 
     grid: Grid
     effects: tuple[str, ...]
+    conserves_energy: bool
     parameters: tuple[str, ...]
     t: ca.SX
     x: ca.SX

@@ -41,7 +41,7 @@ class Fields:
     nodes: Places
     tension: ca.SX
     moment: ca.SX
-    thickness: ca.SX
+    relative_thickness: ca.SX
     force_x: ca.SX
     force_y: ca.SX
 
@@ -76,9 +76,7 @@ class CellPrinter:
         values = {sy.x_X_before: before[0], sy.y_X_before: before[1], sy.x_X: behind[0], sy.y_X: behind[1]}
         return ca.SX(self._turning(values)["turning"])
 
-    def force(
-        self, slope: tuple[ca.SX, ca.SX], s: ca.SX, axial: ca.SX, moment_change: ca.SX
-    ) -> tuple[ca.SX, ca.SX]:
+    def force(self, slope: tuple[ca.SX, ca.SX], s: ca.SX, axial: ca.SX, moment_change: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Internal force of cells (2.1, 2.2)."""
         values = {sy.x_X: slope[0], sy.y_X: slope[1], sy.s: s, sy.Q: axial, sy.M_X: moment_change}
         out = self._force(values)
@@ -121,7 +119,7 @@ def filament_fields(
     per_length = ca.DM(1 / grid.cell_length)
     per_span = 1 / span
     slope = (ca.diff(nodes[0]) * per_length, ca.diff(nodes[1]) * per_length)
-    turning = _turning(cell, grid, slope) * ca.DM(1 / grid.node_length) * per_span
+    turning = _turning(cell, grid, slope) * (ca.DM(1 / grid.node_length) * per_span)
     a_0, a_1 = plastic
     s = cell.stretch(slope)
     s_node = to_nodes(grid, s)
@@ -132,16 +130,14 @@ def filament_fields(
     correction = cell.section("axial_correction", {sy.s: s_node, sy.theta_X: turning, sy.M: moment})
     sigma_0_node = cell.section("stress_of_tension", {sy.s: s_node, sy.T: to_nodes(grid, tension)})
     sigma_1_cell = cell.section("stress_of_moment", {sy.s: s, sy.M: to_cells(moment)})
-    force_x, force_y = cell.force(
-        slope, s, tension + to_cells(correction), ca.diff(moment) * per_length * per_span
-    )
+    force_x, force_y = cell.force(slope, s, tension + to_cells(correction), ca.diff(moment) * (per_length * per_span))
     return Fields(
         turning=turning,
         cells=Places(s, sigma_0, sigma_1_cell, cell.flow(s, sigma_0, sigma_1_cell)),
         nodes=Places(s_node, sigma_0_node, sigma_1, cell.flow(s_node, sigma_0_node, sigma_1)),
         tension=tension,
         moment=moment,
-        thickness=cell.section("thickness", {sy.s: s}),
+        relative_thickness=cell.section("relative_thickness", {sy.s: s}),
         force_x=force_x,
         force_y=force_y,
     )

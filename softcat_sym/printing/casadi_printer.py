@@ -88,8 +88,8 @@ class CasadiPrinter(Printer):  # type: ignore[misc]  # SymPy has no types
         return first
 
     def _print_Mul(self, expr: sp.Mul) -> Any:
-        # Factor by factor: reciprocals, of parameters above all, are then shared between terms, and products are cheap.
-        first, *rest = [self._print(a) for a in expr.args]
+        # Factor by factor, numbers before vectors: what holds for all cells is then computed once and shared.
+        first, *rest = sorted((self._print(a) for a in expr.args), key=_size)
         for factor in rest:
             first = first * factor
         return first
@@ -134,6 +134,11 @@ class CasadiPrinter(Printer):  # type: ignore[misc]  # SymPy has no types
         for branch, condition in reversed(expr.args[:-1]):
             value = ca.if_else(self._print(condition), self._print(branch), value)
         return value
+
+
+def _size(value: Any) -> int:
+    """Number of elements of a CasADi value, or of a plain number."""
+    return int(value.numel()) if hasattr(value, "numel") else 0
 
 
 def _whole_power(value: Any, exponent: int) -> Any:

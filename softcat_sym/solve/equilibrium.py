@@ -62,7 +62,7 @@ class Equilibrium:
     def _damped(
         self, time: float, x: Floats, z: Floats, p: Floats, step: Floats, residual: Floats
     ) -> tuple[Floats, Floats]:
-        """Shorten the step until the residual falls; the last, shortest one is taken in any case."""
+        """Shorten the step until the residual falls; if it never does, take the whole step and hope for the next."""
         size = float(np.linalg.norm(residual))
         fraction = 1.0
         for _ in range(_HALVINGS):

@@ -57,7 +57,17 @@ class FrameIntegrator:
         }
         if graph.is_dae:
             dae |= {"z": graph.z, "alg": alg}
-        self._call = ca.integrator("filament", settings.solver, dae, 0, list(range(intervals + 1)), settings.options())
+        options = settings.options()
+        self._most_steps = int(options["max_num_steps"])
+        call = ca.integrator("filament", settings.solver, dae, 0, list(range(intervals + 1)), options)
+        self._results = {name: np.zeros((intervals + 1, call.size1_out(name))) for name in ("xf", "zf", "qf")}
+        self._arguments = {name: np.zeros(call.size1_in(name)) for name in ("x0", "z0", "p")}
+        # A buffer hands NumPy's memory to CasADi: no lists of Python floats, which would cost as much as a quick run.
+        self._buffer, self._evaluate = call.buffer()
+        for name, argument in self._arguments.items():
+            self._buffer.set_arg(call.index_in(name), memoryview(argument.data))  # type: ignore[call-arg]
+        for name, result in self._results.items():
+            self._buffer.set_res(call.index_out(name), memoryview(result.data))  # type: ignore[call-arg]
 
     def advance(self, state: _State, p: Floats, start: float, interval: float) -> tuple[Floats, Floats, Floats, int]:
         """States and quadratures at the end of each interval (as columns), and the steps taken.
@@ -67,13 +77,19 @@ class FrameIntegrator:
         RuntimeError
             If the integrator gives up.
         """
-        parameters = np.concatenate([p, [start, interval]])
+        self._arguments["x0"][:] = state.x
+        self._arguments["z0"][:] = state.z
+        self._arguments["p"][:] = (*p, start, interval)
         silence = io.StringIO()
         with contextlib.redirect_stdout(silence), contextlib.redirect_stderr(silence):
-            out = self._call(x0=state.x, z0=state.z, p=parameters)
-        x, z, quad = (np.asarray(out[key], dtype=float)[:, 1:] for key in ("xf", "zf", "qf"))
-        stats = self._call.stats()
-        return x, z, quad + state.quad[:, None], int(stats.get("nsteps", stats.get("n_steps", 0)))
+            self._evaluate()
+        stats = self._buffer.stats()
+        steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
+        if self._buffer.ret() != 0:
+            # The Rosenbrock method does not raise: it leaves a code, and results that are not to be used.
+            raise RuntimeError(_reason(silence.getvalue(), steps, self._most_steps))
+        x, z, quad = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
+        return x, z, quad + state.quad[:, None], steps
 
 
 class Integration:
@@ -125,8 +141,8 @@ class Integration:
         try:
             x, z, quad, steps = integrator.advance(record.last, p, record.reached * interval, interval)
         except RuntimeError as error:
-            return str(error)
-        if not (np.all(np.isfinite(x)) and np.all(np.isfinite(z))):
+            return str(error) or "the integrator gave up"
+        if not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
             return "non-finite state"
         record.extend(x, z, quad, steps)
         return ""
@@ -184,11 +200,21 @@ def worst_component(graph: Graph, time: float, x: Floats, z: Floats, p: Floats) 
     return graph.state_names[int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))]
 
 
+def _reason(told: str, steps: int, most: int) -> str:
+    """Why the Rosenbrock method gave up, which it does not say itself."""
+    if steps >= most:
+        return "the number of steps reached its limit"
+    if "NaN detected" in told or "Inf detected" in told:
+        return "non-finite right-hand side"
+    return "even the smallest step was rejected"
+
+
 def _outcome_of(complaint: str) -> Outcome:
-    if "non-finite" in complaint or "nan" in complaint.lower():
-        return Outcome.non_finite
-    if "TOO_MUCH_WORK" in complaint or "max_num_steps" in complaint or "number of steps" in complaint:
+    # Steps first: a run may have recovered from an infinity before it ran out of steps.
+    if any(sign in complaint for sign in ("TOO_MUCH_WORK", "number of steps")):
         return Outcome.step_limit
+    if any(sign in complaint for sign in ("non-finite", "RHSFUNC", "RES_FAIL", "RESFUNC")):
+        return Outcome.non_finite
     return Outcome.no_convergence
 
 

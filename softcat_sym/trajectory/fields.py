@@ -34,6 +34,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
     observed["energy_dissipated"] = solution.quad[0][:, None] * span
     observed["work_external"] = solution.quad[1][:, None] * span
+    observed["thickness"] = observed["relative_thickness"] * scene.filament.thickness
     observed["shear"] = np.zeros_like(observed["stretch"])
     area = undeformed_area(scene)
     return {v.name: _whole(graph, v.name, observed[v.name] * (area if v.per_area else 1.0)) for v in VARIABLES}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -78,7 +79,8 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     residual = energy_residual(fields)
-    outcome, complaint = _outcome(scene, solution, fields, places[0], residual)
+    audited = residual if prepared.graph.conserves_energy else 0.0
+    outcome, complaint = _outcome(scene, solution, fields, places[0], audited)
     summary = {
         "title": scene.title,
         "outcome": outcome.name,
@@ -102,7 +104,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "warnings": [*warnings_of(scene, time, midpoint)],
         "wall_s": wall,
     }
-    data.attrs["summary_outcome"] = outcome.name
+    data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}
     return Trajectory(scene, data, summary, outcome)
 
 
@@ -118,6 +120,6 @@ def _outcome(
         return Outcome.localised, "; ".join(filter(None, [text, solution.complaint]))
     if not solution.outcome.is_success:
         return solution.outcome, solution.complaint
-    if scene.run.closure == "material" and residual > scene.run.accuracy:
+    if residual > scene.run.accuracy:
         return Outcome.energy_drift, f"energy residual {residual:.2g} against an accuracy of {scene.run.accuracy:g}"
     return Outcome.solved, ""

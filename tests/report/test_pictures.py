@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from softcat_sym.report import files, write_pictures
+from softcat_sym import files
+from softcat_sym.report import write_pictures
 from softcat_sym.report.energy import energy_figure, energy_imbalance
 from softcat_sym.report.midpoint import midpoint_figure
 from softcat_sym.report.style import printable
