@@ -3,41 +3,35 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
-import numpy as np
 
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.equations.symbols import L, rho
+from softcat_sym.graph.cell_printer import CellPrinter, parameter_symbols
+from softcat_sym.graph.discretisation import Discretisation, Fields, Unknowns
 from softcat_sym.graph.graph import Graph
 from softcat_sym.graph.grid import Grid
-from softcat_sym.graph.kirchhoff import (
-    CellPrinter,
-    Fields,
-    bending_nodes,
-    filament_fields,
-    free_nodes,
-    parameter_symbols,
-    to_cells,
-)
-from softcat_sym.graph.layout import Block, Layout, cell_block, node_block
+from softcat_sym.graph.kirchhoff import KIRCHHOFF, to_cells
+from softcat_sym.graph.layout import Layout
 
 
 @dataclass(frozen=True)
 class _Instant:
-    """The filament at one instant: nodes in units of the span, their velocity, and the fields they imply (SI)."""
+    """The filament at one instant: the fields, velocities in spans per time scale, and what acts on the nodes (SI)."""
 
-    x: ca.SX
-    y: ca.SX
+    fields: Fields
     u: ca.SX
     v: ca.SX
-    fields: Fields
     net_force: tuple[ca.SX, ...]
     gravity: ca.SX
     gravity_rate: ca.SX
 
 
-def assemble(equations: FilamentEquations, grid: Grid, effects: tuple[str, ...]) -> Graph:
+def assemble(
+    equations: FilamentEquations, grid: Grid, effects: tuple[str, ...], theory: Discretisation = KIRCHHOFF
+) -> Graph:
     """Assemble the filament of one cell's equations on a grid.
 
     Parameters
@@ -48,6 +42,8 @@ def assemble(equations: FilamentEquations, grid: Grid, effects: tuple[str, ...])
         Half or whole span.
     effects : tuple of str
         Names of the effects in force, carried along.
+    theory : Discretisation
+        Which unknowns the grid carries.
 
     Returns
     -------
@@ -57,9 +53,11 @@ def assemble(equations: FilamentEquations, grid: Grid, effects: tuple[str, ...])
     values, names, p = parameter_symbols(equations)
     time_scale = p[len(names) - 1]
     time = ca.SX.sym("t")
-    moving, still = _layouts(equations, grid)
+    moving, still = _layouts(equations, theory.unknowns(equations, grid))
     cell = CellPrinter(equations, values)
-    now = _instant(cell, grid, time * time_scale, values, (moving, still))
+    places = moving if equations.terms.inertia else still
+    fields = theory.evaluate(cell, grid, values[L], places, moving)
+    now = _instant(cell, fields, time * time_scale, moving)
     rates = _rates(now, grid, time_scale, values)
     outputs = _observables(now, grid, time_scale, values)
     ode, alg = _tidy(moving.gather(rates), still.gather({"x": rates["u"], "y": rates["v"]}))
@@ -95,33 +93,17 @@ def _tidy(*expressions: ca.SX) -> list[ca.SX]:
     return list(ca.cse([ca.densify(expression) for expression in expressions]))
 
 
-def _layouts(equations: FilamentEquations, grid: Grid) -> tuple[Layout, Layout]:
-    free_x, free_y = free_nodes(grid)
-    zeros = np.zeros(grid.cells + 1)
-    positions = [node_block("x", free_x, grid, grid.nodes), node_block("y", free_y, grid, zeros)]
-    velocities = [node_block("u", free_x, grid, zeros), node_block("v", free_y, grid, zeros)]
-    plastic: list[Block] = []
-    if equations.response.means is not None:
-        plastic.append(cell_block("a_0", grid))
-        if equations.terms.bending:
-            plastic.append(node_block("a_1", bending_nodes(grid), grid, zeros))
+def _layouts(equations: FilamentEquations, unknowns: Unknowns) -> tuple[Layout, Layout]:
     if equations.terms.inertia:
-        return Layout("x", [*positions, *velocities, *plastic]), Layout("z", [])
-    return Layout("x", plastic), Layout("z", positions)
+        return Layout("x", [*unknowns.positions, *unknowns.velocities, *unknowns.plastic]), Layout("z", [])
+    return Layout("x", unknowns.plastic), Layout("z", unknowns.positions)
 
 
-def _instant(
-    cell: CellPrinter, grid: Grid, time: ca.SX, values: dict[object, ca.SX], layouts: tuple[Layout, Layout]
-) -> _Instant:
-    moving, still = layouts
-    places = moving if cell.equations.terms.inertia else still
-    zeros = ca.SX(grid.cells + 1, 1)
-    x, y = places.field("x", ca.SX(grid.nodes)), places.field("y", zeros)
-    plastic = (moving.field("a_0", ca.SX(grid.cells, 1)), moving.field("a_1", zeros))
-    fields = filament_fields(cell, grid, values[L], (x, y), plastic)
+def _instant(cell: CellPrinter, fields: Fields, time: ca.SX, moving: Layout) -> _Instant:
+    zeros = ca.SX(*fields.y.shape)
     gravity, gravity_rate = cell.gravity(time)
     net = tuple(ca.vertcat(force, 0) - ca.vertcat(0, force) for force in (fields.force_x, fields.force_y))
-    return _Instant(x, y, moving.field("u", zeros), moving.field("v", zeros), fields, net, gravity, ca.SX(gravity_rate))
+    return _Instant(fields, moving.field("u", zeros), moving.field("v", zeros), net, gravity, ca.SX(gravity_rate))
 
 
 def _rates(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca.SX]) -> dict[str, ca.SX]:
@@ -139,10 +121,20 @@ def _rates(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca
 
 
 def _powers(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca.SX]) -> ca.SX:
-    """Plastic power and power of the changing load, per unit undeformed area and span, per unit of scaled time."""
+    """Plastic power and power of the changing load in the scales of the unknowns: see :func:`energy_scale`."""
     dissipated = _sum(now.fields, grid, "dissipation_mean", "dissipation_bending")
-    lifted = ca.dot(ca.DM(grid.node_length), now.y) * values[L] * values[rho] * now.gravity_rate
-    return ca.vertcat(dissipated, lifted) * time_scale
+    lifted = ca.dot(ca.DM(grid.node_length), now.fields.y) * values[L] * values[rho] * now.gravity_rate
+    unit: ca.SX = energy_scale(values[rho], values[L], time_scale)
+    return ca.vertcat(dissipated, lifted) * (time_scale / unit)
+
+
+def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
+    """Unit of the quadratures [Pa]: density times the square of span over time scale.
+
+    An integrator that controls the quadratures measures them with the tolerances of the unknowns, so they have the same
+    size whatever the units of the scene.
+    """
+    return density * (span / time_scale) ** 2
 
 
 def _sum(fields: Fields, grid: Grid, of_cells: str, of_nodes: str) -> ca.SX:
@@ -158,8 +150,8 @@ def _observables(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[obje
     node, length = ca.DM(grid.node_length), ca.DM(grid.cell_length)
     along = ca.diff(fields.moment) / (span * length * cells.stretch)
     return {
-        "x": now.x * span,
-        "y": now.y * span,
+        "x": fields.x * span,
+        "y": fields.y * span,
         "stretch": cells.stretch,
         "curvature": to_cells(fields.turning / nodes.stretch),
         "tension": fields.tension,
@@ -172,5 +164,5 @@ def _observables(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[obje
         "stress_bending": cells.stress_bending,
         "energy_kinetic": ca.dot(node, now.u**2 + now.v**2) * speed**2 * values[rho] / 2 * span,
         "energy_elastic": _sum(fields, grid, "elastic_mean", "elastic_bending") * span,
-        "energy_potential": ca.dot(node, now.y) * span * values[rho] * now.gravity * span,
+        "energy_potential": ca.dot(node, fields.y) * span * values[rho] * now.gravity * span,
     }

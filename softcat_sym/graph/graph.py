@@ -30,7 +30,8 @@ class Graph:
     t, x, z, p : casadi.SX
         Time, differential states (nx,), algebraic states (nz,), parameters.
     ode, alg, quad : casadi.SX
-        Right-hand sides; `quad` is (plastic power, power of the changing load), per unit undeformed area and span.
+        Right-hand sides; `quad` is (plastic power, power of the changing load), in ``energy_scale`` times undeformed
+        area and span.
     state_names, algebraic_names : tuple of str
         What each component is, for messages.
     observables : casadi.Function

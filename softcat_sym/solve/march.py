@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 
 import casadi as ca
 import numpy as np
@@ -37,22 +38,24 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     empty = np.zeros(0)
     shapes, work = [z0], [0.0]
     for before, time in itertools.pairwise(times):
-        z = equilibrium.search(float(time), empty, p, [shapes[-1]])
-        if z is None:
+        middle = float(before + time) / 2
+        halfway = equilibrium.search(middle, empty, p, [shapes[-1]])
+        z = equilibrium.search(float(time), empty, p, [shapes[-1] if halfway is None else halfway])
+        if z is None or halfway is None:
             text = f"no equilibrium at t = {time * scale:.6g} s"
             return _solution(times[: len(shapes)], shapes, work, Outcome.no_equilibrium, text)
-        work.append(work[-1] + _work(graph, (float(before), shapes[-1]), (float(time), z), p))
+        instants = ((float(before), shapes[-1]), (middle, halfway), (float(time), z))
+        work.append(work[-1] + _work(graph, instants, p))
         shapes.append(z)
         progress.update(float(time) * scale, None)
     return _solution(times, shapes, work, Outcome.solved, "")
 
 
-def _work(graph: Graph, one: tuple[float, Floats], two: tuple[float, Floats], p: Floats) -> float:
-    """Work of the changing load over one interval: Simpson's rule in time, the shape taken as linear between frames."""
+def _work(graph: Graph, instants: Sequence[tuple[float, Floats]], p: Floats) -> float:
+    """Work of the changing load from the first to the last of three equilibria, by Simpson's rule."""
     power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
-    middle = ((one[0] + two[0]) / 2, (one[1] + two[1]) / 2)
-    values = [float(np.asarray(power(time, [], z, p)).ravel()[1]) for time, z in (one, middle, two)]
-    return (two[0] - one[0]) / 6 * (values[0] + 4 * values[1] + values[2])
+    first, middle, last = (float(np.asarray(power(time, [], z, p)).ravel()[1]) for time, z in instants)
+    return (instants[2][0] - instants[0][0]) / 6 * (first + 4 * middle + last)
 
 
 def _solution(times: Floats, shapes: list[Floats], work: list[float], outcome: Outcome, text: str) -> Solution:

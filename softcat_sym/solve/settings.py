@@ -6,8 +6,11 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
+import numpy as np
+
 from softcat_sym.effects import Effects
 from softcat_sym.effects.prediction import elastic_sag, predicted_sag, predicted_strain
+from softcat_sym.graph.choosing import DEFAULT_CELLS
 from softcat_sym.scene import Scene, gravity_time, groups_of
 
 Name = Literal["cvodes", "idas", "rosenbrock"]
@@ -23,6 +26,7 @@ _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 _OVERDAMPED = 5.0  # V above which a descending filament does not turn back
 _SHORT_MEMORY = 0.02  # relaxation time in sqrt(L/g) below which a Maxwell filament does not ring
 _SLOW_PERIODS = 20.0
+_NOISE = 20 * float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +64,16 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
     """
     solver, reason = _solver(scene, effects)
     rtol = scene.numerics.rtol or scene.run.accuracy * _RTOL_PER_ACCURACY[solver]
-    return Settings(solver, rtol, rtol * _ATOL_PER_RTOL[solver] * _smallest_strain(scene), reason)
+    wanted = rtol * _ATOL_PER_RTOL[solver] * _smallest_strain(scene)
+    noise = _roundoff(scene) if "inertia" in effects.names else 0.0
+    return Settings(solver, rtol, max(wanted, noise), reason)
+
+
+def _roundoff(scene: Scene) -> float:
+    """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
+    stiffness = groups_of(scene).E_star
+    cells = scene.numerics.cells or DEFAULT_CELLS
+    return _NOISE * cells * math.sqrt(stiffness) if stiffness is not None and math.isfinite(stiffness) else 0.0
 
 
 def _smallest_strain(scene: Scene) -> float:

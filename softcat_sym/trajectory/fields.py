@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from softcat_sym.graph import Graph
+from softcat_sym.graph import Graph, energy_scale
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
 from softcat_sym.solve import Prepared, Solution
@@ -32,8 +32,9 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     """
     graph, span = prepared.graph, scene.filament.span
     observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
-    observed["energy_dissipated"] = solution.quad[0][:, None] * span
-    observed["work_external"] = solution.quad[1][:, None] * span
+    unit = energy_scale(scene.filament.density, span, prepared.scale) * span
+    observed["energy_dissipated"] = solution.quad[0][:, None] * unit
+    observed["work_external"] = solution.quad[1][:, None] * unit
     observed["thickness"] = observed["relative_thickness"] * scene.filament.thickness
     observed["shear"] = np.zeros_like(observed["stretch"])
     area = undeformed_area(scene)

@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.graph import End, Graph, Grid, half_span, whole_span
+from softcat_sym.graph import End, Graph, Grid, energy_scale, half_span, whole_span
 from softcat_sym.graph.grid import Floats
 from softcat_sym.graph.parameters import parameter_values
 from softcat_sym.scene import Scene
@@ -26,8 +26,12 @@ def balance(graph: Graph, scene: Scene, seed: int, time: float = 0.3) -> tuple[f
     """d(energy)/dt + plastic power - power of the changing load, and the size of what was added up."""
     energy = energy_of(graph, STORED)
     gradient, drift = ca.gradient(energy, graph.x), ca.jacobian(energy, graph.t)
-    span = parameter_values(scene)["span"]
-    function = ca.Function("power", [graph.t, graph.x, graph.p], [gradient * graph.ode, drift, graph.quad * span])
+    values = parameter_values(scene)
+    span = values["span"]
+    unit = energy_scale(values["density"], span, values["time_scale"])
+    function = ca.Function(
+        "power", [graph.t, graph.x, graph.p], [gradient * graph.ode, drift, graph.quad * span * unit]
+    )
     x, _ = random_state(graph, seed)
     parts, pushed, (lost, gained) = value(function, time, x, parameters(scene, graph))
     return float(np.sum(parts) + np.sum(pushed) + lost - gained), float(np.sum(np.abs(parts)) + abs(lost))

@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from softcat_sym.graph import energy_scale
 from softcat_sym.graph.grid import Floats
 from softcat_sym.solve import Outcome, Silence, Solution
 from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
@@ -88,7 +89,8 @@ def test_the_work_of_a_march_is_the_energy_it_stores() -> None:
     solution = run.solve(Silence())
     seen = run.graph.observe(solution.time, solution.x, solution.z, run.p)
     stored = (seen["energy_elastic"] + seen["energy_potential"])[:, 0]
-    work = solution.quad[1] * scene.filament.span
+    span = scene.filament.span
+    work = solution.quad[1] * energy_scale(scene.filament.density, span, run.scale) * span
     assert abs(work[-1]) > 0
     np.testing.assert_allclose(work, stored - stored[0], rtol=0, atol=2e-3 * np.max(np.abs(stored)))
 
