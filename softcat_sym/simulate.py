@@ -37,14 +37,14 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     from softcat_sym.equations.filament import derive
     from softcat_sym.equations.section import SECTIONS
     from softcat_sym.graph import assemble
-    from softcat_sym.graph.choosing import choose_grid
+    from softcat_sym.graph.choosing import choose_grid, choose_theory
     from softcat_sym.solve import Silence, choose_settings, prepare
     from softcat_sym.trajectory import judge
 
     clock = Clock()
     effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    graph = assemble(equations, choose_grid(scene), effects.names)
+    graph = assemble(equations, choose_grid(scene), effects.names, choose_theory(scene))
     prepared = prepare(scene, graph, choose_settings(scene, effects))
     clock.lap("build")
     solution = prepared.solve(progress or Silence())

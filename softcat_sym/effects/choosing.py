@@ -71,6 +71,7 @@ def choose_effects(scene: Scene) -> Effects:
         If it names an effect that is unknown, that its law or load cannot have, or that needs another one.
     """
     asked = scene.run.effects
+    _refuse_law(scene)
     if isinstance(asked, str):
         chosen = tuple(effect for effect in REGISTRY if effect.applies(scene))
         why = "in the paper's list"
@@ -81,6 +82,14 @@ def choose_effects(scene: Scene) -> Effects:
     reasons = {effect.name: f"{why}; {effect.estimate(scene)}" for effect in chosen}
     left_out = {e.name: e.estimate(scene).value for e in REGISTRY if e.applies(scene) and e not in chosen}
     return Effects(chosen, reasons, left_out)
+
+
+def _refuse_law(scene: Scene) -> None:
+    """The small-deflection model has one plastic stretch for the whole filament, which only a linear law allows."""
+    if scene.model == "small-deflection" and YIELDING.applies(scene):
+        raise SceneError(
+            [Fault("material.law", f"{scene.material.law!r} with model 'small-deflection'", "elastic or maxwell")]
+        )
 
 
 def _refuse(scene: Scene, asked: tuple[str, ...]) -> None:

@@ -65,6 +65,14 @@ class Effect:
     needs: tuple[str, ...] = ()
 
 
+def of_large_deflections(scene: Scene) -> bool:
+    """Applies unless the scene asks for the small-deflection model (2.13), which has none of it."""
+    return scene.model == "filament"
+
+
+SMALL_MODEL = "the small-deflection model has no such terms"
+
+
 def always(scene: Scene) -> bool:
     """Applies to every scene."""
     del scene

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate, always
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
 from softcat_sym.effects.prediction import predicted_sag
 from softcat_sym.equations.filament import Terms
 from softcat_sym.equations.kinematics import LARGE_ROTATION as EXACT
@@ -23,8 +23,8 @@ LARGE_ROTATION = Effect(
     summary="exact stretch and angle of the centreline",
     source="2.5",
     contribute=_contribute,
-    applies=always,
-    without_it="",
+    applies=of_large_deflections,
+    without_it=SMALL_MODEL,
     estimate=_estimate,
     observable="largest slope squared",
 )

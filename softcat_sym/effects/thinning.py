@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate, always
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
 from softcat_sym.effects.prediction import predicted_strain
 from softcat_sym.equations.filament import Terms
 from softcat_sym.equations.section import UNIFORM
@@ -22,8 +22,8 @@ THINNING = Effect(
     summary="A = A0/s, h = h0/sqrt(s)",
     source="2.9",
     contribute=_contribute,
-    applies=always,
-    without_it="",
+    applies=of_large_deflections,
+    without_it=SMALL_MODEL,
     estimate=_estimate,
     observable="largest relative loss of area",
 )

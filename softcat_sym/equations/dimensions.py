@@ -69,6 +69,8 @@ def dimension(expr: sp.Basic) -> Exponents | None:
         return PURE
     if isinstance(expr, sp.Abs):
         return inner[0]
+    if isinstance(expr, sp.sign | sp.Heaviside | sp.Or | sp.And):
+        return PURE
     if isinstance(expr, _OF_PURE):
         _agree(expr, [*inner, PURE])
         return PURE
@@ -98,7 +100,7 @@ def _of_field(expr: sp.Basic) -> Exponents | None:
     counts = expr.variable_count if isinstance(expr, sp.Derivative) else [(limit[0], 1) for limit in expr.limits]
     for variable, count in counts:
         step = dimension(variable) or PURE
-        inner = tuple(a + sign * count * b for a, b in zip(inner, step, strict=True))
+        inner = tuple(a + sign * int(count) * b for a, b in zip(inner, step, strict=True))
     return inner
 
 

@@ -165,3 +165,46 @@ class IntegrationProgress:
         reached = f"{significant(self._reached / clock.size)} of {clock.text(self._duration)}"
         step = self.mean_step
         return reached if step is None else f"{reached}, step {time_unit(step).text(step)}"
+
+
+class StepProgress:
+    """A progress bar over a known number of tasks, such as the runs of a study.
+
+    Parameters
+    ----------
+    steps : int
+        How many there are.
+    description : str
+        What is going on.
+    quiet : bool
+        Show nothing.
+    """
+
+    def __init__(self, steps: int, description: str, *, quiet: bool = False) -> None:
+        self._steps, self._description, self._silent = steps, description, quiet
+        self._bar: RichProgress | None = None
+        self._task: TaskID | None = None
+
+    def __enter__(self) -> Self:
+        from rich.console import Console
+        from rich.progress import Progress as Bar
+
+        console = Console(stderr=True)
+        if not self._silent and console.is_terminal:
+            self._bar = Bar(console=console, transient=True)
+            self._task = self._bar.add_task(self._description, total=self._steps)
+            self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def step(self, what: str) -> None:
+        """Say which task begins."""
+        if self._bar is None or self._task is None:
+            return
+        begun = self._bar.tasks[0].fields.get("begun", 0)
+        self._bar.update(self._task, description=what, completed=begun, begun=begun + 1)

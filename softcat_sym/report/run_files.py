@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from softcat_sym.report import write_pictures
 
@@ -12,7 +13,23 @@ if TYPE_CHECKING:
     from softcat_sym.trajectory import Trajectory
 
 
-def write_run(trajectory: Trajectory, directory: str | Path) -> list[Path]:
+@dataclass(frozen=True)
+class WrittenRun:
+    """What a run left behind.
+
+    Attributes
+    ----------
+    files : tuple of pathlib.Path
+        In the order of interest.
+    summary : dict
+        As in ``summary.json``, with the time that the writing took.
+    """
+
+    files: tuple[Path, ...]
+    summary: dict[str, Any]
+
+
+def write_run(trajectory: Trajectory, directory: str | Path) -> WrittenRun:
     """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
 
     The summary goes last, so that it can state how long the writing took.
@@ -33,4 +50,4 @@ def write_run(trajectory: Trajectory, directory: str | Path) -> list[Path]:
     spent = time.perf_counter() - began
     wall = trajectory.summary["wall_s"]
     summary = {**trajectory.summary, "wall_s": {**wall, "write": spent, "total": wall["total"] + spent}}
-    return [data, write_summary(summary, folder), scene, *pictures]
+    return WrittenRun((data, write_summary(summary, folder), scene, *pictures), summary)

@@ -18,7 +18,6 @@ class SameAs:
 
 
 AVAILABLE: dict[str, tuple[object, ...]] = {
-    "model": ("filament",),
     "filament.section": ("rectangle", "circle"),
     "filament.rest_length": (SameAs("span"),),
     "filament.profile": ((),),

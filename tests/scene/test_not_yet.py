@@ -15,7 +15,6 @@ from .tables import BINGHAM, GROUPS, faults_of, spoiled
 
 LAWS = ["newtonian", "kelvin-voigt", "standard-linear", "multimode-maxwell", "power-law", "herschel-bulkley", "custom"]
 LATER: list[tuple[str, Any]] = [
-    ("model", "small-deflection"),
     ("filament.section", "sheet"),
     ("filament.rest_length", "0.21 m"),
     ("filament.rest_length", "0.19 m"),
