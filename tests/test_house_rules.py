@@ -64,7 +64,8 @@ def test_at_most_eight_exception_classes_each_with_advice() -> None:
 
 def test_import_loads_neither_sympy_nor_casadi_nor_matplotlib() -> None:
     code = (
-        "import sys, softcat_sym; heavy = {'sympy', 'casadi', 'matplotlib', 'xarray', 'pint', 'pydantic'} & set(sys.modules);"
+        "import sys, softcat_sym\n"
+        "heavy = {'sympy', 'casadi', 'matplotlib', 'xarray', 'pint', 'pydantic'} & set(sys.modules)\n"
         "assert not heavy, heavy"
     )
     done = run(sys.executable, "-c", code)

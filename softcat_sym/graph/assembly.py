@@ -55,8 +55,7 @@ def assemble(
     time = ca.SX.sym("t")
     moving, still = _layouts(equations, theory.unknowns(equations, grid))
     cell = CellPrinter(equations, values)
-    places = moving if equations.terms.inertia else still
-    fields = theory.evaluate(cell, grid, values[L], places, moving)
+    fields = theory.evaluate(cell, grid, values[L], moving if equations.terms.inertia else still, moving)
     now = _instant(cell, fields, time * time_scale, moving)
     rates = _rates(now, grid, time_scale, values)
     outputs = _observables(now, grid, time_scale, values)
@@ -76,16 +75,15 @@ def assemble(
         quad=quad,
         state_names=moving.names,
         algebraic_names=still.names,
-        observables=ca.Function(
-            "observables",
-            [time, moving.vector, still.vector, p],
-            _tidy(*outputs.values()),
-            ["time", "state", "algebraic", "parameters"],
-            list(outputs),
-        ),
+        observables=_function([time, moving.vector, still.vector, p], outputs),
         start=moving.start,
         straight=still.start,
     )
+
+
+def _function(inputs: list[ca.SX], outputs: dict[str, ca.SX]) -> ca.Function:
+    names = ["time", "state", "algebraic", "parameters"]
+    return ca.Function("observables", inputs, _tidy(*outputs.values()), names, list(outputs))
 
 
 def _tidy(*expressions: ca.SX) -> list[ca.SX]:

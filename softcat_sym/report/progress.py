@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from types import TracebackType
-from typing import TYPE_CHECKING, Protocol, Self
+from typing import TYPE_CHECKING, Self
 
 from softcat_sym.report.units import significant, time_unit
 
@@ -15,28 +15,6 @@ if TYPE_CHECKING:
 
 _DELAY = 1.0
 _INTERVAL = 0.1
-
-
-class Progress(Protocol):
-    """What an integration tells while it runs."""
-
-    def update(self, simulated_time: float, step_size: float | None) -> None:
-        """Tell the time reached [s] and the mean step since the last call [s], ``None`` if unknown."""
-
-
-class NullProgress:
-    """Progress that nobody watches."""
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        return None
-
-    def update(self, simulated_time: float, step_size: float | None) -> None:
-        """Do nothing."""
 
 
 class IntegrationProgress:

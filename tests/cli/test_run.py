@@ -110,3 +110,14 @@ def test_help_and_scenes_and_version() -> None:
     assert [line.split()[0] for line in listing] == list(sc.bundled_names())
     assert softcat("--version").stdout.startswith("softcat ")
     assert softcat("fly").returncode == 2
+
+
+def test_the_small_deflection_model_runs_from_a_scene(tmp_path: Path) -> None:
+    done = softcat("run", "maxwell-slow", "-o", str(tmp_path), "-q", "--set", "model=small-deflection", *QUICK)
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "summary.json").read_text())
+    assert set(summary["effects"]) == {"inertia", "bending", "viscous-flow"}
+    bad = softcat("run", "arrested-overdamped", "-o", str(tmp_path / "bad"), "--set", "model=small-deflection")
+    assert bad.returncode == 2
+    assert "material.law" in bad.stderr
+    assert not (tmp_path / "bad").exists()

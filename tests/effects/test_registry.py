@@ -58,6 +58,7 @@ def test_every_effect_says_what_it_is(effect: object) -> None:
 @pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
 def test_one_that_does_not_always_apply_says_why(effect: object) -> None:
     scenes = [scene_of(law, ramp) for law, ramp in itertools.product(("elastic", "maxwell", "bingham"), ("0 s", "1 s"))]
+    scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
     applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
     assert any(applies)
     assert bool(effect.without_it) is not all(applies)  # type: ignore[attr-defined]

@@ -7,11 +7,13 @@ import sympy as sp
 
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.balance import mass_per_length
+from softcat_sym.equations.dimensions import PURE as NONE
+from softcat_sym.equations.dimensions import DimensionError as MismatchError
+from softcat_sym.equations.dimensions import dimension
 from softcat_sym.equations.loading import ramp_rate, ramped_gravity
 from softcat_sym.equations.rheology import bingham_rate, elastic_stress, maxwell_rate
 from softcat_sym.equations.section import SECTIONS
 
-from .dimensions import NONE, MismatchError, dimension
 from .variants import all_filaments, expressions
 
 FORCE_RATE = (1, 1, -3)

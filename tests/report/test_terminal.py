@@ -8,7 +8,7 @@ import pytest
 from rich.console import Console
 
 from softcat_sym.report import progress
-from softcat_sym.report.progress import IntegrationProgress, NullProgress
+from softcat_sym.report.progress import IntegrationProgress, StepProgress
 from softcat_sym.report.terminal import print_summary, summary_rows
 
 
@@ -102,9 +102,10 @@ def test_going_back_or_past_the_end_does_no_harm(clock):
     assert bar.mean_step is None
 
 
-def test_null_progress_takes_the_same_calls():
-    with NullProgress() as bar:
-        bar.update(1.0, None)
+def test_step_progress_takes_its_steps_without_a_terminal():
+    with StepProgress(2, "two runs") as bar:
+        bar.step("the first")
+        bar.step("the second")
 
 
 def test_summary_says_what_a_user_asks(summary, scene):
