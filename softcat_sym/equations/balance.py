@@ -9,8 +9,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.equations.equation import Equation
 from softcat_sym.equations.kinematics import Kinematics
-from softcat_sym.equations.symbols import A0, M_X, Q, rho
+from softcat_sym.equations.symbols import A0, FORCE, M_X, Q, enter, rho, s, theta
+
+F_x = enter("F_x", "F_x", FORCE, "horizontal component of the internal force", "2.4")
+F_y = enter("F_y", "F_y", FORCE, "vertical component of the internal force", "2.4")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,3 +43,9 @@ def internal_force(kinematics: Kinematics, *, bending: bool) -> InternalForce:
 def mass_per_length() -> sp.Expr:
     """lambda_0 = rho A_0, mass per unit material length."""
     return rho * A0
+
+
+EQUATIONS: tuple[Equation, ...] = (
+    Equation("internal force, horizontal", F_x, Q * sp.cos(theta) - M_X / s * sp.sin(theta), "2.4"),
+    Equation("internal force, vertical", F_y, Q * sp.sin(theta) + M_X / s * sp.cos(theta), "2.4"),
+)

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.equations.equation import Equation
 from softcat_sym.equations.kinematics import StrainMeasure
 from softcat_sym.equations.section import Contraction
-from softcat_sym.equations.symbols import A0, M, h0, s, theta_X
+from softcat_sym.equations.symbols import A0, E, M, Q, T, a_0, a_1, h0, s, sigma_0, sigma_1, theta_X
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,3 +67,23 @@ def printed(measure: StrainMeasure, contraction: Contraction) -> ClosedSection:
 
 
 CLOSURES = {"material": material, "printed": printed}
+
+EQUATIONS: tuple[Equation, ...] = (
+    Equation("axial force, material closure", Q, T + sp.Rational(3, 2) * M * theta_X / s, "THEORY 4"),
+    Equation("axial force of a sheet, material closure", Q, T + 2 * M * theta_X / s, "THEORY 4"),
+    Equation("axial force, printed closure", Q, T, "2.4"),
+    Equation("mean stress, material closure", sigma_0, E * (sp.log(s) - a_0), "THEORY 4"),
+    Equation("mean stress, printed closure", sigma_0, E * (sp.log(s) - s * a_0), "2.11"),
+    Equation(
+        "bending stress, material closure",
+        sigma_1,
+        -E * (h0 * theta_X / (2 * s ** sp.Rational(3, 2)) + a_1),
+        "THEORY 4",
+    ),
+    Equation(
+        "bending stress, printed closure",
+        sigma_1,
+        -E * (h0 * theta_X / (2 * sp.sqrt(s)) + s ** sp.Rational(3, 2) * a_1),
+        "2.11",
+    ),
+)

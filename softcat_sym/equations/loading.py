@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from softcat_sym.equations.symbols import g, g_on, t
+from softcat_sym.equations.equation import Equation
+from softcat_sym.equations.symbols import ACCELERATION, enter_field, g, g_on, t
+
+gravity = enter_field("gravity", "g(t)", ACCELERATION, "gravity while it is switched on", "section 3")(t)
 
 
 def quintic_step(u: sp.Expr) -> sp.Expr:
@@ -22,3 +25,9 @@ def ramp_rate() -> sp.Expr:
     """dg/dt of :func:`ramped_gravity`, whose power on the filament is external work."""
     v = sp.Min(sp.Max(t / g_on, 0), 1)
     return g * 30 * v**2 * (1 - v) ** 2 / g_on
+
+
+EQUATIONS: tuple[Equation, ...] = (
+    Equation("gravity ramp", gravity, ramped_gravity(), "section 3"),
+    Equation("rate of the gravity ramp", sp.Derivative(gravity, t), ramp_rate(), "section 3"),
+)

@@ -113,7 +113,8 @@ class FirstYieldCurve:
 def first_yield_stretched(section: Section) -> FirstYieldCurve:
     """(eps_Y, G) at first yield with bending and stretching in the balance; clamped ends, small slopes and strains.
 
-    psi -> 0 is the linear beam (3.11); psi -> infinity a taut string with sharply bent ends, G ~ sqrt(eps_Y).
+    psi -> 0 is the linear beam (3.11); psi -> infinity a taut string with sharply bent ends, G ~ sqrt(eps_Y). Between
+    them G dips by a per cent before it rises: the first tension adds more stress than it takes from the bending.
     """
     K = gyration(section)
     coth = sp.cosh(psi_T) / sp.sinh(psi_T)

@@ -6,8 +6,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.equations.equation import Equation
 from softcat_sym.equations.section import Section
-from softcat_sym.equations.symbols import E, c, eta, sigma, sigma_0, sigma_1, sigma_Y
+from softcat_sym.equations.symbols import ONE, RATE, E, c, enter, eta, sigma, sigma_0, sigma_1, sigma_Y
+
+elastic_part = enter("eps_e", r"\epsilon^e", ONE, "elastic strain of a fibre", "2.8")
+plastic_rate = enter("eps_p_t", r"\epsilon^p_t", RATE, "plastic strain rate of a fibre", "2.7")
 
 # Where the section is uniformly stressed the edge of the yielded zone is anywhere; a stress slope of this many E keeps
 # the quotient finite without moving any mean.
@@ -100,7 +104,14 @@ def _one_sided(section: Section, overstress: sp.Expr, slope: sp.Expr) -> _OneSid
         return value if high == 1 else sp.Piecewise((value, edge < high), (sp.Integer(0), True))
 
     return _OneSided(
-        mean=sp.Max(overstress - slope, 0) + slope * beyond(section.overstress_mean),
+        mean=sp.Max(overstress + low * slope, 0) + slope * beyond(section.overstress_mean),
         moment_per_slope=beyond(section.overstress_moment),
         area=beyond(section.area),
     )
+
+
+EQUATIONS: tuple[Equation, ...] = (
+    Equation("stress of an elastic strain", sigma, elastic_stress(elastic_part, sp.Integer(0)), "2.8"),
+    Equation("Maxwell fluid", plastic_rate, maxwell_rate(), "2.7"),
+    Equation("Bingham-Norton fluid", plastic_rate, bingham_rate(), "2.25"),
+)

@@ -118,7 +118,7 @@ def sensitivity() -> sp.Matrix:
 
 
 def neglected() -> sp.Expr:
-    """Relative size tau/(3 t) of what (2.21) drops from the terms in f'' and f': the inversion needs t_high >> tau/3."""
+    """Relative size tau/(3 t) of what (2.21) drops from its terms in f'' and f'; the inversion needs it small."""
     return tau_star / (3 * t_high)
 
 

@@ -5,10 +5,11 @@ Weighted means over zeta in [-1, 1]: <f> = integral of f(zeta) w(zeta), with w t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from softcat_sym.equations.equation import Equation
 from softcat_sym.equations.symbols import A0, c, h0, s, zeta
 
 # Inside (-1, 1) by this much, acos and sqrt keep finite derivatives; its effect on a mean is of order 1e-21.
@@ -66,6 +67,9 @@ CIRCLE = Section(
     interval=(-1 + _EDGE, 1 - _EDGE),
 )
 
+# A wide section: one of unit relative width, like the rectangle, but its width is held while it thins (WIDE below).
+SHEET = replace(RECTANGLE, name="sheet")
+
 SECTIONS: dict[str, Section] = {section.name: section for section in (RECTANGLE, CIRCLE)}
 
 
@@ -90,3 +94,23 @@ class Contraction:
 UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s), source="2.9")
 WIDE = Contraction(area=A0 / s, thickness=h0 / s, source="THEORY 1")
 NONE = Contraction(area=A0, thickness=h0, source="2.13")
+
+
+def _partial_moments(shape: Section) -> tuple[Equation, ...]:
+    """Area, K_0 and K_1 as integrals over the part of the section beyond c."""
+    beyond = (zeta, c, 1)
+    return (
+        Equation(f"share of the {shape.name} beyond c", shape.area, sp.Integral(shape.weight, beyond), "2.26"),
+        Equation(
+            f"K_0 of the {shape.name}", shape.overstress_mean, sp.Integral((zeta - c) * shape.weight, beyond), "2.26"
+        ),
+        Equation(
+            f"K_1 of the {shape.name}",
+            shape.overstress_moment,
+            sp.Integral((zeta - c) * zeta * shape.weight, beyond),
+            "2.27",
+        ),
+    )
+
+
+EQUATIONS: tuple[Equation, ...] = (*_partial_moments(RECTANGLE), *_partial_moments(SHEET), *_partial_moments(CIRCLE))

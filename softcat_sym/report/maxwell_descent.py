@@ -27,7 +27,8 @@ _LINES: dict[str, Any] = {
     "full model": {"color": style.BLACK, "linewidth": 2.0},
     "reduced model (2.18)": {"color": style.SKY, "linewidth": 1.2, "linestyle": "--"},
     "free fall": {"color": style.GREEN, "linewidth": 1.2, "linestyle": ":"},
-    "outer solution (2.20)": {"color": style.BLUE, "linewidth": 1.2, "linestyle": "-."},
+    "(2.20) from rest": {"color": style.BLUE, "linewidth": 1.2, "linestyle": "-."},
+    "(2.20) as printed": {"color": style.BLUE, "linewidth": 0.8, "linestyle": ":"},
     "1/3 law": {"color": style.PURPLE, "linewidth": 1.2, "linestyle": ":"},
     "(2.21) integrated": {"color": style.ORANGE, "linewidth": 1.4},
     "(2.22)": {"color": style.VERMILLION, "linewidth": 1.2, "linestyle": "--"},
@@ -36,7 +37,8 @@ _LINES: dict[str, Any] = {
 CAPTION = (
     "Figure 2. Sag of the midpoint of a Maxwell filament, gravity switched on at once, B = 3.3e-5; times in sqrt(L/g). "
     "Vertical lines: t_low and t_high. The curves of (2.21) and (2.22) carry three constants each, fitted to the full "
-    "model over one and a half periods after t_high; (2.20) starts from the elastic string, phi(0) = (6 B tau)^(1/3). "
+    "model over one and a half periods after t_high; (2.20) from rest starts at phi(0) = (6 B tau)^(1/3), the "
+    "elastic string; as printed its constant is another, and the 1/3 law alone is nearer. "
     "Above, delta = 0.0025: at t_high tension carries {slender:.1f} times what bending does, and the filament falls "
     "freely, rings and follows the 1/3 law, as the text says. Below, delta = 0.025 as printed under the figure: "
     "tension carries only {thick:.2f} of what bending does at t_high, bending rules until t* of about 10, and neither "

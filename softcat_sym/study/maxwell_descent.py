@@ -105,7 +105,7 @@ def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
         for name, model in (("full model", "filament"), ("reduced model (2.18)", "small-deflection"))
     )
     known = {B: LOAD_OVER_VISCOSITY, tau: tau_star, alpha: float(far.TOLERANCE)}
-    low = float(evaluate(far.T_LOW_SHORT if tau_star > _low(known) else far.T_LOW_LONG, known)[0])
+    low = _end_of_free_fall(known)
     high = float(evaluate(far.T_HIGH, known)[0])
     sag_high = -float(evaluate(far.THIRD_LAW, {**known, t_star: high})[0])
     formulas = (*_outer(known, high, full.time), *_ringing(known, high, full))
@@ -125,22 +125,28 @@ def _thinned(curve: Curve) -> Curve:
     return Curve(curve.name, curve.time[kept], curve.sag[kept])
 
 
-def _low(known: dict[object, float]) -> float:
-    return float(evaluate(far.T_LOW_LONG, known)[0])
+def _end_of_free_fall(known: dict[object, float]) -> float:
+    """Time at which tension reaches alpha of inertia on the falling parabola, for any ratio of t_low to tau."""
+    limits = [float(evaluate(limit, known)[0]) for limit in (far.T_LOW_LONG, far.T_LOW_SHORT)]
+    time = np.geomspace(min(limits) / 2, 4 * max(limits), 4000)
+    ratio = evaluate(far.EARLY_RATIO, {**known, t_star: time})
+    return float(np.interp(known[alpha], ratio, time))
 
 
 def _outer(known: dict[object, float], high: float, time: Floats) -> tuple[Curve, ...]:
-    """Free fall, (2.20) from rest, and the 1/3 law."""
+    """Free fall, (2.20) from rest and as printed, and the 1/3 law."""
     early = time[(time > 0) & (time < 3 * high)]
     fall = Curve("free fall", early, -evaluate(far.FREE_FALL, {**known, t_star: early}))
     first = float(evaluate(far.ELASTIC_START, known)[0])
     last = float(evaluate(far.THIRD_LAW_FACTOR, {**known, t_star: time[-1]})[0])
     phi = np.geomspace(first * 1.0001, last * 1.1, 400)
-    when = evaluate(far.OUTER_TIME_FROM_REST, {**known, far.phi: phi})
-    shown = (when > time[1]) & (when <= time[-1])
-    outer = Curve("outer solution (2.20)", when[shown], phi[shown] / 4)
+    outer = []
+    for name, law in (("(2.20) from rest", far.OUTER_TIME_FROM_REST), ("(2.20) as printed", far.OUTER_TIME)):
+        when = evaluate(law, {**known, far.phi: phi})
+        shown = (when > time[1]) & (when <= time[-1])
+        outer.append(Curve(name, when[shown], phi[shown] / 4))
     late = time[time > high / 10]
-    return fall, outer, Curve("1/3 law", late, -evaluate(far.THIRD_LAW, {**known, t_star: late}))
+    return fall, *outer, Curve("1/3 law", late, -evaluate(far.THIRD_LAW, {**known, t_star: late}))
 
 
 def _ringing(known: dict[object, float], high: float, full: Curve) -> tuple[Curve, ...]:

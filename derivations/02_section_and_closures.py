@@ -1,0 +1,896 @@
+# ---
+# jupyter:
+#   jupytext:
+#     formats: py:percent
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # 2. The section, and two closures for its plastic state: (2.6)–(2.12), (2.23)–(2.27), (A1)–(A2)
+#
+# Balance (notebook 1) asks each section for two numbers, an axial force and a moment. Here the section answers, from
+# the stress in its fibres. The paper closes the equations with the plastic stretch $P$ and bend $C$. We prove its
+# formulas, show what they lose once the filament has stretched, and derive the closure that loses nothing.
+#
+# $s$ stands for $s_X$. Means over the section are $\langle f\rangle = \int_{-1}^1 f(\zeta)\,w(\zeta)\,d\zeta$, where
+# $\zeta = 2z/h$.
+
+# %%
+from dataclasses import replace
+
+import sympy as sp
+from proving import Erratum, prove_equal, record_errata
+
+from softcat_sym.equations import closure, energy, filament, kinematics, motion, paper_section, rheology, section
+from softcat_sym.equations import through_thickness as layers
+from softcat_sym.equations.dimensions import check
+from softcat_sym.equations.section import CIRCLE, NONE, RECTANGLE, SHEET, UNIFORM, WIDE
+from softcat_sym.equations.symbols import (
+    A0,
+    E,
+    M,
+    T,
+    X,
+    a_0,
+    a_1,
+    c,
+    eta,
+    h0,
+    s,
+    sigma,
+    sigma_0,
+    sigma_1,
+    sigma_Y,
+    t,
+    theta_X,
+    z,
+    zeta,
+)
+
+# %% [markdown]
+# ## Strain of a fibre: (2.6)
+#
+# A fibre at the distance $z$ from the centreline runs along $\mathbf r + z\mathbf n$. With $\mathbf r_X = s\mathbf t$
+# and $\mathbf n_X = -\theta_X\mathbf t$ its length per unit $X$ is $s - z\theta_X$. The true strain is the logarithm,
+# to first order in the thickness:
+# $$\epsilon = \log(s - z\theta_X) = \log s - \frac{\theta_X}{s}z + O(z^2) = \log s - \theta_s z .$$
+
+# %%
+angle = sp.Function("angle", real=True)(X)
+tangent = sp.Matrix([sp.cos(angle), sp.sin(angle)])
+normal = sp.Matrix([-sp.sin(angle), sp.cos(angle)])
+along_fibre = s * tangent + z * normal.diff(X)
+length = sp.simplify(along_fibre.dot(tangent)).subs(angle.diff(X), theta_X)
+prove_equal(along_fibre.dot(normal), 0)
+prove_equal(length, s - z * theta_X)
+true_strain = sp.log(length).subs(z, 0) + z * sp.diff(sp.log(length), z).subs(z, 0)
+prove_equal(true_strain, sp.log(s) - theta_X / s * z)
+prove_equal(kinematics.TRUE_STRAIN.strain - theta_X / kinematics.TRUE_STRAIN.arc_stretch * z, true_strain)
+for shrinking in (UNIFORM, WIDE):
+    of_zeta = true_strain.subs(z, shrinking.thickness * zeta / 2)
+    prove_equal(of_zeta, layers.fibre_strain(shrinking))
+
+# %% [markdown]
+# The paper prints $\epsilon = \log s - \theta_X z$. Its bending strain is too large by $(s-1)$ of itself: a fifth at
+# twenty per cent stretch.
+
+# %%
+excess = (paper_section.PRINTED_STRAIN - true_strain) / (-theta_X / s * z)
+prove_equal(excess, s - 1)
+assert excess.subs(s, sp.Rational(6, 5)) == sp.Rational(1, 5)
+
+# %% [markdown]
+# The printed form also remembers where the filament began. Take the filament when it has been stretched by $s_1$ as
+# a new reference, $X' = s_1X$: then $s = s_1s'$, $\theta_X = s_1\theta_{X'}$. A fluid must not care. The strain
+# *added* since is the same in either reference for $\theta_sz$, not for $\theta_Xz$.
+
+# %%
+s_1, s_new, turning_new = sp.symbols("s_1 s' theta_X'", positive=True)
+renamed = {s: s_1 * s_new, theta_X: s_1 * turning_new}
+anew = {s: s_new, theta_X: turning_new}
+prove_equal((true_strain.subs(renamed, simultaneous=True) - true_strain.subs(anew)).diff(turning_new), 0)
+assert sp.simplify(
+    (paper_section.PRINTED_STRAIN.subs(renamed) - paper_section.PRINTED_STRAIN.subs(anew)).diff(turning_new)
+)
+prove_equal(kinematics.SMALL_STRAIN.strain, sp.series(sp.log(s), s, 1, 2).removeO())
+assert kinematics.SMALL_STRAIN.arc_stretch == 1
+
+# %% [markdown]
+# ## The section as it shrinks: (2.9)
+#
+# Volume is kept, $As = A_0$. A filament shrinks alike in both directions; a sheet, whose width $D$ is held, in its
+# thickness alone.
+
+# %%
+h, D, D_0 = sp.symbols("h D D_0", positive=True)
+A_0 = h0 * D_0
+volume = sp.Eq(h * D * s, A_0)
+both_ways = sp.solve(volume.subs(D, D_0 * h / h0), h)
+width_held = sp.solve(volume.subs(D, D_0), h)
+for found, held, inertia_power in ((both_ways, UNIFORM, 2), (width_held, WIDE, 3)):
+    thickness = next(root for root in found if root.is_positive)
+    prove_equal(thickness, held.thickness)
+    prove_equal(A0 / s, held.area)
+    inertia = held.area * (held.thickness / 2) ** 2
+    prove_equal(inertia, inertia.subs(s, 1) / s**inertia_power)
+assert (NONE.area, NONE.thickness) == (A0, h0)
+
+# %% [markdown]
+# The weight is the relative width: one half for rectangle and sheet; for a circle the chord $2\sqrt{(h/2)^2 - z^2}$
+# times $dz$ over the area $\pi h^2/4$. Moments of the weight by integration (for a circle with $\zeta = \cos\varphi$):
+
+# %%
+phi = sp.Symbol("varphi", positive=True)
+chord = 2 * sp.sqrt((h / 2) ** 2 - z**2) * (h / 2) / (sp.pi * h**2 / 4)
+prove_equal(sp.simplify(chord.subs(z, h * zeta / 2)), CIRCLE.weight)
+assert RECTANGLE.weight == SHEET.weight == sp.Rational(1, 2)
+ROUND = 2 / sp.pi * sp.sin(phi) ** 2
+
+
+def moment_of_weight(shape: section.Section, power: int) -> sp.Expr:
+    """<zeta^n>."""
+    if shape is CIRCLE:
+        return sp.integrate(sp.expand(sp.cos(phi) ** power) * ROUND, (phi, 0, sp.pi))
+    return sp.integrate(zeta**power / 2, (zeta, -1, 1))
+
+
+MOMENTS = {shape.name: [moment_of_weight(shape, power) for power in range(9)] for shape in (RECTANGLE, SHEET, CIRCLE)}
+
+
+def mean(shape: section.Section, polynomial: sp.Expr) -> sp.Expr:
+    """<f> of a polynomial in zeta."""
+    terms = sp.Poly(polynomial, zeta).terms()
+    return sp.Add(*(coefficient * MOMENTS[shape.name][power] for (power,), coefficient in terms))
+
+
+SHAPES = (RECTANGLE, SHEET, CIRCLE)
+for shape in SHAPES:
+    assert MOMENTS[shape.name][0] == 1
+    assert MOMENTS[shape.name][1] == 0
+    prove_equal(MOMENTS[shape.name][2], shape.zeta_squared)
+# I = A (h/2)^2 <zeta^2> is D h^3/12 and pi h^4/64.
+prove_equal(h * D * (h / 2) ** 2 * RECTANGLE.zeta_squared, D * h**3 / 12)
+prove_equal(sp.pi * h**2 / 4 * (h / 2) ** 2 * CIRCLE.zeta_squared, sp.pi * h**4 / 64)
+of_a_rectangle = UNIFORM.area * (UNIFORM.thickness / 2) ** 2 * RECTANGLE.zeta_squared
+for letter, derived in (
+    (paper_section.A, UNIFORM.area),
+    (paper_section.h, UNIFORM.thickness),
+    (paper_section.I_z, of_a_rectangle),
+):
+    prove_equal(derived, next(e.right for e in paper_section.EQUATIONS if e.left == letter))
+
+# %% [markdown]
+# ## Tension and moment: (2.10), (2.11), (2.23)
+#
+# For *any* plastic strain — here a quartic with arbitrary coefficients — the printed strain gives (2.11), with
+# $P = \int_A\epsilon^p\,da$ and $C = \int_A\epsilon^pz\,da$. A stress $\sigma_0 + \sigma_1\zeta$ gives (2.23).
+
+# %%
+A, I_z = paper_section.A, paper_section.I_z
+plastic = sum(b * zeta**n for n, b in enumerate(sp.symbols("e_0:5", real=True)))
+for shape in (RECTANGLE, CIRCLE):
+    area_, inertia_ = A, A * (h / 2) ** 2 * shape.zeta_squared
+    stress = E * (paper_section.PRINTED_STRAIN.subs(z, h * zeta / 2) - plastic)
+    P_, C_ = area_ * mean(shape, plastic), area_ * h / 2 * mean(shape, plastic * zeta)
+    letters = {paper_section.P: P_, paper_section.C: C_, I_z: inertia_}
+    prove_equal(area_ * mean(shape, stress), paper_section.TENSION.subs(letters))
+    prove_equal(area_ * h / 2 * mean(shape, stress * zeta), paper_section.MOMENT.subs(letters))
+    linear = sigma_0 + sigma_1 * zeta
+    tension, moment = area_ * mean(shape, linear), area_ * h / 2 * mean(shape, linear * zeta)
+    prove_equal(tension, area_ * sigma_0)
+    prove_equal(moment, inertia_ * (sigma_1 / (h / 2)))
+    prove_equal(paper_section.STRESS_FIELD.subs({T: tension, M: moment, I_z: inertia_, z: h * zeta / 2}), linear)
+by_name = {e.name: e.right for e in paper_section.EQUATIONS}
+assert (by_name["tension"], by_name["moment"]) == (paper_section.TENSION, paper_section.MOMENT)
+prove_equal(by_name["tension of a linear stress"], sigma_0 * A)
+prove_equal(by_name["moment of a linear stress"], I_z * paper_section.stress_slope)
+
+# %% [markdown]
+# ## The Maxwell fluid: (2.7), (2.8), (2.12)
+
+# %%
+assert rheology.maxwell_rate() == sigma / eta
+prove_equal(rheology.elastic_stress(zeta, c), E * (zeta - c))
+for shape in SHAPES:
+    flow = rheology.maxwell_rate().subs(sigma, linear)
+    means = rheology.maxwell_means(shape)
+    prove_equal(mean(shape, flow), means.rate)
+    prove_equal(mean(shape, flow * zeta) / mean(shape, zeta**2), means.bending_rate)
+    assert means.yielded_fraction == 1
+    assert means.largest_rate == (abs(sigma_0) + abs(sigma_1)) / eta
+prove_equal(A * mean(RECTANGLE, flow), by_name["plastic stretch of a Maxwell fluid"].subs(T, A * sigma_0))
+moment = A * h / 2 * mean(CIRCLE, linear * zeta)
+prove_equal(A * h / 2 * mean(CIRCLE, flow * zeta), by_name["plastic bend of a Maxwell fluid"].subs(M, moment))
+
+# %% [markdown]
+# ## Yielding: (2.25)–(2.27)
+#
+# Where a formula has `Max`, `Min`, `Abs`, `sign` or branches, we prove it region by region. A region is a set of
+# stresses in which no comparison changes its outcome; one sample point tells which branch holds, and the branch is
+# then compared symbolically.
+
+
+# %%
+def settle(expression: sp.Basic, sample: dict[sp.Symbol, sp.Rational]) -> sp.Basic:
+    """Replace every comparison by the outcome it has at the sample point."""
+    if not expression.args:
+        return expression
+    if isinstance(expression, sp.Piecewise):
+        chosen = next(branch for branch, condition in expression.args if condition.subs(sample) == sp.true)
+        return settle(chosen, sample)
+    arguments = [settle(argument, sample) for argument in expression.args]
+    values = [argument.subs(sample) for argument in arguments]
+    if isinstance(expression, sp.Max):
+        return arguments[values.index(max(values))]
+    if isinstance(expression, sp.Min):
+        return arguments[values.index(min(values))]
+    if isinstance(expression, sp.Abs | sp.sign | sp.Heaviside) and values[0].is_comparable:
+        sign = sp.sign(values[0])
+        return {sp.Abs: sign * arguments[0], sp.sign: sign, sp.Heaviside: (1 + sign) / 2}[expression.func]
+    return expression.func(*arguments)
+
+
+at_unit = {sigma_Y: sp.Integer(1), eta: sp.Integer(1), E: sp.Integer(1)}
+for stress_, derived in (
+    (2, (sigma - sigma_Y) / eta),
+    (sp.Rational(1, 2), 0),
+    (-sp.Rational(1, 2), 0),
+    (-2, (sigma + sigma_Y) / eta),
+):
+    sample = at_unit | {sigma: sp.sympify(stress_)}
+    prove_equal(derived, settle(rheology.bingham_rate(), sample))
+    prove_equal(derived, settle(paper_section.bingham_rate(), sample))
+
+# %% [markdown]
+# ### The paper's formulas, by integration
+#
+# The filament yields in $-h/2 < z < z_L$ and $z_H < z < h/2$. At the top the stress has the sign of $hT + 6M$; call
+# it $p$. At the bottom it has that of $hT - 6M$, minus the sign printed; call the printed one $q$. Integrate
+# $(\sigma - \operatorname{sign}(\sigma)\sigma_Y)/\eta$ over both zones. (2.26) and (2.27) are right.
+
+# %%
+p, q = sp.symbols("p q", real=True)
+h, D, z_L, z_H = paper_section.h, paper_section.D, paper_section.z_L, paper_section.z_H
+stress = paper_section.STRESS_FIELD.subs({A: h * D, I_z: h**3 * D / 12})
+prove_equal(sp.simplify(stress.subs(z, h / 2) * D * h**2), h * T + 6 * M)
+prove_equal(sp.simplify(stress.subs(z, -h / 2) * D * h**2), h * T - 6 * M)
+
+
+def yielded(weight: sp.Expr) -> sp.Expr:
+    """Integral of the flow rule times the weight over both yielded zones."""
+    top = sp.integrate(sp.expand((stress - p * sigma_Y) * weight), (z, z_H, h / 2))
+    bottom = sp.integrate(sp.expand((stress + q * sigma_Y) * weight), (z, -h / 2, z_L))
+    return D * (top + bottom) / eta
+
+
+signs = {sp.sign(6 * M + h * T): p, sp.sign(6 * M - h * T): q}
+prove_equal(sp.expand(yielded(sp.Integer(1))), sp.expand(paper_section.plastic_stretch_rate().subs(signs)))
+prove_equal(sp.expand(yielded(z)), sp.expand(paper_section.plastic_bend_rate().subs(signs)))
+assert by_name["plastic stretch"] == paper_section.plastic_stretch_rate()
+assert by_name["plastic bend"] == paper_section.plastic_bend_rate()
+assert by_name["Bingham-Norton flow rule"] == paper_section.bingham_rate()
+
+# %% [markdown]
+# ### Partial moments of the section
+#
+# The solver writes the same means through $K_n(c) = \int_c^1(\zeta - c)\,\zeta^n\,w\,d\zeta$: free of the differences
+# of cubes in (2.27), and of its $0/0$ where the moment vanishes. Rectangle directly, circle with
+# $\zeta = \cos\varphi$.
+
+# %%
+edge = sp.Symbol("varphi_c", positive=True)
+to_angle = [(sp.acos(c), edge), (sp.sqrt(1 - c**2), sp.sin(edge)), (c, sp.cos(edge))]
+for shape in SHAPES:
+    held_moments = (shape.area, shape.overstress_mean, shape.overstress_moment)
+    for weight, held in zip((1, zeta - c, (zeta - c) * zeta), held_moments, strict=True):
+        if shape is CIRCLE:
+            integrand = sp.sympify(weight).subs({zeta: sp.cos(phi), c: sp.cos(edge)}) * ROUND
+            derived = sp.integrate(sp.expand(integrand), (phi, 0, edge))
+            held = held.subs(to_angle)
+        else:
+            derived = sp.integrate(sp.expand(sp.sympify(weight) / 2), (zeta, c, 1))
+        prove_equal(derived, held)
+    assert all(abs(abs(end) - 1) <= sp.Rational(1, 10**12) for end in shape.interval)
+for shape, rows in zip(SHAPES, (section.EQUATIONS[:3], section.EQUATIONS[3:6], section.EQUATIONS[6:]), strict=True):
+    assert [row.left for row in rows] == [shape.area, shape.overstress_mean, shape.overstress_moment]
+    for row, weight in zip(rows, (1, zeta - c, (zeta - c) * zeta), strict=True):
+        assert row.right.function == weight * shape.weight
+        assert row.right.limits == ((zeta, c, 1),)
+
+# %% [markdown]
+# ### Every sign case
+#
+# In the code the stress enters only through $\sigma_0\mp\sigma_Y$ and $|\sigma_1|$; each side of yield (tension,
+# compression) may hold nowhere, in part, or throughout. Of the nine pairs three are impossible, because a section
+# that flows throughout in tension has no fibre in compression beyond yield, and the reverse. Six remain, for either
+# sign of $\sigma_1$: twelve regions, each with a sample point.
+
+# %%
+REGIONS = [
+    (mean_ * (-1 if upside_down else 1), slope_ * turn)
+    for upside_down in (False, True)
+    for turn in (1, -1)
+    for mean_, slope_ in (
+        (sp.Rational(1, 2), sp.Rational(2, 3)),  # one side, in part
+        (sp.Rational(3), sp.Rational(1, 2)),  # right through
+        (sp.Rational(1, 5), sp.Rational(3)),  # both sides
+        (sp.Rational(1, 5), sp.Rational(1, 3)),  # nowhere
+    )
+]
+
+
+def zone(sign: int, at: dict[sp.Symbol, sp.Rational]) -> str:
+    """Where the fibres beyond yield of one sign are: nowhere, throughout, at the top or at the bottom."""
+    ends = [sign * (at[sigma_0] + at[sigma_1] * end) > 1 for end in (1, -1)]
+    return {(False, False): "nowhere", (True, True): "throughout", (True, False): "top", (False, True): "bottom"}[
+        tuple(ends)
+    ]
+
+
+seen = set()
+for mean_, slope_ in REGIONS:
+    at = {sigma_0: mean_, sigma_1: slope_}
+    seen.add((zone(1, at), zone(-1, at), slope_ > 0))
+assert len(seen) == 12
+
+# %% [markdown]
+# **Rectangle, literally against (2.26), (2.27).** The edges of the zones follow from $\sigma = \pm\sigma_Y$. A
+# section that has yielded right through has $z_L = z_H$, *any* common value: it stays a free symbol below, and drops
+# out.
+
+# %%
+anywhere = sp.Symbol("z_0", real=True)
+means = rheology.bingham_means(RECTANGLE)
+for mean_, slope_ in REGIONS:
+    sample = at_unit | {sigma_0: mean_, sigma_1: slope_}
+    where = {zone(sign, sample): sign for sign in (1, -1)}
+    top = h / 2 * (where["top"] * sigma_Y - sigma_0) / sigma_1 if "top" in where else h / 2
+    bottom = h / 2 * (where["bottom"] * sigma_Y - sigma_0) / sigma_1 if "bottom" in where else -h / 2
+    if "throughout" in where:
+        top = bottom = anywhere
+    letters = {z_H: top, z_L: bottom, T: h * D * sigma_0, M: D * h**2 / 6 * sigma_1}
+    full_sample = sample | {h: sp.Integer(1), D: sp.Integer(1), anywhere: sp.Rational(1, 7)}
+    P_t, C_t = (
+        settle(rate.subs(letters), full_sample)
+        for rate in (paper_section.plastic_stretch_rate(), paper_section.plastic_bend_rate())
+    )
+    prove_equal(sp.cancel(P_t / (h * D)), settle(means.rate, sample))
+    bending = C_t / (h * D * h / 2) / RECTANGLE.zeta_squared
+    prove_equal(sp.cancel(bending), settle(means.bending_rate, sample))
+    prove_equal((bottom + h / 2 + h / 2 - top) / h, settle(means.yielded_fraction, sample))
+    ends = [settle(rheology.bingham_rate().subs(sigma, sigma_0 + sigma_1 * k), sample) for k in (1, -1)]
+    largest = max((abs(end.subs(sample)), n) for n, end in enumerate(ends))[1]
+    prove_equal(ends[largest] ** 2, settle(means.largest_rate, sample) ** 2)
+
+# %% [markdown]
+# **Circle, by integration.** The edges are $\zeta = \cos\varphi_H$ and $\cos\varphi_L$; $\sigma_0$ and, if both sides
+# yield, $\sigma_1$ are expressed by them.
+
+# %%
+phi_H, phi_L = sp.symbols("varphi_H varphi_L", positive=True)
+
+
+# Integrals of w, zeta w, zeta^2 w from 0 to varphi.
+PARTIAL = [sp.expand(sp.integrate(sp.cos(phi) ** n * ROUND, phi)) for n in range(3)]
+
+
+def over_zone(where: str, antiderivative: sp.Expr) -> sp.Expr:
+    """Integral over one yielded zone of a circle."""
+    start, end = {"nowhere": (0, 0), "throughout": (0, sp.pi), "top": (0, phi_H), "bottom": (phi_L, sp.pi)}[where]
+    return antiderivative.subs(phi, end) - antiderivative.subs(phi, start)
+
+
+def flow_times(power: int, sign: int) -> sp.Expr:
+    """Antiderivative of the flow rule beyond yield times zeta^n."""
+    return ((sigma_0 - sign * sigma_Y) * PARTIAL[power] + sigma_1 * PARTIAL[power + 1]) / eta
+
+
+def in_angles(expression: sp.Expr, by_edges: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Write acos and square roots of an edge through its angle."""
+    known = {phi_H: sp.cos(phi_H), phi_L: sp.cos(phi_L), sp.pi - phi_H: -sp.cos(phi_H), sp.pi - phi_L: -sp.cos(phi_L)}
+
+    def to_angle(argument: sp.Expr) -> sp.Expr:
+        value = sp.cancel(argument)
+        return next((angle for angle, cosine in known.items() if value == cosine), sp.acos(value))
+
+    def to_sine(base: sp.Expr) -> sp.Expr:
+        value = sp.cancel(base)
+        return next(
+            (sp.sin(angle) for angle, cosine in known.items() if sp.expand(value - 1 + cosine**2) == 0), sp.sqrt(value)
+        )
+
+    expression = expression.subs(by_edges)
+    expression = expression.replace(lambda e: isinstance(e, sp.acos), lambda e: to_angle(e.args[0]))
+    return expression.replace(lambda e: e.is_Pow and e.exp == sp.Rational(1, 2), lambda e: to_sine(e.base))
+
+
+def on_the_circle(expression: sp.Expr) -> sp.Expr:
+    """Numerator, with cos^2 + sin^2 = 1 used for each edge."""
+    numerator = sp.numer(sp.together(expression))
+    for angle in (phi_H, phi_L):
+        C, S = sp.symbols("C S")
+        numerator = numerator.subs({sp.cos(angle): C, sp.sin(angle): S})
+        numerator = sp.rem(sp.expand(numerator), S**2 + C**2 - 1, S).subs({C: sp.cos(angle), S: sp.sin(angle)})
+    return sp.expand(numerator)
+
+
+# Outside the section the code keeps an edge within 1e-14 of the rim, for the sake of derivatives; here it may touch it.
+means = rheology.bingham_means(replace(CIRCLE, interval=(sp.Integer(-1), sp.Integer(1))))
+as_run = rheology.bingham_means(CIRCLE)
+for mean_, slope_ in REGIONS:
+    sample = at_unit | {sigma_0: mean_, sigma_1: slope_}
+    where = {zone(sign, sample): sign for sign in (1, -1)}
+    edges = [
+        sigma_0 + sigma_1 * sp.cos(angle) - where[side] * sigma_Y
+        for side, angle in (("top", phi_H), ("bottom", phi_L))
+        if side in where
+    ]
+    by_edges = sp.solve(edges, [sigma_0, sigma_1][: len(edges)], dict=True)[0] if edges else {}
+    for integrand, held in (
+        (lambda sign: flow_times(0, sign), means.rate),
+        (lambda sign: flow_times(1, sign), means.bending_rate * CIRCLE.zeta_squared),
+        (lambda sign: PARTIAL[0], means.yielded_fraction),
+    ):
+        derived = sum(over_zone(side, integrand(sign)) for side, sign in where.items() if side != "nowhere")
+        derived = sp.sympify(derived).subs(by_edges)
+        held = in_angles(settle(held, sample), by_edges)
+        prove_equal(on_the_circle(derived - held), 0)
+    for name in ("rate", "bending_rate", "yielded_fraction"):
+        touching, kept = (settle(getattr(of, name), sample).subs(sample).evalf(30) for of in (means, as_run))
+        assert abs(touching - kept) < sp.Rational(1, 10**13)
+
+# %% [markdown]
+# **No moment.** Where $\sigma_1 = 0$ the section flows with its overstress and does not bend: no $0/0$.
+
+# %%
+for shape in (RECTANGLE, CIRCLE):
+    for stress_, derived in ((2, sigma_0 - sigma_Y), (-2, sigma_0 + sigma_Y), (sp.Rational(1, 2), 0)):
+        uniform = at_unit | {sigma_0: sp.sympify(stress_)}
+        held = rheology.bingham_means(shape)
+        prove_equal(derived / eta, settle(held.rate.subs(sigma_1, 0), uniform))
+        prove_equal(0, held.bending_rate.subs(sigma_1, 0))
+
+# %% [markdown]
+# ## The printed closure, as the solver holds it
+#
+# The states are $a_0 = P/A_0$ and $a_1 = C/(A_0\frac{h_0}{2}\langle\zeta^2\rangle)$; the stress is
+# $\frac TA + \frac MIz$ with (2.11), and (2.24) moves the states: $P_t = A\langle\varphi\rangle$,
+# $C_t = A\frac h2\langle\varphi\zeta\rangle$.
+
+# %%
+m_2 = sp.Symbol("m_2", positive=True)  # <zeta^2>
+area, thick = UNIFORM.area, UNIFORM.thickness
+inertia = area * (thick / 2) ** 2 * m_2
+states = {paper_section.P: A0 * a_0, paper_section.C: A0 * h0 / 2 * m_2 * a_1, A: area, I_z: inertia}
+field = paper_section.STRESS_FIELD.subs({T: paper_section.TENSION, M: paper_section.MOMENT})
+field = sp.expand(field.subs(z, thick * zeta / 2).subs(states))
+printed = closure.printed(kinematics.TRUE_STRAIN, UNIFORM)
+prove_equal(field.coeff(zeta, 0), E * (sp.log(s) - printed.recall_mean * a_0))
+prove_equal(field.coeff(zeta, 1), -E * (printed.lever * theta_X + printed.recall_bending * a_1))
+assert printed.axial_correction == 0
+rate, bending_rate = sp.symbols("rate bending_rate", real=True)  # <phi> and <phi zeta>/<zeta^2>
+prove_equal(area * rate / A0, rate / printed.recall_mean)
+prove_equal(area * thick / 2 * m_2 * bending_rate / (A0 * h0 / 2 * m_2), bending_rate / printed.recall_bending)
+held = {e.name: e.right for e in closure.EQUATIONS}
+prove_equal(field.coeff(zeta, 0), held["mean stress, printed closure"])
+prove_equal(field.coeff(zeta, 1), held["bending stress, printed closure"])
+assert held["axial force, printed closure"] == T
+
+# %% [markdown]
+# ## What it loses
+#
+# A Newtonian bar ($E\to\infty$, no elastic strain) that is being stretched pulls with Trouton's $\eta As_t/s$. In the
+# printed closure $T = \eta P_t$ with $P = A\log s$:
+
+# %%
+S, Theta = sp.Function("S", positive=True)(t), sp.Function("Theta", real=True)(t)
+A_t = A0 / S
+trouton = eta * A_t * S.diff(t) / S
+P_rigid = sp.solve((paper_section.TENSION / E).subs({A: A_t, s: S}), paper_section.P)[0]
+loses = sp.simplify(eta * P_rigid.diff(t) / trouton)
+prove_equal(loses, 1 - sp.log(S))
+assert loses.subs(S, sp.exp(sp.Rational(1, 5))) == sp.Rational(4, 5)
+assert loses.subs(S, sp.E) == 0
+assert loses.subs(S, 3).is_negative
+
+# %% [markdown]
+# Twenty per cent of the tension is gone at twenty per cent of true strain, all of it at $s = e$, and beyond that the
+# bar *pushes*. The lost term is $A_tP/A$: the integral of the plastic strain shrinks with the section, without any
+# fibre flowing. In the moment the lost terms are of the same kind, and larger.
+#
+# ## The material closure
+#
+# A fibre keeps its $\zeta$ while the section shrinks. Its plastic strain changes by flow alone,
+# $\partial_t\epsilon^p(\zeta, t) = \varphi(\sigma)$. Expand it in polynomials orthogonal under the width of the
+# section. They follow from Gram and Schmidt, with $p_n(1) = 1$, so that $p_1 = \zeta$ for every section:
+
+# %%
+ORDER = 4
+POLYNOMIALS = {}
+for shape in SHAPES:
+    found: list[sp.Expr] = []
+    for n in range(ORDER + 1):
+        new = zeta**n - sum(mean(shape, zeta**n * other) / mean(shape, other**2) * other for other in found)
+        found.append(sp.expand(new / new.subs(zeta, 1)))
+        prove_equal(found[n], layers.polynomial(shape, n))
+        prove_equal(mean(shape, found[n] ** 2), layers.mean_square(shape, n))
+    POLYNOMIALS[shape.name] = found
+    assert found[1] == zeta
+
+# %% [markdown]
+# Project the flow on $p_n$: $\langle p_n\,\partial_t\epsilon^p\rangle = \langle p_n^2\rangle\,\dot a_n$, since the
+# others are orthogonal, so that $\dot a_n = \langle\varphi p_n\rangle/\langle p_n^2\rangle$. The stress lies in the
+# same space: $\sigma = \sum b_np_n$, in which only $b_0$ and $b_1$ know the strain. The resultants see only these
+# two, at any order.
+
+# %%
+amplitudes = sp.symbols("a_0:5", real=True)
+rates = sp.symbols("adot_0:5", real=True)
+for shape, shrinking in ((RECTANGLE, UNIFORM), (SHEET, WIDE), (CIRCLE, UNIFORM)):
+    basis = POLYNOMIALS[shape.name]
+    grown = sum(rate_ * p_n for rate_, p_n in zip(rates, basis, strict=True))
+    for n, p_n in enumerate(basis):
+        prove_equal(mean(shape, p_n * grown) / mean(shape, p_n**2), rates[n])
+        projection = layers.amplitude_rate(shape, n, layers.flow_rule(sigma)) * mean(shape, p_n**2)
+        assert projection.limits == ((zeta, -1, 1),)
+        prove_equal(projection.function / layers.flow_rule(sigma), p_n * shape.weight)
+    stress = sp.expand(
+        E
+        * (
+            true_strain.subs(z, shrinking.thickness * zeta / 2)
+            - sum(a * p_n for a, p_n in zip(amplitudes, basis, strict=True))
+        )
+    )
+    prove_equal(stress, sp.expand(layers.fibre_stress(shape, shrinking, amplitudes)))
+    b = layers.stress_amplitudes(shrinking, amplitudes)
+    prove_equal(stress, sp.expand(sum(b_n * p_n for b_n, p_n in zip(b, basis, strict=True))))
+    prove_equal(shrinking.area * mean(shape, stress), layers.tension(shrinking, b))
+    prove_equal(
+        shrinking.area * shrinking.thickness / 2 * mean(shape, stress * zeta), layers.moment(shape, shrinking, b)
+    )
+    prove_equal(sp.expand(A0 / (2 * E) * mean(shape, stress**2)), sp.expand(layers.stored_energy(shape, b)))
+    power = layers.dissipation(shape, sigma, layers.flow_rule(sigma)) / A0
+    assert (power.function, power.limits) == (sigma * layers.flow_rule(sigma) * shape.weight, ((zeta, -1, 1),))
+assert layers.moment(RECTANGLE, UNIFORM, b[:1]) == 0  # order 0: a membrane
+
+# %% [markdown]
+# Trouton, again: $a_0 = \log s$ and $T = A\sigma_0$ with $\sigma_0 = \eta\dot a_0$. Nothing is lost. The moment of a
+# Newtonian filament that bends and stretches is $-\eta\frac{I}{h/2}\partial_t(\theta_s\frac h2)$; the printed
+# closure has $-\eta\,\partial_t(I\theta_X)$ instead.
+
+# %%
+b_0 = layers.stress_amplitudes(UNIFORM, (a_0,))[0].subs(s, S)
+prove_equal(A_t * eta * sp.solve(b_0 / E, a_0)[0].diff(t), trouton)
+half = (UNIFORM.thickness / 2).subs(s, S)
+I_t = A_t * half**2 * m_2
+material_moment = -eta * I_t / half * sp.diff(Theta / S * half, t)
+printed_moment = -eta * sp.diff(I_t * Theta, t)
+prove_equal(material_moment, -eta * I_t / S * (Theta.diff(t) - sp.Rational(3, 2) * Theta * S.diff(t) / S))
+prove_equal(printed_moment, -eta * I_t * (Theta.diff(t) - 2 * Theta * S.diff(t) / S))
+
+# %% [markdown]
+# ## The axial force conjugate to the stretch
+#
+# Per unit $X$ there is the volume $A_0$, and the fibres do the work $A_0\langle\sigma\,\epsilon_t\rangle$. Whatever
+# the distribution of stress, only $\langle\sigma\rangle = T/A$ and $\langle\sigma\zeta\rangle = 2M/(Ah)$ occur.
+# Because the lever of bending, $h/(2s)$, changes with the stretch, the force that works on $s_t$ is *not* $T$:
+# $$A_0\langle\sigma\epsilon_t\rangle = Q\,s_t - M\,\theta_{Xt},\qquad
+#   Q = T + \tfrac32 M\theta_s\quad(\text{sheet: } T + 2M\theta_s).$$
+
+# %%
+moving = {s: S, theta_X: Theta}
+CONJUGATE = {}
+for name, shrinking, factor in (("filament", UNIFORM, sp.Rational(3, 2)), ("sheet", WIDE, sp.Integer(2))):
+    growth = sp.expand(true_strain.subs(z, shrinking.thickness * zeta / 2).subs(moving).diff(t).doit())
+    power = A0 * (
+        growth.coeff(zeta, 0) * T / shrinking.area
+        + growth.coeff(zeta, 1) * 2 * M / (shrinking.area * shrinking.thickness)
+    ).subs(moving)
+    power = sp.expand(sp.simplify(power))
+    CONJUGATE[name] = power.coeff(S.diff(t)).subs({S: s, Theta: theta_X})
+    prove_equal(CONJUGATE[name], T + factor * M * theta_X / s)
+    prove_equal(power.coeff(Theta.diff(t)), -M)
+    prove_equal(CONJUGATE[name], layers.conjugate_force(shrinking))
+    prove_equal(CONJUGATE[name], T + closure.material(kinematics.TRUE_STRAIN, shrinking).axial_correction)
+prove_equal(CONJUGATE["filament"], held["axial force, material closure"])
+prove_equal(CONJUGATE["sheet"], held["axial force of a sheet, material closure"])
+assert closure.material(kinematics.SMALL_STRAIN, NONE).axial_correction == 0
+
+# %% [markdown]
+# The printed closure has no such force. Even if nothing flows, its $T = EA\log s$ and $M = -EI\theta_X$ are not
+# derivatives of any energy: $\partial T/\partial\theta_X\ne\partial(-M)/\partial s$, so that a closed cycle of
+# stretching and bending makes or destroys energy.
+
+# %%
+printed_T = (E * area * sp.log(s)).diff(theta_X)
+printed_M = (E * inertia * theta_X).diff(s)
+assert printed_T == 0
+assert printed_M != 0
+
+# %% [markdown]
+# ## One cell of the solver
+#
+# All that the solver evaluates in a cell, against what has been derived: material closure for rectangle, circle and
+# sheet, printed closure for rectangle and circle, at finite and at small strain.
+
+
+# %%
+def cell(shape: section.Section, name: str, law: filament.MeansOf, *, finite: bool = True) -> filament.SectionEquations:
+    """What the solver holds."""
+    shrinking = WIDE if shape is SHEET else UNIFORM
+    terms = filament.Terms(
+        centreline=kinematics.LARGE_ROTATION,
+        strain=kinematics.TRUE_STRAIN if finite else kinematics.SMALL_STRAIN,
+        contraction=shrinking if finite else NONE,
+        inertia=True,
+        bending=True,
+        flow=law,
+    )
+    return filament.derive(terms, shape, name).response
+
+
+def prove_common(shape: section.Section, shrinking: section.Contraction, held: filament.SectionEquations) -> None:
+    """Size, resultants and energies, which do not depend on the closure."""
+    area, half, m_2 = shrinking.area, shrinking.thickness / 2, mean(shape, zeta**2)
+    tension, moment = area * mean(shape, linear), area * half * mean(shape, linear * zeta)
+    stored = sp.expand(A0 / (2 * E) * mean(shape, linear**2))
+    assert (held.area, held.thickness) == (area, shrinking.thickness)
+    for derived, holds in (
+        (tension, held.tension),
+        (moment, held.moment),
+        (sigma_0, held.stress_of_tension.subs(T, tension)),
+        (sigma_1, held.stress_of_moment.subs(M, moment)),
+        (A0, held.volume),
+        (stored.coeff(sigma_0, 2) * sigma_0**2, held.elastic_mean),
+        (stored.coeff(sigma_1, 2) * sigma_1**2, held.elastic_bending),
+        # A0 <sigma phi> = A0 (sigma_0 <phi> + sigma_1 <phi zeta>)
+        (A0 * sigma_0 * held.means.rate, held.dissipation_mean),
+        (A0 * sigma_1 * m_2 * held.means.bending_rate, held.dissipation_bending),
+    ):
+        prove_equal(derived, holds)
+
+
+for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE), (RECTANGLE, NONE)):
+    for law in (rheology.maxwell_means, rheology.bingham_means):
+        response = cell(shape, "material", law, finite=shrinking is not NONE)
+        prove_common(shape, shrinking, response)
+        if shrinking is NONE:
+            b_0, b_1 = E * (s - 1 - a_0), -E * (theta_X * h0 / 2 + a_1)
+            correction = sp.Integer(0)
+        else:
+            b_0, b_1 = layers.stress_amplitudes(shrinking, (a_0, a_1))
+            correction = layers.conjugate_force(shrinking) - T
+        prove_equal(b_0, response.stress_mean)
+        prove_equal(b_1, response.stress_bending)
+        prove_equal(correction, response.axial_correction)
+        assert response.rate_mean == law(shape).rate
+        assert response.rate_bending == law(shape).bending_rate
+prove_equal(layers.stress_amplitudes(UNIFORM, (a_0, a_1))[0], held["mean stress, material closure"])
+prove_equal(layers.stress_amplitudes(UNIFORM, (a_0, a_1))[1], held["bending stress, material closure"])
+
+for shape in (RECTANGLE, CIRCLE):
+    response = cell(shape, "printed", rheology.maxwell_means)
+    prove_common(shape, UNIFORM, response)
+    with_shape = {m_2: shape.zeta_squared}
+    prove_equal(field.coeff(zeta, 0), response.stress_mean)
+    prove_equal(field.coeff(zeta, 1), response.stress_bending)
+    prove_equal(A0 * response.rate_mean, response.tension / eta)  # P_t = T/eta
+    prove_equal((A0 * h0 / 2 * m_2).subs(with_shape) * response.rate_bending, response.moment / eta)  # C_t = M/eta
+    assert response.axial_correction == 0
+
+# %% [markdown]
+# ## Energy
+#
+# *Forces.* Multiply the balance of momentum by the velocity. With $\mathbf v_X = s_t\mathbf t + s\theta_t\mathbf n$,
+# $$\partial_t\big(\tfrac12\lambda_0|\mathbf v|^2\big) + \underbrace{Q s_t - M\theta_{Xt}}_{\text{on the section}}
+#   = \partial_X\big(\mathbf F\cdot\mathbf v - M\theta_t\big) - \lambda_0 g\,y_t .$$
+# What flows through $X$ vanishes at a clamp ($\mathbf v = 0$, $\theta_t = 0$), a pin ($\mathbf v = 0$, $M = 0$), a
+# free end ($\mathbf F = 0$, $M = 0$) and a plane of symmetry ($v_x = 0$, $N = 0$, $\theta_t = 0$).
+
+# %%
+x, y, stretch, theta = motion.x, motion.y, motion.stretch, motion.angle
+in_motion = [
+    (energy.stored.diff(t), energy.stress_power() - energy.dissipated),
+    (x.diff(X, t), (stretch * sp.cos(theta)).diff(t)),
+    (y.diff(X, t), (stretch * sp.sin(theta)).diff(t)),
+    *((e.left, e.right.doit()) for e in motion.MOTION),
+]
+residual = energy.BALANCE.residual().doit()
+for old, new in in_motion:
+    residual = residual.subs(old, new)
+prove_equal(sp.trigsimp(sp.expand(residual)), 0)
+prove_equal(
+    energy.flux(),
+    sum(f * v for f, v in zip(motion.internal_force(), (x.diff(t), y.diff(t)), strict=True))
+    - motion.moment * theta.diff(t),
+)
+
+# %% [markdown]
+# *Section.* That power is stored or dissipated: $Qs_t - M\theta_{Xt} = W_t + A_0\langle\sigma\varphi\rangle$ with
+# $W = A_0\langle\sigma^2\rangle/2E$ — exactly, at **every** order of truncation. The reason is that the truncated
+# stress lies in the space on which the flow is projected:
+# $\langle\sigma\varphi\rangle = \sum b_n\langle\varphi p_n\rangle$. Below, $r_n$ stands for
+# $\langle\varphi p_n\rangle$ of an arbitrary flow rule.
+
+# %%
+r = sp.symbols("r_0:5", real=True)
+a_of_t = [sp.Function(f"a_{n}", real=True)(t) for n in range(ORDER + 1)]
+for shape, shrinking, axial in (
+    (RECTANGLE, UNIFORM, CONJUGATE["filament"]),
+    (CIRCLE, UNIFORM, CONJUGATE["filament"]),
+    (SHEET, WIDE, CONJUGATE["sheet"]),
+):
+    basis = POLYNOMIALS[shape.name]
+    for k in (1, 2, ORDER):
+        b = layers.stress_amplitudes(shrinking, a_of_t[: k + 1])
+        stored = layers.stored_energy(shape, b).subs(moving)
+        flowing = {a_of_t[n].diff(t): r[n] / mean(shape, basis[n] ** 2) for n in range(k + 1)}
+        stored_rate = stored.diff(t).subs(flowing)
+        dissipated = A0 * sum(b[n] * r[n] for n in range(k + 1))
+        resultants = {T: layers.tension(shrinking, b), M: layers.moment(shape, shrinking, b)}
+        for wrong in (False, True):
+            force = T if wrong else axial
+            power = (force * S.diff(t) - M * Theta.diff(t)).subs(resultants).subs(moving)
+            defect = sp.expand(sp.expand(stored_rate + dissipated.subs(moving) - power))
+            if wrong:
+                assert sp.simplify(defect) != 0
+            else:
+                prove_equal(defect, 0)
+assert energy.STORED.right == A0 / (2 * E) * sp.Integral(energy.stress**2 * energy.weight, (zeta, -1, 1))
+assert energy.DISSIPATED.right == A0 * sp.Integral(
+    energy.stress * layers.flow_rule(energy.stress) * energy.weight, (zeta, -1, 1)
+)
+assert energy.CONJUGACY.left == energy.stress_power()
+assert energy.CONJUGACY.right == A0 * sp.Integral(energy.stress * energy.strain.diff(t) * energy.weight, (zeta, -1, 1))
+
+# %% [markdown]
+# *Dissipation.* $\sigma\varphi(\sigma)\ge0$ in every fibre if $\varphi$ has the sign of $\sigma$, so
+# $A_0\langle\sigma\varphi\rangle\ge0$. For an odd, monotone $\varphi$ and a symmetric section even its two parts,
+# $\sigma_0\langle\varphi\rangle$ of stretching and $\sigma_1\langle\varphi\zeta\rangle$ of bending, are never
+# negative. Fold the section about its middle ($w$ is even); $u = \sigma_1\zeta$:
+# $$\langle\varphi\rangle = \tfrac12\big\langle\varphi(u+\sigma_0) - \varphi(u-\sigma_0)\big\rangle,\qquad
+#   \langle\varphi\zeta\rangle = \tfrac12\big\langle\zeta\,[\varphi(\sigma_0+u) - \varphi(\sigma_0-u)]\big\rangle .$$
+# A monotone $\varphi$ makes the first bracket have the sign of $\sigma_0$, as $u + \sigma_0 \gtrless u - \sigma_0$,
+# and the second that of $u = \sigma_1\zeta$: times $\zeta$, that of $\sigma_1$. The folding, for *any* odd function
+# $\varphi(v) = f(v) - f(-v)$:
+
+# %%
+f = sp.Function("f")
+
+
+def odd(v: sp.Expr) -> sp.Expr:
+    """An arbitrary odd function."""
+    return f(sp.expand(v)) - f(sp.expand(-v))
+
+
+def folded(of_zeta: sp.Expr) -> sp.Expr:
+    """Even part, all that a symmetric section sees."""
+    other_side = of_zeta.subs(zeta, -zeta)
+    return sp.expand((of_zeta + other_side) / 2)
+
+
+u = sigma_1 * zeta
+prove_equal(folded(odd(sigma_0 + u)), sp.expand((odd(u + sigma_0) - odd(u - sigma_0)) / 2))
+prove_equal(folded(zeta * odd(sigma_0 + u)), sp.expand(zeta * (odd(sigma_0 + u) - odd(sigma_0 - u)) / 2))
+for shape in SHAPES:
+    prove_equal(shape.weight.subs(zeta, -zeta), shape.weight)
+
+# %% [markdown]
+# ## The appendix: (A1), (A2)
+#
+# The paper expands in $L_n(z) = \sqrt{(2n+1)/h}\,P_n(2z/h)$, orthonormal over the present thickness. Its $a_n$ are
+# ours times $\sqrt{h/(2n+1)}$.
+
+# %%
+L_n = [paper_section.scaled_legendre(n) for n in range(4)]
+for n in range(4):
+    for m in range(n + 1):
+        inner = sp.integrate(sp.expand(L_n[n] * L_n[m]), (z, -h / 2, h / 2))
+        prove_equal(sp.Integer(n == m), inner)
+to_paper = [sp.sqrt(h / (2 * n + 1)) for n in range(4)]
+for n in range(4):
+    prove_equal(to_paper[n] * L_n[n].subs(z, h * zeta / 2), layers.polynomial(RECTANGLE, n))
+
+# %% [markdown]
+# With $dz = \frac h2d\zeta$ the right-hand side of (A2) is $\sqrt{h/(2n+1)}$ times ours, *provided* that the stress
+# under the integral is the same: it is where $s = 1$ multiplies the curvature ($\theta_Xz$ against $\theta_sz$).
+
+# %%
+in_paper = [amplitudes[n] * to_paper[n] for n in range(4)]
+for n in range(4):
+    held_integral = paper_section.coefficient_rate(n, in_paper)
+    assert held_integral.limits == ((z, -h / 2, h / 2),)
+    flow_of = next(iter(held_integral.function.atoms(sp.core.function.AppliedUndef)))
+    ours = layers.fibre_stress(RECTANGLE, NONE, amplitudes[:4]).subs({s: 1, h0: h})
+    prove_equal(sp.expand(flow_of.args[0].subs({z: h * zeta / 2, s: 1})), sp.expand(ours))
+    integrand = sp.simplify((held_integral.function / flow_of).subs(z, h * zeta / 2) * h / 2)
+    projection = layers.amplitude_rate(RECTANGLE, n, sp.Integer(1))
+    prove_equal(integrand, to_paper[n] * (2 * n + 1) * layers.polynomial(RECTANGLE, n) / 2)
+    assert projection.as_coeff_Mul()[0] == 2 * n + 1
+appendix = [e for e in paper_section.EQUATIONS if e.source.startswith("A 2")]
+for n, row in enumerate(appendix):
+    assert row.left == paper_section.coefficients[n].diff(t)
+    assert row.right == paper_section.coefficient_rate(n, paper_section.coefficients)
+
+# %% [markdown]
+# So in a filament whose thickness does not change (A2) *is* the material closure, order by order, and its $k = 1$ is
+# (2.24): $P = A a_0$ and $C = A\frac h2\langle\zeta^2\rangle a_1$ then have the rates $A\langle\varphi\rangle$ and
+# $A\frac h2\langle\varphi\zeta\rangle$.
+#
+# When the section shrinks the three part. Our $a_n$ obey $\dot a_n = \langle\varphi p_n\rangle/\langle p_n^2\rangle$
+# with nothing added; hence
+# $$P_t = \int_A\varphi\,da + \frac{A_t}{A}P,\qquad C_t = \int_A\varphi z\,da + \frac{(Ah)_t}{Ah}C,\qquad
+#   \partial_ta_n^{\text{paper}} = \int\varphi L_n\,dz + \frac{h_t}{2h}a_n^{\text{paper}} .$$
+# The paper drops each last term: a different error in (2.12) than in (A2), so that its claim that $k = 1$ of the
+# appendix *is* the system of its section 2 holds only while nothing stretches.
+
+# %%
+thickness_t = h0 / sp.sqrt(S)
+state = sp.Function("a", real=True)(t)
+flow_mean = sp.Symbol("flow", real=True)
+spurious = {}
+for name, factor, derived in (
+    ("P", A_t, -S.diff(t) / S),
+    ("C", A_t * thickness_t, -sp.Rational(3, 2) * S.diff(t) / S),
+    ("a_n", sp.sqrt(thickness_t), -S.diff(t) / (4 * S)),
+):
+    theirs = factor * state
+    exact = theirs.diff(t).subs(state.diff(t), flow_mean)
+    spurious[name] = sp.simplify((exact - factor * flow_mean) / theirs)
+    prove_equal(spurious[name], derived)
+# Trouton's ratio of (A2) read literally: 1 - (log s)/4, between the material 1 and 1 - log s of (2.12).
+root = sp.sqrt(thickness_t)
+literal = sp.simplify(eta * A_t * sp.diff(root * sp.log(S), t) / root / trouton)
+prove_equal(literal, 1 - sp.log(S) / 4)
+
+# %% [markdown]
+# ## What is left behind
+
+# %%
+for module in (section, rheology, closure, layers, paper_section, energy):
+    for equation in module.EQUATIONS:
+        check(equation)
+for equation in layers.EQUATIONS:
+    if equation.left.is_Derivative:
+        n = layers.amplitudes.index(equation.left.expr)
+        shape = next(shape for shape in SHAPES if equation.name.endswith(shape.name))
+        shrinking = WIDE if shape is SHEET else UNIFORM
+        states_ = layers.amplitudes[:4]
+        flow = layers.flow_rule(layers.fibre_stress(shape, shrinking, states_))
+        assert equation.right == layers.amplitude_rate(shape, n, flow)
+
+record_errata(
+    "02_section_and_closures",
+    [
+        Erratum(
+            equation="(2.6)",
+            printed=r"$\epsilon = \log s_X - \theta_X z$",
+            correct=r"$\epsilon = \log s_X - \theta_s z$, $\theta_s = \theta_X/s_X$",
+            proof=r"A fibre has the length $s_X - z\theta_X$ per unit $X$; the log has the slope $\theta_X/s_X$.",
+        ),
+        Erratum(
+            equation="(2.12), (2.24)",
+            printed=r"$P_t = \int_A\varphi\,da$, $C_t = \int_A\varphi z\,da$",
+            correct=r"$P_t = \int_A\varphi\,da + (A_t/A)P$, $C_t = \int_A\varphi z\,da + ((Ah)_t/Ah)C$",
+            proof=r"As printed, a Newtonian bar pulls with $\eta A(s_t/s)(1 - \log s)$: not at all at $s = e$.",
+        ),
+        Erratum(
+            equation="(2.4) with (2.11)",
+            printed=r"axial force $T$",
+            correct=r"$Q = T + \frac32 M\theta_s$ (sheet: $T + 2M\theta_s$)",
+            proof=r"Work conjugacy: with $T$ alone even the elastic filament has no stored energy.",
+        ),
+        Erratum(
+            equation="(A 2)",
+            printed=r"$\partial_t a_n = \int\varphi L_n\,dz$, said to contain (2.12) as $k \le 1$",
+            correct=r"$\partial_t a_n = \int\varphi L_n\,dz + (h_t/2h)a_n$",
+            proof=r"Fibres keep $2z/h$; as printed, Trouton's tension comes out $1 - \frac14\log s$ times.",
+        ),
+    ],
+)

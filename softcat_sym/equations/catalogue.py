@@ -1,0 +1,22 @@
+"""Every equation of the theory, module by module."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+
+import softcat_sym.equations
+from softcat_sym.equations.equation import Equation
+
+
+def all_equations() -> dict[str, tuple[Equation, ...]]:
+    """The ``EQUATIONS`` of every module of :mod:`softcat_sym.equations` that has some, by module name.
+
+    Importing them all also completes the table of symbols.
+    """
+    found: dict[str, tuple[Equation, ...]] = {}
+    for module in pkgutil.iter_modules(softcat_sym.equations.__path__):
+        equations = getattr(importlib.import_module(f"softcat_sym.equations.{module.name}"), "EQUATIONS", None)
+        if equations:
+            found[module.name] = equations
+    return found

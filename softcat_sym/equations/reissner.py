@@ -1,0 +1,236 @@
+"""A filament that shears, resolved fibre by fibre (THEORY 12): geometrically exact in the plane, J2 flow in each fibre.
+
+r_X = Lam d1 + Gam d2, k = psi_X, with d1 = (cos psi, sin psi) along the section's normal and
+d2 = (-sin psi, cos psi) in it. Everything a cell needs is a chain: (r_X, psi) -> (Lam, Gam), strains of a fibre,
+its stresses, the section's resultants, the forces conjugate to (Lam, Gam, k), and what they do to positions and
+section angle.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from softcat_sym.equations import motion
+from softcat_sym.equations.balance import mass_per_length
+from softcat_sym.equations.bulk import nu, shear_modulus, sigma_eq
+from softcat_sym.equations.equation import Equation
+from softcat_sym.equations.rheology import bingham_rate, elastic_stress
+from softcat_sym.equations.section import RECTANGLE as RECTANGULAR
+from softcat_sym.equations.section import UNIFORM, Contraction, Section
+from softcat_sym.equations.symbols import (
+    FORCE,
+    MOMENT,
+    ONE,
+    PER_LENGTH,
+    STRESS,
+    E,
+    M,
+    T,
+    X,
+    enter,
+    enter_field,
+    g,
+    h0,
+    s,
+    sigma,
+    t,
+    x_X,
+    y_X,
+    zeta,
+)
+
+psi = enter("psi", r"\psi", ONE, "angle of the section's normal from the horizontal", "THEORY 12")
+Lam = enter("Lam", r"\Lambda", ONE, "r_X along the section's normal", "THEORY 12", positive=True)
+Gam = enter("Gam", r"\Gamma", ONE, "r_X along the section", "THEORY 12")
+k = enter("k", "k", PER_LENGTH, "psi_X, bending per unit material length", "THEORY 12")
+eps_p = enter("eps_p", r"\epsilon^p", ONE, "axial plastic strain of a fibre", "THEORY 12")
+gamma_p = enter("gamma_p", r"\gamma^p", ONE, "plastic shear of a fibre", "THEORY 12")
+tau_f = enter("tau_f", r"\tau", STRESS, "shear stress of a fibre", "THEORY 12")
+kappa_s = enter("kappa_s", r"\kappa_s", ONE, "shear correction of the section", "THEORY 12", positive=True)
+sigma_zeta = enter("sigma_zeta", r"\langle\sigma\zeta\rangle", STRESS, "mean of sigma zeta", "THEORY 12")
+sigma_mean = enter("sigma_mean", r"\langle\sigma\rangle", STRESS, "mean of sigma", "THEORY 12")
+tau_mean = enter("tau_mean", r"\langle\tau\rangle", STRESS, "mean of the shear stress", "THEORY 12")
+S = enter("S", "S", FORCE, "shear force, area times mean shear stress", "THEORY 12")
+n_1 = enter("n_1", "n_1", FORCE, "force conjugate to Lam", "THEORY 12")
+n_2 = enter("n_2", "n_2", FORCE, "force conjugate to Gam", "THEORY 12")
+m_c = enter("m_c", "m", MOMENT, "moment conjugate to k, minus M", "THEORY 12")
+
+normal_force = enter_field("normal_force", "n_1", FORCE, "force conjugate to Lam", "THEORY 12")(X, t)
+section_force = enter_field("section_force", "n_2", FORCE, "force conjugate to Gam", "THEORY 12")(X, t)
+couple = enter_field("couple", "m", MOMENT, "moment conjugate to k", "THEORY 12")(X, t)
+section_angle = enter_field("section_angle", r"\psi", ONE, "angle of the section's normal", "THEORY 12")(X, t)
+along_normal = enter_field("along_normal", r"\Lambda", ONE, "r_X along the section's normal", "THEORY 12")(X, t)
+along_section = enter_field("along_section", r"\Gamma", ONE, "r_X along the section", "THEORY 12")(X, t)
+
+RECTANGLE_SHEAR = sp.Rational(5, 6)
+"""kappa_s of a rectangle, from the energy of a parabolic shear stress."""
+CIRCLE_SHEAR = sp.Rational(9, 10)
+"""kappa_s of a circle, likewise."""
+
+
+def cowper_circle() -> sp.Expr:
+    """kappa_s = 6 (1 + nu)/(7 + 6 nu) of a circle in three-dimensional elasticity; 9/10 if incompressible."""
+    return 6 * (1 + nu) / (7 + 6 * nu)
+
+
+def director_strains() -> tuple[sp.Expr, sp.Expr]:
+    """(Lam, Gam) of (r_X, psi)."""
+    return (x_X * sp.cos(psi) + y_X * sp.sin(psi), -x_X * sp.sin(psi) + y_X * sp.cos(psi))
+
+
+@dataclass(frozen=True, slots=True)
+class ShearingCell:
+    """One cell: every link of the chain, in the symbols that the link before it computes.
+
+    Attributes
+    ----------
+    area, thickness : sympy.Expr
+        A and h of Lam (2.9).
+    axial_strain : sympy.Expr
+        True strain of the fibre zeta, of (Lam, k).
+    shear_strain : sympy.Expr
+        Gam/Lam, the same for all fibres.
+    axial_stress, shear_stress : sympy.Expr
+        sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the fibre.
+    tension, moment, shear_force : sympy.Expr
+        T, M and S of the means over the section and Lam.
+    normal_force, section_force, couple : sympy.Expr
+        n_1, n_2 and m, conjugate to Lam, Gam and k, of (T, M, S) and (Lam, Gam, k).
+    force : tuple of sympy.Expr
+        n_1 d1 + n_2 d2 in the fixed frame, of (n_1, n_2, psi).
+    turning_moment : sympy.Expr
+        Lam n_2 - Gam n_1, what the forces do to the section angle besides m_X.
+    elastic_energy : sympy.Expr
+        Stored energy of a fibre per unit undeformed volume, of (sigma, tau).
+    """
+
+    area: sp.Expr
+    thickness: sp.Expr
+    axial_strain: sp.Expr
+    shear_strain: sp.Expr
+    axial_stress: sp.Expr
+    shear_stress: sp.Expr
+    tension: sp.Expr
+    moment: sp.Expr
+    shear_force: sp.Expr
+    normal_force: sp.Expr
+    section_force: sp.Expr
+    couple: sp.Expr
+    force: tuple[sp.Expr, sp.Expr]
+    turning_moment: sp.Expr
+    elastic_energy: sp.Expr
+
+
+def cell(contraction: Contraction = UNIFORM) -> ShearingCell:
+    """The chain for one way of contracting that keeps the volume: ``UNIFORM`` or ``WIDE``.
+
+    n_1 = T - M k (Lam d(log lever)/dLam)/Lam - S Gam/Lam, where lever = h/(2 Lam) is the bending strain of the outer
+    fibre per unit -k: 3/2 M k/Lam if the section shrinks both ways, 2 M k/Lam for a sheet.
+    """
+    area, thickness = contraction.area.subs(s, Lam), contraction.thickness.subs(s, Lam)
+    lever = sp.powsimp(thickness / (2 * Lam))
+    axial, shear = sp.log(Lam) - k * lever * zeta, Gam / Lam
+    # Exponent of Lam in the lever, a number: -3/2 or -2.
+    exponent = sp.simplify(Lam * sp.diff(lever, Lam) / lever)
+    return ShearingCell(
+        area=area,
+        thickness=thickness,
+        axial_strain=axial,
+        shear_strain=shear,
+        axial_stress=elastic_stress(axial, eps_p),
+        shear_stress=kappa_s * shear_modulus() * (shear - gamma_p),
+        tension=area * sigma_mean,
+        moment=area * thickness * sigma_zeta / 2,
+        shear_force=area * tau_mean,
+        normal_force=T - exponent * M * k / Lam - S * Gam / Lam,
+        section_force=S,
+        couple=-M,
+        force=(n_1 * sp.cos(psi) - n_2 * sp.sin(psi), n_1 * sp.sin(psi) + n_2 * sp.cos(psi)),
+        turning_moment=Lam * n_2 - Gam * n_1,
+        elastic_energy=sigma**2 / (2 * E) + tau_f**2 / (2 * kappa_s * shear_modulus()),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class FibreFlow:
+    """J2 flow of a fibre under (sigma, tau), the bulk law in this stress state; rates in ``sigma_eq`` as one symbol."""
+
+    equivalent: sp.Expr
+    axial_rate: sp.Expr
+    shear_rate: sp.Expr
+    dissipation: sp.Expr
+
+
+def fibre_flow(rate: sp.Expr) -> FibreFlow:
+    """sig_eq = sqrt(sigma^2 + 3 tau^2), eps_p_t = phi sigma/sig_eq, gamma_p_t = 3 phi tau/sig_eq.
+
+    Parameters
+    ----------
+    rate : sympy.Expr
+        Flow rule phi in the symbol ``sigma``.
+    """
+    speed = rate.subs(sigma, sigma_eq)
+    return FibreFlow(
+        equivalent=sp.sqrt(sigma**2 + 3 * tau_f**2),
+        axial_rate=speed * sigma / sigma_eq,
+        shear_rate=3 * speed * tau_f / sigma_eq,
+        dissipation=speed * sigma_eq,
+    )
+
+
+def rotary_inertia(section: Section) -> sp.Expr:
+    """Rho I_0 = lambda_0 (h_0/2)^2 <zeta^2>, of the undeformed section.
+
+    Thinning would divide it by Lam. It is kept constant so that the kinetic energy rho I_0 psi_t^2/2 has no other force
+    to it; what it changes at all is of the order of (h_0/L)^2.
+    """
+    return mass_per_length() * h0**2 * section.zeta_squared / 4
+
+
+def _balance() -> tuple[Equation, ...]:
+    turn = (sp.cos(section_angle), sp.sin(section_angle))
+    across = (-turn[1], turn[0])
+    force = tuple(normal_force * a + section_force * b for a, b in zip(turn, across, strict=True))
+    return (
+        *(
+            Equation(
+                f"momentum of a shearing filament, {name}",
+                mass_per_length() * acceleration,
+                sp.Derivative(pull, X) - mass_per_length() * weight,
+                "THEORY 12",
+            )
+            for name, acceleration, pull, weight in zip(
+                ("horizontal", "vertical"), motion.acceleration, force, (sp.Integer(0), g), strict=True
+            )
+        ),
+        Equation(
+            "moment of momentum of a section",
+            rotary_inertia(RECTANGULAR) * sp.Derivative(section_angle, (t, 2)),
+            sp.Derivative(couple, X) + along_normal * section_force - along_section * normal_force,
+            "THEORY 12",
+        ),
+    )
+
+
+def _cell_equations() -> tuple[Equation, ...]:
+    both, flow = cell(), fibre_flow(bingham_rate())
+    return (
+        Equation("axial stress of a shearing fibre", sigma, both.axial_stress, "THEORY 12"),
+        Equation("shear stress of a fibre", tau_f, both.shear_stress, "THEORY 12"),
+        Equation("tension of fibres", T, both.tension, "THEORY 12"),
+        Equation("moment of fibres", M, both.moment, "THEORY 12"),
+        Equation("shear force of fibres", S, both.shear_force, "THEORY 12"),
+        Equation("force conjugate to Lam", n_1, both.normal_force, "THEORY 12"),
+        Equation("force conjugate to Gam", n_2, both.section_force, "THEORY 12"),
+        Equation("moment conjugate to k", m_c, both.couple, "THEORY 12"),
+        Equation("equivalent stress of a fibre", sigma_eq, flow.equivalent, "THEORY 12"),
+        Equation(
+            "dissipation of a fibre", sigma * flow.axial_rate + tau_f * flow.shear_rate, flow.dissipation, "THEORY 12"
+        ),
+    )
+
+
+BALANCE: tuple[Equation, ...] = _balance()
+EQUATIONS: tuple[Equation, ...] = (*_cell_equations(), *BALANCE)

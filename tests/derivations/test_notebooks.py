@@ -1,0 +1,65 @@
+"""Every notebook runs, as a script and as a notebook, and leaves the errata table as it is checked in."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+FOLDER = Path(__file__).parents[2] / "derivations"
+NOTEBOOKS = sorted(FOLDER.glob("[0-9][0-9]_*.py"))
+EXECUTE = """
+import sys, warnings
+warnings.simplefilter("ignore")
+import jupytext, nbclient
+notebook = jupytext.read(sys.argv[1])
+assert sum(cell.cell_type == "markdown" for cell in notebook.cells) >= 2
+nbclient.NotebookClient(notebook, timeout=170, kernel_name="python3").execute()
+"""
+SECONDS: dict[str, float] = {}
+
+
+def _run(*command: str) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "PYDEVD_DISABLE_FILE_VALIDATION": "1"}
+    return subprocess.run(
+        command, cwd=FOLDER, env=environment, capture_output=True, text=True, check=False, timeout=180
+    )
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_notebook_proves_what_it_says(path: Path) -> None:
+    before = {table: table.read_bytes() for table in (FOLDER / "errata").glob("*.json")}
+    before[FOLDER / "ERRATA.md"] = (FOLDER / "ERRATA.md").read_bytes()
+    began = time.perf_counter()
+    done = _run(sys.executable, path.name)
+    SECONDS[path.stem] = time.perf_counter() - began
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
+    for table, content in before.items():
+        assert table.read_bytes() == content, f"{table.name} is not what {path.stem} proves"
+
+
+def test_all_of_them_take_less_than_three_minutes() -> None:
+    assert len(SECONDS) == len(NOTEBOOKS) >= 10, "run the whole file"
+    print("\n".join(f"{name:28} {seconds:5.1f} s" for name, seconds in SECONDS.items()))
+    assert sum(SECONDS.values()) < 180
+
+
+def test_there_are_the_ten_chapters() -> None:
+    assert [path.name[:2] for path in NOTEBOOKS[:10]] == [f"{k:02}" for k in range(1, 11)]
+
+
+@pytest.mark.parametrize("path", [NOTEBOOKS[0], NOTEBOOKS[-1]], ids=lambda path: path.stem)
+def test_they_are_notebooks_too(path: Path) -> None:
+    done = _run(sys.executable, "-c", EXECUTE, path.name)
+    assert done.returncode == 0, done.stderr[-4000:]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", NOTEBOOKS[1:-1], ids=lambda path: path.stem)
+def test_so_are_the_others(path: Path) -> None:
+    done = _run(sys.executable, "-c", EXECUTE, path.name)
+    assert done.returncode == 0, done.stderr[-4000:]
