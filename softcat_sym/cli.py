@@ -66,7 +66,7 @@ def run(
         typer.echo(f"wrote {', '.join(path.name for path in written.files)} to {output}")
     if not trajectory.outcome.is_success:
         if quiet:
-            _complain(f"{trajectory.outcome.name}: {trajectory.outcome.value}")
+            _complain(f"{trajectory.outcome.name}: {trajectory.summary['complaint']}; {trajectory.outcome.value}")
         raise typer.Exit(_UNTRUSTED)
 
 

@@ -45,7 +45,3 @@ class SceneError(SoftcatError):
 
 class PrintingError(SoftcatError):
     """An expression holds a function or symbol that the CasADi printer does not know: extend its whitelist, or bind."""
-
-
-class SolveError(SoftcatError):
-    """An integration could not even begin. Its text names the time, the worst component and what to try."""

@@ -32,6 +32,8 @@ def summary_rows(summary: Summary, scene: PicturedScene) -> list[tuple[str, str]
         Name and text of each row, in the order of reading.
     """
     rows = [("outcome", _outcome(summary))]
+    if summary.get("complaint"):
+        rows.append(("because", str(summary["complaint"])))
     if summary.get("regime"):
         rows.append(("regime", str(summary["regime"])))
     final = summary.get("midpoint_final_m")

@@ -57,7 +57,7 @@ class Prepared:
     def _nothing(self) -> Solution:
         frame = np.zeros((2, 1))
         x, z = self.graph.start[:, None], self.graph.straight[:, None]
-        text = "at t = 0 s: no static shape carries the weight"
+        text = "at t = 0 s: no static shape was found (a straight string that does not bend has no stiffness)"
         return Solution(self.times[:1], x, z, frame, Outcome.no_equilibrium, text, 0)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from softcat_sym.effects import Effects
 from softcat_sym.effects.prediction import elastic_sag, predicted_sag, predicted_strain
+from softcat_sym.errors import Fault, SceneError
 from softcat_sym.graph.choosing import DEFAULT_CELLS
 from softcat_sym.scene import Scene, gravity_time, groups_of
 
@@ -62,6 +63,11 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
 
     BDF of order 2 is the cheapest where flow damps the waves; it would damp by itself the ringing of a filament that
     stays elastic or arrests, so those go to the fifth-order Rosenbrock method.
+
+    Raises
+    ------
+    SceneError
+        If the scene names an integrator that cannot solve it.
     """
     solver, reason = _solver(scene, effects)
     tightening = _CREEP if solver == "cvodes" and _is_slow(scene) else _RTOL_PER_ACCURACY[solver]
@@ -87,6 +93,9 @@ def _smallest_strain(scene: Scene) -> float:
 
 def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
     asked = scene.numerics.solver
+    if asked == "cvodes" and "inertia" not in effects.names:
+        found = "'cvodes' cannot hold positions that are algebraic, as they are without inertia"
+        raise SceneError([Fault("numerics.solver", found, "idas or rosenbrock, or the effect inertia")])
     if asked is not None:
         return asked, "named in numerics.solver"
     if "inertia" not in effects.names:

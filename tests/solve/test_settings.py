@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+import softcat_sym as sc
 from softcat_sym.effects import choose_effects
+from softcat_sym.errors import SceneError
 from softcat_sym.scene import load_scene
 from softcat_sym.solve import choose_settings
 
@@ -61,3 +63,12 @@ def test_bdf_stays_where_it_is_stable() -> None:
     assert settings_of(scene_of(), solver="cvodes").options()["max_order"] == 2
     assert settings_of(scene_of(), solver="idas").options()["max_order"] == 2
     assert "max_order" not in settings_of(scene_of(), solver="rosenbrock").options()
+
+
+def test_cvodes_is_refused_without_inertia() -> None:
+    scene = sc.load_scene(
+        "arrested-overdamped",
+        {"numerics.solver": "cvodes", "run.effects": ["bending", "viscous-flow", "yielding"], "numerics.cells": 8},
+    )
+    with pytest.raises(SceneError, match=r"numerics\.solver: 'cvodes' cannot"):
+        sc.simulate(scene)
