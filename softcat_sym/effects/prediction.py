@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from softcat_sym.equations import regimes
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.scene import Scene, gravity_time, groups_of
 
@@ -13,25 +14,22 @@ def duration_star(scene: Scene) -> float:
     return scene.run.duration / gravity_time(scene)
 
 
-def radius_of_gyration_squared(scene: Scene) -> float:
-    """K = I/(A h0^2): 1/12 for a rectangle, 1/16 for a circle (2.18)."""
-    return float(SECTIONS[scene.filament.section].zeta_squared) / 4
+def beam_of(scene: Scene) -> regimes.Beam:
+    """The straight beam between the scene's ends."""
+    first, second = sorted((scene.ends.left, scene.ends.right))
+    return regimes.BEAMS[first, second]
 
 
-def beam_constant(scene: Scene) -> float:
-    """C in sag = rho g A L^4/(C E I): 384 between clamps, 384/5 between pins, 1/0.0054 = 185 for one of each."""
-    ends = sorted((scene.ends.left, scene.ends.right))
-    return {("clamped", "clamped"): 384.0, ("clamped", "pinned"): 184.6, ("pinned", "pinned"): 76.8}[(ends[0], ends[1])]
+def bending_stiffness(scene: Scene) -> float:
+    """K delta^2 over the sag factor C of the beam: the linear beam sags by 1/(this E*), or t*/(this V) (2.18)."""
+    shape = SECTIONS[scene.filament.section]
+    return float(regimes.gyration(shape) / beam_of(scene).midspan_sag) * groups_of(scene).delta ** 2
 
 
 def first_yield_gravity_number(scene: Scene) -> float:
-    """G below which no fibre yields under a slowly applied weight: 2 delta for a clamped rectangle (3.11).
-
-    Largest static moment q L^2/12 between clamps, q L^2/8 otherwise; yield at M = sigma_Y I/(h0/2).
-    """
-    delta = groups_of(scene).delta
-    moment = 1 / 12 if (scene.ends.left, scene.ends.right) == ("clamped", "clamped") else 1 / 8
-    return 2 * radius_of_gyration_squared(scene) * delta / moment
+    """G below which no fibre yields under a slowly applied weight: 2 delta for a clamped rectangle (3.11)."""
+    threshold = regimes.first_yield(SECTIONS[scene.filament.section], beam_of(scene))
+    return float(threshold.subs(regimes.delta, groups_of(scene).delta))
 
 
 def smaller_of(bending: float, stretching: float) -> float:
@@ -44,8 +42,7 @@ def elastic_sag(scene: Scene) -> float:
     groups = groups_of(scene)
     if groups.E_star is None or not math.isfinite(groups.E_star):
         return 0.0
-    stiffness = beam_constant(scene) * radius_of_gyration_squared(scene) * groups.delta**2
-    return smaller_of(1 / (stiffness * groups.E_star), (3 / (64 * groups.E_star)) ** (1 / 3))
+    return smaller_of(1 / (bending_stiffness(scene) * groups.E_star), (3 / (64 * groups.E_star)) ** (1 / 3))
 
 
 def flowing_sag(scene: Scene) -> float:
@@ -56,12 +53,10 @@ def flowing_sag(scene: Scene) -> float:
     time = duration_star(scene)
     if time == 0:
         return 0.0
-    stiffness = beam_constant(scene) * radius_of_gyration_squared(scene) * groups.delta**2
-    flowing = smaller_of(time / (stiffness * groups.V), (9 * time / (128 * groups.V)) ** (1 / 3))
-    if groups.G is None or groups.G >= math.sqrt(2):
+    flowing = smaller_of(time / (bending_stiffness(scene) * groups.V), (9 * time / (128 * groups.V)) ** (1 / 3))
+    if groups.G is None or float(regimes.ARREST_THRESHOLD) <= groups.G:
         return flowing
-    u = 1 / (2 * groups.G)
-    return min(flowing, u - math.sqrt(u * u - 1 / 8))
+    return min(flowing, float(regimes.STOPPING_DEPTH.right.subs(regimes.G, groups.G)))
 
 
 def predicted_sag(scene: Scene) -> float:

@@ -8,14 +8,13 @@ import pytest
 
 from softcat_sym.effects import REGISTRY
 from softcat_sym.effects.prediction import (
-    beam_constant,
+    bending_stiffness,
     duration_star,
     elastic_sag,
     first_yield_gravity_number,
     flowing_sag,
     predicted_sag,
     predicted_strain,
-    radius_of_gyration_squared,
     smaller_of,
 )
 from softcat_sym.scene import bundled_names, load_scene
@@ -53,17 +52,18 @@ def test_a_thin_cable_sags_as_the_elastic_cable() -> None:
 
 
 def test_the_beam_of_one_clamp_lies_between() -> None:
-    between = beam_constant(scene_of(ends=MIXED))
-    mirrored = beam_constant(scene_of(ends={"left": "clamped", "right": "pinned"}))
+    between = bending_stiffness(scene_of(ends=MIXED))
+    mirrored = bending_stiffness(scene_of(ends={"left": "clamped", "right": "pinned"}))
     assert between == mirrored
-    # largest sag of a propped cantilever: q L^4/(185 E I)
-    assert between == pytest.approx(185, rel=5e-3)
-    assert beam_constant(scene_of(ends=PINNED)) < between < beam_constant(scene_of())
+    # sag of a propped cantilever at midspan: q L^4/(192 E I), half that of a clamped beam's stiffness
+    assert between == pytest.approx(bending_stiffness(scene_of()) / 2, rel=1e-14)
+    assert bending_stiffness(scene_of(ends=PINNED)) == pytest.approx(between * 2 / 5, rel=1e-14)
 
 
-def test_radii_of_gyration() -> None:
-    assert radius_of_gyration_squared(scene_of()) == pytest.approx(1 / 12)
-    assert radius_of_gyration_squared(scene_of(filament={"section": "circle"})) == pytest.approx(1 / 16)
+def test_a_circle_bends_more_easily_than_a_square() -> None:
+    circle = bending_stiffness(scene_of(filament={"section": "circle"}))
+    assert circle / bending_stiffness(scene_of()) == pytest.approx(12 / 16, rel=1e-14)
+    assert bending_stiffness(scene_of()) == pytest.approx(384 / 12 * 0.03**2, rel=1e-12)
 
 
 @pytest.mark.parametrize(
