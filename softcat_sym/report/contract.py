@@ -49,6 +49,18 @@ class PicturedLoad(Protocol):
         """Acceleration of gravity [m/s^2]."""
 
 
+class PicturedEnds(Protocol):
+    """What holds the ends."""
+
+    @property
+    def left(self) -> str:
+        """``"clamped"``, or another kind of end."""
+
+    @property
+    def right(self) -> str:
+        """Likewise."""
+
+
 class PicturedScene(Protocol):
     """The part of a scene that reaches a picture or a table."""
 
@@ -63,6 +75,10 @@ class PicturedScene(Protocol):
     @property
     def material(self) -> PicturedMaterial:
         """The material."""
+
+    @property
+    def ends(self) -> PicturedEnds:
+        """The ends."""
 
     @property
     def load(self) -> PicturedLoad:

@@ -54,7 +54,7 @@ class Section:
         return points
 
 
-def section_at(data: xr.Dataset, frame: int) -> Section:
+def section_at(data: xr.Dataset, frame: int, clamped: tuple[bool, bool] = (False, False)) -> Section:
     """Read the filament of one frame.
 
     Parameters
@@ -63,6 +63,8 @@ def section_at(data: xr.Dataset, frame: int) -> Section:
         Trajectory with ``x``, ``y`` (time, node) and ``thickness`` (time, cell), all [m].
     frame : int
         Index along ``time``.
+    clamped : pair of bool
+        Whether the left and the right end are held level, so that their sections stay vertical.
 
     Returns
     -------
@@ -74,6 +76,7 @@ def section_at(data: xr.Dataset, frame: int) -> Section:
     cells = np.asarray(data["thickness"].values[frame], dtype=np.float64)
     thickness = np.interp(data["X_node"].values, data["X_cell"].values, cells)
     angle = node_angles(x, y)
+    angle[[0, -1]] = np.where(clamped, 0.0, angle[[0, -1]])
     return Section(x, y, np.column_stack([-np.sin(angle), np.cos(angle)]), thickness)
 
 

@@ -65,7 +65,7 @@ def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list
     clock = time_unit(float(np.abs(data["time"].values).max()))
     shapes = []
     for frame in frames:
-        section = section_at(data, frame)
+        section = section_at(data, frame, (scene.ends.left == "clamped", scene.ends.right == "clamped"))
         mean, bending = data["stress_mean"].values[frame], data["stress_bending"].values[frame]
         sag = -float(data["midpoint"].values[frame])
         lines = [

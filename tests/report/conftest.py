@@ -11,6 +11,12 @@ import xarray as xr
 
 
 @dataclass(frozen=True)
+class Ends:
+    left: str = "pinned"
+    right: str = "pinned"
+
+
+@dataclass(frozen=True)
 class Filament:
     span: float = 0.2
     thickness: float = 6e-3
@@ -35,6 +41,7 @@ class Scene:
     filament: Filament = field(default_factory=Filament)
     material: Material = field(default_factory=Material)
     load: Load = field(default_factory=Load)
+    ends: Ends = field(default_factory=Ends)
 
 
 def catenary(sag: float, span: float, x: np.ndarray) -> np.ndarray:

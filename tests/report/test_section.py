@@ -143,3 +143,10 @@ def test_shaded_share_follows_the_yielded_fraction_of_the_run(descent, scene):
         expected = float(np.sum(weight * descent["yielded_fraction"].values[frame]) / weight.sum())
         # A bent filament is longer on its outer side, by thickness times curvature: a few per cent here.
         assert sum(area(quad) for quad in quads) / area(outline(section)) == pytest.approx(expected, rel=0.06)
+
+
+def test_the_section_in_a_clamp_stays_vertical(descent):
+    free, held = section_at(descent, 200), section_at(descent, 200, (True, False))
+    np.testing.assert_allclose(held.normal[0], [0.0, 1.0], atol=1e-15)
+    np.testing.assert_array_equal(held.normal[1:], free.normal[1:])
+    assert abs(free.normal[0][0]) > 0.01
