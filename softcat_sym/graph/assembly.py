@@ -60,7 +60,7 @@ def assemble(
     rates = _rates(now, grid, time_scale, values)
     outputs = _observables(now, grid, time_scale, values)
     ode, alg = _tidy(moving.gather(rates), still.gather({"x": rates["u"], "y": rates["v"]}))
-    (quad,) = _tidy(_powers(now, grid, time_scale, values))
+    plastic_powers, load_powers = _tidy(*_powers(now, grid, time_scale, values))
     return Graph(
         grid=grid,
         effects=effects,
@@ -72,7 +72,8 @@ def assemble(
         p=p,
         ode=ode,
         alg=alg,
-        quad=quad,
+        plastic_powers=plastic_powers,
+        load_powers=load_powers,
         state_names=moving.names,
         algebraic_names=still.names,
         observables=_function([time, moving.vector, still.vector, p], outputs),
@@ -118,12 +119,14 @@ def _rates(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca
     }
 
 
-def _powers(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca.SX]) -> ca.SX:
-    """Plastic power and power of the changing load in the scales of the unknowns: see :func:`energy_scale`."""
-    dissipated = _sum(now.fields, grid, "dissipation_mean", "dissipation_bending")
-    lifted = ca.dot(ca.DM(grid.node_length), now.fields.y) * values[L] * values[rho] * now.gravity_rate
-    unit: ca.SX = energy_scale(values[rho], values[L], time_scale)
-    return ca.vertcat(dissipated, lifted) * (time_scale / unit)
+def _powers(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca.SX]) -> tuple[ca.SX, ca.SX]:
+    """Plastic power and power of the changing load, place by place, in units of :func:`energy_scale`."""
+    scale: ca.SX = time_scale / energy_scale(values[rho], values[L], time_scale)
+    cells, nodes = now.fields.cells.flow["dissipation_mean"], now.fields.nodes.flow["dissipation_bending"]
+    dissipated = ca.vertcat((ca.DM(grid.cell_length) * scale) * cells, (ca.DM(grid.node_length) * scale) * nodes)
+    lifted = (ca.DM(grid.node_length) * (values[L] * values[rho] * now.gravity_rate * scale)) * now.fields.y
+    nothing = ca.SX(1, 1)
+    return nothing if dissipated.is_zero() else dissipated, nothing if lifted.is_zero() else lifted
 
 
 def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:

@@ -29,9 +29,11 @@ class Graph:
         Names of the inputs `p`, in order.
     t, x, z, p : casadi.SX
         Time, differential states (nx,), algebraic states (nz,), parameters.
-    ode, alg, quad : casadi.SX
-        Right-hand sides; `quad` is (plastic power, power of the changing load), in ``energy_scale`` times undeformed
-        area and span.
+    ode, alg : casadi.SX
+        Right-hand sides.
+    plastic_powers, load_powers : casadi.SX
+        Plastic power of every cell and node, power of the changing load on every node, in ``energy_scale`` times
+        undeformed area and span. Place by place, because their sums would fill a row of every Jacobian.
     state_names, algebraic_names : tuple of str
         What each component is, for messages.
     observables : casadi.Function
@@ -52,7 +54,8 @@ class Graph:
     p: ca.SX
     ode: ca.SX
     alg: ca.SX
-    quad: ca.SX
+    plastic_powers: ca.SX
+    load_powers: ca.SX
     state_names: tuple[str, ...]
     algebraic_names: tuple[str, ...]
     observables: ca.Function
@@ -63,6 +66,11 @@ class Graph:
     def is_dae(self) -> bool:
         """Whether positions are algebraic, because inertia is left out."""
         return bool(self.z.numel())
+
+    @property
+    def quad(self) -> ca.SX:
+        """Plastic power and power of the changing load of the whole filament, shape (2,)."""
+        return ca.vertcat(ca.sum1(self.plastic_powers), ca.sum1(self.load_powers))
 
     @cached_property
     def instructions(self) -> int:

@@ -47,7 +47,11 @@ class FrameIntegrator:
         self.intervals = intervals
         tau, start, interval = ca.SX.sym("tau"), ca.SX.sym("start"), ca.SX.sym("interval")
         now = start + interval * tau
-        ode, alg, quad = ca.substitute([graph.ode, graph.alg, graph.quad], [graph.t], [now])
+        # Rosenbrock differentiates the quadratures too, and a sum would fill a row of its Jacobian; BDF does not.
+        local = settings.solver == "rosenbrock"
+        powers = ca.vertcat(graph.plastic_powers, graph.load_powers) if local else graph.quad
+        self._plastic = graph.plastic_powers.numel() if local else 1
+        ode, alg, quad = ca.substitute([graph.ode, graph.alg, powers], [graph.t], [now])
         dae = {
             "t": tau,
             "x": graph.x,
@@ -88,7 +92,8 @@ class FrameIntegrator:
         if self._buffer.ret() != 0:
             # The Rosenbrock method does not raise: it leaves a code, and results that are not to be used.
             raise RuntimeError(_reason(silence.getvalue(), steps, self._most_steps))
-        x, z, quad = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
+        x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
+        quad = np.array([local[: self._plastic].sum(axis=0), local[self._plastic :].sum(axis=0)])
         return x, z, quad + state.quad[:, None], steps
 
 
