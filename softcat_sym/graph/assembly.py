@@ -58,7 +58,6 @@ def assemble(
     fields = theory.evaluate(cell, grid, values[L], moving if equations.terms.inertia else still, moving)
     now = _instant(cell, fields, time * time_scale, moving)
     rates = _rates(now, grid, time_scale, values)
-    outputs = _observables(now, grid, time_scale, values)
     ode, alg = _tidy(moving.gather(rates), still.gather({"x": rates["u"], "y": rates["v"]}))
     plastic_powers, load_powers = _tidy(*_powers(now, grid, time_scale, values))
     return Graph(
@@ -76,7 +75,7 @@ def assemble(
         load_powers=load_powers,
         state_names=moving.names,
         algebraic_names=still.names,
-        observables=_function([time, moving.vector, still.vector, p], outputs),
+        observables=_function([time, moving.vector, still.vector, p], _observables(now, grid, time_scale, values)),
         start=moving.start,
         straight=still.start,
     )

@@ -11,6 +11,7 @@ import numpy as np
 
 from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
+from softcat_sym.solve.interrupts import watched
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress
 from softcat_sym.solve.settings import Settings
@@ -80,13 +81,18 @@ class FrameIntegrator:
         ------
         RuntimeError
             If the integrator gives up.
+        KeyboardInterrupt
+            If the user does.
         """
         self._arguments["x0"][:] = state.x
         self._arguments["z0"][:] = state.z
         self._arguments["p"][:] = (*p, start, interval)
         silence = io.StringIO()
-        with contextlib.redirect_stdout(silence), contextlib.redirect_stderr(silence):
-            self._evaluate()
+        with watched() as interrupts, contextlib.redirect_stdout(silence), contextlib.redirect_stderr(silence):
+            try:
+                self._evaluate()
+            finally:
+                interrupts.check()
         stats = self._buffer.stats()
         steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
         if self._buffer.ret() != 0:
