@@ -156,10 +156,13 @@ class StepProgress:
         What is going on.
     quiet : bool
         Show nothing.
+    console : rich.console.Console or None
+        Where to draw; standard error by default. Nothing is drawn where that is not a terminal.
     """
 
-    def __init__(self, steps: int, description: str, *, quiet: bool = False) -> None:
+    def __init__(self, steps: int, description: str, *, quiet: bool = False, console: Console | None = None) -> None:
         self._steps, self._description, self._silent = steps, description, quiet
+        self._console, self._begun = console, 0
         self._bar: RichProgress | None = None
         self._task: TaskID | None = None
 
@@ -167,7 +170,7 @@ class StepProgress:
         from rich.console import Console
         from rich.progress import Progress as Bar
 
-        console = Console(stderr=True)
+        console = self._console or Console(stderr=True)
         if not self._silent and console.is_terminal:
             self._bar = Bar(console=console, transient=True)
             self._task = self._bar.add_task(self._description, total=self._steps)
@@ -182,7 +185,6 @@ class StepProgress:
 
     def step(self, what: str) -> None:
         """Say which task begins."""
-        if self._bar is None or self._task is None:
-            return
-        begun = self._bar.tasks[0].fields.get("begun", 0)
-        self._bar.update(self._task, description=what, completed=begun, begun=begun + 1)
+        if self._bar is not None and self._task is not None:
+            self._bar.update(self._task, description=what, completed=self._begun)
+        self._begun += 1

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from numbers import Integral, Real
 from typing import Any, Literal, Protocol, runtime_checkable
@@ -42,7 +43,7 @@ class Kind(Protocol):
         ...
 
 
-class _AsValidator:
+class _AsValidator(ABC):
     """Lets a kind stand in ``Annotated[float, kind]``."""
 
     __slots__ = ()
@@ -50,8 +51,8 @@ class _AsValidator:
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self.read)
 
-    def read(self, value: object) -> Any:
-        raise NotImplementedError
+    @abstractmethod
+    def read(self, value: object) -> Any: ...
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,10 +102,14 @@ def test_going_back_or_past_the_end_does_no_harm(clock):
     assert bar.mean_step is None
 
 
-def test_step_progress_takes_its_steps_without_a_terminal():
-    with StepProgress(2, "two runs") as bar:
+@pytest.mark.parametrize(("terminal", "quiet"), [(True, False), (False, False), (True, True)])
+def test_step_progress_tells_which_task_runs_where_it_is_watched(terminal, quiet):
+    screen = console(terminal)
+    with StepProgress(2, "two runs", quiet=quiet, console=screen) as bar:
         bar.step("the first")
         bar.step("the second")
+    told = "the second" in written(screen) and "50%" in written(screen)
+    assert told is (terminal and not quiet)
 
 
 def test_summary_says_what_a_user_asks(summary, scene):
