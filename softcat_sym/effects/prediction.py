@@ -33,7 +33,7 @@ def first_yield_gravity_number(scene: Scene) -> float:
 
 
 def smaller_of(bending: float, stretching: float) -> float:
-    """Sag that bending and stretching resist together: H/bending + (H/stretching)^3 = 1, to its leading orders."""
+    """Harmonic mean of two sags, never above the smaller: where one resistance rules it is that one's sag."""
     return 1 / (1 / bending + 1 / stretching) if bending > 0 and stretching > 0 else 0.0
 
 

@@ -151,7 +151,9 @@ def test_titles_are_made_printable(text, shown):
 
 
 def test_awkward_titles_do_not_stop_a_report(descent, summary, make_scene, tmp_path):
-    write_pictures(descent, summary, make_scene(title="$\\frac{$ 漢字 " + 200 * "long "), tmp_path)
+    made = write_pictures(descent, summary, make_scene(title="$\\frac{$ 漢字 " + 200 * "long "), tmp_path)
+    assert all(path.read_bytes().startswith(b"\x89PNG") for path in made if path.suffix == ".png")
+    assert len(made) == 4
 
 
 def test_importing_the_report_loads_no_plotting_and_drawing_loads_no_pyplot():
