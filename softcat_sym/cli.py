@@ -6,6 +6,7 @@ Exit status: 0 a sound answer, 1 an answer not to be trusted, 2 bad input, 130 i
 from __future__ import annotations
 
 import os
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -13,7 +14,9 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 if TYPE_CHECKING:
+    from softcat_sym.reference import Mesh
     from softcat_sym.scene import Scene
+    from softcat_sym.trajectory import Trajectory
 
 _BAD_INPUT, _UNTRUSTED, _INTERRUPTED = 2, 1, 130
 
@@ -64,10 +67,7 @@ def run(
 
         print_summary(written.summary, asked)
         typer.echo(f"wrote {', '.join(path.name for path in written.files)} to {output}")
-    if not trajectory.outcome.is_success:
-        if quiet:
-            _complain(f"{trajectory.outcome.name}: {trajectory.summary['complaint']}; {trajectory.outcome.value}")
-        raise typer.Exit(_UNTRUSTED)
+    _judge(trajectory, quiet=quiet)
 
 
 @app.command()
@@ -93,6 +93,55 @@ def figures(
     if not quiet:
         typer.echo(caption(panels))
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+
+
+@app.command()
+def compare(
+    scene: SceneArgument,
+    output: OutputOption,
+    mesh: Annotated[
+        str, typer.Option("--mesh", metavar="ALONGxTHROUGH", help="Elements over half the span, and the thickness.")
+    ] = "64x4",
+    fixed_face: Annotated[
+        bool, typer.Option("--fixed-face", help="Hold every point of the clamped face, which then cannot thin.")
+    ] = False,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Compare the filament with finite elements: compare.json, pictures and tables in DIR.
+
+    Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
+    their state in DIR/elements.npz: after Ctrl-C the same command goes on from there.
+    """
+    asked = _scene(scene, changes)
+    _check_directory(output)
+    from softcat_sym.reference import Clamp
+    from softcat_sym.report.compare_files import write_comparison
+    from softcat_sym.report.progress import IntegrationProgress
+    from softcat_sym.study.compare import compare as against_elements
+
+    checkpoint, size = output / "elements.npz", _mesh(mesh)
+    if checkpoint.is_file() and not quiet:
+        typer.echo(f"the elements go on from {checkpoint}")
+    try:
+        comparison = against_elements(
+            asked,
+            size,
+            clamp=Clamp.FIXED if fixed_face else Clamp.THINNING,
+            checkpoint=checkpoint,
+            progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
+        )
+    except KeyboardInterrupt:
+        kept = f"the same command goes on from {checkpoint}" if checkpoint.is_file() else "nothing was written"
+        _complain(f"interrupted; {kept}")
+        raise typer.Exit(_INTERRUPTED) from None
+    written = write_comparison(comparison, output)
+    if not quiet:
+        from softcat_sym.report.compare_terminal import print_comparison
+
+        print_comparison(comparison)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    _judge(comparison.filament.trajectory, quiet=quiet)
 
 
 @app.command()
@@ -127,6 +176,25 @@ def _scene(name: str, changes: list[str] | None) -> Scene:
     from softcat_sym.scene import load_scene
 
     return load_scene(name, changes or [])
+
+
+def _mesh(text: str) -> Mesh:
+    """Read ``64x4``; what is no mesh of this kind is refused by the mesh itself."""
+    from softcat_sym.reference import Mesh
+
+    found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text, re.ASCII)
+    if found is None:
+        raise typer.BadParameter(f"{text!r} is no mesh: write two whole numbers, such as 64x4", param_hint="--mesh")
+    return Mesh(*map(int, found.groups()))
+
+
+def _judge(trajectory: Trajectory, *, quiet: bool) -> None:
+    """Exit with 1 if the answer is not to be trusted."""
+    if trajectory.outcome.is_success:
+        return
+    if quiet:
+        _complain(f"{trajectory.outcome.name}: {trajectory.summary['complaint']}; {trajectory.outcome.value}")
+    raise typer.Exit(_UNTRUSTED)
 
 
 def _check_directory(directory: Path) -> None:

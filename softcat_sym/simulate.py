@@ -44,7 +44,7 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     clock = Clock()
     effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    graph = assemble(equations, choose_grid(scene), effects.names, choose_theory(scene))
+    graph = assemble(equations, choose_grid(scene), effects.names, choose_theory(scene, equations))
     prepared = prepare(scene, graph, choose_settings(scene, effects))
     clock.lap("build")
     solution = prepared.solve(progress or Silence())

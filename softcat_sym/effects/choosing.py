@@ -8,10 +8,14 @@ from dataclasses import dataclass
 
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import Effect
+from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.finite_stretch import FINITE_STRETCH
 from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.large_rotation import LARGE_ROTATION
+from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
+from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
+from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
@@ -28,6 +32,10 @@ REGISTRY: tuple[Effect, ...] = (
     VISCOUS_FLOW,
     YIELDING,
     GRAVITY_RAMP,
+    SHEAR,
+    FIBRES,
+    NECKING_GRADIENT,
+    ROTARY_INERTIA,
 )
 
 
@@ -63,25 +71,65 @@ class Effects:
 
 
 def choose_effects(scene: Scene) -> Effects:
-    """Choose the effects of a scene: those it names, or the paper's list.
+    """Choose the effects of a scene: those it names, the paper's list, or what its estimates call for.
+
+    The printed closure belongs to the published theory: with it, ``auto`` is the paper's list.
 
     Raises
     ------
     SceneError
-        If it names an effect that is unknown, that its law or load cannot have, or that needs another one.
+        If it names an effect that is unknown, that its law, load or closure cannot have, or that needs another one.
     """
     asked = scene.run.effects
     _refuse_law(scene)
     if isinstance(asked, str):
-        chosen = tuple(effect for effect in REGISTRY if effect.applies(scene))
-        why = "in the paper's list"
+        published = asked == "paper" or scene.run.closure == "printed"
+        why = {e.name: _why(e, scene, published=published) for e in REGISTRY if e.applies(scene)}
     else:
-        _refuse(scene, asked)
-        chosen = tuple(effect for effect in REGISTRY if effect.name in asked)
-        why = "named in run.effects"
-    reasons = {effect.name: f"{why}; {effect.estimate(scene)}" for effect in chosen}
+        _refuse(scene, (*asked, *_implied(scene, asked)))
+        why = {effect.name: "named in run.effects" if effect.name in asked else "" for effect in REGISTRY}
+    for name in _implied(scene, asked):
+        why[name] = why[name] or "numerics.fibres or numerics.order asks for it"
+    chosen = tuple(effect for effect in REGISTRY if why.get(effect.name))
+    _refuse_closure(scene, chosen)
+    reasons = {effect.name: f"{why[effect.name]}; {effect.estimate(scene)}" for effect in chosen}
     left_out = {e.name: e.estimate(scene).value for e in REGISTRY if e.applies(scene) and e not in chosen}
     return Effects(chosen, reasons, left_out)
+
+
+def _why(effect: Effect, scene: Scene, *, published: bool) -> str:
+    """Why an effect that applies is in force; empty if it is not."""
+    if effect.in_paper:
+        return "in the paper's list"
+    called_for = not published and effect.called_for(scene, effect.estimate(scene).value)
+    return "called for by its estimate" if called_for else ""
+
+
+def _implied(scene: Scene, asked: str | tuple[str, ...]) -> tuple[str, ...]:
+    """Effects that another key asks for: a number of fibres, or an order beyond the paper's, wants them resolved.
+
+    Raises
+    ------
+    SceneError
+        If they cannot be.
+    """
+    numerics = scene.numerics
+    if numerics.fibres is None and (numerics.order or 0) <= 1:
+        return ()
+    if not FIBRES.applies(scene):
+        key = "fibres" if numerics.fibres is not None else "order"
+        found = f"{getattr(numerics, key)}, but {FIBRES.without_it}"
+        raise SceneError([Fault(f"numerics.{key}", found, "leaving it out")])
+    return () if FIBRES.name in asked else (FIBRES.name,)
+
+
+def _refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
+    """The printed closure is a plastic state linear through the thickness of a filament that does not shear."""
+    beyond = [effect.name for effect in chosen if not effect.in_paper]
+    if scene.run.closure == "printed" and beyond:
+        found = f"'printed' with {', '.join(beyond)}"
+        accepted = "'material', or the published effects without numerics.fibres and with numerics.order = 1"
+        raise SceneError([Fault("run.closure", found, accepted)])
 
 
 def _refuse_law(scene: Scene) -> None:

@@ -52,6 +52,10 @@ class Effect:
         Measure of a finished run that shows whether leaving it out was harmless.
     needs : tuple of str
         Effects without which it makes no sense.
+    in_paper : bool
+        Whether it is part of the published theory.
+    called_for : callable
+        Whether ``auto`` takes it in, from the scene and the value of the estimate.
     """
 
     name: str
@@ -63,6 +67,8 @@ class Effect:
     estimate: Callable[[Scene], Estimate]
     observable: str
     needs: tuple[str, ...] = ()
+    in_paper: bool = True
+    called_for: Callable[[Scene, float], bool] = lambda _scene, _value: True
 
 
 def of_large_deflections(scene: Scene) -> bool:

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.rheology import maxwell_means
+from softcat_sym.equations.rheology import maxwell_means, maxwell_rate
 from softcat_sym.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:
-    return replace(terms, flow=maxwell_means)
+    return replace(terms, flow=maxwell_means, rate=maxwell_rate())
 
 
 def _applies(scene: Scene) -> bool:

@@ -5,12 +5,12 @@ from dataclasses import replace
 from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.effects.prediction import predicted_sag
 from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.rheology import bingham_means
+from softcat_sym.equations.rheology import bingham_means, bingham_rate
 from softcat_sym.scene import Scene, groups_of
 
 
 def _contribute(terms: Terms) -> Terms:
-    return replace(terms, flow_beyond_yield=bingham_means)
+    return replace(terms, flow_beyond_yield=bingham_means, rate_beyond_yield=bingham_rate())
 
 
 def _applies(scene: Scene) -> bool:

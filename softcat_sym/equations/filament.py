@@ -14,6 +14,8 @@ import sympy as sp
 
 from softcat_sym.equations import closure, kinematics, section
 from softcat_sym.equations.balance import InternalForce, internal_force
+from softcat_sym.equations.fibres import ResolvedSection, resolve
+from softcat_sym.equations.necking import NECKS, Neck
 from softcat_sym.equations.rheology import SectionMeans
 from softcat_sym.equations.symbols import A0, E, M, T, a_0, a_1, g, h0, s, sigma_0, sigma_1, theta_X
 
@@ -36,6 +38,14 @@ class Terms:
         Whether momentum and moment are in the balance.
     flow, flow_beyond_yield : callable or None
         Means of the flow rule without and with a yield stress; no plastic state if both are None.
+    rate, rate_beyond_yield : sympy.Expr or None
+        The flow rule phi of one fibre, in the symbol ``sigma``, without and with a yield stress.
+    shear, rotary_inertia : bool
+        Whether the section turns by itself, and whether it takes a moment to turn it faster.
+    resolved : bool
+        Whether the plastic strain has any profile through the thickness, instead of a linear one.
+    necking_gradient : bool
+        Whether a neck's slope stiffens it.
     gravity, gravity_rate : sympy.Expr
         g(t) and dg/dt.
     """
@@ -47,6 +57,12 @@ class Terms:
     bending: bool = False
     flow: MeansOf | None = None
     flow_beyond_yield: MeansOf | None = None
+    rate: sp.Expr | None = None
+    rate_beyond_yield: sp.Expr | None = None
+    shear: bool = False
+    rotary_inertia: bool = False
+    resolved: bool = False
+    necking_gradient: bool = False
     gravity: sp.Expr = g
     gravity_rate: sp.Expr = sp.S.Zero
 
@@ -134,12 +150,32 @@ class SectionEquations:
 
 @dataclass(frozen=True, slots=True)
 class FilamentEquations:
-    """The expressions of one cell of a filament: what the graph is printed from."""
+    """The expressions of one cell of a filament: what the graph is printed from.
+
+    Attributes
+    ----------
+    terms : Terms
+        What the effects left.
+    shape : Section
+        Cross-section.
+    closure : str
+        ``material`` or ``printed``.
+    response : SectionEquations
+        The section of the paper: no shear, a plastic strain linear through the thickness.
+    resolved : ResolvedSection or None
+        The section point by point, where shear or fibres are in force; it then replaces `response`.
+    neck : Neck or None
+        The gradient term, if in force.
+    force : InternalForce
+        Q t + N n of a filament that does not shear.
+    """
 
     terms: Terms
     shape: section.Section
     closure: str
     response: SectionEquations
+    resolved: ResolvedSection | None
+    neck: Neck | None
     force: InternalForce
 
     @property
@@ -163,9 +199,15 @@ def derive(terms: Terms, shape: section.Section, closure_name: str) -> FilamentE
     closed = closure.CLOSURES[closure_name](terms.strain, terms.contraction)
     means_of = terms.flow_beyond_yield or terms.flow
     means = means_of(shape) if means_of is not None else None
-    response = _respond(terms, shape, closed, means)
+    rate = terms.rate_beyond_yield if terms.rate_beyond_yield is not None else terms.rate
     return FilamentEquations(
-        terms, shape, closure_name, response, internal_force(terms.centreline, bending=terms.bending)
+        terms=terms,
+        shape=shape,
+        closure=closure_name,
+        response=_respond(terms, shape, closed, means),
+        resolved=resolve(shape, rate, shear=terms.shear) if terms.shear or terms.resolved else None,
+        neck=NECKS[shape.name] if terms.necking_gradient else None,
+        force=internal_force(terms.centreline, bending=terms.bending),
     )
 
 

@@ -8,7 +8,7 @@ section angle.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -122,6 +122,14 @@ class ShearingCell:
     turning_moment: sp.Expr
     elastic_energy: sp.Expr
 
+    def corrected(self, correction: sp.Expr) -> ShearingCell:
+        """The same cell with a number for kappa_s."""
+        return replace(
+            self,
+            shear_stress=self.shear_stress.subs(kappa_s, correction),
+            elastic_energy=self.elastic_energy.subs(kappa_s, correction),
+        )
+
 
 def cell(contraction: Contraction = UNIFORM) -> ShearingCell:
     """The chain for one way of contracting that keeps the volume: ``UNIFORM`` or ``WIDE``.
@@ -155,12 +163,28 @@ def cell(contraction: Contraction = UNIFORM) -> ShearingCell:
 
 @dataclass(frozen=True, slots=True)
 class FibreFlow:
-    """J2 flow of a fibre under (sigma, tau), the bulk law in this stress state; rates in ``sigma_eq`` as one symbol."""
+    """J2 flow of a fibre under (sigma, tau), the bulk law in this stress state; rates in ``sigma_eq`` as one symbol.
+
+    Attributes
+    ----------
+    equivalent : sympy.Expr
+        sig_eq of (sigma, tau). It vanishes where nothing is stressed: a consumer floors it before it divides.
+    axial_rate, shear_rate : sympy.Expr
+        Rates of eps_p and gamma_p.
+    speed : sympy.Expr
+        Equivalent plastic rate phi(sig_eq).
+    dissipation : sympy.Expr
+        Plastic power per unit undeformed volume.
+    yields : sympy.Expr
+        1 where the fibre flows, otherwise 0.
+    """
 
     equivalent: sp.Expr
     axial_rate: sp.Expr
     shear_rate: sp.Expr
+    speed: sp.Expr
     dissipation: sp.Expr
+    yields: sp.Expr
 
 
 def fibre_flow(rate: sp.Expr) -> FibreFlow:
@@ -176,8 +200,16 @@ def fibre_flow(rate: sp.Expr) -> FibreFlow:
         equivalent=sp.sqrt(sigma**2 + 3 * tau_f**2),
         axial_rate=speed * sigma / sigma_eq,
         shear_rate=3 * speed * tau_f / sigma_eq,
+        speed=speed,
         dissipation=speed * sigma_eq,
+        yields=sp.sign(speed),
     )
+
+
+def axial_flow(rate: sp.Expr) -> FibreFlow:
+    """Flow of a fibre whose shear stress only keeps the section square to the centreline: sig_eq = |sigma|."""
+    both = fibre_flow(rate)
+    return replace(both, equivalent=sp.Abs(sigma), shear_rate=sp.Integer(0))
 
 
 def rotary_inertia(section: Section) -> sp.Expr:

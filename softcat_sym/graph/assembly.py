@@ -7,26 +7,31 @@ from typing import Any
 
 import casadi as ca
 
+from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
-from softcat_sym.equations.symbols import L, rho
-from softcat_sym.graph.cell_printer import CellPrinter, parameter_symbols
-from softcat_sym.graph.discretisation import Discretisation, Fields, Unknowns
+from softcat_sym.graph.cell_printer import gravity_at, parameter_symbols
+from softcat_sym.graph.discretisation import Discretisation, Fields, State, Unknowns
 from softcat_sym.graph.graph import Graph
 from softcat_sym.graph.grid import Grid
-from softcat_sym.graph.kirchhoff import KIRCHHOFF, to_cells
+from softcat_sym.graph.kirchhoff import KIRCHHOFF
 from softcat_sym.graph.layout import Layout
+from softcat_sym.printing import CellFunction
 
 
 @dataclass(frozen=True)
 class _Instant:
-    """The filament at one instant: the fields, velocities in spans per time scale, and what acts on the nodes (SI)."""
+    """The filament at one instant: fields, velocities in spans per time scale, and the scales (SI) of both."""
 
     fields: Fields
     u: ca.SX
     v: ca.SX
-    net_force: tuple[ca.SX, ...]
+    omega: ca.SX
     gravity: ca.SX
     gravity_rate: ca.SX
+    rotary_inertia: ca.SX
+    density: ca.SX
+    span: ca.SX
+    time_scale: ca.SX
 
 
 def assemble(
@@ -48,37 +53,46 @@ def assemble(
     Returns
     -------
     Graph
-        An ODE if inertia is in force, otherwise an index-1 DAE whose algebraic unknowns are the positions.
+        An ODE, or an index-1 DAE: positions are algebraic without inertia, section angles without rotary inertia.
     """
-    values, names, p = parameter_symbols(equations)
+    values, names, p = parameter_symbols([*theory.expressions(equations), *_loads(equations)])
     time_scale = p[len(names) - 1]
     time = ca.SX.sym("t")
-    moving, still = _layouts(equations, theory.unknowns(equations, grid))
-    cell = CellPrinter(equations, values)
-    fields = theory.evaluate(cell, grid, values[L], moving if equations.terms.inertia else still, moving)
-    now = _instant(cell, fields, time * time_scale, moving)
-    rates = _rates(now, grid, time_scale, values)
-    ode, alg = _tidy(moving.gather(rates), still.gather({"x": rates["u"], "y": rates["v"]}))
-    plastic_powers, load_powers = _tidy(*_powers(now, grid, time_scale, values))
+    state = _layouts(equations, theory.unknowns(equations, grid))
+    now = _instant(equations, theory.evaluate(equations, values, grid, state), state, values, time, time_scale)
+    rates = _rates(now, grid)
+    # A torque over the mass and the square of the span, not over the rotary inertia: sparse factorisations do not scale
+    # rows, and one that is thousands of times larger than the others blurs them.
+    turning = rates["omega"] * (now.rotary_inertia / (now.density * now.span**2))
+    algebraic = {"x": rates["u"], "y": rates["v"], "psi": turning}
+    ode, alg = _tidy(state.moving.gather(rates), state.still.gather(algebraic))
+    plastic_powers, load_powers, gradient_powers = _tidy(*_powers(now, grid))
     return Graph(
         grid=grid,
         effects=effects,
         conserves_energy=equations.conserves_energy,
         parameters=tuple(names),
         t=time,
-        x=moving.vector,
-        z=still.vector,
+        x=state.moving.vector,
+        z=state.still.vector,
         p=p,
         ode=ode,
         alg=alg,
         plastic_powers=plastic_powers,
         load_powers=load_powers,
-        state_names=moving.names,
-        algebraic_names=still.names,
-        observables=_function([time, moving.vector, still.vector, p], _observables(now, grid, time_scale, values)),
-        start=moving.start,
-        straight=still.start,
+        gradient_powers=gradient_powers,
+        state_names=state.moving.names,
+        algebraic_names=state.still.names,
+        observables=_function([time, state.moving.vector, state.still.vector, p], _observables(now, grid)),
+        start=state.moving.start,
+        straight=state.still.start,
     )
+
+
+def _loads(equations: FilamentEquations) -> list[Any]:
+    terms, resolved = equations.terms, equations.resolved
+    turning = [resolved.rotary_inertia] if resolved is not None else []
+    return [terms.gravity, terms.gravity_rate, *turning]
 
 
 def _function(inputs: list[ca.SX], outputs: dict[str, ca.SX]) -> ca.Function:
@@ -91,41 +105,86 @@ def _tidy(*expressions: ca.SX) -> list[ca.SX]:
     return list(ca.cse([ca.densify(expression) for expression in expressions]))
 
 
-def _layouts(equations: FilamentEquations, unknowns: Unknowns) -> tuple[Layout, Layout]:
-    if equations.terms.inertia:
-        return Layout("x", [*unknowns.positions, *unknowns.velocities, *unknowns.plastic]), Layout("z", [])
-    return Layout("x", unknowns.plastic), Layout("z", unknowns.positions)
+def _layouts(equations: FilamentEquations, unknowns: Unknowns) -> State:
+    """Differential are the plastic states, with inertia the positions, with rotary inertia the angles."""
+    positions, angles, plastic = unknowns.positions, unknowns.angles, unknowns.plastic
+    if not equations.terms.inertia:
+        return State(Layout("x", plastic), Layout("z", [*positions, *angles]))
+    if unknowns.spins:
+        turning = (*angles, *unknowns.spins)
+        return State(Layout("x", [*positions, *unknowns.velocities, *turning, *plastic]), Layout("z", []))
+    return State(Layout("x", [*positions, *unknowns.velocities, *plastic]), Layout("z", angles))
 
 
-def _instant(cell: CellPrinter, fields: Fields, time: ca.SX, moving: Layout) -> _Instant:
+def _instant(
+    equations: FilamentEquations,
+    fields: Fields,
+    state: State,
+    values: dict[sy.Symbol, ca.SX],
+    time: ca.SX,
+    time_scale: ca.SX,
+) -> _Instant:
     zeros = ca.SX(*fields.y.shape)
-    gravity, gravity_rate = cell.gravity(time)
+    gravity, gravity_rate = gravity_at(equations.terms, values, time * time_scale)
+    turning = ca.SX(0)
+    if equations.resolved is not None:
+        per_area = {"I": equations.resolved.rotary_inertia.subs(sy.A0, 1)}
+        turning = ca.SX(CellFunction(per_area, (sy.rho, sy.h0))({sy.rho: values[sy.rho], sy.h0: values[sy.h0]})["I"])
+    return _Instant(
+        fields=fields,
+        u=state.field("u", zeros),
+        v=state.field("v", zeros),
+        omega=state.field("omega", zeros),
+        gravity=gravity,
+        gravity_rate=gravity_rate,
+        rotary_inertia=turning,
+        density=values[sy.rho],
+        span=values[sy.L],
+        time_scale=time_scale,
+    )
+
+
+def _rates(now: _Instant, grid: Grid) -> dict[str, ca.SX]:
+    """Rates of all unknowns in units of span and time scale; momentum is divided by the mass of each node.
+
+    An algebraic unknown is where its momentum would not change.
+    """
+    fields, unit = now.fields, now.time_scale**2 / now.span
+    per_mass = ca.DM(1 / grid.node_length) * (unit / (now.density * now.span))
     net = tuple(ca.vertcat(force, 0) - ca.vertcat(0, force) for force in (fields.force_x, fields.force_y))
-    return _Instant(fields, moving.field("u", zeros), moving.field("v", zeros), net, gravity, ca.SX(gravity_rate))
-
-
-def _rates(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca.SX]) -> dict[str, ca.SX]:
-    """Rates of all unknowns in units of span and time scale; momentum is divided by the mass of each node."""
-    unit = time_scale**2 / values[L]
-    per_mass = ca.DM(1 / grid.node_length) * (unit / (values[rho] * values[L]))
+    turning = ca.SX(grid.cells + 1, 1)
+    if fields.torque is not None:
+        per_inertia = ca.DM(1 / grid.node_length) * (now.time_scale**2 / (now.rotary_inertia * now.span))
+        turning = fields.torque * per_inertia
     return {
         "x": now.u,
         "y": now.v,
-        "u": now.net_force[0] * per_mass,
-        "v": now.net_force[1] * per_mass - now.gravity * unit,
-        "a_0": now.fields.cells.flow["rate_mean"] * time_scale,
-        "a_1": now.fields.nodes.flow["rate_bending"] * time_scale,
+        "u": net[0] * per_mass,
+        "v": net[1] * per_mass - now.gravity * unit,
+        "psi": now.omega,
+        "omega": turning,
+        **{name: rate * now.time_scale for name, rate in fields.plastic_rates.items()},
     }
 
 
-def _powers(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca.SX]) -> tuple[ca.SX, ca.SX]:
-    """Plastic power and power of the changing load, place by place, in units of :func:`energy_scale`."""
-    scale: ca.SX = time_scale / energy_scale(values[rho], values[L], time_scale)
-    cells, nodes = now.fields.cells.flow["dissipation_mean"], now.fields.nodes.flow["dissipation_bending"]
-    dissipated = ca.vertcat((ca.DM(grid.cell_length) * scale) * cells, (ca.DM(grid.node_length) * scale) * nodes)
-    lifted = (ca.DM(grid.node_length) * (values[L] * values[rho] * now.gravity_rate * scale)) * now.fields.y
+def _powers(now: _Instant, grid: Grid) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """Plastic power, power of the changing load and of the gradient, place by place, in units of `energy_scale`."""
+    fields = now.fields
+    scale: ca.SX = now.time_scale / energy_scale(now.density, now.span, now.time_scale)
+    lifted = (ca.DM(grid.node_length) * (now.span * now.density * now.gravity_rate * scale)) * fields.y
+    steepened = ca.SX(1, 1)
+    if fields.double_force is not None:
+        per_length = ca.DM(1 / grid.cell_length)
+        slope, speed = ((ca.diff(a) * per_length, ca.diff(b) * per_length) for a, b in _pairs(now))
+        stretching = (slope[0] * speed[0] + slope[1] * speed[1]) / fields.stretch
+        steepened = fields.double_force * ca.diff(stretching) * (scale / now.time_scale)
     nothing = ca.SX(1, 1)
-    return nothing if dissipated.is_zero() else dissipated, nothing if lifted.is_zero() else lifted
+    powers = (fields.dissipation * scale, lifted, steepened)
+    return tuple(nothing if power.is_zero() else power for power in powers)  # type: ignore[return-value]
+
+
+def _pairs(now: _Instant) -> tuple[tuple[ca.SX, ca.SX], tuple[ca.SX, ca.SX]]:
+    return (now.fields.x, now.fields.y), (now.u, now.v)
 
 
 def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
@@ -137,32 +196,20 @@ def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
     return density * (span / time_scale) ** 2
 
 
-def _sum(fields: Fields, grid: Grid, of_cells: str, of_nodes: str) -> ca.SX:
-    """Integral over the grid of a cell quantity plus a node quantity."""
-    on_cells = ca.dot(ca.DM(grid.cell_length), fields.cells.flow[of_cells])
-    return on_cells + ca.dot(ca.DM(grid.node_length), fields.nodes.flow[of_nodes])
-
-
-def _observables(now: _Instant, grid: Grid, time_scale: ca.SX, values: dict[object, ca.SX]) -> dict[str, ca.SX]:
-    span, fields = values[L], now.fields
-    cells, nodes = fields.cells, fields.nodes
-    speed = span / time_scale
-    node, length = ca.DM(grid.node_length), ca.DM(grid.cell_length)
-    along = ca.diff(fields.moment) / (span * length * cells.stretch)
+def _observables(now: _Instant, grid: Grid) -> dict[str, ca.SX]:
+    span, fields = now.span, now.fields
+    speed = span / now.time_scale
+    node = ca.DM(grid.node_length)
+    moving = ca.dot(node, now.u**2 + now.v**2) * speed**2 * now.density / 2
+    turning = ca.dot(node, now.omega**2) * now.rotary_inertia / (2 * now.time_scale**2)
+    double_force = fields.double_force if fields.double_force is not None else ca.SX(grid.cells - 1, 1)
     return {
         "x": fields.x * span,
         "y": fields.y * span,
-        "stretch": cells.stretch,
-        "curvature": to_cells(fields.turning / nodes.stretch),
-        "tension": fields.tension,
-        "moment": to_cells(fields.moment),
-        "shear_force": along,
-        "yielded_fraction": to_cells(nodes.flow["yielded_fraction"]),
-        "plastic_rate": to_cells(nodes.flow["plastic_rate"]),
-        "relative_thickness": fields.relative_thickness,
-        "stress_mean": cells.stress_mean,
-        "stress_bending": cells.stress_bending,
-        "energy_kinetic": ca.dot(node, now.u**2 + now.v**2) * speed**2 * values[rho] / 2 * span,
-        "energy_elastic": _sum(fields, grid, "elastic_mean", "elastic_bending") * span,
-        "energy_potential": ca.dot(node, fields.y) * span * values[rho] * now.gravity * span,
+        "stretch": fields.stretch,
+        **fields.observables,
+        "double_force": double_force,
+        "energy_kinetic": (moving + turning) * span,
+        "energy_elastic": fields.elastic_energy * span,
+        "energy_potential": ca.dot(node, fields.y) * span * now.density * now.gravity * span,
     }

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import casadi as ca
 
 from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.filament import FilamentEquations
+from softcat_sym.equations.filament import FilamentEquations, Terms
 from softcat_sym.graph.parameters import CATALOGUE, SPAN, TIME_SCALE
 from softcat_sym.printing import CellFunction
 
@@ -29,7 +29,6 @@ class CellPrinter:
         self._force = CellFunction(
             {"x": equations.force.horizontal, "y": equations.force.vertical}, (sy.x_X, sy.y_X, sy.s, sy.Q, sy.M_X)
         )
-        self._gravity = CellFunction({"g": terms.gravity, "rate": terms.gravity_rate}, (sy.t, *_INPUTS))
         places = (sy.s, sy.theta_X, sy.a_0, sy.a_1, sy.sigma_0, sy.sigma_1, sy.T, sy.M, *_INPUTS)
         self._section = {
             name: CellFunction({name: relation}, places) for name, relation in response.relations_per_area().items()
@@ -51,11 +50,6 @@ class CellPrinter:
         out = self._force(values)
         return out["x"], out["y"]
 
-    def gravity(self, time: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """g(t) and its rate."""
-        out = self._gravity({**self._values, sy.t: time})
-        return out["g"], out["rate"]
-
     def section(self, name: str, values: Mapping[sy.Symbol, ca.SX]) -> ca.SX:
         """One of the section's relations, named as in :class:`SectionEquations`, on vectors of cells or nodes."""
         size = max(value.numel() for value in values.values())
@@ -67,18 +61,18 @@ class CellPrinter:
         return {name: ca.SX(value) * ca.SX.ones(s.numel()) for name, value in out.items()}
 
 
-def parameter_symbols(equations: FilamentEquations) -> tuple[dict[sy.Symbol, ca.SX], list[str], ca.SX]:
-    """Only the parameters that occur in these equations become inputs, besides the scales of length and time."""
-    used = _occurring(equations)
+def gravity_at(terms: Terms, values: Mapping[sy.Symbol, Any], time: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """g(t) and its rate."""
+    load = CellFunction({"g": terms.gravity, "rate": terms.gravity_rate}, (sy.t, *_INPUTS))
+    out = load({**values, sy.t: time})
+    return ca.SX(out["g"]), ca.SX(out["rate"])
+
+
+def parameter_symbols(expressions: Iterable[Any]) -> tuple[dict[sy.Symbol, ca.SX], list[str], ca.SX]:
+    """Only the parameters that occur in these expressions become inputs, besides the scales of length and time."""
+    used = set().union(*(expression.free_symbols for expression in expressions)) | {sy.rho}
     chosen = [parameter for parameter in CATALOGUE if parameter.symbol in used or parameter.name == SPAN]
     inputs = {parameter.symbol: ca.SX.sym(parameter.name) for parameter in chosen}
     scale = ca.SX.sym(TIME_SCALE)
     names = [parameter.name for parameter in chosen] + [TIME_SCALE]
     return inputs, names, ca.vertcat(*inputs.values(), scale)
-
-
-def _occurring(equations: FilamentEquations) -> set[sy.Symbol]:
-    terms = equations.terms
-    printed = {**equations.response.relations_per_area(), **equations.response.flow_per_area()}
-    found = set().union(*(e.free_symbols for e in printed.values()), terms.gravity.free_symbols)
-    return found | {sy.rho}

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+from softcat_sym.effects import choose_effects
+from softcat_sym.effects.fibres import FIBRES
+from softcat_sym.effects.shear import SHEAR
+from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.discretisation import Discretisation
+from softcat_sym.graph.grading import choose_grading
 from softcat_sym.graph.grid import End, Grid, half_span, whole_span
 from softcat_sym.graph.kirchhoff import KIRCHHOFF
+from softcat_sym.graph.reissner import reissner
+from softcat_sym.graph.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.graph.small_deflection import SMALL_DEFLECTION
 from softcat_sym.scene import Scene
 
@@ -12,16 +19,50 @@ _THEORIES = {"filament": KIRCHHOFF, "small-deflection": SMALL_DEFLECTION}
 _ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED}
 
 DEFAULT_CELLS = 80
-"""Cells per half span while nothing estimates the error of the grid."""
+"""Cells per half span of the published theory while nothing estimates the error of the grid."""
+
+DEFAULT_SHEARING_CELLS = 40
+"""Cells per half span where the whole section is on the cell: graded, they err less than 80 of the published theory."""
+
+LINEAR_FIBRES = 2
+"""Points that follow a linear profile exactly."""
+
+DEFAULT_FIBRES = 12
+"""Points through the thickness where fibres yield in turn: they overstate a plastic moment by 0.5 %, 6 by 2 %."""
+
+DEFAULT_PROJECTION = 24
+"""Points that project a flow rule on polynomials: it has kinks."""
+
+
+def choose_cells(scene: Scene) -> int:
+    """Cells per half span: as many as the scene says, otherwise what its theory needs."""
+    resolved = {SHEAR.name, FIBRES.name} & set(choose_effects(scene).names)
+    return scene.numerics.cells or (DEFAULT_SHEARING_CELLS if resolved else DEFAULT_CELLS)
 
 
 def choose_grid(scene: Scene) -> Grid:
-    """Equal cells, as many per half span as the scene says; half the span when it is symmetric."""
-    cells = scene.numerics.cells or DEFAULT_CELLS
+    """Cells graded towards the clamps, unless the scene says how; half the span when it is symmetric."""
+    cells = choose_cells(scene)
+    grading = scene.numerics.grading or choose_grading(scene, cells)
     left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
-    return half_span(cells, right) if left is right else whole_span(cells, left, right)
+    return half_span(cells, right, grading) if left is right else whole_span(cells, left, right, grading)
 
 
-def choose_theory(scene: Scene) -> Discretisation:
-    """The discretisation of the scene's model."""
+def choose_theory(scene: Scene, equations: FilamentEquations) -> Discretisation:
+    """The discretisation of the scene's model and effects."""
+    if equations.resolved is not None:
+        return reissner(choose_rule(scene, equations))
     return _THEORIES[scene.model]
+
+
+def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:
+    """Points through the thickness: two for a linear law, which they follow exactly, more where fibres yield in turn.
+
+    ``numerics.order`` asks for amplitudes of polynomials instead of fibres; ``numerics.fibres`` is then the number of
+    points that project on them.
+    """
+    numerics, shape = scene.numerics, equations.shape
+    if numerics.order is not None:
+        return order_rule(shape, numerics.order, numerics.fibres or DEFAULT_PROJECTION)
+    default = DEFAULT_FIBRES if equations.terms.resolved else LINEAR_FIBRES
+    return fibre_rule(shape, numerics.fibres or default)

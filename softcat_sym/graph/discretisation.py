@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 
+from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
-from softcat_sym.graph.cell_printer import CellPrinter
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.layout import Block, Layout
 
@@ -24,38 +25,74 @@ class Unknowns:
     velocities : tuple of Block
         Named ``u``, ``v``: only with inertia.
     plastic : tuple of Block
-        Named ``a_0``, ``a_1``: only where the law flows.
+        Named as the rates in :class:`Fields`: only where the law flows.
+    angles, spins : tuple of Block
+        Named ``psi``, ``omega``: section angles where they are independent. Algebraic without rotary inertia, and then
+        without spins.
     """
 
     positions: tuple[Block, ...]
     velocities: tuple[Block, ...]
     plastic: tuple[Block, ...]
+    angles: tuple[Block, ...] = ()
+    spins: tuple[Block, ...] = ()
 
 
 @dataclass(frozen=True)
-class Places:
-    """Section quantities where the filament is cut: on all cells, or on all nodes."""
+class State:
+    """The unknowns by name, wherever they stand.
 
-    stretch: ca.SX
-    stress_mean: ca.SX
-    stress_bending: ca.SX
-    flow: Mapping[str, ca.SX]
+    Attributes
+    ----------
+    moving, still : Layout
+        Differential and algebraic unknowns.
+    """
+
+    moving: Layout
+    still: Layout
+
+    def field(self, name: str, full: ca.SX) -> ca.SX:
+        """The values `full` of all nodes (or cells), with the unknown ones replaced by the state's."""
+        return self.still.field(name, self.moving.field(name, full))
 
 
 @dataclass(frozen=True)
 class Fields:
-    """Everything the filament is at one instant; positions in spans, the rest in SI units per unit undeformed area."""
+    """Everything the filament is at one instant; positions in spans, the rest in SI units per unit undeformed area.
+
+    Attributes
+    ----------
+    x, y : casadi.SX, shape (cells + 1,)
+        Positions.
+    stretch : casadi.SX, shape (cells,)
+        Stretch of the centreline.
+    force_x, force_y : casadi.SX, shape (cells,)
+        Internal force.
+    plastic_rates : mapping of str to casadi.SX
+        Rates of the plastic states on all cells or nodes [1/s].
+    elastic_energy : casadi.SX
+        Stored energy per unit span [Pa].
+    dissipation : casadi.SX
+        Plastic power per unit span, place by place, weighted with the length of each place [Pa/s].
+    observables : mapping of str to casadi.SX
+        What a trajectory shows of the section, on cells.
+    torque : casadi.SX or None, shape (cells + 1,)
+        What turns the section angle of each node [Pa m], where it is independent.
+    double_force : casadi.SX or None, shape (cells - 1,)
+        Conjugate of the change of the stretch at inner nodes [Pa], where the necking gradient is in force.
+    """
 
     x: ca.SX
     y: ca.SX
-    turning: ca.SX
-    cells: Places
-    nodes: Places
-    tension: ca.SX
-    moment: ca.SX
-    relative_thickness: ca.SX
+    stretch: ca.SX
     force_x: ca.SX
     force_y: ca.SX
+    plastic_rates: Mapping[str, ca.SX]
+    elastic_energy: ca.SX
+    dissipation: ca.SX
+    observables: Mapping[str, ca.SX]
+    torque: ca.SX | None = None
+    double_force: ca.SX | None = None
 
 
 @dataclass(frozen=True)
@@ -67,8 +104,11 @@ class Discretisation:
     unknowns : callable
         Equations and grid to the unknowns.
     evaluate : callable
-        Cell printer, grid, span, layout of the positions and layout of the plastic states to the fields.
+        Equations, values of the parameters, grid and state to the fields.
+    expressions : callable
+        Equations to the expressions that are printed, for the parameters that occur in them.
     """
 
     unknowns: Callable[[FilamentEquations, Grid], Unknowns]
-    evaluate: Callable[[CellPrinter, Grid, ca.SX, Layout, Layout], Fields]
+    evaluate: Callable[[FilamentEquations, Mapping[sy.Symbol, Any], Grid, State], Fields]
+    expressions: Callable[[FilamentEquations], Iterable[Any]]

@@ -31,8 +31,8 @@ class Graph:
         Time, differential states (nx,), algebraic states (nz,), parameters.
     ode, alg : casadi.SX
         Right-hand sides.
-    plastic_powers, load_powers : casadi.SX
-        Plastic power of every cell and node, power of the changing load on every node, in ``energy_scale`` times
+    plastic_powers, load_powers, gradient_powers : casadi.SX
+        Plastic power, power of the changing load and of the necking gradient, in ``energy_scale`` times
         undeformed area and span. Place by place, because their sums would fill a row of every Jacobian.
     state_names, algebraic_names : tuple of str
         What each component is, for messages.
@@ -56,6 +56,7 @@ class Graph:
     alg: ca.SX
     plastic_powers: ca.SX
     load_powers: ca.SX
+    gradient_powers: ca.SX
     state_names: tuple[str, ...]
     algebraic_names: tuple[str, ...]
     observables: ca.Function
@@ -64,13 +65,23 @@ class Graph:
 
     @property
     def is_dae(self) -> bool:
-        """Whether positions are algebraic, because inertia is left out."""
+        """Whether some unknowns are algebraic: positions without inertia, section angles without rotary inertia."""
         return bool(self.z.numel())
 
     @property
+    def has_velocities(self) -> bool:
+        """Whether velocities are among the unknowns: with inertia."""
+        return any(name.startswith(("u[", "v[")) for name in self.state_names)
+
+    @property
+    def powers(self) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """Plastic power, power of the changing load, power of the necking gradient: each place by place."""
+        return self.plastic_powers, self.load_powers, self.gradient_powers
+
+    @property
     def quad(self) -> ca.SX:
-        """Plastic power and power of the changing load of the whole filament, shape (2,)."""
-        return ca.vertcat(ca.sum1(self.plastic_powers), ca.sum1(self.load_powers))
+        """The powers of the whole filament, shape (3,)."""
+        return ca.vertcat(*(ca.sum1(power) for power in self.powers))
 
     @cached_property
     def instructions(self) -> int:

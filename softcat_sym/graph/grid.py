@@ -8,6 +8,8 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.errors import SoftcatError
+
 Floats = npt.NDArray[np.float64]
 
 
@@ -74,11 +76,61 @@ class Grid:
         return np.asarray((self.nodes[1:] + self.nodes[:-1]) / 2, dtype=float)
 
 
-def half_span(cells: int, support: End) -> Grid:
-    """Half a symmetric filament: `cells` equal cells from the symmetry plane X = 0 to the support at X = L/2."""
-    return Grid(np.linspace(0.0, 0.5, cells + 1), End.SYMMETRY, support)
+def half_span(cells: int, support: End, grading: float = 1.0) -> Grid:
+    """Half a symmetric filament, from the symmetry plane X = 0 to the support at X = L/2.
+
+    Parameters
+    ----------
+    cells : int
+        How many.
+    support : End
+        What holds X = L/2.
+    grading : float
+        Length of the cell at midspan over that of the cell at the support; 1 makes all equal.
+
+    Raises
+    ------
+    SoftcatError
+        If that is no grid.
+    """
+    return Grid(_towards_support(cells, grading), End.SYMMETRY, support)
 
 
-def whole_span(cells_per_half: int, left: End, right: End) -> Grid:
-    """A whole filament: twice `cells_per_half` equal cells, so that X = 0 is a node."""
-    return Grid(np.linspace(-0.5, 0.5, 2 * cells_per_half + 1), left, right)
+def whole_span(cells_per_half: int, left: End, right: End, grading: float = 1.0) -> Grid:
+    """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal.
+
+    Parameters
+    ----------
+    cells_per_half : int
+        How many cells on either side of X = 0.
+    left, right : End
+        What holds X = -L/2 and X = L/2.
+    grading : float
+        Length of the cells at midspan over that of the cells at the supports; 1 makes all equal.
+
+    Raises
+    ------
+    SoftcatError
+        If that is no grid.
+    """
+    half = _towards_support(cells_per_half, grading)
+    return Grid(np.concatenate([-half[:0:-1], half]), left, right)
+
+
+def _towards_support(cells: int, grading: float) -> Floats:
+    """X/L from 0 to 1/2, shape (cells + 1,), the lengths in geometric progression.
+
+    Any two neighbours differ by ``grading ** (1/(cells - 1))``, which tends to 1 as cells are added: the nodes lie on a
+    smooth map of an equal grid, X_xi = const grading^-xi, so differences that are of second order on equal cells
+    remain so. A cell at the distance d from the support is in proportion to d + (L/2)/(grading - 1).
+    """
+    if cells < 1:
+        raise SoftcatError(f"grid of {cells} cells per half span: take 1 or more")
+    if not 0 < grading < np.inf:
+        raise SoftcatError(f"grading of {grading}: take a positive number, 1 for equal cells")
+    if grading == 1:
+        return np.linspace(0.0, 0.5, cells + 1)
+    lengths = grading ** -np.linspace(0.0, 1.0, cells)
+    nodes = np.concatenate([[0.0], np.cumsum(lengths)]) / (2 * lengths.sum())
+    nodes[-1] = 0.5
+    return np.asarray(nodes, dtype=float)

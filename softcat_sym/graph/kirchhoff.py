@@ -7,15 +7,21 @@ resultants T and M, never of the strains, whose means have checkerboard modes.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from typing import Any
+
 import casadi as ca
 import numpy as np
 
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import CellPrinter
-from softcat_sym.graph.discretisation import Discretisation, Fields, Places, Unknowns
+from softcat_sym.graph.discretisation import Discretisation, Fields, State, Unknowns
 from softcat_sym.graph.grid import Grid
-from softcat_sym.graph.layout import Block, Layout, cell_block, node_block
+from softcat_sym.graph.layout import Block, cell_block, node_block
+from softcat_sym.graph.linear_section import Places, section_fields
+from softcat_sym.graph.means import to_cells, to_nodes
+from softcat_sym.graph.neck_force import neck_double_force, neck_tension
 
 
 def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
@@ -34,11 +40,12 @@ def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
     )
 
 
-def evaluate(cell: CellPrinter, grid: Grid, span: ca.SX, positions: Layout, plastic: Layout) -> Fields:
+def evaluate(equations: FilamentEquations, values: Mapping[sy.Symbol, Any], grid: Grid, state: State) -> Fields:
     """Evaluate the whole filament."""
+    cell, span = CellPrinter(equations, values), values[sy.L]
     zeros = ca.SX(grid.cells + 1, 1)
-    x, y = positions.field("x", ca.SX(grid.nodes)), positions.field("y", zeros)
-    a_0, a_1 = plastic.field("a_0", ca.SX(grid.cells, 1)), plastic.field("a_1", zeros)
+    x, y = state.field("x", ca.SX(grid.nodes)), state.field("y", zeros)
+    a_0, a_1 = state.field("a_0", ca.SX(grid.cells, 1)), state.field("a_1", zeros)
     per_length = ca.DM(1 / grid.cell_length)
     per_span = 1 / span
     slope = (ca.diff(x) * per_length, ca.diff(y) * per_length)
@@ -52,31 +59,21 @@ def evaluate(cell: CellPrinter, grid: Grid, span: ca.SX, positions: Layout, plas
     correction = cell.section("axial_correction", {sy.s: s_node, sy.theta_X: turning, sy.M: moment})
     sigma_0_node = cell.section("stress_of_tension", {sy.s: s_node, sy.T: to_nodes(grid, tension)})
     sigma_1_cell = cell.section("stress_of_moment", {sy.s: s, sy.M: to_cells(moment)})
-    force_x, force_y = cell.force(slope, s, tension + to_cells(correction), ca.diff(moment) * (per_length * per_span))
-    return Fields(
-        x=x,
-        y=y,
-        turning=turning,
-        cells=Places(s, sigma_0, sigma_1_cell, cell.flow(s, sigma_0, sigma_1_cell)),
-        nodes=Places(s_node, sigma_0_node, sigma_1, cell.flow(s_node, sigma_0_node, sigma_1)),
-        tension=tension,
-        moment=moment,
-        relative_thickness=cell.section("relative_thickness", {sy.s: s}),
-        force_x=force_x,
-        force_y=force_y,
-    )
-
-
-def to_cells(on_nodes: ca.SX) -> ca.SX:
-    """Two-point mean of a node quantity, shape (cells,)."""
-    return (on_nodes[:-1] + on_nodes[1:]) / 2
-
-
-def to_nodes(grid: Grid, on_cells: ca.SX) -> ca.SX:
-    """Mean of a cell quantity over the length that each node answers for, shape (cells + 1,)."""
-    length, whole = grid.cell_length / 2, grid.node_length
-    behind = ca.vertcat(ca.DM(length / whole[:-1]) * on_cells, 0)
-    return behind + ca.vertcat(0, ca.DM(length / whole[1:]) * on_cells)
+    axial = tension + to_cells(correction)
+    double_force = None
+    if equations.neck is not None:
+        double_force = neck_double_force(equations.neck, values, grid, s, tension)
+        axial += neck_tension(grid, double_force)
+    force = cell.force(slope, s, axial, ca.diff(moment) * (per_length * per_span))
+    cells = Places(s, turning, sigma_0, sigma_1_cell, cell.flow(s, sigma_0, sigma_1_cell))
+    nodes = Places(s_node, turning, sigma_0_node, sigma_1, cell.flow(s_node, sigma_0_node, sigma_1))
+    shown = {
+        "tension": tension,
+        "moment": to_cells(moment),
+        "shear_force": ca.diff(moment) * (per_length * per_span) / s,
+        "relative_thickness": cell.section("relative_thickness", {sy.s: s}),
+    }
+    return section_fields(grid, x, y, force, cells, nodes, shown, double_force)
 
 
 def turning_angles(cell: CellPrinter, grid: Grid, slope: tuple[ca.SX, ca.SX]) -> ca.SX:
@@ -106,4 +103,11 @@ def free_nodes(grid: Grid) -> tuple[list[int], list[int]]:
     return inner, [*first, *inner, *last]
 
 
-KIRCHHOFF = Discretisation(unknowns, evaluate)
+def expressions(equations: FilamentEquations) -> Iterable[Any]:
+    """Whatever is printed of these equations, besides the balance."""
+    response, neck = equations.response, equations.neck
+    printed = [*response.relations_per_area().values(), *response.flow_per_area().values()]
+    return [*printed, neck.double_force()] if neck is not None else printed
+
+
+KIRCHHOFF = Discretisation(unknowns, evaluate, expressions)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from softcat_sym.equations import symbols
+from softcat_sym.equations.bulk import nu
+from softcat_sym.equations.necking import aspect
 from softcat_sym.scene import Scene, elastic_time, gravity_time
 
 SPAN = "span"
@@ -29,6 +31,8 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("youngs_modulus", symbols.E, "Pa"),
     Parameter("viscosity", symbols.eta, "Pa*s"),
     Parameter("yield_stress", symbols.sigma_Y, "Pa"),
+    Parameter("poisson", nu, "1"),
+    Parameter("aspect", aspect, "1"),
 )
 
 
@@ -50,6 +54,8 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "youngs_modulus": material.youngs_modulus,
         "viscosity": material.viscosity,
         "yield_stress": material.yield_stress,
+        "poisson": material.poisson,
+        "aspect": scene.filament.width / scene.filament.thickness,
         TIME_SCALE: time_scale(scene),
     }
     return {name: value for name, value in candidates.items() if value is not None}

@@ -7,16 +7,21 @@ relax.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import casadi as ca
 import numpy as np
 
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import CellPrinter
-from softcat_sym.graph.discretisation import Discretisation, Fields, Places, Unknowns
+from softcat_sym.graph.discretisation import Discretisation, Fields, State, Unknowns
 from softcat_sym.graph.grid import Grid
-from softcat_sym.graph.kirchhoff import bending_nodes, free_nodes, to_cells, turning_angles
-from softcat_sym.graph.layout import Block, Layout, block, node_block
+from softcat_sym.graph.kirchhoff import bending_nodes, expressions, free_nodes, turning_angles
+from softcat_sym.graph.layout import Block, block, node_block
+from softcat_sym.graph.linear_section import Places, section_fields
+from softcat_sym.graph.means import to_cells
 
 
 def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
@@ -35,18 +40,19 @@ def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
     )
 
 
-def evaluate(cell: CellPrinter, grid: Grid, span: ca.SX, positions: Layout, plastic: Layout) -> Fields:
+def evaluate(equations: FilamentEquations, values: Mapping[sy.Symbol, Any], grid: Grid, state: State) -> Fields:
     """Evaluate the whole filament from its heights."""
+    cell, span = CellPrinter(equations, values), values[sy.L]
     zeros, every = ca.SX(grid.cells + 1, 1), ca.SX.ones(grid.cells, 1)
     length, per_length, per_span = ca.DM(grid.cell_length), ca.DM(1 / grid.cell_length), 1 / span
-    y = positions.field("y", zeros)
+    y = state.field("y", zeros)
     slope = (every, ca.diff(y) * per_length)
     # Elongation of each cell at x_X = 1; what the mean has beyond it is the horizontal displacement U (2.13).
     lengthening = cell.stretch(slope) - 1
     elongation = ca.dot(length, lengthening) / float(np.sum(grid.cell_length))
     displacement = ca.vertcat(0, ca.cumsum(length * (elongation - lengthening)))
     s, s_node = (1 + elongation) * every, (1 + elongation) * ca.SX.ones(grid.cells + 1, 1)
-    a_0, a_1 = plastic.field("a_0", ca.SX(1, 1)), plastic.field("a_1", zeros)
+    a_0, a_1 = state.field("a_0", ca.SX(1, 1)), state.field("a_1", zeros)
     turning = turning_angles(cell, grid, slope) * (ca.DM(1 / grid.node_length) * per_span)
     sigma_0 = cell.section("stress_mean", {sy.s: 1 + elongation, sy.a_0: a_0})
     sigma_1 = cell.section("stress_bending", {sy.s: s_node, sy.theta_X: turning, sy.a_1: a_1})
@@ -55,18 +61,17 @@ def evaluate(cell: CellPrinter, grid: Grid, span: ca.SX, positions: Layout, plas
     sigma_1_cell = cell.section("stress_of_moment", {sy.s: s, sy.M: to_cells(moment)})
     _, force_y = cell.force(slope, s, tension, ca.diff(moment) * (per_length * per_span))
     everywhere = sigma_0 * ca.SX.ones(grid.cells + 1, 1)
-    return Fields(
-        x=ca.SX(grid.nodes) + displacement,
-        y=y,
-        turning=turning,
-        cells=Places(s, sigma_0 * every, sigma_1_cell, cell.flow(s, sigma_0 * every, sigma_1_cell)),
-        nodes=Places(s_node, everywhere, sigma_1, cell.flow(s_node, everywhere, sigma_1)),
-        tension=tension,
-        moment=moment,
-        relative_thickness=every,
-        force_x=ca.SX(grid.cells, 1),
-        force_y=force_y,
-    )
+    stress = sigma_0 * every
+    cells = Places(s, turning, stress, sigma_1_cell, cell.flow(s, stress, sigma_1_cell))
+    nodes = Places(s_node, turning, everywhere, sigma_1, cell.flow(s_node, everywhere, sigma_1))
+    shown = {
+        "tension": tension,
+        "moment": to_cells(moment),
+        "shear_force": ca.diff(moment) * (per_length * per_span) / s,
+        "relative_thickness": every,
+    }
+    force = (ca.SX(grid.cells, 1), force_y)
+    return section_fields(grid, ca.SX(grid.nodes) + displacement, y, force, cells, nodes, shown)
 
 
-SMALL_DEFLECTION = Discretisation(unknowns, evaluate)
+SMALL_DEFLECTION = Discretisation(unknowns, evaluate, expressions)

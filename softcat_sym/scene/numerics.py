@@ -19,7 +19,7 @@ class Numerics(Part):
     cells : int or None
         N, cells per half span.
     grading : float or None
-        Ratio of the longest cell to the shortest.
+        Length of the cells at midspan over that of the cells at the clamps; 1 makes all equal.
     order : int or None
         k, order of the plastic strain through the thickness.
     fibres : int or None
@@ -35,8 +35,8 @@ class Numerics(Part):
     table_name: ClassVar[str] = "numerics"
 
     cells: Annotated[int | None, Whole(4, 100_000)] = None
-    grading: Annotated[float | None, Number(above=0)] = None
-    order: Annotated[int | None, Whole(0, 20)] = None
+    grading: Annotated[float | None, Number(above=0, below=1000)] = None
+    order: Annotated[int | None, Whole(1, 20)] = None
     fibres: Annotated[int | None, Whole(2, 1000)] = None
     solver: Annotated[Solver | None, Choice(("cvodes", "idas", "rosenbrock"))] = None
     rtol: Annotated[float | None, Number(above=0, below=1)] = None

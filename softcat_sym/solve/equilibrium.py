@@ -16,12 +16,15 @@ _TOLERANCE = 1e-10
 
 
 class Equilibrium:
-    """Newton's method with a line search on 0 = alg(t, x, z, p).
+    """Newton's method on 0 = alg(t, x, z, p), damped by what does not depend on how the equations are scaled.
+
+    A step is shortened until the step that the same stiffness would take from its end is the shorter one (Deuflhard,
+    Newton Methods for Nonlinear Problems, 2004, section 3.3: natural monotonicity).
 
     Parameters
     ----------
     graph : Graph
-        A filament without inertia.
+        A filament with algebraic unknowns.
     """
 
     def __init__(self, graph: Graph) -> None:
@@ -29,6 +32,8 @@ class Equilibrium:
         inputs = [graph.t, graph.x, graph.z, graph.p]
         self._residual = ca.Function("residual", inputs, [graph.alg])
         self._jacobian = ca.Function("jacobian", inputs, [ca.jacobian(graph.alg, graph.z)])
+        # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
+        self._stiffness = ca.Linsol("stiffness", "qr", self._jacobian.sparsity_out(0))
 
     def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
         """Equilibrium reached from the first guess that leads to one; None if none does.
@@ -49,38 +54,39 @@ class Equilibrium:
         return None
 
     def _newton(self, time: float, x: Floats, z: Floats, p: Floats) -> Floats | None:
-        residual = self._evaluate(time, x, z, p)
         for _ in range(_ITERATIONS):
-            step = self._step(time, x, z, p, residual)
+            stiffness = self._jacobian(time, x, z, p)
+            step = self._step(stiffness, self._evaluate(time, x, z, p), factorise=True)
             if step is None:
                 return None
             if np.max(np.abs(step)) < _TOLERANCE:
                 return z + step
-            z, residual = self._damped(time, x, z, p, step, residual)
+            z = z + self._fraction(time, x, z, p, stiffness, step) * step
         return None
 
-    def _step(self, time: float, x: Floats, z: Floats, p: Floats, residual: Floats) -> Floats | None:
+    def _step(self, stiffness: ca.DM, residual: Floats, *, factorise: bool = False) -> Floats | None:
         """Newton's step; None where the stiffness is singular, as of a straight string that does not bend."""
         try:
-            # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
-            step = -np.asarray(ca.solve(self._jacobian(time, x, z, p), ca.DM(residual), "qr")).ravel()
+            if factorise:
+                self._stiffness.sfact(stiffness)
+                self._stiffness.nfact(stiffness)
+            step = -np.asarray(self._stiffness.solve(stiffness, ca.DM(residual))).ravel()
         except RuntimeError:
             return None
         return step if np.all(np.isfinite(step)) else None
 
-    def _damped(
-        self, time: float, x: Floats, z: Floats, p: Floats, step: Floats, residual: Floats
-    ) -> tuple[Floats, Floats]:
-        """Shorten the step until the residual falls; if it never does, take the whole step and hope for the next."""
-        size = float(np.linalg.norm(residual))
+    def _fraction(self, time: float, x: Floats, z: Floats, p: Floats, stiffness: ca.DM, step: Floats) -> float:
+        """Fraction of the step after which less remains; if there is none, all of it, in hope of the next."""
+        size = float(np.linalg.norm(step))
         fraction = 1.0
         for _ in range(_HALVINGS):
-            trial = z + fraction * step
-            value = self._evaluate(time, x, trial, p)
-            if np.all(np.isfinite(value)) and float(np.linalg.norm(value)) <= (1 - fraction / 10) * size:
-                return trial, value
+            value = self._evaluate(time, x, z + fraction * step, p)
+            if np.all(np.isfinite(value)):
+                remains = self._step(stiffness, value)
+                if remains is not None and float(np.linalg.norm(remains)) <= (1 - fraction / 4) * size:
+                    return fraction
             fraction /= 2
-        return z + step, self._evaluate(time, x, z + step, p)
+        return 1.0
 
     def _evaluate(self, time: float, x: Floats, z: Floats, p: Floats) -> Floats:
         return np.asarray(self._residual(time, x, z, p), dtype=float).ravel()

@@ -50,8 +50,9 @@ class FrameIntegrator:
         now = start + interval * tau
         # Rosenbrock differentiates the quadratures too, and a sum would fill a row of its Jacobian; BDF does not.
         local = settings.solver == "rosenbrock"
-        powers = ca.vertcat(graph.plastic_powers, graph.load_powers) if local else graph.quad
-        self._plastic = graph.plastic_powers.numel() if local else 1
+        powers = ca.vertcat(*graph.powers) if local else graph.quad
+        sizes = [power.numel() if local else 1 for power in graph.powers]
+        self._firsts = [0, sizes[0], sizes[0] + sizes[1]]
         ode, alg, quad = ca.substitute([graph.ode, graph.alg, powers], [graph.t], [now])
         dae = {
             "t": tau,
@@ -99,7 +100,7 @@ class FrameIntegrator:
             # The Rosenbrock method does not raise: it leaves a code, and results that are not to be used.
             raise RuntimeError(_reason(silence.getvalue(), steps, self._most_steps))
         x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
-        quad = np.array([local[: self._plastic].sum(axis=0), local[self._plastic :].sum(axis=0)])
+        quad = np.add.reduceat(local, self._firsts, axis=0)
         return x, z, quad + state.quad[:, None], steps
 
 
@@ -135,7 +136,7 @@ class Integration:
             Told after every chunk.
         """
         interval = duration / (self._frames - 1)
-        record = _Record(_State(self._graph.start, z0, np.zeros(2)))
+        record = _Record(_State(self._graph.start, z0, np.zeros(3)))
         while record.reached < self._frames - 1:
             complaint = self._attempt(self._chunk, record, p, interval)
             if complaint:

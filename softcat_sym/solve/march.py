@@ -60,5 +60,5 @@ def _work(graph: Graph, instants: Sequence[tuple[float, Floats]], p: Floats) -> 
 
 def _solution(times: Floats, shapes: list[Floats], work: list[float], outcome: Outcome, text: str) -> Solution:
     frames = len(shapes)
-    quad = np.vstack([np.zeros(frames), work])
+    quad = np.vstack([np.zeros(frames), work, np.zeros(frames)])
     return Solution(times, np.zeros((0, frames)), np.array(shapes).T, quad, outcome, text, frames - 1)

@@ -8,8 +8,9 @@ class Outcome(Enum):
 
     solved = "the whole run was integrated; nothing speaks against the answer"
     localised = (
-        "strain gathers in one cell and the answer changes with the grid: this physics has no length scale that stops "
-        "a neck; do not trust the sag, and lower gravity, thicken the filament or raise the yield stress"
+        "strain gathers in one cell and the answer changes with the grid: without the effect necking-gradient nothing "
+        "stops a neck, and with it the filament is near rupture; do not trust the sag: take the effect in, or lower "
+        "gravity, thicken the filament or raise the yield stress"
     )
     energy_drift = (
         "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, or ask for a smaller "

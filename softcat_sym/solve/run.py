@@ -55,7 +55,7 @@ class Prepared:
         return self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)
 
     def _nothing(self) -> Solution:
-        frame = np.zeros((2, 1))
+        frame = np.zeros((3, 1))
         x, z = self.graph.start[:, None], self.graph.straight[:, None]
         text = "at t = 0 s: no static shape was found (a straight string that does not bend has no stiffness)"
         return Solution(self.times[:1], x, z, frame, Outcome.no_equilibrium, text, 0)

@@ -11,7 +11,7 @@ import numpy as np
 from softcat_sym.effects import Effects
 from softcat_sym.effects.prediction import elastic_sag, predicted_sag, predicted_strain
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.graph.choosing import DEFAULT_CELLS
+from softcat_sym.graph.choosing import choose_grid
 from softcat_sym.scene import Scene, gravity_time, groups_of
 
 Name = Literal["cvodes", "idas", "rosenbrock"]
@@ -23,8 +23,8 @@ _STEPS_PER_FRAME = 100_000
 # Measured on the bundled scenes (tests/acceptance/test_time_error.py): with these the time error of the midpoint is
 # a tenth of the accuracy asked or less, but for the glass rod, half of it: hours of creep against kHz modes.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.3, "rosenbrock": 0.04}
-_VISCOUS = 0.2  # of CVODES without a yield stress: the whole filament flows at once, and further
-_CREEP = 0.003  # of CVODES where the load is slow and little is left to resolve: its few steps must be accurate
+_VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
+_CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
 _OVERDAMPED = 5.0  # V above which a descending filament does not turn back
@@ -81,16 +81,17 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
 def _roundoff(scene: Scene) -> float:
     """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
     stiffness = groups_of(scene).E_star
-    cells = scene.numerics.cells or DEFAULT_CELLS
+    cells = 0.5 / float(np.min(choose_grid(scene).cell_length))
     return _NOISE * cells * math.sqrt(stiffness) if stiffness is not None and math.isfinite(stiffness) else 0.0
 
 
 def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
     """Relative tolerance over the accuracy asked."""
-    if solver == "cvodes" and _is_slow(scene):
-        return _CREEP
-    if solver == "cvodes" and "yielding" not in effects.names:
-        return _VISCOUS
+    if solver != "rosenbrock" and "inertia" in effects.names:
+        if _is_slow(scene):
+            return _CREEP
+        if "yielding" not in effects.names:
+            return _VISCOUS
     return _RTOL_PER_ACCURACY[solver]
 
 
@@ -102,17 +103,26 @@ def _smallest_strain(scene: Scene) -> float:
 
 
 def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
-    asked = scene.numerics.solver
-    if asked == "cvodes" and "inertia" not in effects.names:
-        found = "'cvodes' cannot hold positions that are algebraic, as they are without inertia"
-        raise SceneError([Fault("numerics.solver", found, "idas or rosenbrock, or the effect inertia")])
+    asked, algebraic = scene.numerics.solver, _algebraic(effects)
+    if asked == "cvodes" and algebraic:
+        found = f"'cvodes' cannot hold {algebraic[0]} that are algebraic, as they are without {algebraic[1]}"
+        raise SceneError([Fault("numerics.solver", found, f"idas or rosenbrock, or the effect {algebraic[1]}")])
     if asked is not None:
         return asked, "named in numerics.solver"
     if "inertia" not in effects.names:
         return "idas", "positions are algebraic without inertia"
     if _flow_damps(scene, effects):
-        return "cvodes", "flow damps the elastic waves: BDF of order 2 is the cheapest"
+        solver: Name = "idas" if algebraic else "cvodes"
+        return solver, "flow damps the elastic waves: BDF of order 2 is the cheapest"
     return "rosenbrock", "elastic waves ring on: a fifth-order method does not damp them by itself"
+
+
+def _algebraic(effects: Effects) -> tuple[str, str] | None:
+    """Which unknowns have no rate of their own, and the effect that would give them one."""
+    if "inertia" not in effects.names:
+        return "positions", "inertia"
+    independent = {"shear", "fibres"} & set(effects.names)
+    return ("section angles", "rotary-inertia") if independent and "rotary-inertia" not in effects.names else None
 
 
 def _flow_damps(scene: Scene, effects: Effects) -> bool:
@@ -121,7 +131,7 @@ def _flow_damps(scene: Scene, effects: Effects) -> bool:
     if "viscous-flow" not in effects.names or groups.V is None or groups.tau_star is None:
         return False
     if "yielding" in effects.names and groups.G is not None:
-        return groups.G > math.sqrt(2) and groups.V > _OVERDAMPED
+        return (groups.G > math.sqrt(2) and groups.V > _OVERDAMPED) or _is_slow(scene)
     return groups.tau_star < _SHORT_MEMORY or _is_slow(scene)
 
 

@@ -16,8 +16,9 @@ class Solution:
     ----------
     time : ndarray, shape (frames,)
         In units of the time scale; shorter than asked if the integration failed.
-    x, z, quad : ndarray, shapes (nx, frames), (nz, frames), (2, frames)
-        Differential and algebraic states, and the quadratures (plastic work, work of the changing load).
+    x, z, quad : ndarray, shapes (nx, frames), (nz, frames), (3, frames)
+        Differential and algebraic states, and the quadratures (plastic work, work of the changing load, work against
+        the necking gradient).
     outcome : Outcome
         How it ended.
     complaint : str

@@ -1,4 +1,4 @@
-"""Energy audit: kinetic + elastic + potential + dissipated - work of the load must stay what it was."""
+"""Energy audit: kinetic + elastic + potential + dissipated + gradient - work of the load must stay what it was."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from softcat_sym.graph.grid import Floats
 
-_STORED = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated")
+_STORED = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated", "energy_gradient")
 
 
 def energy_residual(fields: Mapping[str, Floats]) -> float:
@@ -17,7 +17,7 @@ def energy_residual(fields: Mapping[str, Floats]) -> float:
     Parameters
     ----------
     fields : mapping of str to ndarray, shape (frames,)
-        The four energies and ``work_external`` [J].
+        The five energies and ``work_external`` [J].
     """
     balance = sum(fields[name] for name in _STORED) - fields["work_external"]
     scale = max(float(np.max(np.abs(fields[name]))) for name in (*_STORED, "work_external"))

@@ -35,10 +35,23 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
     observed["energy_dissipated"] = solution.quad[0][:, None] * unit
     observed["work_external"] = solution.quad[1][:, None] * unit
+    observed["energy_gradient"] = _gradient_energy(graph, observed, solution.quad[2] * unit, span)[:, None]
     observed["thickness"] = observed["relative_thickness"] * scene.filament.thickness
-    observed["shear"] = np.zeros_like(observed["stretch"])
     area = undeformed_area(scene)
     return {v.name: _whole(graph, v.name, observed[v.name] * (area if v.per_area else 1.0)) for v in VARIABLES}
+
+
+def _gradient_energy(graph: Graph, observed: dict[str, Floats], integrated: Floats, span: float) -> Floats:
+    """Work against the necking gradient [J/m^2]: integrated with the motion, or summed over frames without inertia.
+
+    Positions that are algebraic have no velocity that a quadrature could use.
+    """
+    if graph.has_velocities:
+        return integrated
+    change = np.diff(np.diff(observed["stretch"], axis=1), axis=0)
+    force = observed["double_force"]
+    steps = np.sum((force[1:] + force[:-1]) / 2 * change, axis=1) * span
+    return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _whole(graph: Graph, name: str, values: Floats) -> Floats:

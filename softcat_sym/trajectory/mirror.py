@@ -6,7 +6,7 @@ import numpy as np
 
 from softcat_sym.graph.grid import Floats
 
-_ODD = frozenset({"x", "shear_force"})
+_ODD = frozenset({"x", "shear", "shear_force"})
 _NODE = frozenset({"x", "y"})
 
 
@@ -16,7 +16,7 @@ def mirrored(name: str, values: Floats) -> Floats:
     Parameters
     ----------
     name : str
-        Name of the field; x and the transverse force are odd, all others even.
+        Name of the field; x, shear and the transverse force are odd, all others even.
     values : ndarray, shape (frames, size)
         The right half, from the symmetry plane outwards.
 

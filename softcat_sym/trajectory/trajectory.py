@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from softcat_sym.effects import Effects
+from softcat_sym.effects.necking_gradient import NECKING_GRADIENT, neck_length
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
 from softcat_sym.solve import Outcome, Prepared, Solution
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import node_positions, whole_span_fields
-from softcat_sym.trajectory.localisation import SHARE_OF_ONE_CELL, largest_share_of_one_cell
+from softcat_sym.trajectory.localisation import neck_that_the_grid_decides
 from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.validity import warnings_of
 
@@ -81,7 +82,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     residual = energy_residual(fields)
     # A sequence of equilibria is exact frame by frame: there the imbalance only tells how far apart the frames are.
     audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
-    outcome, complaint = _outcome(scene, solution, fields, places[0], audited)
+    outcome, complaint = _outcome(scene, effects, solution, fields, places[0], audited)
     summary = {
         "title": scene.title,
         "outcome": outcome.name,
@@ -110,15 +111,13 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
 
 
 def _outcome(
-    scene: Scene, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
+    scene: Scene, effects: Effects, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
 ) -> tuple[Outcome, str]:
     """The verdict: a failed integration first, then a localised neck, then an energy balance that does not close."""
-    share = largest_share_of_one_cell(fields["stretch"][-1], np.diff(nodes))
-    if share > SHARE_OF_ONE_CELL:
-        cell = int(np.argmax(fields["stretch"][-1]))
-        where = (nodes[cell] + nodes[cell + 1]) / 2 / scene.filament.span
-        text = f"the cell at X/L = {where:.4g} carries {share:.0%} of the elongation of its half beyond its neighbour"
-        return Outcome.localised, "; ".join(filter(None, [text, solution.complaint]))
+    length = neck_length(scene) if NECKING_GRADIENT.name in effects.names else None
+    neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length)
+    if neck:
+        return Outcome.localised, "; ".join(filter(None, [neck, solution.complaint]))
     if not solution.outcome.is_success:
         return solution.outcome, solution.complaint
     if residual > scene.run.accuracy:

@@ -60,7 +60,8 @@ def test_overrides_reach_the_run(tmp_path: Path) -> None:
 
 
 def test_an_answer_not_to_be_trusted_exits_1_and_still_writes(tmp_path: Path) -> None:
-    done = softcat("run", "edge-of-rupture", "-o", str(tmp_path), "-q", *QUICK)
+    published = ("--set", "run.effects=paper")
+    done = softcat("run", "edge-of-rupture", "-o", str(tmp_path), "-q", *published, *QUICK)
     assert done.returncode == 1
     assert done.stderr.startswith("softcat: localised")
     assert {path.name for path in tmp_path.iterdir()} == FILES

@@ -11,7 +11,11 @@ import pytest
 from softcat_sym.effects import REGISTRY, choose_effects
 from softcat_sym.equations.filament import Terms, derive
 from softcat_sym.equations.section import SECTIONS
+from softcat_sym.errors import SceneError
 from softcat_sym.graph import End, Graph, assemble, half_span
+from softcat_sym.graph.kirchhoff import KIRCHHOFF
+from softcat_sym.graph.reissner import reissner
+from softcat_sym.graph.section_rule import fibre_rule
 from softcat_sym.scene import bundled_names, load_scene
 
 from .scenes import scene_of
@@ -27,6 +31,8 @@ ALL = (
     "yielding",
     "gravity-ramp",
 )
+"""The published list."""
+BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia")
 
 
 @cache
@@ -35,16 +41,18 @@ def graph_of(names: tuple[str, ...]) -> Graph:
     for effect in REGISTRY:
         if effect.name in names:
             terms = effect.contribute(terms)
-    return assemble(derive(terms, SECTIONS["rectangle"], "material"), half_span(4, End.CLAMPED), names)
+    equations = derive(terms, SECTIONS["rectangle"], "material")
+    theory = KIRCHHOFF if equations.resolved is None else reissner(fibre_rule(equations.shape, 3))
+    return assemble(equations, half_span(4, End.CLAMPED), names, theory)
 
 
 def without(*names: str) -> tuple[str, ...]:
     return tuple(name for name in ALL if name not in names)
 
 
-def test_the_registry_is_the_papers_list() -> None:
-    assert sorted(NAMES) == sorted(ALL)
-    assert len(set(NAMES)) == len(NAMES)
+def test_the_registry_is_the_papers_list_and_what_goes_beyond() -> None:
+    assert NAMES == (*ALL, *BEYOND)
+    assert tuple(effect.name for effect in REGISTRY if effect.in_paper) == ALL
 
 
 @pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
@@ -102,11 +110,34 @@ def test_contributing_twice_is_contributing_once(effect: object) -> None:
         (("viscous-flow", "yielding"), "viscosity"),
         (("viscous-flow", "yielding"), "yield_stress"),
         (("gravity-ramp",), "ramp"),
+        (("shear", "rotary-inertia"), "poisson"),
+        (("necking-gradient",), "aspect"),
     ],
 )
 def test_an_absent_effect_leaves_no_parameter(absent: tuple[str, ...], parameter: str) -> None:
-    assert parameter in graph_of(ALL).parameters
-    assert parameter not in graph_of(without(*absent)).parameters
+    everything = (*ALL, *({"shear", "rotary-inertia", "necking-gradient"} & {*absent}))
+    assert parameter in graph_of(everything).parameters
+    assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
+
+
+def test_an_absent_effect_beyond_the_paper_leaves_no_state() -> None:
+    both = graph_of((*ALL, "shear", "fibres"))
+    assert {name[: name.index("[")] for name in both.state_names} == {
+        *("x", "y", "u", "v"),
+        *(f"{kind}_{n}" for kind in ("axial", "shear") for n in range(3)),
+    }
+    assert all(name.startswith("psi[") for name in both.algebraic_names)
+    assert not any("shear" in name for name in graph_of((*ALL, "fibres")).state_names)
+    assert not graph_of(ALL).algebraic_names
+    turning = graph_of((*ALL, "shear", "fibres", "rotary-inertia"))
+    assert not turning.is_dae
+    assert any(name.startswith("omega[") for name in turning.state_names)
+    assert len(both.state_names) + 2 * len(both.algebraic_names) == len(turning.state_names)
+
+
+def test_an_absent_gradient_leaves_no_power() -> None:
+    assert graph_of(ALL).gradient_powers.is_zero()
+    assert not graph_of((*ALL, "necking-gradient")).gradient_powers.is_zero()
 
 
 @pytest.mark.parametrize(
@@ -135,23 +166,63 @@ def test_the_barest_filament_is_a_string_at_rest() -> None:
 
 
 @pytest.mark.parametrize("name", bundled_names())
-def test_auto_and_paper_take_what_applies(name: str) -> None:
-    scene = load_scene(name)
-    for asked in ("auto", "paper"):
-        effects = choose_effects(scene.replace({"run.effects": asked}))
-        assert effects.names == tuple(e.name for e in REGISTRY if e.applies(scene))
-        assert not effects.left_out
-        assert set(effects.reasons) == set(effects.names)
+def test_paper_takes_the_published_effects_that_apply(name: str) -> None:
+    scene = load_scene(name, {"run.effects": "paper"})
+    effects = choose_effects(scene)
+    assert effects.names == tuple(e.name for e in REGISTRY if e.applies(scene) and e.in_paper)
+    assert set(effects.left_out) == {e.name for e in REGISTRY if e.applies(scene) and not e.in_paper}
+    assert set(effects.reasons) == set(effects.names)
+
+
+@pytest.mark.parametrize(
+    ("thickness", "accuracy", "shears"),
+    [("6 mm", 1e-3, True), ("6 mm", 0.02, True), ("6 mm", 0.022, False), ("0.2 mm", 1e-3, False)],
+)
+def test_auto_takes_shear_above_the_accuracy(thickness: str, accuracy: float, shears: bool) -> None:
+    scene = scene_of("maxwell", filament={"thickness": thickness}, run={"accuracy": accuracy})
+    assert ("shear" in choose_effects(scene).names) is shears
+
+
+def test_auto_takes_fibres_where_the_law_yields_and_never_rotary_inertia() -> None:
+    names = {law: choose_effects(scene_of(law)).names for law in ("elastic", "maxwell", "bingham")}
+    assert [law for law, chosen in names.items() if "fibres" in chosen] == ["bingham"]
+    assert not any("rotary-inertia" in chosen for chosen in names.values())
+
+
+@pytest.mark.parametrize(
+    ("name", "necks"),
+    [("arrested-underdamped", True), ("edge-of-rupture", True), ("continual-descent", False), ("no-yield", False)],
+)
+def test_auto_takes_the_gradient_where_a_neck_has_time_to_grow(name: str, necks: bool) -> None:
+    assert ("necking-gradient" in choose_effects(load_scene(name)).names) is necks
+
+
+def test_the_printed_closure_is_the_published_theory() -> None:
+    assert choose_effects(scene_of(run={"closure": "printed"})).names == ALL
+    listed = scene_of(run={"closure": "printed", "effects": [*ALL, "shear"]})
+    with pytest.raises(SceneError, match=r"run\.closure: 'printed' with shear"):
+        choose_effects(listed)
+    with pytest.raises(SceneError, match=r"run\.closure: 'printed' with fibres"):
+        choose_effects(scene_of(run={"closure": "printed"}, numerics={"order": 2}))
+
+
+@pytest.mark.parametrize("numerics", [{"fibres": 4}, {"order": 2}])
+def test_numbers_of_fibres_ask_for_them(numerics: dict[str, int]) -> None:
+    effects = choose_effects(scene_of("maxwell", run={"effects": "paper"}, numerics=numerics))
+    assert "numerics.fibres or numerics.order" in effects.reasons["fibres"]
+    assert "shear" not in effects.names
+    with pytest.raises(SceneError, match=next(iter(numerics))):
+        choose_effects(scene_of("elastic", numerics=numerics))
 
 
 def test_a_named_list_reports_what_it_leaves_out() -> None:
     scene = scene_of(run={"effects": ["bending", "inertia", "viscous-flow"]})
     effects = choose_effects(scene)
     assert effects.names == ("inertia", "bending", "viscous-flow")
-    assert set(effects.left_out) == set(ALL) - set(effects.names)
+    assert set(effects.left_out) == set(NAMES) - set(effects.names)
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 
 
 def test_what_does_not_apply_is_not_called_left_out() -> None:
     effects = choose_effects(scene_of("elastic", "0 s", run={"effects": ["inertia", "bending"]}))
-    assert set(effects.left_out) == {"finite-stretch", "thinning", "large-rotation"}
+    assert set(effects.left_out) == {"finite-stretch", "thinning", "large-rotation", "shear", "rotary-inertia"}

@@ -25,13 +25,13 @@ _MATERIALS: dict[str, dict[str, Any]] = {
 
 @cache
 def scene_of(law: str = "bingham", ramp: str = "0.1 s", section: str = "rectangle", closure: str = "material") -> Scene:
-    """A scene of one law."""
+    """A scene of one law, with the published effects."""
     return Scene.model_validate(
         {
             "filament": {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3", "section": section},
             "material": dict(_MATERIALS[law]),
             "load": {"ramp": ramp},
-            "run": {"duration": "0.5 s", "closure": closure},
+            "run": {"duration": "0.5 s", "closure": closure, "effects": "paper"},
         }
     )
 

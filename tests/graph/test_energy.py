@@ -33,8 +33,8 @@ def balance(graph: Graph, scene: Scene, seed: int, time: float = 0.3) -> tuple[f
         "power", [graph.t, graph.x, graph.p], [gradient * graph.ode, drift, graph.quad * span * unit]
     )
     x, _ = random_state(graph, seed)
-    parts, pushed, (lost, gained) = value(function, time, x, parameters(scene, graph))
-    return float(np.sum(parts) + np.sum(pushed) + lost - gained), float(np.sum(np.abs(parts)) + abs(lost))
+    parts, pushed, (lost, gained, steepened) = value(function, time, x, parameters(scene, graph))
+    return float(np.sum(parts) + np.sum(pushed) + lost + steepened - gained), float(np.sum(np.abs(parts)) + abs(lost))
 
 
 @pytest.mark.parametrize(

@@ -28,13 +28,13 @@ _MATERIALS: dict[str, dict[str, Any]] = {
 def scene_of(
     law: str = "bingham", frames: int = 9, cells: int = 5, duration: str = "0.1 s", ramp: str = "0.04 s"
 ) -> Scene:
-    """A scene of one law that does something within its short time."""
+    """A scene of one law that does something within its short time, with the published effects."""
     return Scene.model_validate(
         {
             "filament": {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"},
             "material": dict(_MATERIALS[law]),
             "load": {"ramp": ramp},
-            "run": {"duration": duration, "frames": frames},
+            "run": {"duration": duration, "frames": frames, "effects": "paper"},
             "numerics": {"cells": cells},
         }
     )

@@ -12,7 +12,12 @@ from softcat_sym import simulate
 from softcat_sym.effects import choose_effects
 from softcat_sym.solve import Outcome
 from softcat_sym.trajectory.energy import energy_residual
-from softcat_sym.trajectory.localisation import SHARE_OF_ONE_CELL, largest_share_of_one_cell
+from softcat_sym.trajectory.localisation import (
+    SHARE_OF_ONE_CELL,
+    largest_share_of_one_cell,
+    neck_strain,
+    neck_that_the_grid_decides,
+)
 from softcat_sym.trajectory.regime import ARREST_RATE, ARREST_TIME, TURNED_BACK, is_arrested, regime_of, turned_back
 from softcat_sym.trajectory.validity import warnings_of
 
@@ -160,11 +165,21 @@ def test_the_measure_does_not_depend_on_units_of_length() -> None:
     assert in_metres == pytest.approx(in_millimetres)
 
 
-ENERGY = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated", "work_external")
+ENERGY = (
+    "energy_kinetic",
+    "energy_elastic",
+    "energy_potential",
+    "energy_dissipated",
+    "work_external",
+    "energy_gradient",
+)
 
 
 def energies(*rows: list[float]) -> dict[str, np.ndarray[Any, Any]]:
-    return {name: np.array(row) for name, row in zip(ENERGY, rows, strict=True)}
+    """Rows in the order of ENERGY; what is not given is zero."""
+    given = [np.array(row) for row in rows]
+    absent = [np.zeros(len(given[0]))] * (len(ENERGY) - len(given))
+    return dict(zip(ENERGY, [*given, *absent], strict=True))
 
 
 def test_a_closed_balance_has_no_residual() -> None:
@@ -174,6 +189,10 @@ def test_a_closed_balance_has_no_residual() -> None:
 def test_the_residual_is_relative_to_the_largest_energy() -> None:
     assert energy_residual(energies([0, 1], [0, 2], [0, -4], [0, 1.1], [0, 0])) == pytest.approx(0.1 / 4)
     assert energy_residual(energies([0, 1], [0, 2], [0, -4], [0, 1], [0, 8])) == pytest.approx(1)
+
+
+def test_work_against_the_gradient_counts() -> None:
+    assert energy_residual(energies([0, 1], [0, 0], [0, -3], [0, 1], [0, 0], [0, 1])) == 0
 
 
 def test_the_worst_moment_counts() -> None:
@@ -203,18 +222,43 @@ def test_a_balance_that_does_not_close_is_told(monkeypatch: pytest.MonkeyPatch) 
 def test_an_effect_that_the_user_left_out_is_no_failure(absent: tuple[str, ...]) -> None:
     """Finite stretch without thinning has no stored energy whose gradient the force is: reported, not failed."""
     soft = scene_of("elastic", material={"youngs_modulus": "0.1 MPa"}, run={"duration": "0.3 s"})
-    names = [name for name in choose_effects(soft).names if name not in absent]
+    names = [name for name in choose_effects(soft.replace({"run.effects": "paper"})).names if name not in absent]
     assert simulate(soft.replace({"run.effects": names})).outcome is Outcome.solved
 
 
 def test_a_neck_is_worse_than_any_other_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
     from softcat_sym.trajectory import trajectory
 
-    monkeypatch.setattr(trajectory, "largest_share_of_one_cell", lambda stretch, length: 0.6)
+    monkeypatch.setattr(trajectory, "neck_that_the_grid_decides", lambda stretch, length, neck: "a neck at X")
     necked = simulate(scene_of())
     assert necked.outcome is Outcome.localised
-    assert "60%" in necked.summary["complaint"]
-    assert "X/L = " in necked.summary["complaint"]
+    assert "a neck at X" in necked.summary["complaint"]
+
+
+@pytest.mark.parametrize("cells", [10, 40, 160])
+def test_the_strain_of_a_neck_does_not_depend_on_the_grid(cells: int) -> None:
+    """A hinge at each clamp that opens by a given length: spread over a neck, whatever the cells."""
+    length = np.full(2 * cells, 0.5 / cells)
+    stretch = np.full(2 * cells, 1.02)
+    neck, opening = 0.04, 0.012
+    near = max(1, round(neck / 2 / length[0]))
+    for end in (slice(None, near), slice(-near, None)):
+        stretch[end] += opening / (near * length[0])
+    assert neck_strain(stretch, length, neck) == pytest.approx(opening / neck, rel=0.02)
+
+
+@pytest.mark.parametrize(("opening", "refused"), [(0.39, False), (0.41, True)])
+def test_the_gradient_spreads_a_hinge_until_it_is_drawn_out(opening: float, refused: bool) -> None:
+    stretch, length = profile([0.0] * 9 + [opening])
+    complaint = neck_that_the_grid_decides(stretch, length, length[0])
+    assert bool(complaint) is refused
+    assert ("X/L = " in complaint) is refused
+    assert "carries 100%" in neck_that_the_grid_decides(stretch, length, None)
+
+
+def test_a_filament_that_stretches_smoothly_has_no_neck() -> None:
+    where = np.linspace(-1, 1, 80)
+    assert neck_strain(1 + 0.3 * where**2, np.full(80, 0.01), 0.02) < 0.05
 
 
 TIME = np.linspace(0, 1, 11)

@@ -1,0 +1,48 @@
+"""The gradient term on the grid: what a change of the stretch from cell to cell adds to the forces.
+
+Its discrete form is the derivative of the power sum over inner nodes of (b s_X) s_Xt, so the ends, where s_X = 0, are
+left alone and the power is the one that the audit integrates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import casadi as ca
+
+from softcat_sym.equations import symbols as sy
+from softcat_sym.equations.necking import Neck, aspect, s_slope
+from softcat_sym.graph.grid import Grid
+from softcat_sym.graph.means import to_nodes
+from softcat_sym.printing import CellFunction
+
+_INPUTS = (sy.T, sy.s, s_slope, sy.h0, aspect)
+
+
+def neck_double_force(neck: Neck, values: Mapping[sy.Symbol, Any], grid: Grid, stretch: ca.SX, tension: ca.SX) -> ca.SX:
+    """B s_X at inner nodes, over the span [Pa], shape (cells - 1,).
+
+    Parameters
+    ----------
+    neck : Neck
+        The gradient term.
+    values : mapping of sympy.Symbol to casadi value
+        Parameters.
+    grid : Grid
+        Nodes.
+    stretch, tension : casadi.SX, shape (cells,)
+        Stretch of the centreline and tension per unit undeformed area.
+    """
+    span = values[sy.L]
+    slope = ca.diff(stretch) / ca.DM(grid.node_length[1:-1]) / span
+    at_nodes = {sy.T: to_nodes(grid, tension)[1:-1], sy.s: to_nodes(grid, stretch)[1:-1], s_slope: slope}
+    known = {symbol: values[symbol] for symbol in _INPUTS if symbol in values}
+    force = CellFunction({"b": neck.double_force()}, _INPUTS)({**known, **at_nodes})["b"]
+    return ca.SX(force / span)
+
+
+def neck_tension(grid: Grid, double_force: ca.SX) -> ca.SX:
+    """- d/dX (b s_X), what the axial force of each cell gains, shape (cells,)."""
+    padded = ca.vertcat(0, double_force, 0)
+    return ca.SX(-ca.diff(padded) / ca.DM(grid.cell_length))

@@ -1,0 +1,38 @@
+"""A compiler that counts: it writes down how it is called and hands over to the real one."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+
+import pytest
+
+from softcat_sym.native import find_compiler
+
+ANSWER = {"answer.c": '#include "answer.h"\nint answer(void) { return ANSWER; }\n', "answer.h": "#define ANSWER 42\n"}
+
+
+class Counter:
+    """A stand-in for the C compiler that CC names."""
+
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch, delay: float = 0.0) -> None:
+        real = find_compiler()
+        assert real is not None, "these tests want a C compiler"
+        self.log, self.script = folder / "calls", folder / "counting-cc"
+        command = " ".join(map(shlex.quote, real.command))
+        self.script.write_text(
+            f'#!/bin/sh\necho "$*" >> {shlex.quote(str(self.log))}\n'
+            f'case "$*" in *-shared*) sleep {delay};; esac\nexec {command} "$@"\n'
+        )
+        self.script.chmod(0o755)
+        monkeypatch.setenv("CC", str(self.script))
+
+    @property
+    def calls(self) -> list[str]:
+        """Every call so far."""
+        return self.log.read_text().splitlines() if self.log.exists() else []
+
+    @property
+    def compilations(self) -> int:
+        """Calls that compiled, rather than asked for the version."""
+        return sum("-shared" in call for call in self.calls)
