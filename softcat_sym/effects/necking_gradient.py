@@ -10,8 +10,8 @@ from softcat_sym.equations.filament import Terms
 from softcat_sym.equations.necking import NECKS, aspect
 from softcat_sym.scene import Scene, groups_of
 
-_UNEVENNESS = 1e-4
-"""Relative unevenness that a grid leaves where it is finest; a neck grows from it."""
+_UNEVENNESS = 4e-4
+"""Unevenness that a neck grows from: one e-fold of it changes the sag of the paper's arrested filament by 1 %."""
 
 
 def neck_length(scene: Scene) -> float:

@@ -61,11 +61,7 @@ def assemble(
     state = _layouts(equations, theory.unknowns(equations, grid))
     now = _instant(equations, theory.evaluate(equations, values, grid, state), state, values, time, time_scale)
     rates = _rates(now, grid)
-    # A torque over the mass and the square of the span, not over the rotary inertia: sparse factorisations do not scale
-    # rows, and one that is thousands of times larger than the others blurs them.
-    turning = rates["omega"] * (now.rotary_inertia / (now.density * now.span**2))
-    algebraic = {"x": rates["u"], "y": rates["v"], "psi": turning}
-    ode, alg = _tidy(state.moving.gather(rates), state.still.gather(algebraic))
+    ode, alg = _tidy(state.moving.gather(rates), state.still.gather(_balances(now, rates)))
     plastic_powers, load_powers, gradient_powers = _tidy(*_powers(now, grid))
     return Graph(
         grid=grid,
@@ -165,6 +161,16 @@ def _rates(now: _Instant, grid: Grid) -> dict[str, ca.SX]:
         "omega": turning,
         **{name: rate * now.time_scale for name, rate in fields.plastic_rates.items()},
     }
+
+
+def _balances(now: _Instant, rates: dict[str, ca.SX]) -> dict[str, ca.SX]:
+    """What must vanish for each algebraic unknown: the rate of its momentum.
+
+    A torque is divided by the mass and the square of the span, not by the rotary inertia: sparse factorisations do not
+    scale rows, and one that is thousands of times larger than the others blurs them.
+    """
+    turning = rates["omega"] * (now.rotary_inertia / (now.density * now.span**2))
+    return {"x": rates["u"], "y": rates["v"], "psi": turning}
 
 
 def _powers(now: _Instant, grid: Grid) -> tuple[ca.SX, ca.SX, ca.SX]:

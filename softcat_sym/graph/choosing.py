@@ -27,8 +27,8 @@ DEFAULT_SHEARING_CELLS = 40
 LINEAR_FIBRES = 2
 """Points that follow a linear profile exactly."""
 
-DEFAULT_FIBRES = 12
-"""Points through the thickness where fibres yield in turn: they overstate a plastic moment by 0.5 %, 6 by 2 %."""
+DEFAULT_FIBRES = 8
+"""Points through the thickness where fibres yield in turn: they overstate a plastic moment by 1.1 %, 12 by 0.5 %."""
 
 DEFAULT_PROJECTION = 24
 """Points that project a flow rule on polynomials: it has kinks."""

@@ -42,31 +42,28 @@ def run_elements(
 ) -> ElementRun:
     """Run the elements over a scene.
 
-    The law is (3.1)-(3.8), corrected, in plane stress; the motion is integrated by the leap-frog without damping.
+    The law is (3.1)-(3.8), corrected, in plane stress; the leap-frog integrates the motion, undamped.
 
     Parameters
     ----------
     scene : Scene
-        A filament of rectangular section between two clamps; elastic, Maxwell or Bingham. Its width only scales
-        energies: plane stress is the limit of a width much less than the thickness.
+        A rectangular filament between two clamps; elastic, Maxwell or Bingham. Its width only scales energies.
     mesh : Mesh, optional
         64 x 4 equal elements unless given.
     clamp : Clamp
         What the clamped face may do.
     step_factor : float
-        Step over the stable one that is taken by itself; at most 1.
+        Step over the stable one; at most 1.
     checkpoint : pathlib.Path, optional
-        File that holds the complete state. If it is there the run goes on from it, to the very numbers of a run that
-        was never interrupted; a finished run is read from it at once.
+        File that holds the complete state. If it is there the run goes on from it, to the very same numbers.
     checkpoint_every : float
-        Seconds of wall time between two checkpoints; one is also written at the end and on Ctrl-C.
+        Seconds between two checkpoints; one is also written at the end and on Ctrl-C, which is then passed on.
     progress : Progress, optional
-        Told the simulated time about ten times a second.
+        Told the simulated time.
 
     Returns
     -------
     ElementRun
-        In SI.
 
     Raises
     ------
@@ -75,8 +72,6 @@ def run_elements(
     SoftcatError
         If an element is turned inside out, the energies do not add up, there is no compiler, or the checkpoint is of
         another problem.
-    KeyboardInterrupt
-        On Ctrl-C, once the checkpoint is written.
     """
     if not 0 < step_factor <= 1:
         raise SoftcatError(f"step_factor of {step_factor}: take a value above 0, and at most 1, the stable step")

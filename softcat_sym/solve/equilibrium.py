@@ -13,6 +13,7 @@ from softcat_sym.graph.grid import Floats
 _ITERATIONS = 60
 _HALVINGS = 30
 _TOLERANCE = 1e-10
+_LONGEST_STEP = 0.1
 
 
 class Equilibrium:
@@ -76,9 +77,10 @@ class Equilibrium:
         return step if np.all(np.isfinite(step)) else None
 
     def _fraction(self, time: float, x: Floats, z: Floats, p: Floats, stiffness: ca.DM, step: Floats) -> float:
-        """Fraction of the step after which less remains; if there is none, all of it, in hope of the next."""
+        """Fraction of the step after which less remains; if there is none, the longest, in hope of the next."""
         size = float(np.linalg.norm(step))
-        fraction = 1.0
+        # A straight string has next to no stiffness: its first step would end spans away, where elasticity softens.
+        longest = fraction = min(1.0, _LONGEST_STEP / float(np.max(np.abs(step))))
         for _ in range(_HALVINGS):
             value = self._evaluate(time, x, z + fraction * step, p)
             if np.all(np.isfinite(value)):
@@ -86,18 +88,18 @@ class Equilibrium:
                 if remains is not None and float(np.linalg.norm(remains)) <= (1 - fraction / 4) * size:
                     return fraction
             fraction /= 2
-        return 1.0
+        return longest
 
     def _evaluate(self, time: float, x: Floats, z: Floats, p: Floats) -> Floats:
         return np.asarray(self._residual(time, x, z, p), dtype=float).ravel()
 
 
 def sagging_guesses(graph: Graph, sag: float) -> list[Floats]:
-    """The straight filament, and parabolas around the sag (over span) expected."""
+    """Parabolas around the sag (over span) expected, and the straight filament."""
     node_x = np.array([_position(name) for name in graph.algebraic_names])
     is_height = np.array([name.startswith("y") for name in graph.algebraic_names])
     parabola = np.where(is_height, -(1 - 4 * node_x**2), 0.0)
-    return [graph.straight + depth * parabola for depth in (0.0, sag, sag / 4, 3 * sag)]
+    return [graph.straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
 
 
 def _position(name: str) -> float:

@@ -95,6 +95,7 @@ def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
             "groups.B": LOAD_OVER_VISCOSITY,
             "groups.duration": DURATION,
             "run.frames": _FRAMES,
+            "run.effects": "paper",
             "model": model,
         }
         runs[model] = simulate(load_scene("maxwell-slow", changes))

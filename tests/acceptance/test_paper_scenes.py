@@ -38,7 +38,8 @@ def test_midpoint_is_within_half_a_percent_of_the_converged_value(name: str, clo
 def test_edge_of_rupture_is_refused_as_localised() -> None:
     rows = []
     for cells in (20, 40, 80):
-        run = sc.simulate(sc.load_scene("edge-of-rupture", {"numerics.cells": cells}))
+        published = {"run.effects": "paper", "numerics.cells": cells, "numerics.grading": 1.0}
+        run = sc.simulate(sc.load_scene("edge-of-rupture", published))
         sag = -run.summary["midpoint_final_m"] / run.scene.filament.span
         rows.append([cells, f"{sag:.3g}", run.outcome.name, run.summary["complaint"]])
     show("edge-of-rupture: the answer depends on the grid", ("N", "sag/L at 460", "outcome", "because"), rows)
@@ -53,7 +54,8 @@ def test_scenes_that_converge_are_not_called_localised() -> None:
     rows = []
     for name in ("no-yield", "arrested-overdamped", "continual-descent", "ink-bridge", "maxwell-slow", "maxwell-fast"):
         for cells in (20, 80):
-            data = sc.simulate(sc.load_scene(name, {"numerics.cells": cells})).data
+            published = {"run.effects": "paper", "numerics.cells": cells, "numerics.grading": 1.0}
+            data = sc.simulate(sc.load_scene(name, published)).data
             share = max(largest_share_of_one_cell(s, np.diff(data.X_node.values)) for s in data.stretch.values[1:])
             rows.append([name, cells, f"{share:.3f}"])
             assert share < SHARE_OF_ONE_CELL

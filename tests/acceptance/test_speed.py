@@ -22,7 +22,8 @@ REPEATS = 9
 
 @pytest.mark.slow
 def test_descent_against_the_rk4_oracle() -> None:
-    scene = sc.load_scene("continual-descent", {"run.effects": "paper", "numerics.cells": 40})
+    published = {"run.effects": "paper", "numerics.cells": 40, "numerics.grading": 1.0}
+    scene = sc.load_scene("continual-descent", published)
     groups = groups_of(scene)
     assert groups.G is not None
     assert groups.V is not None

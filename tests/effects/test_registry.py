@@ -191,7 +191,12 @@ def test_auto_takes_fibres_where_the_law_yields_and_never_rotary_inertia() -> No
 
 @pytest.mark.parametrize(
     ("name", "necks"),
-    [("arrested-underdamped", True), ("edge-of-rupture", True), ("continual-descent", False), ("no-yield", False)],
+    [
+        ("arrested-underdamped", True),
+        ("arrested-overdamped", True),
+        ("continual-descent", False),
+        ("no-yield", False),
+    ],
 )
 def test_auto_takes_the_gradient_where_a_neck_has_time_to_grow(name: str, necks: bool) -> None:
     assert ("necking-gradient" in choose_effects(load_scene(name)).names) is necks

@@ -42,17 +42,18 @@ def scene(
     closure: str = "material",
     accuracy: float = 1e-3,
     cells: int = 40,
+    grading: float = 1.0,
     rtol: float | None = None,
     solver: str | None = None,
 ) -> Scene:
-    """A scene of SI numbers; the law follows from the constants that are given."""
+    """A scene of SI numbers on equal cells; the law follows from the constants that are given."""
     law = "elastic" if eta is None else "maxwell" if yield_stress is None else "bingham"
     material: dict[str, Any] = {"law": law, "youngs_modulus": f"{float(E)!r} Pa"}
     if eta is not None:
         material["viscosity"] = f"{float(eta)!r} Pa*s"
     if yield_stress is not None:
         material["yield_stress"] = f"{float(yield_stress)!r} Pa"
-    numerics = {"cells": cells, "rtol": rtol, "solver": solver}
+    numerics = {"cells": cells, "grading": grading, "rtol": rtol, "solver": solver}
     return Scene.model_validate(
         {
             "filament": {

@@ -17,7 +17,6 @@ from rich.console import Console
 import softcat_sym as sc
 from softcat_sym.reference import ElementRun, Mesh
 from softcat_sym.report import style
-from softcat_sym.report.canvas import png
 from softcat_sym.report.compare_clamp import clamp_figure
 from softcat_sym.report.compare_files import write_comparison
 from softcat_sym.report.compare_midpoint import midpoint_figure
@@ -91,12 +90,12 @@ def test_nothing_is_clipped_and_no_legend_lies_on_the_data(
     legends = [*figure.legends, *(legend for axes in figure.axes if (legend := axes.get_legend()) is not None)]
     for legend in legends:
         assert not any(legend.get_window_extent().overlaps(axes.bbox) for axes in figure.axes)
-    # Headings, notes and axis labels keep clear of one another.
-    labels = [label for axes in figure.axes for label in (axes.xaxis.label, axes.yaxis.label) if label.get_text()]
-    boxes = [text.get_window_extent() for text in (*figure.texts, *labels)]
+    # Headings, notes, legends and axis labels keep clear of one another.
+    every = [*figure.axes, *(above for axes in figure.axes for above in axes.child_axes)]
+    labels = [label for axes in every for label in (axes.xaxis.label, axes.yaxis.label) if label.get_text()]
+    boxes = [thing.get_window_extent() for thing in (*figure.texts, *labels, *legends)]
     for k, one in enumerate(boxes):
         assert not any(one.overlaps(other) for other in boxes[k + 1 :])
-    assert png(figure).startswith(b"\x89PNG")
 
 
 def field_run(run: ElementRun) -> ElementRun:

@@ -93,11 +93,11 @@ def test_shear_brings_the_filament_to_the_elements() -> None:
     own, material, _ = (row.discrepancy.largest for row in found.filaments)
     assert own < 0.02
     assert material > 4 * own
-    # Strain next to the clamp, within the plane sections of a beam.
+    # Strain next to the clamp: the largest is steep there, and comes near on finer grids (2 % on 80 cells and 48 x 6).
     peak = int(np.argmin(found.elements.midpoint))
-    for which in ("mean", "largest"):
+    for which, tolerance in (("mean", 0.05), ("largest", 0.12)):
         elements, filament = (getattr(of, which)[peak] for of in (found.clamp_strain, found.filament.clamp_strain))
-        assert filament == pytest.approx(elements, rel=0.1)
+        assert filament == pytest.approx(elements, rel=tolerance)
 
 
 def test_the_published_theories_stand_beside_auto_only(yielding: Comparison) -> None:
