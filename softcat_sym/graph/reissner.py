@@ -127,7 +127,10 @@ class _Sampled:
         fastest = points.speed[:, 0]
         for n in range(1, self.rule.points):
             fastest = ca.fmax(fastest, points.speed[:, n])
+        low, high = self._core(points.yields)
         return {
+            "core_low": low,
+            "core_high": high,
             "tension": section.tension,
             "moment": section.moment,
             "shear_force": section.shear_force,
@@ -139,6 +142,18 @@ class _Sampled:
             "stress_mean": points.axial_stress @ weight,
             "stress_bending": points.axial_stress @ (weight * zeta / ca.dot(weight, zeta**2)),
         }
+
+    def _core(self, yields: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Limits in zeta of what does not yield, between the fibres that do on either side and those that do not."""
+        zeta = np.concatenate([[-1.0], (self.rule.zeta[1:] + self.rule.zeta[:-1]) / 2, [1.0]])
+        below = above = ca.SX.ones(yields.size1(), 1)
+        low, high = -below, 1 * above
+        for n in range(self.rule.points):
+            below, above = below * yields[:, n], above * yields[:, -1 - n]
+            low += below * (zeta[n + 1] - zeta[n])
+            high -= above * (zeta[-1 - n] - zeta[-2 - n])
+        # Where the whole thickness yields both limits have met on the opposite faces: they are put together.
+        return low, ca.fmax(low, high)
 
 
 def _torque(length: ca.SX, section: Resultants) -> ca.SX:

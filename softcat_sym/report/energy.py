@@ -19,25 +19,28 @@ TERMS = (
     ("energy_elastic", "elastic", style.GREEN, "-", 1.0),
     ("energy_kinetic", "kinetic", style.ORANGE, "--", 1.0),
     ("energy_dissipated", "dissipated", style.VERMILLION, "-", 1.0),
+    ("energy_gradient", "gradient", style.SKY, ":", 1.0),
     ("work_external", "external work", style.PURPLE, "-.", -1.0),
 )
+# Drawn only where it is in force.
+OPTIONAL = ("energy_gradient",)
 _HEIGHT, _LEFT, _RIGHT, _BOTTOM, _SMALL, _GAP = 4.8, 0.85, 1.35, 0.55, 0.95, 0.32
 
 
 def energy_imbalance(data: xr.Dataset) -> tuple[NDArray[np.float64], float]:
-    """Kinetic + elastic + potential + dissipated - work, less its first value.
+    """Kinetic + elastic + potential + dissipated + gradient - work, less its first value.
 
     Parameters
     ----------
     data : xarray.Dataset
-        Trajectory with the five energies (time) [J].
+        Trajectory with the energies (time) [J].
 
     Returns
     -------
     imbalance : numpy.ndarray
         Shape (time,) [J].
     largest : float
-        Largest magnitude of any of the five over the run [J]; the imbalance is judged against it.
+        Largest magnitude of any of them over the run [J]; the imbalance is judged against it.
     """
     values = [np.asarray(data[name].values, dtype=np.float64) for name, *_ in TERMS]
     total = np.sum([sign * value for (*_, sign), value in zip(TERMS, values, strict=True)], axis=0)
@@ -51,7 +54,7 @@ def energy_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> F
     Parameters
     ----------
     data : xarray.Dataset
-        Trajectory with ``time`` [s] and the five energies (time) [J].
+        Trajectory with ``time`` [s] and the energies (time) [J].
     summary : mapping
         The run's summary.
     scene : PicturedScene
@@ -87,10 +90,12 @@ def energy_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> F
 
 
 def _budget(axes: Axes, data: xr.Dataset, time: NDArray[np.float64], largest: float) -> None:
-    """The five energies; a single frame, having no line, is drawn as points."""
+    """The energies; a single frame, having no line, is drawn as points."""
     unit = energy_unit(largest)
     marker = "o" if time.size == 1 else None
     for name, label, colour, line, _ in TERMS:
+        if name in OPTIONAL and not np.any(data[name].values):
+            continue
         axes.plot(time, unit.of(data[name].values), color=colour, linestyle=line, label=label, marker=marker)
     axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
     axes.set_ylabel(f"energy [{unit.symbol}]")

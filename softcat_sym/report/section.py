@@ -163,11 +163,26 @@ def yielded_quads(section: Section, mean: Floats, bending: Floats, yield_stress:
     """
     if yield_stress is None:
         return np.empty((0, 4, 2))
-    lower, upper = elastic_core(mean, bending, yield_stress)
+    return quads_outside(section, *elastic_core(mean, bending, yield_stress))
+
+
+def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:
+    """Quadrilaterals below and above the elastic core, cell by cell.
+
+    Parameters
+    ----------
+    section : Section
+        The filament.
+    lower, upper : numpy.ndarray
+        Limits of the core in zeta, shape (cell,).
+
+    Returns
+    -------
+    numpy.ndarray
+        Vertices, shape (quad, 4, 2) [m].
+    """
     ones = np.ones_like(lower)
-    below = _quads(section, -ones, lower)
-    above = _quads(section, upper, ones)
-    return np.concatenate([below, above])
+    return np.concatenate([_quads(section, -ones, lower), _quads(section, upper, ones)])
 
 
 def _quads(section: Section, low: Floats, high: Floats) -> Floats:

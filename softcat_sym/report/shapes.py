@@ -17,7 +17,7 @@ from softcat_sym.report.canvas import head, new_figure
 from softcat_sym.report.contract import PicturedScene, Summary
 from softcat_sym.report.frames import telling_frames
 from softcat_sym.report.layout import Layout, arrange, place
-from softcat_sym.report.section import Floats, Section, outline, section_at, yielded_quads
+from softcat_sym.report.section import Floats, Section, outline, quads_outside, section_at, yielded_quads
 from softcat_sym.report.units import Unit, length_unit, stress_unit, time_unit
 
 
@@ -50,7 +50,7 @@ def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list
     ----------
     data : xarray.Dataset
         Trajectory; reads ``x``, ``y``, ``thickness``, ``stress_mean``, ``stress_bending``, ``midpoint``,
-        ``yielded_fraction``.
+        ``yielded_fraction``, and ``core_low``, ``core_high`` if they are there.
     scene : PicturedScene
         Its yield stress decides what is shaded.
     frames : list of int
@@ -66,17 +66,24 @@ def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list
     shapes = []
     for frame in frames:
         section = section_at(data, frame, (scene.ends.left == "clamped", scene.ends.right == "clamped"))
-        mean, bending = data["stress_mean"].values[frame], data["stress_bending"].values[frame]
         sag = -float(data["midpoint"].values[frame])
         lines = [
             f"t = {clock.text(float(data['time'].values[frame]))}",
             f"sag {length_unit(abs(sag), scene.filament.span).text(sag)}",
         ]
         if limit is not None:
-            share = float(data["yielded_fraction"].values[frame].mean())
+            length = np.diff(data["X_node"].values)
+            share = float(np.average(data["yielded_fraction"].values[frame], weights=length))
             lines.append("yielded < 0.1 %" if 0 < share < 1e-3 else f"yielded {100 * share:.1f} %")
-        shapes.append(Shape(section, outline(section), yielded_quads(section, mean, bending, limit), "\n".join(lines)))
+        shapes.append(Shape(section, outline(section), _yielded(section, data, frame, limit), "\n".join(lines)))
     return shapes
+
+
+def _yielded(section: Section, data: xr.Dataset, frame: int, limit: float | None) -> Floats:
+    """Quads of the yielded zones: by the fibres where the section is resolved, otherwise by its linear stress."""
+    if limit is not None and "core_low" in data:
+        return quads_outside(section, data["core_low"].values[frame], data["core_high"].values[frame])
+    return yielded_quads(section, data["stress_mean"].values[frame], data["stress_bending"].values[frame], limit)
 
 
 def shapes_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> Figure:
@@ -168,7 +175,7 @@ def _explain(figure: Figure, layout: Layout, scene: PicturedScene, ruler: Unit) 
         return
     figure.legend(
         handles=[
-            Patch(facecolor=style.VERMILLION, label=f"yielded: |σ| > {stress_unit(limit).text(limit)}"),
+            Patch(facecolor=style.VERMILLION, label=f"yielded: stress > {stress_unit(limit).text(limit)}"),
             Patch(facecolor=style.FILAMENT, edgecolor=style.BLACK, linewidth=0.5, label="not yielded"),
         ],
         loc="lower left",

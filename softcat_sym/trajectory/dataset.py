@@ -44,6 +44,7 @@ def dataset_of(
             {"units": v.unit, "long_name": v.meaning},
         )
         for v in VARIABLES
+        if v.name in fields
     }
     middle = fields["y"][:, fields["y"].shape[1] // 2]
     note = {"units": "m", "long_name": "height of the midpoint X = 0, negative down"}

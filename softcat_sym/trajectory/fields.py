@@ -23,7 +23,7 @@ def undeformed_area(scene: Scene) -> float:
 
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
-    """Every variable of the trajectory, whole span, whole filament.
+    """Every variable of the trajectory that this theory has, whole span, whole filament.
 
     Returns
     -------
@@ -38,7 +38,8 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     observed["energy_gradient"] = _gradient_energy(graph, observed, solution.quad[2] * unit, span)[:, None]
     observed["thickness"] = observed["relative_thickness"] * scene.filament.thickness
     area = undeformed_area(scene)
-    return {v.name: _whole(graph, v.name, observed[v.name] * (area if v.per_area else 1.0)) for v in VARIABLES}
+    known = [v for v in VARIABLES if v.name in observed]
+    return {v.name: _whole(graph, v.name, observed[v.name] * (area if v.per_area else 1.0)) for v in known}
 
 
 def _gradient_energy(graph: Graph, observed: dict[str, Floats], integrated: Floats, span: float) -> Floats:

@@ -51,6 +51,8 @@ VARIABLES: tuple[Variable, ...] = (
         "Pa",
         "sigma_1 = <sigma zeta>/<zeta^2>: the axial stress nearest to sigma_0 + sigma_1 zeta",
     ),
+    Variable("core_low", "cell", "1", "zeta below which fibres yield, of a section resolved fibre by fibre"),
+    Variable("core_high", "cell", "1", "zeta above which fibres yield, of a section resolved fibre by fibre"),
     Variable("energy_kinetic", "", "J", "kinetic energy", per_area=True),
     Variable("energy_elastic", "", "J", "elastic energy", per_area=True),
     Variable("energy_potential", "", "J", "potential energy of the weight, 0 when straight", per_area=True),

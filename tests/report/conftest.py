@@ -83,6 +83,7 @@ def run_of(scene: Scene, sags: np.ndarray, times: np.ndarray, cells: int = 160) 
     energies = {"energy_kinetic": kinetic, "energy_elastic": elastic, "energy_potential": potential}
     energies |= {
         "energy_dissipated": dissipated,
+        "energy_gradient": 0 * dissipated,
         "work_external": kinetic + elastic + potential + dissipated - residual,
     }
     return xr.Dataset(

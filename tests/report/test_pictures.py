@@ -119,10 +119,11 @@ def test_the_far_axes_are_the_papers_dimensionless_ones(descent, summary, scene)
 
 def test_imbalance_is_what_is_missing_from_the_budget():
     energies = {
-        "energy_kinetic": [0.0, 1.0, 2.0],
+        "energy_kinetic": [0.0, 1.0, 1.5],
         "energy_elastic": [0.5, 0.5, 1.0],
         "energy_potential": [10.0, 7.0, 3.0],
         "energy_dissipated": [0.0, 1.0, 4.0],
+        "energy_gradient": [0.0, 0.0, 0.5],
         "work_external": [0.0, -1.0, -0.5],
     }
     data = xr.Dataset({name: ("time", value) for name, value in energies.items()})

@@ -78,7 +78,11 @@ def test_dimensions_and_coordinates(saved: Path) -> None:
     assert data["time"].dtype == np.float64
     assert data["time"].attrs["units"] == "s"
     np.testing.assert_allclose(data["time"], np.linspace(0, 0.12, 13), rtol=1e-12)
-    np.testing.assert_allclose(data["X_node"], np.linspace(-0.1, 0.1, 13), atol=1e-16)
+    nodes = data["X_node"].values
+    np.testing.assert_allclose(nodes, -nodes[::-1], atol=1e-16)
+    np.testing.assert_allclose(nodes[[0, 6, 12]], [-0.1, 0, 0.1], atol=1e-16)
+    # shorter towards the clamps
+    assert np.all(np.diff(nodes[:7], 2) > 0)
     np.testing.assert_allclose(data["X_cell"], (data["X_node"].values[1:] + data["X_node"].values[:-1]) / 2, atol=1e-16)
     assert data["X_node"].attrs["units"] == data["X_cell"].attrs["units"] == "m"
 

@@ -91,9 +91,8 @@ def test_tension_is_area_times_mean_stress() -> None:
 
 def test_potential_energy_is_weight_times_height() -> None:
     data = run().data.isel(time=-1)
-    mass = 1900 * 0.006**2 * 0.2 / 12
-    weights = np.full(13, mass)
-    weights[[0, -1]] /= 2
+    half = 1900 * 0.006**2 * np.diff(data["X_node"].values) / 2
+    weights = np.append(half, 0) + np.append(0, half)
     assert float(data["energy_potential"]) == pytest.approx(9.81 * float(np.sum(weights * data["y"].values)), rel=1e-12)
 
 
@@ -113,6 +112,8 @@ def test_a_wider_filament_of_the_same_material_only_carries_more() -> None:
     wide = simulate(scene_of(filament={"width": "12 mm"}, run={"effects": plain})).data
     data = simulate(scene_of(run={"effects": plain})).data
     for v in VARIABLES:
+        if v.name not in data:
+            continue
         factor = 2.0 if v.per_area else 1.0
         np.testing.assert_allclose(wide[v.name], factor * data[v.name], rtol=1e-12, atol=1e-300, err_msg=v.name)
 
