@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import signal
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
+
+from softcat_sym.interrupts import interrupts_go_to
 
 
 class Interrupt:
@@ -33,12 +33,5 @@ class Interrupt:
 def deferred() -> Iterator[Interrupt]:
     """Put SIGINT off, unless the program handles it in its own way or this is not its main thread."""
     interrupt = Interrupt()
-    ours = threading.current_thread() is threading.main_thread()
-    if not ours or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    with interrupts_go_to(interrupt.note):
         yield interrupt
-        return
-    signal.signal(signal.SIGINT, interrupt.note)
-    try:
-        yield interrupt
-    finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import signal
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
+
+from softcat_sym.interrupts import interrupts_go_to
 
 
 class Interrupts:
@@ -43,12 +43,5 @@ class Interrupts:
 def watched() -> Iterator[Interrupts]:
     """Watch for SIGINT, unless the program handles it in its own way or this is not its main thread."""
     interrupts = Interrupts()
-    ours = threading.current_thread() is threading.main_thread()
-    if not ours or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    with interrupts_go_to(interrupts.note):
         yield interrupts
-        return
-    signal.signal(signal.SIGINT, interrupts.note)
-    try:
-        yield interrupts
-    finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -105,10 +105,10 @@ def test_near_rupture(G: float) -> None:
     cases = [*((cells, 12) for cells in CELLS), *((80, fibres) for fibres in (6, 24))]
     runs = {(cells, fibres): filament(NAME, case(G, cells, fibres)) for cells, fibres in cases}
     rows = [row(f"N = {cells}, {fibres} fibres", run) for (cells, fibres), run in runs.items()]
-    show(f"G = {G}, V = 0.4, with the gradient", HEADER, rows + [of_elements(G, mesh) for mesh in MESHES[:2]])
+    show(f"G = {G}, V = 0.4, with the gradient", HEADER, rows + [of_elements(G, mesh) for mesh in MESHES])
     if G == 0.4:
-        assert not any(run.outcome.is_success for run in runs.values())
+        assert all(run.outcome is sc.Outcome.localised for run in runs.values())
     else:
-        means = [mean(plane(NAME), runs[cells, 12]) for cells in CELLS]
-        # It creeps as the grid is refined, and the program does not yet say so.
-        assert means[0] > means[1] > means[2]
+        sags = [-mean(plane(NAME), run) for run in runs.values()]
+        assert all(run.outcome is sc.Outcome.solved for run in runs.values())
+        assert max(sags) / min(sags) < 1.015

@@ -7,20 +7,22 @@ printed.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import pytest
 
-from softcat_sym.reference import Mesh
+from softcat_sym.reference import ElementRun, Mesh
+from softcat_sym.scene import Scene
 
 from .elements import INSTANTS, Floats, digits, elements, filament, mean, midpoints, name_of, percent, plane
 from .table import show
 
 NAME = "continual-descent"
-TIGHT: Mapping[str, object] = {"numerics.rtol": 1e-4}
+TIGHT: Mapping[str, object] = {"numerics.rtol": 1e-4, "numerics.grading": 10.0}
 THEORIES: Mapping[str, Mapping[str, object]] = {
     "default": {**TIGHT, "numerics.cells": 160},
+    "default, half the cells": {**TIGHT, "numerics.cells": 80},
     "published, material closure": {**TIGHT, "numerics.cells": 160, "run.effects": "paper"},
     "published, printed closure": {
         **TIGHT,
@@ -34,7 +36,7 @@ THEORIES: Mapping[str, Mapping[str, object]] = {
 MESHES: Mapping[float, tuple[Mesh, Mesh]] = {
     0.03: (Mesh(32, 2), Mesh(64, 4)),
     0.015: (Mesh(64, 2), Mesh(128, 4)),
-    0.0075: (Mesh(64, 2, grading=4.0), Mesh(128, 2)),
+    0.0075: (Mesh(64, 2, grading=4.0), Mesh(48, 4, grading=8.0)),
 }
 
 
@@ -63,12 +65,18 @@ def test_elements_tend_to_the_material_closure() -> None:
     times = [f"t~ = {t:g}" for t in INSTANTS]
     show(f"{NAME}: midpoint/L, and difference from the elements", ["delta", "", *times, *times], rows)
     show("Order in delta of the difference", ["theory", "halved", *times], list(orders(apart)))
-    # tau, the elastic time and t~ do not depend on delta: nothing but the slenderness changes.
-    material, printed = (np.abs(apart[theory]) for theory in list(THEORIES)[1:])
-    assert np.all(material[1:] < 0.75 * material[:-1])
-    assert np.all(printed[2, 1:] > 2 * material[2, 1:])
-    assert np.all(np.abs(apart["default"])[:, :3] < 0.005)
-    assert max(uncertainty) < 2e-3
+    default, halved, material, printed = (np.abs(apart[theory]) for theory in THEORIES)
+    # First order in delta: the difference halves.
+    assert np.all((material[:-1] / material[1:] > 1.8) & (material[:-1] / material[1:] < 2.7))
+    # The printed closure is near at the paper's delta because two errors cancel; without the one the other remains.
+    assert np.all(np.diff(printed[:, -1]) > 0)
+    assert printed[-1, -1] > 0.02
+    assert np.all(np.abs(default - halved) < 5e-4)
+    assert np.all(default < material)
+    assert np.all(default[:, :3] < 0.005)
+    assert np.all(default[1:, -1] < 0.6 * default[:-1, -1])
+    # The coarser meshes are off by less than a fifth of what is claimed of the theories at the end.
+    assert np.all(uncertainty < material[:, -1] / 5)
 
 
 def orders(apart: Mapping[str, list[Floats]]) -> list[list[object]]:
@@ -122,15 +130,23 @@ def test_small_strain_or_no_thinning_diverges_early() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [NAME, "arrested-underdamped"])
-def test_flow_rule_as_printed(name: str) -> None:
+def test_flow_rule_as_printed() -> None:
     """[3.7] with 3/eta and the Frobenius norm flows sqrt(2) times as fast as [2.25]: as with eta/sqrt(2)."""
-    scene, mesh = plane(name), Mesh(32, 2)
-    assert scene.material.viscosity is not None
-    fast = scene.replace({"material.viscosity": f"{scene.material.viscosity / math.sqrt(2)!r} Pa*s"})
-    right, printed = elements(scene, mesh), elements(fast, mesh)
-    both = [[*midpoints(scene, run), mean(scene, run)] for run in (right, printed)]
-    rows = [["corrected", *digits(both[0])], ["as printed", *digits(both[1])]]
-    rows.append(["difference", *percent(both[1], both[0])])
-    show(f"{name}, {name_of(mesh)}: midpoint/L", ["[3.7]", *(f"t~ = {t:g}" for t in INSTANTS), "mean"], rows)
-    assert abs(both[1][-1] / both[0][-1] - 1) > 0.02
+    mesh, rows, changes = Mesh(32, 2), [], {}
+    for name in (NAME, "arrested-underdamped", "edge-of-rupture"):
+        scene = plane(name)
+        assert scene.material.viscosity is not None
+        fast = scene.replace({"material.viscosity": f"{scene.material.viscosity / math.sqrt(2)!r} Pa*s"})
+        right, printed = ([*midpoints(scene, run), mean(scene, run)] for run in map(on(mesh), (scene, fast)))
+        rows += [[name, "corrected", *digits(right)], ["", "as printed", *digits(printed)]]
+        rows.append(["", "difference", *percent(printed, right)])
+        changes[name] = abs(printed[-1] / right[-1] - 1)
+    times = [f"t~ = {t:g}" for t in INSTANTS]
+    show(f"midpoint/L, elements {name_of(mesh)}", ["", "[3.7]", *times, "mean of 60 to 460"], rows)
+    assert changes[NAME] > 0.05
+    # What arrests is held by the yield stress, whatever the rate at which it got there.
+    assert changes["arrested-underdamped"] < 0.02
+
+
+def on(mesh: Mesh) -> Callable[[Scene], ElementRun]:
+    return lambda scene: elements(scene, mesh)

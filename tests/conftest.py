@@ -1,0 +1,39 @@
+"""Tests that compile C are skipped where there is no compiler, and fail where one is promised."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from softcat_sym.native import find_compiler
+
+HERE = Path(__file__).parent
+PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"
+"""Set where a missing compiler is a fault of the machine, as in continuous integration."""
+
+COMPILING = (
+    "native",
+    "reference",
+    "cli/test_compare.py",
+    "report/test_compare_pictures.py",
+    "study/test_compare.py",
+    "acceptance/test_elements.py",
+    "acceptance/test_against_elements.py",
+    "acceptance/test_slenderness.py",
+    "acceptance/test_necking.py",
+)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Skip what needs a compiler, if there is none."""
+    if find_compiler() is not None:
+        return
+    if os.environ.get(PROMISED):
+        raise pytest.UsageError(f"{PROMISED} is set, but there is no C compiler: install gcc, or set CC")
+    skipped = pytest.mark.skip(reason="no C compiler: install gcc, or set CC")
+    for item in items:
+        place = item.path.relative_to(HERE).as_posix()
+        if place.startswith(COMPILING):
+            item.add_marker(skipped)
