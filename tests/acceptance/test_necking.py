@@ -41,7 +41,7 @@ def row(title: str, run: Trajectory) -> Row:
 
 
 def of_elements(G: float, mesh: Mesh) -> Row:
-    """A row, or what the elements refuse."""
+    """A row, or what the elements refuse; their stretch is the mean over the column of elements at the clamp."""
     scene = plane(NAME, {} if G == 0.25 else {"groups.G": G})
     try:
         run = elements(scene, mesh)
@@ -58,7 +58,7 @@ def of_elements(G: float, mesh: Mesh) -> Row:
     ]
 
 
-HEADER = ["", "mean sag/L", "sag/L at the end", "largest stretch", "outcome", "because"]
+HEADER = ["", "mean sag/L", "sag/L at the end", "stretch at the clamp", "outcome", "because"]
 
 
 @pytest.mark.slow
@@ -86,9 +86,9 @@ def test_without_the_gradient_the_answer_is_refused() -> None:
 
 @pytest.mark.slow
 def test_the_means_do_not_depend_on_the_integrator() -> None:
-    grid = {"numerics.cells": 40, "numerics.fibres": 6}
-    rings = filament(NAME, {**grid, "numerics.solver": "rosenbrock", "numerics.rtol": 1e-4})
-    damps = filament(NAME, {**TIGHT, **grid})
+    grid = {**TIGHT, "numerics.cells": 40, "numerics.fibres": 6}
+    rings = filament(NAME, {**grid, "numerics.solver": "rosenbrock"})
+    damps = filament(NAME, grid)
     first, second = mean(plane(NAME), rings), mean(plane(NAME), damps)
     rows = [
         [run.summary["solver"], f"{average:.6f}", run.summary["steps"], f"{run.summary['wall_s']['solve']:.1f}"]
