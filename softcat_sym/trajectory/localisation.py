@@ -22,6 +22,7 @@ G = 0.4, where elements rupture on fine meshes, it has 0.39 at N = 20 and 0.51 a
 """
 
 _NEGLIGIBLE_ELONGATION = 1e-9
+_RUPTURED = 10.0  # strain beyond which only a thread is left: no number is worth telling
 
 
 def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
@@ -94,7 +95,8 @@ def neck_that_the_grid_decides(stretch: Floats, length: Floats, neck: float | No
     where = f"X/L = {(edges[cell] + edges[cell + 1]) / 2 / edges[-1] - 0.5:.4g}"
     if neck is not None:
         strain = neck_strain(stretch, length, neck)
-        drawn = f"the neck at {where} is drawn out by {strain:.0%} of its length beyond its neighbourhood: near rupture"
+        far = f"by {strain:.0%} of its length" if strain < _RUPTURED else f"to more than {_RUPTURED:g} times its length"
+        drawn = f"the neck at {where} is drawn out {far} beyond its neighbourhood: near rupture"
         return drawn if strain > DRAWN_OUT else ""
     share = largest_share_of_one_cell(stretch, length)
     gathered = f"the cell at {where} carries {share:.0%} of the elongation of its half beyond its neighbour"
