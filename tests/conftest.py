@@ -20,6 +20,7 @@ COMPILING = (
     "report/test_compare_pictures.py",
     "study/test_compare.py",
     "acceptance/test_elements.py",
+    "acceptance/test_material_point.py",
     "acceptance/test_against_elements.py",
     "acceptance/test_slenderness.py",
     "acceptance/test_necking.py",

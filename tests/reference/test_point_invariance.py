@@ -11,30 +11,13 @@ import pytest
 from softcat_sym.errors import SoftcatError
 from softcat_sym.reference.point import MaterialPoint
 
-from .paths import BINGHAM, ELASTIC, MAXWELL, Floats, shear_and_stretch
+from .paths import BINGHAM, ELASTIC, Floats, shear_and_stretch
 
 E, NU = BINGHAM["youngs_modulus"], BINGHAM["poisson"]
 
 
 def turned(angle: float) -> Floats:
     return np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
-
-
-@pytest.mark.parametrize(("law", "constants"), [("elastic", ELASTIC), ("maxwell", MAXWELL), ("bingham", BINGHAM)])
-def test_a_turning_observer_sees_the_stress_turned_and_nothing_else(law: str, constants: dict[str, float]) -> None:
-    still, seen = MaterialPoint(law, constants), MaterialPoint(law, constants)
-    for n in range(1, 201):
-        time = n / 200
-        spin = turned(9 * time + 3 * math.sin(7 * time))
-        still.step(shear_and_stretch(time), 1 / 200)
-        seen.step(spin @ shear_and_stretch(time), 1 / 200)
-        scale = np.abs(still.stress).max()
-        assert seen.stress == pytest.approx(spin @ still.stress, abs=1e-12 * max(scale, 1))
-        assert seen.state == pytest.approx(still.state, abs=1e-12)
-        assert seen.energy == pytest.approx(still.energy, abs=1e-12)
-        assert seen.width_stretch == pytest.approx(still.width_stretch, abs=1e-12)
-    assert seen.work == pytest.approx(still.work, abs=1e-12)
-    assert (law == "elastic") == (still.work == 0)
 
 
 def test_isotropic_turning_the_sample_first_turns_nothing_but_the_sample() -> None:
