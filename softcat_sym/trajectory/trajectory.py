@@ -11,6 +11,7 @@ import numpy as np
 
 from softcat_sym.effects import Effects
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT, neck_length
+from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
 from softcat_sym.solve import Outcome, Prepared, Solution
@@ -114,7 +115,9 @@ def _outcome(
     scene: Scene, effects: Effects, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
 ) -> tuple[Outcome, str]:
     """The verdict: a failed integration first, then a localised neck, then an energy balance that does not close."""
-    length = neck_length(scene) if NECKING_GRADIENT.name in effects.names else None
+    # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
+    runs_away = {NECKING_GRADIENT.name, YIELDING.name} <= set(effects.names)
+    length = neck_length(scene) if runs_away else None
     neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length)
     if neck:
         return Outcome.localised, "; ".join(filter(None, [neck, solution.complaint]))
