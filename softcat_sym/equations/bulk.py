@@ -159,8 +159,8 @@ def principal(rate: sp.Expr) -> BulkLaw:
 def plane_stress(rate: sp.Expr) -> BulkLaw:
     """Law in principal axes with M_33 = 0: Ee_33 is eliminated, ``strain[2, 2]`` gives it in the other two.
 
-    Lp_33 does not vanish. In an implicit step Ee_33 is what the *new* elastic strains leave, so the step keeps a second
-    unknown besides sig_eq; only the elastic link of the chain is closed here.
+    Lp_33 does not vanish. What an implicit step makes of it stands in :mod:`softcat_sym.equations.bulk_step`: sum and
+    difference of the stresses relax each by itself, and one scalar equation in sig_eq is left.
     """
     strain = sp.diag(elastic_strain[0, 0], elastic_strain[1, 1], width_strain())
     stress = mandel_stress(strain).applyfunc(sp.factor)
