@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 
@@ -33,6 +33,19 @@ def replace_atomically(path: Path, content: bytes) -> Path:
             stream.write(content)
 
     return fill_atomically(path, fill)
+
+
+def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
+    """Write several files into a folder, which is made if missing, each as :func:`replace_atomically` does.
+
+    Raises
+    ------
+    OSError
+        If the folder cannot be made or written.
+    """
+    folder = Path(directory)
+    folder.mkdir(parents=True, exist_ok=True)
+    return [replace_atomically(folder / name, content) for name, content in contents.items()]
 
 
 def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:

@@ -40,7 +40,7 @@ def write_pictures(data: xr.Dataset, summary: Summary, scene: PicturedScene, dir
     OSError
         If the directory cannot be written.
     """
-    from softcat_sym.files import replace_atomically
+    from softcat_sym.files import write_all
     from softcat_sym.report.canvas import png
     from softcat_sym.report.energy import energy_figure
     from softcat_sym.report.midpoint import midpoint_figure
@@ -53,6 +53,4 @@ def write_pictures(data: xr.Dataset, summary: Summary, scene: PicturedScene, dir
         "energy.png": png(energy_figure(data, summary, scene)),
         "midpoint.csv": midpoint_csv(data),
     }
-    folder = Path(directory)
-    folder.mkdir(parents=True, exist_ok=True)
-    return [replace_atomically(folder / name, content) for name, content in contents.items()]
+    return write_all(directory, contents)

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from softcat_sym.files import replace_atomically
+from softcat_sym.files import write_all
 from softcat_sym.report.canvas import png
 from softcat_sym.report.compare_clamp import clamp_figure
 from softcat_sym.report.compare_midpoint import midpoint_figure
@@ -53,6 +53,4 @@ def write_comparison(comparison: Comparison, directory: str | Path) -> list[Path
         "compare_plastic_rate.csv": rate_csv(comparison),
         "compare_clamp_strain.csv": clamp_csv(comparison),
     }
-    folder = Path(directory)
-    folder.mkdir(parents=True, exist_ok=True)
-    return [replace_atomically(folder / name, content) for name, content in contents.items()]
+    return write_all(directory, contents)
