@@ -2,11 +2,14 @@
 
 from dataclasses import replace
 
+from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.equations.section import SECTIONS
+from softcat_sym.equations.symbols import c
+from softcat_sym.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:
@@ -18,9 +21,11 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene) -> Estimate:
-    # A linear law keeps a linear profile; where fibres yield in turn, what they leave behind is spread over h0.
-    value = groups_of(scene).delta if YIELDING.applies(scene) else 0.0
-    return Estimate(value, "change of the sag by fibres that yield in turn, h0/L (0 for a linear law)")
+    # A linear profile carries M_Y at the most, M_p = M_Y <|zeta|>/<zeta^2> is what fibres that yield in turn can carry.
+    shape = SECTIONS[scene.filament.section]
+    reserve = float(2 * shape.overstress_mean.subs(c, 0) / shape.zeta_squared) - 1
+    value = reserve * BENDING.estimate(scene).value if YIELDING.applies(scene) else 0.0
+    return Estimate(value, "plastic reserve M_p/M_Y - 1 times the share of the load carried in bending")
 
 
 def _called_for(scene: Scene, value: float) -> bool:

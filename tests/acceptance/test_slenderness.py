@@ -15,7 +15,7 @@ import pytest
 from softcat_sym.reference import ElementRun, Mesh
 from softcat_sym.scene import Scene
 
-from .elements import INSTANTS, Floats, digits, elements, filament, mean, midpoints, name_of, percent, plane
+from .elements import INSTANTS, PUBLISHED, Floats, digits, elements, filament, mean, midpoints, name_of, percent, plane
 from .table import show
 
 NAME = "continual-descent"
@@ -90,16 +90,6 @@ def orders(apart: Mapping[str, list[Floats]]) -> list[list[object]]:
     return rows
 
 
-PUBLISHED = (
-    "inertia",
-    "bending",
-    "finite-stretch",
-    "thinning",
-    "large-rotation",
-    "viscous-flow",
-    "yielding",
-    "gravity-ramp",
-)
 EARLY = (23.0, *INSTANTS)
 
 
