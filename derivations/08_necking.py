@@ -30,8 +30,9 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.equations import motion, necking, rheology, section
+from softcat_sym.equations import motion, necking, section
 from softcat_sym.equations.dimensions import check
+from softcat_sym.equations.laws import bingham, maxwell
 from softcat_sym.equations.symbols import A0, T, X, eta, h0, s, sigma, sigma_Y, t
 
 # %% [markdown]
@@ -283,7 +284,7 @@ growth
 # %%
 prove_equal(growth.subs(b_here, 0), sigma * slope_of_rule)
 beyond = sp.Symbol("beyond", positive=True)
-for rule in (rheology.bingham_rate(), rheology.maxwell_rate()):
+for rule in (bingham.bingham_rate(), maxwell.maxwell_rate()):
     stress = sigma_Y + beyond
     slope_here = sp.diff(rule, sigma).subs(sigma, stress)
     prove_equal(slope_here, 1 / eta)
@@ -395,7 +396,7 @@ for name, derived in derived_stiffness.items():
 
 # %%
 held = {equation.name: equation for equation in necking.EQUATIONS}
-rate = rheology.bingham_rate()
+rate = bingham.bingham_rate()
 for name, derived in derived_stiffness.items():
     pulling = {tension: positive_tension}
     gain = -sp.diff(derived * first, X)

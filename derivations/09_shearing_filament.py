@@ -26,8 +26,9 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.equations import balance, bulk, closure, kinematics, motion, reissner, rheology, section
+from softcat_sym.equations import balance, bulk, closure, kinematics, motion, reissner, section
 from softcat_sym.equations.dimensions import check
+from softcat_sym.equations.laws import bingham, maxwell
 from softcat_sym.equations.reissner import Gam, Lam, S, gamma_p, k, kappa_s, psi, tau_f
 from softcat_sym.equations.symbols import (
     A0,
@@ -372,7 +373,7 @@ for name, found in zip(("Lam", "Gam"), derived["both ways"], strict=False):
     prove_equal(held[f"force conjugate to {name}"].right, found)
 prove_equal(held["moment conjugate to k"].right, derived["both ways"][2])
 prove_equal(held["equivalent stress of a fibre"].right ** 2, equivalent**2)
-for rule in (rheology.bingham_rate(), rheology.maxwell_rate()):
+for rule in (bingham.bingham_rate(), maxwell.maxwell_rate()):
     of_rule = reissner.fibre_flow(rule)
     speed = rule.subs(sigma, bulk.sigma_eq)
     prove_equal(of_rule.shear_rate, 3 * speed * tau_f / bulk.sigma_eq)

@@ -13,6 +13,7 @@ from softcat_sym.simulate import simulate
 
 if TYPE_CHECKING:
     from softcat_sym.errors import SceneError, SoftcatError
+    from softcat_sym.inverse import fit_flow_curve
     from softcat_sym.scene import Scene, bundled_names, load_scene
     from softcat_sym.solve import Outcome
     from softcat_sym.trajectory import Trajectory
@@ -24,6 +25,7 @@ _HOMES = {
     "SoftcatError": "softcat_sym.errors",
     "Trajectory": "softcat_sym.trajectory",
     "bundled_names": "softcat_sym.scene",
+    "fit_flow_curve": "softcat_sym.inverse",
     "load_scene": "softcat_sym.scene",
 }
 
@@ -34,6 +36,7 @@ __all__ = [
     "SoftcatError",
     "Trajectory",
     "bundled_names",
+    "fit_flow_curve",
     "load_scene",
     "simulate",
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from softcat_sym.graph import Graph
     from softcat_sym.scene import Scene
     from softcat_sym.solve import Progress
     from softcat_sym.trajectory import Trajectory
@@ -37,15 +38,21 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     from softcat_sym.equations.filament import derive
     from softcat_sym.equations.section import SECTIONS
     from softcat_sym.graph import assemble
-    from softcat_sym.graph.choosing import choose_grid, choose_theory
+    from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
     from softcat_sym.solve import Silence, choose_settings, prepare
     from softcat_sym.trajectory import judge
 
     clock = Clock()
     effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    graph = assemble(equations, choose_grid(scene), effects.names, choose_theory(scene, equations))
-    prepared = prepare(scene, graph, choose_settings(scene, effects))
+    grid = choose_grid(scene)
+    graph = assemble(equations, grid, effects.names, choose_theory(scene, equations), choose_body(scene, grid))
+
+    def statics() -> Graph:
+        still = derive(effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
+        return assemble(still, grid, effects.names, choose_theory(scene, still), choose_body(scene, grid))
+
+    prepared = prepare(scene, graph, choose_settings(scene, effects), statics)
     clock.lap("build")
     solution = prepared.solve(progress or Silence())
     clock.lap("solve")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import Effect
@@ -13,11 +13,14 @@ from softcat_sym.effects.finite_stretch import FINITE_STRETCH
 from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.large_rotation import LARGE_ROTATION
+from softcat_sym.effects.law import law_in
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
+from softcat_sym.effects.outrunning import outrunning_faults
 from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
+from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.equations.filament import Terms
 from softcat_sym.errors import Fault, SceneError
@@ -30,6 +33,7 @@ REGISTRY: tuple[Effect, ...] = (
     THINNING,
     LARGE_ROTATION,
     VISCOUS_FLOW,
+    VISCOUS_STRESS,
     YIELDING,
     GRAVITY_RAMP,
     SHEAR,
@@ -51,11 +55,14 @@ class Effects:
         Why each is in force.
     left_out : mapping of str to float
         Estimate of each effect that the scene has but the run does not.
+    bare : Terms
+        The filament of this material and shape without any effect.
     """
 
     in_force: tuple[Effect, ...]
     reasons: Mapping[str, str]
     left_out: Mapping[str, float]
+    bare: Terms
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -64,10 +71,22 @@ class Effects:
 
     def terms(self) -> Terms:
         """The terms that these effects pick."""
-        terms = Terms()
+        terms = self.bare
         for effect in self.in_force:
             terms = effect.contribute(terms)
         return terms
+
+    def at_rest(self) -> Terms:
+        """The terms of the same filament at rest under its whole weight: nothing that depends on a rate."""
+        bare = Terms()
+        return replace(
+            self.terms(),
+            inertia=False,
+            rotary_inertia=False,
+            viscous=False,
+            gravity=bare.gravity,
+            gravity_rate=bare.gravity_rate,
+        )
 
 
 def choose_effects(scene: Scene) -> Effects:
@@ -94,7 +113,18 @@ def choose_effects(scene: Scene) -> Effects:
     _refuse_closure(scene, chosen)
     reasons = {effect.name: f"{why[effect.name]}; {effect.estimate(scene)}" for effect in chosen}
     left_out = {e.name: e.estimate(scene).value for e in REGISTRY if e.applies(scene) and e not in chosen}
-    return Effects(chosen, reasons, left_out)
+    _refuse_without_stress(scene, chosen)
+    outrun = outrunning_faults(scene) if INERTIA in chosen else []
+    if outrun:
+        raise SceneError(outrun)
+    return Effects(chosen, reasons, left_out, Terms(law=law_in(scene), curved=scene.filament.curvature != 0))
+
+
+def _refuse_without_stress(scene: Scene, chosen: tuple[Effect, ...]) -> None:
+    """A Newtonian fluid has no other stress than its viscous one."""
+    if not law_in(scene).branches and VISCOUS_STRESS not in chosen:
+        found = f"without {VISCOUS_STRESS.name!r}, but the law {scene.material.law!r} has no other stress"
+        raise SceneError([Fault("run.effects", found, f"add {VISCOUS_STRESS.name!r}")])
 
 
 def _why(effect: Effect, scene: Scene, *, published: bool) -> str:

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
+from softcat_sym.effects.law import flow_is_linear
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.equations.filament import Terms
@@ -24,12 +25,13 @@ def _estimate(scene: Scene) -> Estimate:
     # A linear profile carries M_Y at the most, M_p = M_Y <|zeta|>/<zeta^2> is what fibres that yield in turn can carry.
     shape = SECTIONS[scene.filament.section]
     reserve = float(2 * shape.overstress_mean.subs(c, 0) / shape.zeta_squared) - 1
-    value = reserve * BENDING.estimate(scene).value if YIELDING.applies(scene) else 0.0
+    value = 0.0 if flow_is_linear(scene) else reserve * BENDING.estimate(scene).value
     return Estimate(value, "plastic reserve M_p/M_Y - 1 times the share of the load carried in bending")
 
 
 def _called_for(scene: Scene, value: float) -> bool:
-    return value > 0
+    # Fibres that yield in turn change where a filament stops; a smooth rule only how fast it goes.
+    return value > (0.0 if YIELDING.applies(scene) else scene.run.accuracy)
 
 
 FIBRES = Effect(

@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate, always
-from softcat_sym.effects.prediction import duration_star
+from softcat_sym.effects.prediction import duration_star, viscous_number
 from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:
@@ -14,7 +14,8 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene) -> Estimate:
     # t_high of section 2.2 with alpha = 1/15: from then on inertia is less than alpha of the tension.
-    viscous = groups_of(scene).B
+    number = viscous_number(scene)
+    viscous = None if number is None else 1 / (2 * number)
     time = duration_star(scene)
     settles = (viscous / 3) ** 0.2 * 0.4**-0.6 if viscous is not None else time
     return Estimate(

@@ -4,11 +4,17 @@ import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
-from softcat_sym.effects.prediction import duration_star, first_yield_gravity_number, predicted_strain
+from softcat_sym.effects.prediction import (
+    duration_star,
+    first_yield_gravity_number,
+    gravity_number_of,
+    predicted_strain,
+    viscous_number,
+)
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.equations.filament import Terms
 from softcat_sym.equations.necking import NECKS, aspect
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.scene import Scene
 
 _UNEVENNESS = 4e-4
 """Unevenness that a neck grows from: one e-fold of it changes the sag of the paper's arrested filament by 1 %."""
@@ -31,10 +37,10 @@ def _applies(scene: Scene) -> bool:
 
 def _estimate(scene: Scene) -> Estimate:
     # A neck grows at sigma/eta = sigma_Y/eta + the rate of strain, at the most for as long as the run lasts.
-    groups = groups_of(scene)
+    gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
     folds = predicted_strain(scene)
-    if groups.G and groups.V and groups.G > first_yield_gravity_number(scene):
-        folds += duration_star(scene) / (groups.G * groups.V)
+    if gravity_number and viscous and gravity_number > first_yield_gravity_number(scene):
+        folds += duration_star(scene) / (gravity_number * viscous)
     return Estimate(folds, "growth of a neck in e-folds, sigma/eta times the duration")
 
 
@@ -44,7 +50,7 @@ def _called_for(scene: Scene, value: float) -> bool:
 
 NECKING_GRADIENT = Effect(
     name="necking-gradient",
-    summary="axial force - d/dX (b s_X), b = beta h0^2 T/s^4",
+    summary="axial force - d/dX (b s_X), b = beta h0^2 T/s^4, of a sheet T/s^5",
     source="Audoly & Hutchinson 2016",
     contribute=_contribute,
     applies=_applies,

@@ -4,9 +4,67 @@ from __future__ import annotations
 
 import math
 
+from softcat_sym.effects.law import is_solid
 from softcat_sym.equations import regimes
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.scene import Scene, gravity_time, groups_of
+
+
+def instant_modulus(scene: Scene) -> float | None:
+    """Young's modulus of a sudden load [Pa]: all springs together; None for a fluid without any."""
+    material = scene.material
+    if material.modes:
+        return sum(mode.youngs_modulus for mode in material.modes)
+    if material.youngs_modulus is None:
+        return None
+    return material.youngs_modulus + (material.second_modulus or 0.0)
+
+
+def static_modulus(scene: Scene) -> float | None:
+    """Young's modulus of a lasting load [Pa], or of a sudden one where none lasts."""
+    return scene.material.youngs_modulus if is_solid(scene) else instant_modulus(scene)
+
+
+def yield_stress_of(scene: Scene) -> float | None:
+    """Stress below which nothing flows [Pa]; None for a law without one."""
+    material = scene.material
+    return material.yield_stress if material.yield_stress is not None else material.threshold or None
+
+
+def gravity_number_of(scene: Scene) -> float | None:
+    """G = rho g L/sigma_Y (3.10), of any law that yields."""
+    limit = yield_stress_of(scene)
+    return None if limit is None else weight_stress(scene) / limit
+
+
+def weight_stress(scene: Scene) -> float:
+    """Rho g L [Pa]."""
+    filament = scene.filament
+    return filament.density * scene.load.gravity * filament.span
+
+
+def effective_viscosity(scene: Scene) -> float | None:
+    """Stress over flow rate [Pa s] at a stress of rho g L beyond yield, or eta where the two are proportional.
+
+    None for a law that does not flow, 0 where the rule gives no number.
+    """
+    material, stress = scene.material, weight_stress(scene) or 1.0
+    if material.modes:
+        return sum(mode.viscosity for mode in material.modes)
+    if material.law == "custom" and material.formula is not None:
+        values = {parameter.name: parameter.value for parameter in material.parameters}
+        rate = material.formula.value(material.threshold + stress, values)
+        return stress / rate if rate > 0 and math.isfinite(rate) else 0.0
+    if material.viscosity is None:
+        return None
+    return float(material.viscosity ** (1 / material.index) * stress ** (1 - 1 / material.index))
+
+
+def viscous_number(scene: Scene) -> float | None:
+    """V = eta/(rho sqrt(g L^3)) (3.10) with the effective viscosity; infinite without gravity."""
+    viscosity = effective_viscosity(scene)
+    impulse = weight_stress(scene) * gravity_time(scene) if scene.load.gravity > 0 else 0.0
+    return viscosity if viscosity is None else viscosity / impulse if impulse > 0 else math.inf
 
 
 def duration_star(scene: Scene) -> float:
@@ -15,9 +73,9 @@ def duration_star(scene: Scene) -> float:
 
 
 def beam_of(scene: Scene) -> regimes.Beam:
-    """The straight beam between the scene's ends."""
+    """The straight beam between the scene's ends; with a free one, the cantilever that the other must hold."""
     first, second = sorted((scene.ends.left, scene.ends.right))
-    return regimes.BEAMS[first, second]
+    return regimes.CANTILEVER if "free" in (first, second) else regimes.BEAMS[first, second]
 
 
 def bending_stiffness(scene: Scene) -> float:
@@ -39,24 +97,27 @@ def smaller_of(bending: float, stretching: float) -> float:
 
 def elastic_sag(scene: Scene) -> float:
     """Static sag over span of the elastic filament: linear beam and elastic cable together (THEORY 11)."""
-    groups = groups_of(scene)
-    if groups.E_star is None or not math.isfinite(groups.E_star):
+    modulus, weight = static_modulus(scene), weight_stress(scene)
+    if modulus is None or weight == 0:
         return 0.0
-    return smaller_of(1 / (bending_stiffness(scene) * groups.E_star), (3 / (64 * groups.E_star)) ** (1 / 3))
+    stiff = modulus / weight
+    return smaller_of(1 / (bending_stiffness(scene) * stiff), (3 / (64 * stiff)) ** (1 / 3))
 
 
 def flowing_sag(scene: Scene) -> float:
     """Sag over span that flow adds by the end of the run: viscous beam and string, up to H_stop (3.13)."""
-    groups = groups_of(scene)
-    if groups.V is None or (groups.G is not None and groups.G < first_yield_gravity_number(scene)):
+    viscous, gravity_number = viscous_number(scene), gravity_number_of(scene)
+    if not viscous or is_solid(scene):
+        return 0.0
+    if gravity_number is not None and gravity_number < first_yield_gravity_number(scene):
         return 0.0
     time = duration_star(scene)
     if time == 0:
         return 0.0
-    flowing = smaller_of(time / (bending_stiffness(scene) * groups.V), (9 * time / (128 * groups.V)) ** (1 / 3))
-    if groups.G is None or float(regimes.ARREST_THRESHOLD) <= groups.G:
+    flowing = smaller_of(time / (bending_stiffness(scene) * viscous), (9 * time / (128 * viscous)) ** (1 / 3))
+    if gravity_number is None or float(regimes.ARREST_THRESHOLD) <= gravity_number:
         return flowing
-    return min(flowing, float(regimes.STOPPING_DEPTH.right.subs(regimes.G, groups.G)))
+    return min(flowing, float(regimes.STOPPING_DEPTH.right.subs(regimes.G, gravity_number)))
 
 
 def predicted_sag(scene: Scene) -> float:

@@ -5,12 +5,11 @@ from dataclasses import replace
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
 from softcat_sym.effects.prediction import predicted_strain
 from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.section import UNIFORM
 from softcat_sym.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:
-    return replace(terms, contraction=UNIFORM)
+    return replace(terms, thins=True)
 
 
 def _estimate(scene: Scene) -> Estimate:
@@ -19,7 +18,7 @@ def _estimate(scene: Scene) -> Estimate:
 
 THINNING = Effect(
     name="thinning",
-    summary="A = A0/s, h = h0/sqrt(s)",
+    summary="A = A0/s, h = h0/sqrt(s), of a sheet h0/s",
     source="2.9",
     contribute=_contribute,
     applies=of_large_deflections,

@@ -4,34 +4,35 @@ import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.law import law_in
+from softcat_sym.effects.prediction import effective_viscosity, instant_modulus
 from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.rheology import maxwell_means, maxwell_rate
 from softcat_sym.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:
-    return replace(terms, flow=maxwell_means, rate=maxwell_rate())
+    return replace(terms, flows=True)
 
 
 def _applies(scene: Scene) -> bool:
-    return scene.material.law != "elastic"
+    return law_in(scene).flows
 
 
 def _estimate(scene: Scene) -> Estimate:
-    material = scene.material
-    if material.viscosity is None or material.youngs_modulus is None:
+    modulus, viscosity = instant_modulus(scene), effective_viscosity(scene)
+    if not viscosity or modulus is None:
         return Estimate(0.0, "share of the stress that relaxes during the run")
-    relaxed = -math.expm1(-scene.run.duration * material.youngs_modulus / material.viscosity)
+    relaxed = -math.expm1(-scene.run.duration * modulus / viscosity)
     return Estimate(relaxed, "share of the stress that relaxes during the run, 1 - exp(-duration E/eta)")
 
 
 VISCOUS_FLOW = Effect(
     name="viscous-flow",
-    summary="plastic strain rate sigma/eta",
+    summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the rule given",
     source="2.7, 2.12",
     contribute=_contribute,
     applies=_applies,
-    without_it="the law is elastic: it does not flow",
+    without_it="the law is elastic, Newtonian or Kelvin-Voigt: it has no plastic strain",
     estimate=_estimate,
     observable="largest plastic strain",
 )

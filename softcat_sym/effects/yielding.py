@@ -3,22 +3,22 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.effects.prediction import predicted_sag
+from softcat_sym.effects.law import law_in
+from softcat_sym.effects.prediction import gravity_number_of, predicted_sag
 from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.rheology import bingham_means, bingham_rate
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:
-    return replace(terms, flow_beyond_yield=bingham_means, rate_beyond_yield=bingham_rate())
+    return replace(terms, yields=True)
 
 
 def _applies(scene: Scene) -> bool:
-    return scene.material.law == "bingham"
+    return law_in(scene).yields
 
 
 def _estimate(scene: Scene) -> Estimate:
-    gravity_number = groups_of(scene).G
+    gravity_number = gravity_number_of(scene)
     sag = predicted_sag(scene)
     if gravity_number is None or gravity_number == 0 or sag == 0:
         return Estimate(1.0, "yield stress over the stress of the catenary")
@@ -29,7 +29,7 @@ def _estimate(scene: Scene) -> Estimate:
 
 YIELDING = Effect(
     name="yielding",
-    summary="plastic strain rate <|sigma| - sigma_Y> sign(sigma)/eta",
+    summary="nothing flows below the yield stress",
     source="2.25-2.27",
     contribute=_contribute,
     applies=_applies,

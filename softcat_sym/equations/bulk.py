@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from softcat_sym.equations.equation import Equation
-from softcat_sym.equations.rheology import bingham_rate
+from softcat_sym.equations.laws.bingham import bingham_rate
 from softcat_sym.equations.symbols import ONE, RATE, STRESS, TIME, E, enter, eta, sigma, sigma_Y
 
 nu = enter("nu", r"\nu", ONE, "elastic Poisson's ratio", "3.6")
@@ -87,7 +87,7 @@ def plastic_flow(stress: sp.Matrix, rate: sp.Expr) -> sp.Matrix:
     stress : sympy.Matrix
         Mandel stress.
     rate : sympy.Expr
-        Flow rule phi in the symbol ``sigma``, as in :mod:`softcat_sym.equations.rheology`.
+        Flow rule phi in the symbol ``sigma``, as in :mod:`softcat_sym.equations.laws`.
     """
     return flow_direction(stress) * rate.subs(sigma, sigma_eq)
 

@@ -15,7 +15,7 @@ import sympy as sp
 
 from softcat_sym.equations import bulk
 from softcat_sym.equations.equation import Equation
-from softcat_sym.equations.rheology import bingham_rate
+from softcat_sym.equations.laws.bingham import bingham_rate
 from softcat_sym.equations.symbols import ONE, STRESS, enter, sigma
 
 _PLANE = ("11", "12", "21", "22")

@@ -10,13 +10,14 @@ from softcat_sym.equations.equation import Equation
 
 
 def all_equations() -> dict[str, tuple[Equation, ...]]:
-    """The ``EQUATIONS`` of every module of :mod:`softcat_sym.equations` that has some, by module name.
+    """The ``EQUATIONS`` of every module of :mod:`softcat_sym.equations` that has some, by module name below it.
 
     Importing them all also completes the table of symbols.
     """
     found: dict[str, tuple[Equation, ...]] = {}
-    for module in pkgutil.iter_modules(softcat_sym.equations.__path__):
-        equations = getattr(importlib.import_module(f"softcat_sym.equations.{module.name}"), "EQUATIONS", None)
+    root = f"{softcat_sym.equations.__name__}."
+    for module in pkgutil.walk_packages(softcat_sym.equations.__path__, root):
+        equations = getattr(importlib.import_module(module.name), "EQUATIONS", None)
         if equations:
-            found[module.name] = equations
+            found[module.name.removeprefix(root)] = equations
     return found

@@ -11,8 +11,8 @@ from sympy.core.relational import Relational
 from softcat_sym.equations.equation import Equation
 from softcat_sym.equations.symbols import entry, field_entry
 
-Exponents = tuple[Fraction, ...]
-"""Exponents of (kg, m, s)."""
+Exponents = tuple[Fraction | sp.Expr, ...]
+"""Exponents of (kg, m, s): numbers, or expressions in a material constant, as the n in the Pa s^n of a consistency."""
 
 PURE: Exponents = (Fraction(0),) * 3
 _OF_PURE = (
@@ -50,7 +50,7 @@ def dimension(expr: sp.Basic) -> Exponents | None:
     if expr == 0:
         return None
     if isinstance(expr, sp.Symbol):
-        return tuple(map(Fraction, entry(expr).dimension))
+        return tuple(map(_exact, entry(expr).dimension))
     if expr.is_number:
         return PURE
     if isinstance(expr, sp.Mul):
@@ -115,19 +115,27 @@ def _product(parts: list[Exponents | None]) -> Exponents | None:
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
         return None
-    return tuple(sum(column, Fraction(0)) for column in zip(*known, strict=True))
+    return tuple(_exact(sum(column, Fraction(0))) for column in zip(*known, strict=True))
 
 
 def _power(base: sp.Expr, exponent: sp.Expr) -> Exponents | None:
     inner = dimension(base)
     if not exponent.is_Rational:
-        _agree(base**exponent, [inner, dimension(exponent), PURE])
-        return PURE
-    return None if inner is None else tuple(Fraction(exponent.p, exponent.q) * part for part in inner)
+        _agree(base**exponent, [dimension(exponent), PURE])
+        return PURE if inner is None else tuple(_exact(exponent * part) for part in inner)
+    return None if inner is None else tuple(_exact(Fraction(exponent.p, exponent.q) * part) for part in inner)
+
+
+def _exact(exponent: int | Fraction | sp.Expr) -> Fraction | sp.Expr:
+    """An exponent in the one form in which equal ones are the same."""
+    if not isinstance(exponent, sp.Basic):
+        return Fraction(exponent)
+    settled = sp.cancel(exponent)
+    return Fraction(int(settled.p), int(settled.q)) if settled.is_Rational else settled
 
 
 def _agree(expr: sp.Basic, parts: list[Exponents | None]) -> Exponents | None:
     known = {part for part in parts if part is not None}
     if len(known) > 1:
-        raise DimensionError(f"{sorted(known)} in {expr}")
+        raise DimensionError(f"{sorted(known, key=str)} in {expr}")
     return known.pop() if known else None

@@ -7,7 +7,18 @@ from dataclasses import dataclass
 import sympy as sp
 
 from softcat_sym.equations.equation import Equation
-from softcat_sym.equations.symbols import s, theta, x_X, x_X_before, y_X, y_X_before
+from softcat_sym.equations.symbols import (
+    s,
+    theta,
+    x_X,
+    x_X_before,
+    x_Xt,
+    x_Xt_before,
+    y_X,
+    y_X_before,
+    y_Xt,
+    y_Xt_before,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +47,15 @@ class Kinematics:
         """(dtheta/dx_X, dtheta/dy_X): the direction of the transverse force M_X. n/s when rotations are large."""
         angle = self.turning.subs({x_X_before: 1, y_X_before: 0})
         return (self._by_stretch(sp.diff(angle, x_X)), self._by_stretch(sp.diff(angle, y_X)))
+
+    def stretch_rate(self) -> sp.Expr:
+        """Rate of the stretch, of the tangent and its rate."""
+        return sp.diff(self.stretch, x_X) * x_Xt + sp.diff(self.stretch, y_X) * y_Xt
+
+    def turning_rate(self) -> sp.Expr:
+        """Rate of the angle between neighbouring tangents, of both tangents and their rates."""
+        pairs = ((x_X_before, x_Xt_before), (y_X_before, y_Xt_before), (x_X, x_Xt), (y_X, y_Xt))
+        return sp.Add(*(sp.simplify(sp.diff(self.turning, of)) * rate for of, rate in pairs))
 
     def _by_stretch(self, expression: sp.Expr) -> sp.Expr:
         """Write the stretch as s where it occurs, so that it is computed once."""

@@ -17,8 +17,8 @@ import sympy as sp
 
 from softcat_sym.equations import section
 from softcat_sym.equations.equation import Equation
+from softcat_sym.equations.laws.bingham import bingham_rate
 from softcat_sym.equations.motion import axial_force, stretch
-from softcat_sym.equations.rheology import bingham_rate
 from softcat_sym.equations.symbols import FORCE, ONE, PER_LENGTH, RATE, T, X, enter, enter_field, h0, s, sigma, t
 
 s_slope = enter("s_slope", "s_{XX}", PER_LENGTH, "change of the stretch per unit material length", "THEORY 10")

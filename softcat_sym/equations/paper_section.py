@@ -1,7 +1,7 @@
 """The section in the paper's own letters: (2.9)-(2.12), (2.23)-(2.27) and the appendix, as printed.
 
 These are what the printed closure means. The solver runs :mod:`softcat_sym.equations.closure` and
-:mod:`softcat_sym.equations.rheology`, which are proved to be the same.
+:mod:`softcat_sym.equations.laws`, which are proved to be the same.
 """
 
 from __future__ import annotations

@@ -57,6 +57,9 @@ CLAMPED = Beam(Rational(1, 12), Rational(1, 384), sp.Integer(2), sp.Integer(16))
 PROPPED = Beam(Rational(1, 8), Rational(1, 192), sp.Integer(2), 6 + 4 * sp.sqrt(2))
 PINNED = Beam(Rational(1, 8), Rational(5, 384), 1 + 28 * sp.zeta(3) / sp.pi**3, sp.Integer(8))
 
+CANTILEVER = Beam(Rational(1, 2), Rational(17, 384), sp.Integer(2), sp.Integer(2))
+"""One end clamped, the other free; the sag is that of the middle."""
+
 BEAMS: dict[tuple[str, str], Beam] = {
     ("clamped", "clamped"): CLAMPED,
     ("clamped", "pinned"): PROPPED,

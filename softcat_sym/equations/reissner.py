@@ -16,7 +16,8 @@ from softcat_sym.equations import motion
 from softcat_sym.equations.balance import mass_per_length
 from softcat_sym.equations.bulk import nu, shear_modulus, sigma_eq
 from softcat_sym.equations.equation import Equation
-from softcat_sym.equations.rheology import bingham_rate, elastic_stress
+from softcat_sym.equations.laws.bingham import bingham_rate
+from softcat_sym.equations.rheology import elastic_stress
 from softcat_sym.equations.section import RECTANGLE as RECTANGULAR
 from softcat_sym.equations.section import UNIFORM, Contraction, Section
 from softcat_sym.equations.symbols import (
@@ -24,6 +25,7 @@ from softcat_sym.equations.symbols import (
     MOMENT,
     ONE,
     PER_LENGTH,
+    RATE,
     STRESS,
     E,
     M,
@@ -37,7 +39,9 @@ from softcat_sym.equations.symbols import (
     sigma,
     t,
     x_X,
+    x_Xt,
     y_X,
+    y_Xt,
     zeta,
 )
 
@@ -45,6 +49,10 @@ psi = enter("psi", r"\psi", ONE, "angle of the section's normal from the horizon
 Lam = enter("Lam", r"\Lambda", ONE, "r_X along the section's normal", "THEORY 12", positive=True)
 Gam = enter("Gam", r"\Gamma", ONE, "r_X along the section", "THEORY 12")
 k = enter("k", "k", PER_LENGTH, "psi_X, bending per unit material length", "THEORY 12")
+psi_t = enter("psi_t", r"\dot\psi", RATE, "rate of psi", "THEORY 12")
+Lam_t = enter("Lam_t", r"\dot\Lambda", RATE, "rate of Lam", "THEORY 12")
+Gam_t = enter("Gam_t", r"\dot\Gamma", RATE, "rate of Gam", "THEORY 12")
+k_t = enter("k_t", r"\dot k", (0, -1, -1), "rate of k", "THEORY 12")
 eps_p = enter("eps_p", r"\epsilon^p", ONE, "axial plastic strain of a fibre", "THEORY 12")
 gamma_p = enter("gamma_p", r"\gamma^p", ONE, "plastic shear of a fibre", "THEORY 12")
 tau_f = enter("tau_f", r"\tau", STRESS, "shear stress of a fibre", "THEORY 12")
@@ -187,18 +195,20 @@ class FibreFlow:
     yields: sp.Expr
 
 
-def fibre_flow(rate: sp.Expr) -> FibreFlow:
-    """sig_eq = sqrt(sigma^2 + 3 tau^2), eps_p_t = phi sigma/sig_eq, gamma_p_t = 3 phi tau/sig_eq.
+def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One) -> FibreFlow:
+    """sig_eq = sqrt(m sigma^2 + 3 tau^2), eps_p_t = phi m sigma/sig_eq, gamma_p_t = 3 phi tau/sig_eq.
 
     Parameters
     ----------
     rate : sympy.Expr
         Flow rule phi in the symbol ``sigma``.
+    share : sympy.Expr
+        m: 1, or 3/4 where the section is too wide to change its width (von Mises).
     """
     speed = rate.subs(sigma, sigma_eq)
     return FibreFlow(
-        equivalent=sp.sqrt(sigma**2 + 3 * tau_f**2),
-        axial_rate=speed * sigma / sigma_eq,
+        equivalent=sp.sqrt(share * sigma**2 + 3 * tau_f**2),
+        axial_rate=share * speed * sigma / sigma_eq,
         shear_rate=3 * speed * tau_f / sigma_eq,
         speed=speed,
         dissipation=speed * sigma_eq,
@@ -206,10 +216,29 @@ def fibre_flow(rate: sp.Expr) -> FibreFlow:
     )
 
 
-def axial_flow(rate: sp.Expr) -> FibreFlow:
-    """Flow of a fibre whose shear stress only keeps the section square to the centreline: sig_eq = |sigma|."""
-    both = fibre_flow(rate)
-    return replace(both, equivalent=sp.Abs(sigma), shear_rate=sp.Integer(0))
+def axial_flow(rate: sp.Expr, share: sp.Expr = sp.S.One) -> FibreFlow:
+    """Flow of a fibre whose shear stress only keeps the section square to the centreline: sig_eq = sqrt(m) |sigma|."""
+    both = fibre_flow(rate, share)
+    return replace(both, equivalent=sp.sqrt(share) * sp.Abs(sigma), shear_rate=sp.Integer(0))
+
+
+def strain_rates(of: ShearingCell) -> tuple[sp.Expr, sp.Expr]:
+    """Rates of the axial and the shear strain of a fibre, of (Lam, Gam, k) and their rates."""
+    moving = ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
+    axial, shear = (
+        sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in moving))
+        for strain in (of.axial_strain, of.shear_strain)
+    )
+    return axial, shear
+
+
+def director_rates() -> tuple[sp.Expr, sp.Expr]:
+    """Rates of (Lam, Gam), of (r_X, psi) and their rates."""
+    moving = ((x_X, x_Xt), (y_X, y_Xt), (psi, psi_t))
+    first, second = (
+        sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in moving)) for strain in director_strains()
+    )
+    return first, second
 
 
 def rotary_inertia(section: Section) -> sp.Expr:

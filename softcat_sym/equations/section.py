@@ -17,6 +17,29 @@ _EDGE = sp.Rational(1, 10**14)
 
 
 @dataclass(frozen=True, slots=True)
+class Contraction:
+    """How area and thickness follow the stretch.
+
+    Attributes
+    ----------
+    area, thickness : sympy.Expr
+        A(s) and h(s).
+    source : str
+        Equation numbers.
+    """
+
+    area: sp.Expr
+    thickness: sp.Expr
+    source: str
+
+
+# Rectangle and circle shrink in both directions, a sheet only in its thickness: its width is held.
+UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s), source="2.9")
+WIDE = Contraction(area=A0 / s, thickness=h0 / s, source="THEORY 1")
+NONE = Contraction(area=A0, thickness=h0, source="2.13")
+
+
+@dataclass(frozen=True, slots=True)
 class Section:
     """Shape of a cross-section, through its weight and the partial moments of that weight.
 
@@ -34,6 +57,12 @@ class Section:
         K_n(c) = integral of (zeta - c) zeta^n w(zeta) from c to 1, for n = 0 and 1.
     interval : tuple of sympy.Expr
         Where c may lie for these closed forms to have finite derivatives.
+    contraction : Contraction
+        How it shrinks when the filament stretches.
+    area_power : int
+        The area goes with this power of a relative thickness that varies along the filament.
+    plane_strain : bool
+        Whether it is too wide to change its width.
     """
 
     name: str
@@ -43,6 +72,9 @@ class Section:
     overstress_mean: sp.Expr
     overstress_moment: sp.Expr
     interval: tuple[sp.Expr, sp.Expr]
+    contraction: Contraction = UNIFORM
+    area_power: int = 1
+    plane_strain: bool = False
 
 
 RECTANGLE = Section(
@@ -65,35 +97,13 @@ CIRCLE = Section(
     overstress_mean=((2 + c**2) * _half_chord / 3 - c * sp.acos(c)) / sp.pi,
     overstress_moment=(sp.acos(c) / 4 - c * (5 - 2 * c**2) * _half_chord / 12) / sp.pi,
     interval=(-1 + _EDGE, 1 - _EDGE),
+    area_power=2,
 )
 
-# A wide section: one of unit relative width, like the rectangle, but its width is held while it thins (WIDE below).
-SHEET = replace(RECTANGLE, name="sheet")
+# A wide section: one of unit relative width, like the rectangle, but its width is held while it thins.
+SHEET = replace(RECTANGLE, name="sheet", contraction=WIDE, plane_strain=True)
 
-SECTIONS: dict[str, Section] = {section.name: section for section in (RECTANGLE, CIRCLE)}
-
-
-@dataclass(frozen=True, slots=True)
-class Contraction:
-    """How area and thickness follow the stretch.
-
-    Attributes
-    ----------
-    area, thickness : sympy.Expr
-        A(s) and h(s).
-    source : str
-        Equation numbers.
-    """
-
-    area: sp.Expr
-    thickness: sp.Expr
-    source: str
-
-
-# Rectangle and circle shrink in both directions, a sheet only in its thickness: its width is held.
-UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s), source="2.9")
-WIDE = Contraction(area=A0 / s, thickness=h0 / s, source="THEORY 1")
-NONE = Contraction(area=A0, thickness=h0, source="2.13")
+SECTIONS: dict[str, Section] = {section.name: section for section in (RECTANGLE, CIRCLE, SHEET)}
 
 
 def _partial_moments(shape: Section) -> tuple[Equation, ...]:

@@ -78,10 +78,20 @@ s = enter("s", "s_X", ONE, "stretch of the centreline", "2.5", positive=True)
 theta = enter("theta", r"\theta", ONE, "tangent angle from the horizontal", "2.5")
 theta_X = enter("theta_X", r"\theta_X", PER_LENGTH, "turning per unit material length", "2.5")
 
+# rates of the kinematics, for a stress that depends on them
+x_Xt = enter("x_Xt", "x_{Xt}", RATE, "rate of x_X", "2.5")
+y_Xt = enter("y_Xt", "y_{Xt}", RATE, "rate of y_X", "2.5")
+x_Xt_before = enter("x_Xt_before", "x_{Xt}^-", RATE, "rate of x_X in the cell to the left of a node", "2.5")
+y_Xt_before = enter("y_Xt_before", "y_{Xt}^-", RATE, "rate of y_X in the cell to the left of a node", "2.5")
+s_t = enter("s_t", r"\dot s_X", RATE, "rate of the stretch", "2.5")
+theta_Xt = enter("theta_Xt", r"\dot\theta_X", (0, -1, -1), "rate of theta_X", "2.5")
+
 # section
 A0 = enter("A0", "A_0", AREA, "area of the undeformed section", "2.9", positive=True)
 h0 = enter("h0", "h_0", LENGTH, "thickness of the undeformed section (diameter of a circle)", "2.9", positive=True)
 L = enter("L", "L", LENGTH, "span between the supports", "2.1", positive=True)
+L_0 = enter("L_0", "L_0", LENGTH, "rest length: X lies in [-L_0/2, L_0/2]", "2.1", positive=True)
+kappa_0 = enter("kappa_0", r"\kappa_0", PER_LENGTH, "natural curvature", "2.11")
 
 # material
 E = enter("E", "E", STRESS, "Young's modulus", "2.8", positive=True)

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+import math
+
 from softcat_sym.effects import choose_effects
 from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.equations.filament import FilamentEquations
+from softcat_sym.graph.body import Body
 from softcat_sym.graph.discretisation import Discretisation
 from softcat_sym.graph.grading import choose_grading
 from softcat_sym.graph.grid import End, Grid, half_span, whole_span
 from softcat_sym.graph.kirchhoff import KIRCHHOFF
+from softcat_sym.graph.profile import Profile
 from softcat_sym.graph.reissner import reissner
 from softcat_sym.graph.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.graph.small_deflection import SMALL_DEFLECTION
-from softcat_sym.scene import Scene
+from softcat_sym.graph.supports import Supports
+from softcat_sym.scene import Scene, is_symmetric, rest_length
 
 _THEORIES = {"filament": KIRCHHOFF, "small-deflection": SMALL_DEFLECTION}
-_ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED}
+_ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED, "free": End.FREE}
 
 DEFAULT_CELLS = 80
 """Cells per half span of the published theory while nothing estimates the error of the grid."""
@@ -45,7 +50,21 @@ def choose_grid(scene: Scene) -> Grid:
     cells = choose_cells(scene)
     grading = scene.numerics.grading or choose_grading(scene, cells)
     left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
-    return half_span(cells, right, grading) if left is right else whole_span(cells, left, right, grading)
+    return half_span(cells, right, grading) if is_symmetric(scene) else whole_span(cells, left, right, grading)
+
+
+def choose_body(scene: Scene, grid: Grid) -> Body:
+    """Supports, profile and point mass, as far as they are not plain."""
+    ends = scene.ends
+    supports = Supports(
+        apart=not math.isclose(rest_length(scene), scene.filament.span, rel_tol=1e-14),
+        lowered=ends.drop != 0,
+        # A clamp across the chord is turned into its place from there.
+        left_turned=ends.left_angle != 0 or (ends.left == "clamped" and ends.drop != 0),
+        right_turned=ends.right_angle != 0 or (ends.right == "clamped" and ends.drop != 0),
+        rows=len(ends.motion),
+    )
+    return Body(supports, Profile.sampled(scene.filament.profile, grid), weighted=scene.load.point_mass > 0)
 
 
 def choose_theory(scene: Scene, equations: FilamentEquations) -> Discretisation:

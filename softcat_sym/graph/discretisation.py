@@ -12,6 +12,8 @@ from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.layout import Block, Layout
+from softcat_sym.graph.profile import Profile
+from softcat_sym.graph.supports import Held
 
 
 @dataclass(frozen=True)
@@ -26,14 +28,16 @@ class Unknowns:
         Named ``u``, ``v``: only with inertia.
     plastic : tuple of Block
         Named as the rates in :class:`Fields`: only where the law flows.
+    profiles : mapping of str to (float, float)
+        What each kind of plastic state is of a plastic strain a_0 + a_1 zeta, the same in every branch.
     angles, spins : tuple of Block
-        Named ``psi``, ``omega``: section angles where they are independent. Algebraic without rotary inertia, and then
-        without spins.
+        Named ``psi``, ``omega``: section angles where they are independent.
     """
 
     positions: tuple[Block, ...]
     velocities: tuple[Block, ...]
     plastic: tuple[Block, ...]
+    profiles: Mapping[str, tuple[float, float]]
     angles: tuple[Block, ...] = ()
     spins: tuple[Block, ...] = ()
 
@@ -57,8 +61,47 @@ class State:
 
 
 @dataclass(frozen=True)
+class Setting:
+    """Where a filament is evaluated.
+
+    Attributes
+    ----------
+    values : mapping of sympy.Symbol to casadi value
+        Parameters.
+    grid : Grid
+        Nodes.
+    profile : Profile
+        How the section varies along the filament.
+    supports : Held
+        Where the supports are.
+    time_scale : casadi.SX
+        Unit of time [s].
+    """
+
+    values: Mapping[sy.Symbol, Any]
+    grid: Grid
+    profile: Profile
+    supports: Held
+    time_scale: ca.SX
+
+    def positions(self, state: State) -> tuple[ca.SX, ca.SX]:
+        """Positions of all nodes, in rest lengths; those that are held are where the supports are."""
+        x, y = ca.SX(self.grid.nodes), ca.SX.zeros(self.grid.cells + 1)
+        if self.grid.first.holds_height:
+            x[0] = self.supports.left_x
+        x[-1], y[-1] = self.supports.right_x, self.supports.right_y
+        return state.field("x", x), state.field("y", y)
+
+    def velocities(self, state: State) -> tuple[ca.SX, ca.SX]:
+        """Velocities of all nodes, in rest lengths per second."""
+        u, v = ca.SX.zeros(self.grid.cells + 1), ca.SX.zeros(self.grid.cells + 1)
+        u[-1], v[-1] = self.supports.right_u * self.time_scale, self.supports.right_v * self.time_scale
+        return state.field("u", u) / self.time_scale, state.field("v", v) / self.time_scale
+
+
+@dataclass(frozen=True)
 class Fields:
-    """Everything the filament is at one instant; positions in spans, the rest in SI units per unit undeformed area.
+    """Everything the filament is at one instant; positions in rest lengths, the rest in SI per unit undeformed area.
 
     Attributes
     ----------
@@ -104,11 +147,11 @@ class Discretisation:
     unknowns : callable
         Equations and grid to the unknowns.
     evaluate : callable
-        Equations, values of the parameters, grid and state to the fields.
+        Equations, setting and state to the fields.
     expressions : callable
         Equations to the expressions that are printed, for the parameters that occur in them.
     """
 
     unknowns: Callable[[FilamentEquations, Grid], Unknowns]
-    evaluate: Callable[[FilamentEquations, Mapping[sy.Symbol, Any], Grid, State], Fields]
+    evaluate: Callable[[FilamentEquations, Setting, State], Fields]
     expressions: Callable[[FilamentEquations], Iterable[Any]]

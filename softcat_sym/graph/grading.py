@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from softcat_sym.effects import choose_effects
-from softcat_sym.effects.prediction import beam_of, first_yield_gravity_number
+from softcat_sym.effects.prediction import beam_of, first_yield_gravity_number, gravity_number_of
 from softcat_sym.scene import Scene, groups_of
 
 LEAST = 3.0
@@ -57,7 +57,7 @@ def choose_grading(scene: Scene, cells: int) -> float:
 
 def _may_yield(scene: Scene) -> bool:
     """Whether a fibre yields if the load comes on at once, which it exceeds the static moment by at most twofold."""
-    gravity_number = groups_of(scene).G
+    gravity_number = gravity_number_of(scene)
     bound = float(beam_of(scene).overshoot_bound)
     return gravity_number is not None and gravity_number * bound > first_yield_gravity_number(scene)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,7 +16,8 @@ from softcat_sym.graph.grid import Floats, Grid
 class Graph:
     """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures.
 
-    Unknowns are dimensionless: lengths in spans, time in units of the parameter ``time_scale``; parameters are SI.
+    Unknowns are dimensionless: lengths in rest lengths, time in units of the parameter ``time_scale``; parameters
+    are SI.
 
     Attributes
     ----------
@@ -42,6 +44,12 @@ class Graph:
         Differential states of the straight, relaxed filament at rest.
     straight : ndarray, shape (nz,)
         Algebraic states of the straight filament: where the search for equilibrium begins.
+    x_kinds, z_kinds : tuple of str
+        Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ...
+    x_where, z_where : ndarray
+        X/L_0 of each component.
+    profiles : mapping of str to (float, float)
+        What each kind of plastic state is of a plastic strain a_0 + a_1 zeta.
     """
 
     grid: Grid
@@ -62,6 +70,11 @@ class Graph:
     observables: ca.Function
     start: Floats
     straight: Floats
+    x_kinds: tuple[str, ...]
+    z_kinds: tuple[str, ...]
+    x_where: Floats
+    z_where: Floats
+    profiles: Mapping[str, tuple[float, float]]
 
     @property
     def is_dae(self) -> bool:
@@ -70,8 +83,13 @@ class Graph:
 
     @property
     def has_velocities(self) -> bool:
-        """Whether velocities are among the unknowns: with inertia."""
-        return any(name.startswith(("u[", "v[")) for name in self.state_names)
+        """Whether velocities are among the unknowns: with inertia or a viscous stress."""
+        return not {"u", "v"}.isdisjoint((*self.x_kinds, *self.z_kinds))
+
+    @property
+    def positions_are_algebraic(self) -> bool:
+        """Whether the filament is in equilibrium at every instant: without inertia and without a viscous stress."""
+        return "y" in self.z_kinds
 
     @property
     def powers(self) -> tuple[ca.SX, ca.SX, ca.SX]:

@@ -19,26 +19,32 @@ class End(Enum):
     SYMMETRY = "symmetry plane: x = 0, theta = 0, no transverse force"
     CLAMPED = "clamped: position and angle given"
     PINNED = "pinned: position given, no moment"
+    FREE = "free: no force, no moment"
 
     @property
     def holds_angle(self) -> bool:
         """Whether the tangent is held, so that a moment acts there."""
-        return self is not End.PINNED
+        return self in (End.SYMMETRY, End.CLAMPED)
+
+    @property
+    def holds_x(self) -> bool:
+        """Whether x is given."""
+        return self is not End.FREE
 
     @property
     def holds_height(self) -> bool:
-        """Whether y is given; x always is."""
-        return self is not End.SYMMETRY
+        """Whether y is given."""
+        return self in (End.CLAMPED, End.PINNED)
 
 
 @dataclass(frozen=True)
 class Grid:
-    """Nodes in units of the span, with what holds the first and the last.
+    """Nodes in units of the rest length, with what holds the first and the last.
 
     Attributes
     ----------
     nodes : ndarray, shape (cells + 1,)
-        X/L, from 0 to 1/2 for half a span, from -1/2 to 1/2 for a whole one.
+        X/L_0, from 0 to 1/2 for half a span, from -1/2 to 1/2 for a whole one.
     first, last : End
         The end conditions.
     """

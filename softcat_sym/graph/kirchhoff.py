@@ -1,13 +1,12 @@
 """Assembly of a shear-free filament (the paper's kinematics) on the staggered grid.
 
 Stretch, tension and axial plastic strain live on cells; turning, moment and bending plastic strain on nodes. Forces are
-the exact derivatives of the discrete energy. The flow rule couples both through two-point means of the stress
-resultants T and M, never of the strains, whose means have checkerboard modes.
+the exact derivatives of the discrete energy.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 import casadi as ca
@@ -15,11 +14,11 @@ import numpy as np
 
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
-from softcat_sym.graph.cell_printer import CellPrinter
-from softcat_sym.graph.discretisation import Discretisation, Fields, State, Unknowns
+from softcat_sym.graph.cell_printer import CellPrinter, Pair
+from softcat_sym.graph.discretisation import Discretisation, Fields, Setting, State, Unknowns
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.layout import Block, cell_block, node_block
-from softcat_sym.graph.linear_section import Places, section_fields
+from softcat_sym.graph.linear_section import Strained, plastic_names, section_fields, stress_section
 from softcat_sym.graph.means import to_cells, to_nodes
 from softcat_sym.graph.neck_force import neck_double_force, neck_tension
 
@@ -29,62 +28,90 @@ def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
     free_x, free_y = free_nodes(grid)
     zeros = np.zeros(grid.cells + 1)
     plastic: list[Block] = []
-    if equations.response.means is not None:
-        plastic.append(cell_block("a_0", grid))
+    for axial, bending in plastic_names(equations):
+        plastic.append(cell_block(axial, grid))
         if equations.terms.bending:
-            plastic.append(node_block("a_1", bending_nodes(grid), grid, zeros))
+            plastic.append(node_block(bending, bending_nodes(grid), grid, zeros))
     return Unknowns(
         positions=(node_block("x", free_x, grid, grid.nodes), node_block("y", free_y, grid, zeros)),
         velocities=(node_block("u", free_x, grid, zeros), node_block("v", free_y, grid, zeros)),
         plastic=tuple(plastic),
+        profiles=linear_profiles(equations),
     )
 
 
-def evaluate(equations: FilamentEquations, values: Mapping[sy.Symbol, Any], grid: Grid, state: State) -> Fields:
+def linear_profiles(equations: FilamentEquations) -> dict[str, tuple[float, float]]:
+    """What each kind of plastic state is of a linear plastic strain."""
+    names = plastic_names(equations)
+    return {axial: (1.0, 0.0) for axial, _ in names} | {bending: (0.0, 1.0) for _, bending in names}
+
+
+def evaluate(equations: FilamentEquations, setting: Setting, state: State) -> Fields:
     """Evaluate the whole filament."""
-    cell, span = CellPrinter(equations, values), values[sy.L]
-    zeros = ca.SX(grid.cells + 1, 1)
-    x, y = state.field("x", ca.SX(grid.nodes)), state.field("y", zeros)
-    a_0, a_1 = state.field("a_0", ca.SX(grid.cells, 1)), state.field("a_1", zeros)
-    per_length = ca.DM(1 / grid.cell_length)
-    per_span = 1 / span
+    cell, grid = CellPrinter(equations, setting.values), setting.grid
+    x, y = setting.positions(state)
+    per_length, per_span = ca.DM(1 / grid.cell_length), 1 / setting.values[sy.L_0]
     slope = (ca.diff(x) * per_length, ca.diff(y) * per_length)
-    turning = turning_angles(cell, grid, slope) * (ca.DM(1 / grid.node_length) * per_span)
     s = cell.stretch(slope)
-    s_node = to_nodes(grid, s)
-    sigma_0 = cell.section("stress_mean", {sy.s: s, sy.a_0: a_0})
-    sigma_1 = cell.section("stress_bending", {sy.s: s_node, sy.theta_X: turning, sy.a_1: a_1})
-    tension = cell.section("tension", {sy.s: s, sy.sigma_0: sigma_0})
-    moment = cell.section("moment", {sy.s: s_node, sy.sigma_1: sigma_1})
-    correction = cell.section("axial_correction", {sy.s: s_node, sy.theta_X: turning, sy.M: moment})
-    sigma_0_node = cell.section("stress_of_tension", {sy.s: s_node, sy.T: to_nodes(grid, tension)})
-    sigma_1_cell = cell.section("stress_of_moment", {sy.s: s, sy.M: to_cells(moment)})
-    axial = tension + to_cells(correction)
+    strained = Strained(s, to_nodes(grid, s), turning(cell, setting, slope), *_rates(cell, setting, state, slope))
+    section = stress_section(cell, setting, state.field, strained)
+    turned = {sy.s: strained.stretch_node, sy.theta_X: strained.turning, sy.M: section.moment}
+    axial = section.tension + to_cells(cell.section("axial_correction", turned))
     double_force = None
     if equations.neck is not None:
-        double_force = neck_double_force(equations.neck, values, grid, s, tension)
+        double_force = neck_double_force(equations.neck, setting, s, section.tension)
         axial += neck_tension(grid, double_force)
-    force = cell.force(slope, s, axial, ca.diff(moment) * (per_length * per_span))
-    cells = Places(s, turning, sigma_0, sigma_1_cell, cell.flow(s, sigma_0, sigma_1_cell))
-    nodes = Places(s_node, turning, sigma_0_node, sigma_1, cell.flow(s_node, sigma_0_node, sigma_1))
+    transverse = ca.diff(section.moment) * (per_length * per_span)
     shown = {
-        "tension": tension,
-        "moment": to_cells(moment),
-        "shear_force": ca.diff(moment) * (per_length * per_span) / s,
-        "relative_thickness": cell.section("relative_thickness", {sy.s: s}),
+        "shear_force": transverse / s,
+        "relative_thickness": cell.section("relative_thickness", {sy.s: s}) * section.outline.relative,
     }
-    return section_fields(grid, x, y, force, cells, nodes, shown, double_force)
+    force = cell.force(slope, s, axial, transverse)
+    return section_fields(setting, (x, y), force, section, shown, double_force)
 
 
-def turning_angles(cell: CellPrinter, grid: Grid, slope: tuple[ca.SX, ca.SX]) -> ca.SX:
-    """Angle turned at every node, shape (cells + 1,); an end that holds the angle turns against the horizontal."""
+def turning(cell: CellPrinter, setting: Setting, slope: Pair) -> ca.SX:
+    """theta_X at every node [1/m]; an end that holds the angle turns against its clamp."""
+    grid = setting.grid
     if not cell.equations.terms.bending:
         return ca.SX(grid.cells + 1, 1)
-    level = (ca.SX(1), ca.SX(0))
-    first = cell.turning(level, (slope[0][0], slope[1][0])) if grid.first.holds_angle else ca.SX(0)
-    last = cell.turning((slope[0][-1], slope[1][-1]), level) if grid.last.holds_angle else ca.SX(0)
+    before, behind = clamp_tangents(setting)
+    first = cell.turning(before, (slope[0][0], slope[1][0])) if grid.first.holds_angle else ca.SX(0)
+    last = cell.turning((slope[0][-1], slope[1][-1]), behind) if grid.last.holds_angle else ca.SX(0)
     inner = cell.turning((slope[0][:-1], slope[1][:-1]), (slope[0][1:], slope[1][1:]))
-    return ca.vertcat(first, inner, last)
+    return ca.SX(ca.vertcat(first, inner, last) * (ca.DM(1 / grid.node_length) / setting.values[sy.L_0]))
+
+
+def clamp_tangents(setting: Setting) -> tuple[Pair, Pair]:
+    """Directions that the ends hold: a clamp its own, a plane of symmetry the level one."""
+    left, right = setting.supports.left_angle, setting.supports.right_angle
+    if setting.grid.is_half:
+        return (ca.SX(1), ca.SX(0)), (ca.cos(right), ca.sin(right))
+    return (ca.cos(left), ca.sin(left)), (ca.cos(right), ca.sin(right))
+
+
+def _rates(cell: CellPrinter, setting: Setting, state: State, slope: Pair) -> Pair:
+    """Rates of stretch and turning [1/s], where the stress depends on them."""
+    grid = setting.grid
+    if cell.equations.response.viscous is None:
+        return ca.SX(grid.cells, 1), ca.SX(grid.cells + 1, 1)
+    per_length = ca.DM(1 / grid.cell_length)
+    u, v = setting.velocities(state)
+    speed = (ca.diff(u) * per_length, ca.diff(v) * per_length)
+    stretching = cell.stretch_rate(slope, speed)
+    if not cell.equations.terms.bending:
+        return stretching, ca.SX(grid.cells + 1, 1)
+    at_rest = (ca.SX(0), ca.SX(0))
+    before, behind = clamp_tangents(setting)
+    starts, ends = ((a[0][0], a[1][0]) for a in (slope, speed)), ((a[0][-1], a[1][-1]) for a in (slope, speed))
+    (slope_0, speed_0), (slope_1, speed_1) = starts, ends
+    first = cell.turning_rate((before, slope_0), (at_rest, speed_0)) if grid.first.holds_angle else ca.SX(0)
+    last = cell.turning_rate((slope_1, behind), (speed_1, at_rest)) if grid.last.holds_angle else ca.SX(0)
+    left = tuple((a[0][:-1], a[1][:-1]) for a in (slope, speed))
+    right = tuple((a[0][1:], a[1][1:]) for a in (slope, speed))
+    inner = cell.turning_rate((left[0], right[0]), (left[1], right[1]))
+    per_node = ca.DM(1 / grid.node_length) / setting.values[sy.L_0]
+    return stretching, ca.vertcat(first, inner, last) * per_node
 
 
 def bending_nodes(grid: Grid) -> list[int]:
@@ -97,16 +124,16 @@ def bending_nodes(grid: Grid) -> list[int]:
 
 def free_nodes(grid: Grid) -> tuple[list[int], list[int]]:
     """Nodes whose x, and nodes whose y, is unknown."""
-    inner = list(range(1, grid.cells))
-    first = [0] if not grid.first.holds_height else []
-    last = [grid.cells] if not grid.last.holds_height else []
-    return inner, [*first, *inner, *last]
+    inner, ends = list(range(1, grid.cells)), ((0, grid.first), (grid.cells, grid.last))
+    free_x = {node for node, end in ends if not end.holds_x}
+    free_y = {node for node, end in ends if not end.holds_height}
+    return sorted({*inner, *free_x}), sorted({*inner, *free_y})
 
 
 def expressions(equations: FilamentEquations) -> Iterable[Any]:
     """Whatever is printed of these equations, besides the balance."""
     response, neck = equations.response, equations.neck
-    printed = [*response.relations_per_area().values(), *response.flow_per_area().values()]
+    printed = response.expressions()
     return [*printed, neck.double_force()] if neck is not None else printed
 
 

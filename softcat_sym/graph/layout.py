@@ -66,6 +66,9 @@ class Layout:
             for place, at in zip(b.places, b.positions, strict=True)
         ]
         self.names = tuple(labels[i] for i in self._order)
+        kinds = [b.name for b in blocks for _ in b.places]
+        self.kinds = tuple(kinds[i] for i in self._order)
+        self.where = where[self._order]
         values = np.concatenate([b.start for b in blocks]) if blocks else np.zeros(0)
         self.start = values[self._order]
 

@@ -6,13 +6,11 @@ left alone and the power is the one that the audit integrates.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import casadi as ca
 
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.necking import Neck, aspect, s_slope
+from softcat_sym.graph.discretisation import Setting
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.means import to_nodes
 from softcat_sym.printing import CellFunction
@@ -20,24 +18,24 @@ from softcat_sym.printing import CellFunction
 _INPUTS = (sy.T, sy.s, s_slope, sy.h0, aspect)
 
 
-def neck_double_force(neck: Neck, values: Mapping[sy.Symbol, Any], grid: Grid, stretch: ca.SX, tension: ca.SX) -> ca.SX:
-    """B s_X at inner nodes, over the span [Pa], shape (cells - 1,).
+def neck_double_force(neck: Neck, setting: Setting, stretch: ca.SX, tension: ca.SX) -> ca.SX:
+    """B s_X at inner nodes, over the rest length [Pa], shape (cells - 1,).
 
     Parameters
     ----------
     neck : Neck
         The gradient term.
-    values : mapping of sympy.Symbol to casadi value
-        Parameters.
-    grid : Grid
-        Nodes.
+    setting : Setting
+        Parameters, grid and profile.
     stretch, tension : casadi.SX, shape (cells,)
         Stretch of the centreline and tension per unit undeformed area.
     """
-    span = values[sy.L]
+    grid, span = setting.grid, setting.values[sy.L_0]
     slope = ca.diff(stretch) / ca.DM(grid.node_length[1:-1]) / span
     at_nodes = {sy.T: to_nodes(grid, tension)[1:-1], sy.s: to_nodes(grid, stretch)[1:-1], s_slope: slope}
-    known = {symbol: values[symbol] for symbol in _INPUTS if symbol in values}
+    known = {symbol: setting.values[symbol] for symbol in _INPUTS if symbol in setting.values}
+    if setting.profile.nodes is not None:
+        known[sy.h0] = known[sy.h0] * ca.DM(setting.profile.nodes[1:-1])
     force = CellFunction({"b": neck.double_force()}, _INPUTS)({**known, **at_nodes})["b"]
     return ca.SX(force / span)
 

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from softcat_sym.equations import symbols
 from softcat_sym.equations.bulk import nu
 from softcat_sym.equations.necking import aspect
-from softcat_sym.scene import Scene, elastic_time, gravity_time
+from softcat_sym.graph.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN, path_name
+from softcat_sym.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 
-SPAN = "span"
+REST_LENGTH = "rest_length"
+POINT_MASS = "point_mass_per_area"
 TIME_SCALE = "time_scale"
 
 
@@ -23,7 +25,7 @@ class Parameter:
 
 
 CATALOGUE: tuple[Parameter, ...] = (
-    Parameter(SPAN, symbols.L, "m"),
+    Parameter(REST_LENGTH, symbols.L_0, "m"),
     Parameter("thickness", symbols.h0, "m"),
     Parameter("density", symbols.rho, "kg/m^3"),
     Parameter("gravity", symbols.g, "m/s^2"),
@@ -32,30 +34,42 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("viscosity", symbols.eta, "Pa*s"),
     Parameter("yield_stress", symbols.sigma_Y, "Pa"),
     Parameter("poisson", nu, "1"),
+    Parameter("curvature", symbols.kappa_0, "1/m"),
     Parameter("aspect", aspect, "1"),
 )
 
 
 def time_scale(scene: Scene) -> float:
-    """Unit of time [s]: sqrt(L/g), or L sqrt(rho/E) without gravity."""
+    """Unit of time [s]: sqrt(L/g), or L sqrt(rho/E) without gravity, or else the duration of the run."""
     gravity_unit = gravity_time(scene)
-    return gravity_unit if gravity_unit < float("inf") else elastic_time(scene)
+    if gravity_unit < float("inf"):
+        return gravity_unit
+    return elastic_time(scene) or scene.run.duration
 
 
 def parameter_values(scene: Scene) -> dict[str, float]:
     """Values of every parameter that a graph of this scene may ask for, in SI units."""
-    material = scene.material
-    candidates = {
-        SPAN: scene.filament.span,
-        "thickness": scene.filament.thickness,
-        "density": scene.filament.density,
+    filament, ends = scene.filament, scene.ends
+    path = {
+        path_name(kind, row): value
+        for row, point in enumerate(ends.motion)
+        for kind, value in zip(("time", "dx", "dy"), point, strict=True)
+    }
+    return {
+        REST_LENGTH: rest_length(scene),
+        "thickness": filament.thickness,
+        "density": filament.density,
         "gravity": scene.load.gravity,
         "ramp": scene.load.ramp,
-        "youngs_modulus": material.youngs_modulus,
-        "viscosity": material.viscosity,
-        "yield_stress": material.yield_stress,
-        "poisson": material.poisson,
-        "aspect": scene.filament.width / scene.filament.thickness,
+        "aspect": filament.width / filament.thickness,
+        "curvature": filament.curvature,
+        POINT_MASS: scene.load.point_mass / undeformed_area(scene),
+        SPAN: filament.span,
+        DROP: ends.drop,
+        LEFT_ANGLE: ends.left_angle,
+        RIGHT_ANGLE: ends.right_angle,
         TIME_SCALE: time_scale(scene),
+        "poisson": scene.material.poisson,
+        **scene.material.values(),
+        **path,
     }
-    return {name: value for name, value in candidates.items() if value is not None}

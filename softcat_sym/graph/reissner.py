@@ -7,7 +7,7 @@ are in one place. Forces and torques are the exact derivatives of the discrete e
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,13 +16,15 @@ import numpy as np
 
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
-from softcat_sym.graph.discretisation import Discretisation, Fields, State, Unknowns
+from softcat_sym.graph.cell_printer import Pair
+from softcat_sym.graph.discretisation import Discretisation, Fields, Setting, State, Unknowns
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.kirchhoff import free_nodes
-from softcat_sym.graph.layout import Block, cell_block, node_block
+from softcat_sym.graph.layout import cell_block, node_block
+from softcat_sym.graph.linear_section import branch_name
 from softcat_sym.graph.means import to_cells
 from softcat_sym.graph.neck_force import neck_double_force, neck_tension
-from softcat_sym.graph.resolved_printer import Points, ResolvedPrinter, Resultants
+from softcat_sym.graph.resolved_printer import Points, ResolvedPrinter, Resultants, StrainRates, Strains
 from softcat_sym.graph.section_rule import SectionRule
 
 
@@ -37,14 +39,17 @@ def expressions(equations: FilamentEquations) -> Iterable[Any]:
     resolved, neck = equations.resolved, equations.neck
     if resolved is None:
         return []
-    cell, flow = resolved.cell, resolved.flow
-    printed = [cell.axial_stress, cell.shear_stress, cell.moment.subs(sy.A0, 1), cell.elastic_energy]
-    printed += [] if flow is None else [flow.speed]
+    printed = [resolved.cell.moment.subs(sy.A0, 1)]
+    for branch in resolved.branches:
+        printed += [branch.axial_stress, branch.shear_stress, branch.elastic_energy]
+        printed += [] if branch.flow is None else [branch.flow.speed]
+    if resolved.viscous is not None:
+        printed += [resolved.viscous.axial_stress, resolved.viscous.shear_stress]
     return [*printed, neck.double_force()] if neck is not None else printed
 
 
 def _angle_nodes(grid: Grid) -> list[int]:
-    """Nodes whose section angle is unknown: an end that holds the angle holds it at zero."""
+    """Nodes whose section angle is unknown: an end that holds the angle gives it."""
     held = {0 if grid.first.holds_angle else None, grid.cells if grid.last.holds_angle else None}
     return [node for node in range(grid.cells + 1) if node not in held]
 
@@ -58,44 +63,56 @@ class _Sampled:
         free_x, free_y = free_nodes(grid)
         zeros = np.zeros(grid.cells + 1)
         angles = _angle_nodes(grid)
-        spins = (node_block("omega", angles, grid, zeros),) if equations.terms.rotary_inertia else ()
+        turns = equations.terms.rotary_inertia or equations.law.viscosity is not None
+        spins = (node_block("omega", angles, grid, zeros),) if turns else ()
+        flowing = self._flowing(equations)
+        names = [(name, n) for branch in flowing for n, name in enumerate(self._names("axial", branch))]
+        sheared = [name for branch in flowing for name in self._names("shear", branch)]
+        shears = equations.resolved is not None and equations.resolved.shears
+        plastic = [name for name, _ in names] + (sheared if shears else [])
+        mean, linear = self.rule.project @ np.ones(self.rule.points), self.rule.project @ self.rule.zeta
         return Unknowns(
             positions=(node_block("x", free_x, grid, grid.nodes), node_block("y", free_y, grid, zeros)),
             velocities=(node_block("u", free_x, grid, zeros), node_block("v", free_y, grid, zeros)),
-            plastic=tuple(self._plastic(equations, grid)),
+            plastic=tuple(cell_block(name, grid) for name in plastic),
+            profiles={name: (float(mean[n]), float(linear[n])) for name, n in names},
             angles=(node_block("psi", angles, grid, zeros),),
             spins=spins,
         )
 
-    def _plastic(self, equations: FilamentEquations, grid: Grid) -> list[Block]:
-        resolved = equations.resolved
-        if resolved is None or resolved.flow is None:
-            return []
-        kinds = ("axial", "shear") if resolved.shears else ("axial",)
-        return [cell_block(f"{kind}_{n}", grid) for kind in kinds for n in range(self.rule.states)]
+    def _flowing(self, equations: FilamentEquations) -> list[int]:
+        branches = equations.resolved.branches if equations.resolved is not None else ()
+        return [number for number, branch in enumerate(branches) if branch.flow is not None]
 
-    def evaluate(
-        self, equations: FilamentEquations, values: Mapping[sy.Symbol, Any], grid: Grid, state: State
-    ) -> Fields:
+    def _names(self, kind: str, branch: int) -> list[str]:
+        return [branch_name(f"{kind}_{n}", branch) for n in range(self.rule.states)]
+
+    def evaluate(self, equations: FilamentEquations, setting: Setting, state: State) -> Fields:
         """Evaluate the whole filament."""
-        cell, span = ResolvedPrinter(equations, values, self.rule), values[sy.L]
-        zeros = ca.SX(grid.cells + 1, 1)
-        x, y = state.field("x", ca.SX(grid.nodes)), state.field("y", zeros)
-        psi = state.field("psi", zeros)
+        grid = setting.grid
+        cell = ResolvedPrinter(equations, setting, self.rule)
+        x, y = setting.positions(state)
+        psi = self._angles(setting, state)
         length, per_length = ca.DM(grid.cell_length), ca.DM(1 / grid.cell_length)
+        per_span = 1 / setting.values[sy.L_0]
         slope = (ca.diff(x) * per_length, ca.diff(y) * per_length)
-        k = ca.diff(psi) * (per_length / span)
-        angle = to_cells(psi)
+        k, angle = ca.diff(psi) * (per_length * per_span), to_cells(psi)
         Lam, Gam = cell.strains(slope, angle)
-        points = cell.points(Lam, Gam, k, self._at_points(state, grid, "axial"), self._at_points(state, grid, "shear"))
-        section = cell.resultants(Lam, Gam, k, angle, points)
+        strains = Strains(Lam, Gam, k, self._strain_rates(cell, setting, state, slope, angle))
+        plastic = [
+            (self._at_points(state, grid, "axial", j), self._at_points(state, grid, "shear", j))
+            for j in range(cell.branches)
+        ]
+        points = cell.points(strains, plastic)
+        section = cell.resultants(strains, angle, points)
         stretch = ca.sqrt(slope[0] ** 2 + slope[1] ** 2)
         force_x, force_y = section.force
         double_force = None
         if equations.neck is not None:
-            double_force = neck_double_force(equations.neck, values, grid, stretch, section.tension)
+            double_force = neck_double_force(equations.neck, setting, stretch, section.tension)
             gain = neck_tension(grid, double_force) / stretch
             force_x, force_y = force_x + gain * slope[0], force_y + gain * slope[1]
+        volume = length * cell.outline.area_cells
         return Fields(
             x=x,
             y=y,
@@ -103,26 +120,49 @@ class _Sampled:
             force_x=force_x,
             force_y=force_y,
             plastic_rates=self._rates(points),
-            elastic_energy=ca.dot(length, points.energy @ ca.DM(self.rule.weight)),
-            dissipation=length * (points.dissipation @ ca.DM(self.rule.weight)),
-            observables=self._shown(section, points, Lam, Gam, k),
-            torque=_torque(length * span, section),
+            elastic_energy=ca.dot(volume, points.energy @ ca.DM(self.rule.weight)),
+            dissipation=volume * (points.dissipation @ ca.DM(self.rule.weight)),
+            observables=self._shown(section, points, strains),
+            torque=_torque(length * setting.values[sy.L_0], section),
             double_force=double_force,
         )
 
-    def _at_points(self, state: State, grid: Grid, kind: str) -> ca.SX:
-        """Plastic strain at every point of every cell, shape (cells, points)."""
+    def _angles(self, setting: Setting, state: State) -> ca.SX:
+        psi = ca.SX.zeros(setting.grid.cells + 1)
+        if not setting.grid.is_half:
+            psi[0] = setting.supports.left_angle
+        psi[-1] = setting.supports.right_angle
+        return state.field("psi", psi)
+
+    def _strain_rates(
+        self, cell: ResolvedPrinter, setting: Setting, state: State, slope: Pair, angle: ca.SX
+    ) -> StrainRates | None:
+        """Rates of the strains [1/s], where the stress depends on them."""
+        if not cell.is_viscous:
+            return None
+        per_length = ca.DM(1 / setting.grid.cell_length)
+        u, v = setting.velocities(state)
+        omega = state.field("omega", ca.SX.zeros(setting.grid.cells + 1)) / setting.time_scale
+        speed = (ca.diff(u) * per_length, ca.diff(v) * per_length)
+        bending = ca.diff(omega) * (per_length / setting.values[sy.L_0])
+        return StrainRates(*cell.strain_rates(slope, angle, speed, to_cells(omega)), bending)
+
+    def _at_points(self, state: State, grid: Grid, kind: str, branch: int) -> ca.SX:
+        """Plastic strain of a branch at every point of every cell, shape (cells, points)."""
         zeros = ca.SX(grid.cells, 1)
-        states = ca.horzcat(*(state.field(f"{kind}_{n}", zeros) for n in range(self.rule.states)))
+        states = ca.horzcat(*(state.field(name, zeros) for name in self._names(kind, branch)))
         return states @ ca.sparsify(ca.DM(self.rule.recall)).T
 
     def _rates(self, points: Points) -> dict[str, ca.SX]:
         project = ca.sparsify(ca.DM(self.rule.project)).T
-        axial, shear = points.axial_rate @ project, points.shear_rate @ project
-        both = (("axial", axial), ("shear", shear))
-        return {f"{kind}_{n}": rates[:, n] for kind, rates in both for n in range(self.rule.states)}
+        rates: dict[str, ca.SX] = {}
+        for number, flow in enumerate(points.flows):
+            for kind, at_points in (("axial", flow.axial_rate), ("shear", flow.shear_rate)):
+                states = at_points @ project
+                rates |= {name: states[:, n] for n, name in enumerate(self._names(kind, number))}
+        return rates
 
-    def _shown(self, section: Resultants, points: Points, Lam: ca.SX, Gam: ca.SX, k: ca.SX) -> dict[str, ca.SX]:
+    def _shown(self, section: Resultants, points: Points, strains: Strains) -> dict[str, ca.SX]:
         weight, zeta = ca.DM(self.rule.weight), ca.DM(self.rule.zeta)
         fastest = points.speed[:, 0]
         for n in range(1, self.rule.points):
@@ -135,8 +175,8 @@ class _Sampled:
             "moment": section.moment,
             "shear_force": section.shear_force,
             "relative_thickness": section.relative_thickness,
-            "curvature": k / Lam,
-            "shear": Gam / Lam,
+            "curvature": strains.k / strains.Lam,
+            "shear": strains.Gam / strains.Lam,
             "yielded_fraction": points.yields @ weight,
             "plastic_rate": fastest,
             "stress_mean": points.axial_stress @ weight,

@@ -7,21 +7,17 @@ relax.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import casadi as ca
 import numpy as np
 
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import CellPrinter
-from softcat_sym.graph.discretisation import Discretisation, Fields, State, Unknowns
+from softcat_sym.graph.discretisation import Discretisation, Fields, Setting, State, Unknowns
 from softcat_sym.graph.grid import Grid
-from softcat_sym.graph.kirchhoff import bending_nodes, expressions, free_nodes, turning_angles
+from softcat_sym.graph.kirchhoff import bending_nodes, expressions, free_nodes, linear_profiles, turning
 from softcat_sym.graph.layout import Block, block, node_block
-from softcat_sym.graph.linear_section import Places, section_fields
-from softcat_sym.graph.means import to_cells
+from softcat_sym.graph.linear_section import Strained, plastic_names, section_fields, stress_section
 
 
 def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
@@ -29,22 +25,23 @@ def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
     _, free_y = free_nodes(grid)
     zeros = np.zeros(grid.cells + 1)
     plastic: list[Block] = []
-    if equations.response.means is not None:
-        plastic.append(block("a_0", (0,), grid.centres, np.zeros(grid.cells)))
+    for axial, bending in plastic_names(equations):
+        plastic.append(block(axial, (0,), grid.centres, np.zeros(grid.cells)))
         if equations.terms.bending:
-            plastic.append(node_block("a_1", bending_nodes(grid), grid, zeros))
+            plastic.append(node_block(bending, bending_nodes(grid), grid, zeros))
     return Unknowns(
         positions=(node_block("y", free_y, grid, zeros),),
         velocities=(node_block("v", free_y, grid, zeros),),
         plastic=tuple(plastic),
+        profiles=linear_profiles(equations),
     )
 
 
-def evaluate(equations: FilamentEquations, values: Mapping[sy.Symbol, Any], grid: Grid, state: State) -> Fields:
+def evaluate(equations: FilamentEquations, setting: Setting, state: State) -> Fields:
     """Evaluate the whole filament from its heights."""
-    cell, span = CellPrinter(equations, values), values[sy.L]
+    cell, grid = CellPrinter(equations, setting.values), setting.grid
     zeros, every = ca.SX(grid.cells + 1, 1), ca.SX.ones(grid.cells, 1)
-    length, per_length, per_span = ca.DM(grid.cell_length), ca.DM(1 / grid.cell_length), 1 / span
+    length, per_length, per_span = ca.DM(grid.cell_length), ca.DM(1 / grid.cell_length), 1 / setting.values[sy.L_0]
     y = state.field("y", zeros)
     slope = (every, ca.diff(y) * per_length)
     # Elongation of each cell at x_X = 1; what the mean has beyond it is the horizontal displacement U (2.13).
@@ -52,26 +49,20 @@ def evaluate(equations: FilamentEquations, values: Mapping[sy.Symbol, Any], grid
     elongation = ca.dot(length, lengthening) / float(np.sum(grid.cell_length))
     displacement = ca.vertcat(0, ca.cumsum(length * (elongation - lengthening)))
     s, s_node = (1 + elongation) * every, (1 + elongation) * ca.SX.ones(grid.cells + 1, 1)
-    a_0, a_1 = state.field("a_0", ca.SX(1, 1)), state.field("a_1", zeros)
-    turning = turning_angles(cell, grid, slope) * (ca.DM(1 / grid.node_length) * per_span)
-    sigma_0 = cell.section("stress_mean", {sy.s: 1 + elongation, sy.a_0: a_0})
-    sigma_1 = cell.section("stress_bending", {sy.s: s_node, sy.theta_X: turning, sy.a_1: a_1})
-    tension = cell.section("tension", {sy.s: s, sy.sigma_0: sigma_0 * every})
-    moment = cell.section("moment", {sy.s: s_node, sy.sigma_1: sigma_1})
-    sigma_1_cell = cell.section("stress_of_moment", {sy.s: s, sy.M: to_cells(moment)})
-    _, force_y = cell.force(slope, s, tension, ca.diff(moment) * (per_length * per_span))
-    everywhere = sigma_0 * ca.SX.ones(grid.cells + 1, 1)
-    stress = sigma_0 * every
-    cells = Places(s, turning, stress, sigma_1_cell, cell.flow(s, stress, sigma_1_cell))
-    nodes = Places(s_node, turning, everywhere, sigma_1, cell.flow(s_node, everywhere, sigma_1))
-    shown = {
-        "tension": tension,
-        "moment": to_cells(moment),
-        "shear_force": ca.diff(moment) * (per_length * per_span) / s,
-        "relative_thickness": every,
-    }
-    force = (ca.SX(grid.cells, 1), force_y)
-    return section_fields(grid, ca.SX(grid.nodes) + displacement, y, force, cells, nodes, shown)
+    strained = Strained(s, s_node, turning(cell, setting, slope), ca.SX(grid.cells, 1), zeros)
+
+    def recall(name: str, full: ca.SX) -> ca.SX:
+        values = state.field(name, full)
+        # One axial plastic strain for all: every cell has that of the first.
+        return values[0] * every if name.startswith("a_0") else values
+
+    section = stress_section(cell, setting, recall, strained)
+    transverse = ca.diff(section.moment) * (per_length * per_span)
+    _, force_y = cell.force(slope, s, section.tension, transverse)
+    shown = {"shear_force": transverse / s, "relative_thickness": every}
+    return section_fields(
+        setting, (ca.SX(grid.nodes) + displacement, y), (ca.SX(grid.cells, 1), force_y), section, shown
+    )
 
 
 SMALL_DEFLECTION = Discretisation(unknowns, evaluate, expressions)

@@ -13,7 +13,8 @@ import casadi as ca
 
 from softcat_sym.equations import bulk, bulk_step
 from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.rheology import bingham_rate, maxwell_rate
+from softcat_sym.equations.laws.bingham import bingham_rate
+from softcat_sym.equations.laws.maxwell import maxwell_rate
 from softcat_sym.errors import SoftcatError
 from softcat_sym.printing import CellFunction
 

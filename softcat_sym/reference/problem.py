@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.reference.point_code import LAWS
-from softcat_sym.scene import Scene
+from softcat_sym.scene import Scene, rest_length
 from softcat_sym.scene.scales import elastic_time
 
 # The only value of each key that the elements know.
@@ -75,8 +75,8 @@ def problem_of(scene: Scene) -> Problem:
         With every key whose value the elements do not know.
     """
     faults = [_fault(path, value, wanted) for path, wanted in _ONLY if (value := _value(scene, path)) != wanted]
-    if not math.isclose(scene.filament.rest_length, scene.filament.span, rel_tol=1e-12):
-        faults.append(_fault("filament.rest_length", scene.filament.rest_length, scene.filament.span))
+    if not math.isclose(rest_length(scene), scene.filament.span, rel_tol=1e-12):
+        faults.append(_fault("filament.rest_length", rest_length(scene), scene.filament.span))
     if scene.material.law not in LAWS:
         faults.append(Fault("material.law", f"'{scene.material.law}' has no finite elements", ", ".join(LAWS)))
     if faults or scene.material.youngs_modulus is None:

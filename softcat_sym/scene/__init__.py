@@ -3,8 +3,20 @@
 from __future__ import annotations
 
 from softcat_sym.scene.bundled import bundled_names, bundled_text, bundled_title
+from softcat_sym.scene.constituents import Mode, Parameter
 from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.filament import Filament
+from softcat_sym.scene.formula import Formula, parse_formula
+from softcat_sym.scene.geometry import (
+    chord_angle,
+    distance,
+    is_held,
+    is_slack,
+    is_symmetric,
+    rest_length,
+    stress_free_length,
+    undeformed_area,
+)
 from softcat_sym.scene.initial import Initial
 from softcat_sym.scene.load import Load
 from softcat_sym.scene.material import Material
@@ -18,19 +30,31 @@ from softcat_sym.scene.surroundings import Surroundings
 __all__ = [
     "Ends",
     "Filament",
+    "Formula",
     "Groups",
     "Initial",
     "Load",
     "Material",
+    "Mode",
     "Numerics",
+    "Parameter",
     "Run",
     "Scene",
     "Surroundings",
     "bundled_names",
     "bundled_text",
     "bundled_title",
+    "chord_angle",
+    "distance",
     "elastic_time",
     "gravity_time",
     "groups_of",
+    "is_held",
+    "is_slack",
+    "is_symmetric",
     "load_scene",
+    "parse_formula",
+    "rest_length",
+    "stress_free_length",
+    "undeformed_area",
 ]

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+import math
+from typing import Annotated, Any, ClassVar, Literal
 
-from softcat_sym.scene.kinds import Choice, Empty, Quantity
+from pydantic import ValidatorFunctionWrapHandler, field_validator
+
+from softcat_sym.scene.kinds import Choice, Motion, Quantity, refusal
 from softcat_sym.scene.part import Part
+from softcat_sym.scene.units import shown
 
 End = Literal["clamped", "pinned", "free"]
 _END = Choice(("clamped", "pinned", "free"))
 _ANGLE = Quantity("angle", "10 deg", "any")
+Angle = Annotated[float, _ANGLE]
 
 
 class Ends(Part):
@@ -22,9 +27,11 @@ class Ends(Part):
     drop : float
         Right support below the left one [m].
     left_angle, right_angle : float
-        Of a clamp, from the horizontal [rad].
-    motion : tuple
-        Path of the right support.
+        Of a clamp: of the tangent in the direction of growing X, counterclockwise from the horizontal [rad]. A
+        symmetric pair is -a and a.
+    motion : tuple of (float, float, float)
+        Rows of time [s] and displacement of the right support from its first place, right and up [m]; linear between
+        rows, none before the first, held after the last.
     """
 
     table_name: ClassVar[str] = "ends"
@@ -32,6 +39,14 @@ class Ends(Part):
     left: Annotated[End, _END] = "clamped"
     right: Annotated[End, _END] = "clamped"
     drop: Annotated[float, Quantity("length", "0 m", "any")] = 0.0
-    left_angle: Annotated[float, _ANGLE] = 0.0
-    right_angle: Annotated[float, _ANGLE] = 0.0
-    motion: Annotated[tuple[()], Empty()] = ()
+    left_angle: Angle = 0.0
+    right_angle: Angle = 0.0
+    motion: Annotated[tuple[tuple[float, float, float], ...], Motion()] = ()
+
+    @field_validator("left_angle", "right_angle", mode="wrap")
+    @classmethod
+    def _within_half_a_turn(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> Any:
+        angle = handler(value)
+        if not -math.pi < angle < math.pi:
+            raise refusal(f"{shown(value)} is half a turn or more", "an angle between -180 deg and 180 deg")
+        return angle

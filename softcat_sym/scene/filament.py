@@ -21,9 +21,9 @@ class Filament(Part):
     Attributes
     ----------
     span : float
-        Distance between the supports, L [m].
-    rest_length : float
-        Stress-free length [m]; the span unless given.
+        Horizontal distance between the supports, L [m].
+    rest_length : float or None
+        Length of the reference configuration [m]; None unless given, see `scene.rest_length`.
     thickness : float
         h0 [m], in the plane of bending; the diameter of a circle.
     section : str
@@ -33,7 +33,7 @@ class Filament(Part):
     density : float
         rho [kg/m^3].
     profile : tuple of float
-        Relative thickness at equally spaced material points.
+        Relative thickness at equally spaced material points from left to right, linear between them.
     curvature : float
         Natural curvature [1/m].
     """
@@ -41,19 +41,13 @@ class Filament(Part):
     table_name: ClassVar[str] = "filament"
 
     span: Annotated[float, Quantity("length", "0.2 m")]
-    rest_length: Length = Field(default=None, validate_default=True)
+    rest_length: Annotated[float | None, Quantity("length", "0.21 m")] = None
     thickness: Length
     section: Annotated[Section, Choice(("rectangle", "circle", "sheet"))] = "rectangle"
     width: Length = Field(default=None, validate_default=True)
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
-    profile: Annotated[tuple[float, ...], Numbers()] = ()
+    profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
-
-    @field_validator("rest_length", mode="wrap")
-    @classmethod
-    def _follow_span(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        # NaN never escapes: without a span there is a fault, and with a fault there is no filament.
-        return info.data.get("span", math.nan) if value is None else handler(value)
 
     @field_validator("thickness", mode="wrap")
     @classmethod
@@ -67,6 +61,7 @@ class Filament(Part):
     @field_validator("width", mode="wrap")
     @classmethod
     def _follow_thickness(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        # NaN never escapes: without a thickness there is a fault, and with a fault there is no filament.
         thickness = info.data.get("thickness", math.nan)
         if value is None:
             return thickness
@@ -77,5 +72,4 @@ class Filament(Part):
 
     def follows(self) -> dict[str, str]:
         """Name the values that only repeat another, and need not be written: ``{field: the other}``."""
-        pairs = {"rest_length": "span", "width": "thickness"}
-        return {name: other for name, other in pairs.items() if getattr(self, name) == getattr(self, other)}
+        return {"width": "thickness"} if self.width == self.thickness else {}

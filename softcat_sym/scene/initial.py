@@ -14,11 +14,12 @@ class Initial(Part):
     Attributes
     ----------
     stretch : float
-        Stretch before the load acts.
+        Stretch before the load acts, s0; the rest length is the distance over it unless given.
     relaxed : bool
-        Whether that stretch is free of stress.
+        Whether that stretch is free of stress: a plastic strain log(s0) everywhere.
     P, C : tuple of float
-        The plastic state itself.
+        Mean plastic strain P/A0, and bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), at equally spaced
+        material points from left to right; one value stands for everywhere.
     """
 
     table_name: ClassVar[str] = "initial"

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Iterable
 from dataclasses import dataclass
 from numbers import Integral, Real
 from typing import Any, Literal, Protocol, runtime_checkable
 
 from pydantic import GetCoreSchemaHandler
-from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, ValidationError, core_schema
 
 from softcat_sym.scene.faults import did_you_mean
 from softcat_sym.scene.units import NotAQuantity, shown, to_si, with_unit
@@ -23,6 +24,12 @@ Sign = Literal["any", "non-negative", "positive"]
 def refusal(found: str, accepted: str, code: str = "scene") -> PydanticCustomError:
     """Build the error by which a validator hands ``Fault(found, accepted)`` through pydantic."""
     return PydanticCustomError(code, "{found}; accepted: {accepted}", {"found": found, "accepted": accepted})
+
+
+def refusals(title: str, faults: Iterable[tuple[tuple[str, ...], PydanticCustomError]]) -> ValidationError:
+    """Build the error by which a validator hands several refusals through, each at its own place below the field."""
+    details = [InitErrorDetails(type=error, loc=steps, input=None) for steps, error in faults]
+    return ValidationError.from_exception_data(title, details)
 
 
 @runtime_checkable
@@ -43,7 +50,7 @@ class Kind(Protocol):
         ...
 
 
-class _AsValidator(ABC):
+class AsValidator(ABC):
     """Lets a kind stand in ``Annotated[float, kind]``."""
 
     __slots__ = ()
@@ -56,12 +63,13 @@ class _AsValidator(ABC):
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity(_AsValidator):
-    """A dimensional quantity, stored as an SI float."""
+class Quantity(AsValidator):
+    """A dimensional quantity, stored as an SI float; `unit` where its SI unit is not that of its dimension."""
 
     dimension: str
     example: str
     sign: Sign = "positive"
+    unit: str = ""
 
     @property
     def accepted(self) -> str:
@@ -70,7 +78,7 @@ class Quantity(_AsValidator):
 
     def read(self, value: object) -> float:
         try:
-            si = to_si(value, self.dimension)
+            si = to_si(value, self.dimension, self.unit)
         except NotAQuantity as found:
             raise refusal(str(found), self.accepted) from None
         if si < 0 and self.sign != "any":
@@ -80,11 +88,11 @@ class Quantity(_AsValidator):
         return si + 0.0  # -0.0 would make equal scenes print differently
 
     def write(self, value: float) -> object:
-        return with_unit(value, self.dimension)
+        return with_unit(value, self.dimension, self.unit)
 
 
 @dataclass(frozen=True, slots=True)
-class Number(_AsValidator):
+class Number(AsValidator):
     """A dimensionless number strictly between two bounds, or equal to the lower one if that is `closed`."""
 
     above: float = -math.inf
@@ -116,7 +124,7 @@ class Number(_AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Whole(_AsValidator):
+class Whole(AsValidator):
     """A whole number between two bounds, both included."""
 
     least: int
@@ -139,7 +147,7 @@ class Whole(_AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Choice(_AsValidator):
+class Choice(AsValidator):
     """One of a few names."""
 
     names: tuple[str, ...]
@@ -162,7 +170,7 @@ class Choice(_AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Text(_AsValidator):
+class Text(AsValidator):
     """Any text."""
 
     accepted: str = "text in quotes"
@@ -177,7 +185,7 @@ class Text(_AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Flag(_AsValidator):
+class Flag(AsValidator):
     """True or false."""
 
     accepted: str = "true or false"
@@ -192,22 +200,30 @@ class Flag(_AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Numbers(_AsValidator):
-    """A list of dimensionless numbers."""
+class Numbers(AsValidator):
+    """A list of dimensionless numbers above a bound; if it is not empty, of at least so many."""
 
-    accepted: str = "a list of numbers without units"
+    above: float = -math.inf
+    least: int = 1
+
+    @property
+    def accepted(self) -> str:
+        sign = "" if self.above < 0 else "positive "
+        return f"a list of {sign}numbers without units" + (f", at least {self.least}" if self.least > 1 else "")
 
     def read(self, value: object) -> tuple[float, ...]:
         if not isinstance(value, (list, tuple)):
             raise refusal(f"{shown(value)} is not a list", self.accepted)
-        return tuple(Number().read(item) for item in value)
+        if 0 < len(value) < self.least:
+            raise refusal(f"a list of {len(value)}", self.accepted)
+        return tuple(Number(self.above).read(item) for item in value)
 
     def write(self, value: tuple[float, ...]) -> object:
         return list(value)
 
 
 @dataclass(frozen=True, slots=True)
-class Names(_AsValidator):
+class Names(AsValidator):
     """A list of names, or one of a few words that stand for a list."""
 
     words: tuple[str, ...]
@@ -233,18 +249,29 @@ class Names(_AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Empty(_AsValidator):
-    """A key whose shape is settled together with its physics: only an empty value so far."""
+class Motion(AsValidator):
+    """A path in the plane: rows of a time and two displacements."""
 
-    accepted: str = "nothing"
+    accepted: str = '"hold", or a list of rows [time, dx, dy], such as [["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]'
 
-    def read(self, value: object) -> tuple[()]:
-        if isinstance(value, (str, list, tuple, dict)) and not value:
+    def read(self, value: object) -> tuple[tuple[float, float, float], ...]:
+        if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
             return ()
-        raise refusal(f"{shown(value)} is not empty", self.accepted)
+        if not isinstance(value, (list, tuple)):
+            raise refusal(f"{shown(value)} is not a list of rows", self.accepted)
+        return tuple(self._row(row) for row in value)
 
-    def write(self, value: tuple[()]) -> object:
-        return list(value)
+    def _row(self, row: object) -> tuple[float, float, float]:
+        if not isinstance(row, (list, tuple)) or len(row) != 3:
+            raise refusal(f"{shown(row)} is not a row [time, dx, dy]", self.accepted)
+        return (_TIME.read(row[0]), _SHIFT.read(row[1]), _SHIFT.read(row[2]))
+
+    def write(self, value: tuple[tuple[float, float, float], ...]) -> object:
+        return [[_TIME.write(time), _SHIFT.write(dx), _SHIFT.write(dy)] for time, dx, dy in value] or "hold"
+
+
+_TIME = Quantity("time", "1 s", "any")
+_SHIFT = Quantity("length", "5 mm", "any")
 
 
 def _unknown_name(value: object, names: tuple[str, ...]) -> str:

@@ -10,6 +10,7 @@ from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
 from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.consistency import faults_between_parts
 from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.faults import fault_of
 from softcat_sym.scene.filament import Filament
@@ -80,6 +81,7 @@ class Scene(Part):
             own = [fault for fault in found if not resolved.excuses(fault)]
             faults += own if own or faults else found
             raise SceneError(faults) from None
+        faults += faults_between_parts(scene)
         if faults:
             raise SceneError(faults)
         return scene

@@ -18,31 +18,7 @@ class SameAs:
 
 
 AVAILABLE: dict[str, tuple[object, ...]] = {
-    "filament.section": ("rectangle", "circle"),
-    "filament.rest_length": (SameAs("span"),),
-    "filament.profile": ((),),
-    "filament.curvature": (0.0,),
-    "material.law": ("elastic", "maxwell", "bingham"),
-    "material.index": (1.0,),
-    "material.shear_consistency": (None,),
-    "material.second_modulus": (None,),
-    "material.modes": ((),),
-    "material.flow": ("",),
-    "material.parameters": ((),),
-    "ends.left": ("clamped", "pinned"),
-    "ends.right": ("clamped", "pinned"),
-    "ends.drop": (0.0,),
-    "ends.left_angle": (0.0,),
-    "ends.right_angle": (0.0,),
-    "ends.motion": ((),),
-    "load.point_mass": (0.0,),
-    "initial.stretch": (1.0,),
-    "initial.relaxed": (True,),
-    "initial.P": ((),),
-    "initial.C": ((),),
     "numerics.backend": ("auto", "interpreted"),
-    "groups.law": ("elastic", "maxwell", "bingham"),
-    "groups.n": (1.0,),
 }
 
 

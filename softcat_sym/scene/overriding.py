@@ -8,13 +8,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from softcat_sym.errors import Fault
-from softcat_sym.scene.material import FROM_SHEAR
+from softcat_sym.scene.shear_data import shear_names, tensile_name
 from softcat_sym.scene.units import shown
 
 _FORM = "dotted.key=value, such as material.yield_stress=5 kPa"
-_TWIN = {name: shear for name, (shear, _, _) in FROM_SHEAR.items()} | {
-    shear: name for name, (shear, _, _) in FROM_SHEAR.items()
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,9 +75,10 @@ def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
             here.pop(key, None)
         else:
             here[key] = override.value
-            if tables == ["material"] and key in _TWIN:
+            if tables == ["material"]:
                 # The same constant given the other way: overruled, or it would be given twice.
-                here.pop(_TWIN[key], None)
+                for twin in (*shear_names(key), tensile_name(key)):
+                    here.pop(twin, None)
     return faults
 
 

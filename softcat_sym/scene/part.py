@@ -42,6 +42,10 @@ class Part(BaseModel):
             raise not_yet(path, value)
         return result
 
+    def kinds(self) -> dict[str, Kind]:
+        """Return how each value is written, by field name."""
+        return kinds_of(type(self))
+
     def physics(self) -> dict[str, Any]:
         """Values that make a difference to the answer, by field name; SI."""
         return {name: getattr(self, name) for name, info in type(self).model_fields.items() if not info.exclude}
@@ -50,7 +54,7 @@ class Part(BaseModel):
         """Return the raw table as it was asked for: only what was set, so that what follows from it still follows."""
         return {
             name: kind.write(getattr(self, name))
-            for name, kind in kinds_of(type(self)).items()
+            for name, kind in self.kinds().items()
             if name in self.model_fields_set and getattr(self, name) is not None
         }
 

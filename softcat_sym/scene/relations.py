@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from softcat_sym.errors import Fault
-from softcat_sym.scene.material import CONSTANTS
+from softcat_sym.scene.laws import CONSTANTS
 
 GROUND = "1"
 

@@ -13,10 +13,12 @@ from softcat_sym.errors import Fault
 from softcat_sym.scene.faults import fault_of
 from softcat_sym.scene.filament import Filament
 from softcat_sym.scene.groups import GroupBlock
+from softcat_sym.scene.laws import CONSTANTS, GROUPED, kind_of_constant
 from softcat_sym.scene.load import Load
-from softcat_sym.scene.material import CONSTANTS, FROM_SHEAR, Material
+from softcat_sym.scene.material import Material
 from softcat_sym.scene.part import kinds_of
 from softcat_sym.scene.relations import GROUND, RELATES, Relation, faults_of, solve
+from softcat_sym.scene.shear_data import FROM_SHEAR, INDEXED, power, shear_names
 from softcat_sym.scene.units import shown, with_unit
 
 Table = dict[str, Any]
@@ -50,11 +52,12 @@ class Resolved:
 
 @dataclass(frozen=True, slots=True)
 class _Scales:
-    """L, rho and g, SI."""
+    """L, rho and g, SI; and the index."""
 
     span: float
     density: float
     gravity: float
+    index: float
 
     @property
     def stress(self) -> float:
@@ -85,7 +88,7 @@ def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
     constants = CONSTANTS.get(str(groups.get("law")), ("youngs_modulus", "viscosity", "yield_stress"))
     given = _section(table, "material")
     for name in constants:
-        if name not in given and FROM_SHEAR.get(name, ("",))[0] not in given:
+        if not {name, *shear_names(name)} & set(given):
             filled.add(f"material.{name}")
     if not any(key in groups for key in _MODULUS_GROUPS):
         # The modulus is then only the paper's default, and may be given beside the groups.
@@ -118,12 +121,14 @@ def resolve_groups(table: Table) -> Resolved:
     faults += _given_twice(raw, rest)
     for path, value in PAPER.items():
         _fill(rest, path, value)
-    scales = _scales(rest, faults)
+    scales = _scales(rest, faults, _index(raw, rest, block))
     relations = _relations(raw, rest, block, scales)
     law = raw.get("law")
-    if isinstance(law, str) and law in CONSTANTS:
-        faults += faults_of(relations, law)
+    if isinstance(law, str) and law in GROUPED:
+        faults += [*faults_of(relations, law), *_of_another_index(raw, law, _index(raw, rest, block))]
         _fill(rest, "material.law", law)
+        if block is not None and "n" in raw and law in INDEXED:
+            _fill(rest, "material.index", block.n)
     if faults or block is None or scales is None or any(relation.ratio <= 0 for relation in relations):
         return Resolved(rest, tuple(faults), determined, complete=False)
     faults += _fill_in(rest, block, scales, solve(relations))
@@ -142,14 +147,31 @@ def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]
 
 def _given_twice(raw: Mapping[str, Any], rest: Table) -> list[Fault]:
     faults = []
-    for key, path in _STANDS_FOR.items():
+    for key, path in (*_STANDS_FOR.items(), ("n", "material.index")):
         table, _, name = path.partition(".")
         if key in raw and name in _section(rest, table):
             faults.append(Fault(path, f"given twice, here and as groups.{key}", "one of the two"))
     return faults
 
 
-def _scales(rest: Table, faults: list[Fault]) -> _Scales | None:
+def _index(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None) -> float:
+    if block is not None and "n" in raw:
+        return block.n
+    try:
+        return float(kinds_of(Material)["index"].read(_section(rest, "material").get("index", 1.0)))
+    except PydanticCustomError:
+        return 1.0
+
+
+def _of_another_index(raw: Mapping[str, Any], law: str, index: float) -> list[Fault]:
+    """Tau and B are ratios of a viscosity."""
+    if law not in INDEXED or index == 1:
+        return []
+    found = f"given, but with an index of {index:g} there is no viscosity to scale"
+    return [Fault(f"groups.{key}", found, "groups.V, K/(rho g L (L/g)^(n/2))") for key in ("tau", "B") if key in raw]
+
+
+def _scales(rest: Table, faults: list[Fault], index: float) -> _Scales | None:
     """Read L, rho and g; a scale that cannot be read is its own part's fault, gravity 0 is one of the groups."""
     try:
         span = kinds_of(Filament)["span"].read(rest["filament"]["span"])
@@ -160,17 +182,18 @@ def _scales(rest: Table, faults: list[Fault]) -> _Scales | None:
     if gravity == 0:
         faults.append(Fault("load.gravity", "zero, but [groups] is scaled by gravity", "a positive acceleration"))
         return None
-    return _Scales(span, density, gravity)
+    return _Scales(span, density, gravity, index)
 
 
 def _relations(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, at: _Scales | None) -> list[Relation]:
     """All that was said of the constants. Without numbers (a fault elsewhere) the ratios are 0: only who fixes whom."""
     relations = []
     for name in ("youngs_modulus", "viscosity", "yield_stress"):
-        shear_name, factor, _ = FROM_SHEAR.get(name, ("", 1.0, ""))
-        for key, times in ((name, 1.0), (shear_name, factor)):
+        index = at.index if at else 1.0
+        shear = [(one.shear, one.factor(index)) for one in FROM_SHEAR if one.constant == name]
+        for key, times in ((name, 1.0), *shear):
             if key in _section(rest, "material"):
-                value = times * _number(rest["material"][key], key)
+                value = times * _number(rest["material"][key], key, raw.get("law"), index)
                 relations.append(Relation(f"material.{key}", name, GROUND, value))
     for key, (constant, other) in RELATES.items():
         if raw.get(key) is not None:
@@ -181,9 +204,9 @@ def _relations(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, at
     return relations
 
 
-def _number(value: object, key: str) -> float:
+def _number(value: object, key: str, law: object = None, index: float = 1.0) -> float:
     try:
-        return float(kinds_of(Material)[key].read(value))
+        return float(kind_of_constant(key, str(law), index).read(value))
     except PydanticCustomError:
         return 0.0
 
@@ -194,7 +217,7 @@ def _ratio(key: str, group: float, at: _Scales) -> float:
         "G": at.stress / group,
         "eps_Y": group,
         "E_star": at.stress * group,
-        "V": at.stress * at.time * group,
+        "V": at.stress * power(at.time, at.index) * group,
         "B": at.stress * at.time / (2 * group),
         "tau": at.time * group,
     }[key]
@@ -207,18 +230,13 @@ def _fill_in(rest: Table, block: GroupBlock, at: _Scales, constants: dict[str, f
         return [Fault("groups", f"these groups give no finite {', '.join(absurd)}", "moderate numbers")]
     elastic = at.span * math.sqrt(at.density / constants["youngs_modulus"])
     unit = at.time if block.time_unit == "gravity" else elastic
-    values: dict[str, tuple[float | None, str]] = {
-        "filament.thickness": (block.delta * at.span, "length"),
-        "load.ramp": (None if block.ramp is None else block.ramp * unit, "time"),
-        "run.duration": (None if block.duration is None else block.duration * unit, "time"),
-    }
+    _fill(rest, "filament.thickness", with_unit(block.delta * at.span, "length"))
+    for path, time in (("load.ramp", block.ramp), ("run.duration", block.duration)):
+        if time is not None:
+            _fill(rest, path, with_unit(time * unit, "time"))
     for name in CONSTANTS[block.law]:
-        if FROM_SHEAR.get(name, ("",))[0] not in _section(rest, "material"):
-            dimension = "viscosity" if name == "viscosity" else "stress"
-            values[f"material.{name}"] = (constants[name], dimension)
-    for path, (value, dimension) in values.items():
-        if value is not None:
-            _fill(rest, path, with_unit(value, dimension))
+        if not set(shear_names(name)) & set(_section(rest, "material")):
+            _fill(rest, f"material.{name}", kind_of_constant(name, block.law, at.index).write(constants[name]))
     return []
 
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from softcat_sym.scene.filament import Filament
 from softcat_sym.scene.material import Material
-from softcat_sym.scene.notyet import AVAILABLE
-from softcat_sym.scene.part import Part, dotted, kinds_of
+from softcat_sym.scene.part import Part
+from softcat_sym.scene.shear_data import INDEXED
 
 if TYPE_CHECKING:
     from softcat_sym.scene.model import Scene
@@ -38,13 +38,11 @@ def toml_of(scene: Scene) -> str:
 
 
 def _table_lines(part: Part) -> list[str]:
-    kinds = kinds_of(type(part))
+    kinds = part.kinds()
     follows = part.follows() if isinstance(part, Filament) else {}
     lines = []
     for name, value in part.physics().items():
-        # A key with a single possible value says nothing.
-        only_one = len(AVAILABLE.get(dotted(part.table_name, name), ("", ""))) == 1
-        if name not in kinds or value is None or (only_one and part.table_name):
+        if name not in kinds or value is None or _is_idle(part, name, value):
             continue
         if name in follows:
             # As a comment, so that an override of the one it follows still carries it along.
@@ -56,6 +54,13 @@ def _table_lines(part: Part) -> list[str]:
     return lines
 
 
+def _is_idle(part: Part, name: str, value: object) -> bool:
+    """Tell whether a key says nothing: a list that is empty unless given, the index of a law that has none."""
+    if isinstance(part, Material) and name == "index":
+        return part.law not in INDEXED
+    return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
+
+
 def _toml(value: object) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -64,4 +69,6 @@ def _toml(value: object) -> str:
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(_toml(item) for item in value)}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{key} = {_toml(item)}' for key, item in value.items())}}}"
     return repr(value)

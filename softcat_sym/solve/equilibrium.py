@@ -13,6 +13,7 @@ from softcat_sym.graph.grid import Floats
 _ITERATIONS = 60
 _HALVINGS = 30
 _TOLERANCE = 1e-10
+_ROUNDING = 1e-7
 _LONGEST_STEP = 0.1
 
 
@@ -29,7 +30,8 @@ class Equilibrium:
     """
 
     def __init__(self, graph: Graph) -> None:
-        self._graph = graph
+        # Only positions and angles make the equations nonlinear: velocities may be as large as they are.
+        self._shape = np.isin(graph.z_kinds, ("x", "y", "psi"))
         inputs = [graph.t, graph.x, graph.z, graph.p]
         self._residual = ca.Function("residual", inputs, [graph.alg])
         self._jacobian = ca.Function("jacobian", inputs, [ca.jacobian(graph.alg, graph.z)])
@@ -55,13 +57,17 @@ class Equilibrium:
         return None
 
     def _newton(self, time: float, x: Floats, z: Floats, p: Floats) -> Floats | None:
+        before = np.inf
         for _ in range(_ITERATIONS):
             stiffness = self._jacobian(time, x, z, p)
             step = self._step(stiffness, self._evaluate(time, x, z, p), factorise=True)
             if step is None:
                 return None
-            if np.max(np.abs(step)) < _TOLERANCE:
+            size = float(np.max(np.abs(step))) / max(1.0, float(np.max(np.abs(z + step), initial=0.0)))
+            # Rounding of the positions times the axial stiffness, over that of bending: a thin filament stops short.
+            if size < _TOLERANCE or (size < _ROUNDING and size > 0.9 * before):
                 return z + step
+            before = size
             z = z + self._fraction(time, x, z, p, stiffness, step) * step
         return None
 
@@ -80,7 +86,8 @@ class Equilibrium:
         """Fraction of the step after which less remains; if there is none, the longest, in hope of the next."""
         size = float(np.linalg.norm(step))
         # A straight string has next to no stiffness: its first step would end spans away, where elasticity softens.
-        longest = fraction = min(1.0, _LONGEST_STEP / float(np.max(np.abs(step))))
+        reach = float(np.max(np.abs(step[self._shape]), initial=0.0))
+        longest = fraction = min(1.0, _LONGEST_STEP / reach) if reach > 0 else 1.0
         for _ in range(_HALVINGS):
             value = self._evaluate(time, x, z + fraction * step, p)
             if np.all(np.isfinite(value)):
@@ -94,13 +101,8 @@ class Equilibrium:
         return np.asarray(self._residual(time, x, z, p), dtype=float).ravel()
 
 
-def sagging_guesses(graph: Graph, sag: float) -> list[Floats]:
+def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
     """Parabolas around the sag (over span) expected, and the straight filament."""
-    node_x = np.array([_position(name) for name in graph.algebraic_names])
-    is_height = np.array([name.startswith("y") for name in graph.algebraic_names])
-    parabola = np.where(is_height, -(1 - 4 * node_x**2), 0.0)
-    return [graph.straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
-
-
-def _position(name: str) -> float:
-    return float(name.rsplit("=", 1)[1])
+    is_height = np.array([kind == "y" for kind in graph.z_kinds])
+    parabola = np.where(is_height, -(1 - 4 * graph.z_where**2), 0.0)
+    return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import itertools
 from dataclasses import dataclass
 
 import casadi as ca
@@ -16,8 +17,10 @@ from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress
 from softcat_sym.solve.settings import Settings
 from softcat_sym.solve.solution import Solution
+from softcat_sym.solve.starting import Start
 
 _LARGE = 1000
+_BESIDE = 8 * float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True)
@@ -54,11 +57,15 @@ class FrameIntegrator:
         sizes = [power.numel() if local else 1 for power in graph.powers]
         self._firsts = [0, sizes[0], sizes[0] + sizes[1]]
         ode, alg, quad = ca.substitute([graph.ode, graph.alg, powers], [graph.t], [now])
+        # Without inertia nothing but flow limits the steps of IDAS, and where nothing flows a quadrature would be left
+        # with one point a frame: the powers then count as unknowns, whose error is controlled.
+        self._works = 3 if settings.solver == "idas" and "u" not in graph.x_kinds else 0
+        works = ca.SX.sym("works", self._works)
         dae = {
             "t": tau,
-            "x": graph.x,
+            "x": ca.vertcat(graph.x, works),
             "p": ca.vertcat(graph.p, start, interval),
-            "ode": ode * interval,
+            "ode": ca.vertcat(ode, quad if self._works else works) * interval,
             "quad": quad * interval,
         }
         if graph.is_dae:
@@ -85,7 +92,7 @@ class FrameIntegrator:
         KeyboardInterrupt
             If the user does.
         """
-        self._arguments["x0"][:] = state.x
+        self._arguments["x0"][:] = (*state.x, *np.zeros(self._works))
         self._arguments["z0"][:] = state.z
         self._arguments["p"][:] = (*p, start, interval)
         silence = io.StringIO()
@@ -100,7 +107,8 @@ class FrameIntegrator:
             # The Rosenbrock method does not raise: it leaves a code, and results that are not to be used.
             raise RuntimeError(_reason(silence.getvalue(), steps, self._most_steps))
         x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
-        quad = np.add.reduceat(local, self._firsts, axis=0)
+        quad = x[-self._works :] if self._works else np.add.reduceat(local, self._firsts, axis=0)
+        x = x[: len(state.x)]
         return x, z, quad + state.quad[:, None], steps
 
 
@@ -113,19 +121,24 @@ class Integration:
         What to integrate and how.
     frames : int
         Number of output times, t = 0 included.
+    kinks : ndarray
+        Times, in units of the time scale, at which a support changes pace: no step runs over one.
     """
 
-    def __init__(self, graph: Graph, settings: Settings, frames: int) -> None:
-        self._graph, self._settings, self._frames = graph, settings, frames
+    def __init__(self, graph: Graph, settings: Settings, frames: int, kinks: Floats) -> None:
+        self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
+        if len(kinks):
+            self._chunk = FrameIntegrator(graph, settings, 1)
+            return
         self._chunk = FrameIntegrator(graph, settings, max(1, -(-(frames - 1) // _chunks(graph, settings))))
 
-    def run(self, z0: Floats, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
-        """Integrate from the straight filament at rest.
+    def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
+        """Integrate from a filament at rest.
 
         Parameters
         ----------
-        z0 : ndarray, shape (nz,)
-            Consistent algebraic states.
+        start : Start
+            Differential and consistent algebraic states.
         p : ndarray
             Parameters.
         duration : float
@@ -136,7 +149,9 @@ class Integration:
             Told after every chunk.
         """
         interval = duration / (self._frames - 1)
-        record = _Record(_State(self._graph.start, z0, np.zeros(3)))
+        if len(self._kinks):
+            return self._by_pieces(start, p, interval, scale, progress)
+        record = _Record(_State(start.x, start.z, np.zeros(3)))
         while record.reached < self._frames - 1:
             complaint = self._attempt(self._chunk, record, p, interval)
             if complaint:
@@ -159,6 +174,27 @@ class Integration:
         record.extend(x, z, quad, steps)
         return ""
 
+    def _by_pieces(self, start: Start, p: Floats, interval: float, scale: float, progress: Progress) -> Solution:
+        """Frame by frame, and within a frame from kink to kink."""
+        record = _Record(_State(start.x, start.z, np.zeros(3)))
+        while record.reached < self._frames - 1:
+            begin, end = record.reached * interval, (record.reached + 1) * interval
+            inside = self._kinks[(self._kinks > begin) & (self._kinks < end)]
+            state, steps = record.last, 0
+            for low, high in itertools.pairwise((begin, *inside.tolist(), end)):
+                try:
+                    # A piece begins just behind its kink and ends just before the next.
+                    first, last = low * (1 + _BESIDE), high * (1 - _BESIDE)
+                    x, z, quad, taken = self._chunk.advance(state, p, first, last - first)
+                except RuntimeError as error:
+                    return self._broken(record, p, interval, scale, str(error) or "the integrator gave up")
+                if not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
+                    return self._broken(record, p, interval, scale, "non-finite state")
+                state, steps = _State(x[:, -1], z[:, -1], quad[:, -1]), steps + taken
+            record.extend(state.x[:, None], state.z[:, None], state.quad[:, None], steps)
+            progress.update(end * scale, interval * scale / steps if steps else None)
+        return record.solution(interval, self._frames, Outcome.solved, "")
+
     def _to_the_bitter_end(self, record: _Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
         """Go on frame by frame to where it fails, so that the part that is sound is kept."""
         single = FrameIntegrator(self._graph, self._settings, 1)
@@ -169,6 +205,10 @@ class Integration:
                 break
         else:
             return record.solution(interval, self._frames, Outcome.solved, "")
+        return self._broken(record, p, interval, scale, complaint)
+
+    def _broken(self, record: _Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
+        """What was reached before it failed, and why it did."""
         worst = worst_component(self._graph, record.reached * interval, record.last.x, record.last.z, p)
         text = f"stopped after t = {record.reached * interval * scale:.6g} s; fastest: {worst}; {_digest(complaint)}"
         return record.solution(interval, self._frames, _outcome_of(complaint), text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable
 
 import casadi as ca
 import numpy as np
@@ -14,6 +14,9 @@ from softcat_sym.solve.equilibrium import Equilibrium
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress
 from softcat_sym.solve.solution import Solution
+
+# Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
+_GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
 
 
 def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
@@ -34,28 +37,29 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     progress : Progress
         Told after every frame.
     """
-    equilibrium = Equilibrium(graph)
+    equilibrium, power = Equilibrium(graph), _power_of_load(graph)
     empty = np.zeros(0)
     shapes, work = [z0], [0.0]
     for before, time in itertools.pairwise(times):
-        middle = float(before + time) / 2
-        halfway = equilibrium.search(middle, empty, p, [shapes[-1]])
-        z = equilibrium.search(float(time), empty, p, [shapes[-1] if halfway is None else halfway])
-        if z is None or halfway is None:
-            text = f"no equilibrium at t = {time * scale:.6g} s"
-            return _solution(times[: len(shapes)], shapes, work, Outcome.no_equilibrium, text)
-        instants = ((float(before), shapes[-1]), (middle, halfway), (float(time), z))
-        work.append(work[-1] + _work(graph, instants, p))
-        shapes.append(z)
+        instants = [float(before + share * (time - before)) for share in (*_GAUSS, 1.0)]
+        passed: list[Floats] = []
+        for instant in instants:
+            z = equilibrium.search(instant, empty, p, [passed[-1] if passed else shapes[-1]])
+            if z is None:
+                text = f"no equilibrium at t = {instant * scale:.6g} s"
+                return _solution(times[: len(shapes)], shapes, work, Outcome.no_equilibrium, text)
+            passed.append(z)
+        powers = [power(instant, z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
+        work.append(work[-1] + float(time - before) * sum(powers) / len(powers))
+        shapes.append(passed[-1])
         progress.update(float(time) * scale, None)
     return _solution(times, shapes, work, Outcome.solved, "")
 
 
-def _work(graph: Graph, instants: Sequence[tuple[float, Floats]], p: Floats) -> float:
-    """Work of the changing load from the first to the last of three equilibria, by Simpson's rule."""
-    power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
-    first, middle, last = (float(np.asarray(power(time, [], z, p)).ravel()[1]) for time, z in instants)
-    return (instants[2][0] - instants[0][0]) / 6 * (first + 4 * middle + last)
+def _power_of_load(graph: Graph) -> Callable[[float, Floats, Floats], float]:
+    """Power of the changing load and of the moving support, of time, positions and parameters."""
+    powers = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
+    return lambda time, z, p: float(np.asarray(powers(time, [], z, p)).ravel()[1])
 
 
 def _solution(times: Floats, shapes: list[Floats], work: list[float], outcome: Outcome, text: str) -> Solution:

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from softcat_sym.effects.prediction import elastic_sag
 from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
 from softcat_sym.graph.parameters import TIME_SCALE, parameter_values
 from softcat_sym.scene import Scene
-from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
 from softcat_sym.solve.integrate import Integration
 from softcat_sym.solve.march import march
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress
 from softcat_sym.solve.settings import Settings
 from softcat_sym.solve.solution import Solution
+from softcat_sym.solve.starting import Start, starting_state
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Prepared:
     p: Floats
     times: Floats
     scale: float
-    start: Floats | None
+    start: Start | None
     integration: Integration | None
 
     def solve(self, progress: Progress) -> Solution:
@@ -51,25 +51,32 @@ class Prepared:
         if self.start is None:
             return self._nothing()
         if self.integration is None:
-            return march(self.graph, self.start, self.p, self.times, self.scale, progress)
+            return march(self.graph, self.start.z, self.p, self.times, self.scale, progress)
         return self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)
 
     def _nothing(self) -> Solution:
         frame = np.zeros((3, 1))
         x, z = self.graph.start[:, None], self.graph.straight[:, None]
-        text = "at t = 0 s: no static shape was found (a straight string that does not bend has no stiffness)"
+        text = "at t = 0 s: no shape in balance was found (a straight string that does not bend has no stiffness)"
         return Solution(self.times[:1], x, z, frame, Outcome.no_equilibrium, text, 0)
 
 
-def prepare(scene: Scene, graph: Graph, settings: Settings) -> Prepared:
-    """Fill in the scene's parameters, find the starting shape and build the integrator."""
+def prepare(scene: Scene, graph: Graph, settings: Settings, statics: Callable[[], Graph] | None = None) -> Prepared:
+    """Fill in the scene's parameters, find the starting shape and build the integrator.
+
+    Parameters
+    ----------
+    statics : callable
+        The same filament without inertia and viscous stress, for a starting shape that is not straight;
+        without it such a run finds none.
+    """
     values = parameter_values(scene)
     scale = values[TIME_SCALE]
     p = graph.vector(values)
     times = np.linspace(0.0, scene.run.duration / scale, scene.run.frames)
-    start: Floats | None = np.zeros(0)
-    if graph.is_dae:
-        start = Equilibrium(graph).search(0.0, graph.start, p, sagging_guesses(graph, elastic_sag(scene)))
+    start = starting_state(scene, graph, p, statics)
     flows = bool(graph.x.numel())
-    integration = Integration(graph, settings, scene.run.frames) if flows and start is not None else None
+    # A frame at which a support changes pace is one too, but for the first.
+    kinks = np.array(sorted({row[0] / scale for row in scene.ends.motion if 0 < row[0] < scene.run.duration}))
+    integration = Integration(graph, settings, scene.run.frames, kinks) if flows and start is not None else None
     return Prepared(graph, settings, p, times, scale, start, integration)

@@ -9,7 +9,16 @@ from typing import Any, Literal
 import numpy as np
 
 from softcat_sym.effects import Effects
-from softcat_sym.effects.prediction import elastic_sag, first_yield_gravity_number, predicted_sag, predicted_strain
+from softcat_sym.effects.prediction import (
+    elastic_sag,
+    first_yield_gravity_number,
+    gravity_number_of,
+    instant_modulus,
+    predicted_sag,
+    predicted_strain,
+    viscous_number,
+    weight_stress,
+)
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.graph.choosing import choose_grid
 from softcat_sym.scene import Scene, gravity_time, groups_of
@@ -26,6 +35,7 @@ _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.04}
 _VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
 _CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
 _REST = 0.04  # of IDAS where a filament that yields throughout comes to rest: its last swings are small, not absent
+_QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load starts must be followed from the beginning
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
 _OVERDAMPED = 5.0  # V above which a descending filament does not turn back
@@ -82,14 +92,16 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
 
 def _roundoff(scene: Scene) -> float:
     """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
-    stiffness = groups_of(scene).E_star
+    modulus, weight = instant_modulus(scene), weight_stress(scene)
     cells = 0.5 / float(np.min(choose_grid(scene).cell_length))
-    return _NOISE * cells * math.sqrt(stiffness) if stiffness is not None and math.isfinite(stiffness) else 0.0
+    return _NOISE * cells * math.sqrt(modulus / weight) if modulus is not None and weight > 0 else 0.0
 
 
 def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
     """Relative tolerance over the accuracy asked."""
-    if solver != "rosenbrock" and "inertia" in effects.names:
+    if solver != "rosenbrock" and "inertia" not in effects.names:
+        return _QUASI_STATIC
+    if solver != "rosenbrock":
         if _is_slow(scene):
             return _CREEP
         if "yielding" not in effects.names:
@@ -114,7 +126,8 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
     if asked is not None:
         return asked, "named in numerics.solver"
     if "inertia" not in effects.names:
-        return "idas", "positions are algebraic without inertia"
+        unknowns = "velocities" if "viscous-stress" in effects.names else "positions"
+        return "idas", f"{unknowns} are algebraic without inertia"
     if algebraic and "yielding" not in effects.names and not _is_slow(scene):
         return "rosenbrock", "nothing yields, so that a method of fifth order takes few steps"
     if _flow_damps(scene, effects):
@@ -128,32 +141,36 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
 def _algebraic(effects: Effects) -> tuple[str, str] | None:
     """Which unknowns have no rate of their own, and the effect that would give them one."""
     if "inertia" not in effects.names:
-        return "positions", "inertia"
+        return ("velocities" if "viscous-stress" in effects.names else "positions"), "inertia"
     independent = {"shear", "fibres"} & set(effects.names)
     return ("section angles", "rotary-inertia") if independent and "rotary-inertia" not in effects.names else None
 
 
 def _flow_damps(scene: Scene, effects: Effects) -> bool:
     """Whether flow goes on through the run and damps what the load excites."""
-    groups = groups_of(scene)
-    if "viscous-flow" not in effects.names or groups.V is None or groups.tau_star is None:
+    viscous, modulus, gravity_number = viscous_number(scene), instant_modulus(scene), gravity_number_of(scene)
+    if "viscous-stress" in effects.names:
+        return True
+    if "viscous-flow" not in effects.names or viscous is None or modulus is None:
         return False
-    if "yielding" in effects.names and groups.G is not None:
-        return (groups.G > math.sqrt(2) and groups.V > _OVERDAMPED) or _is_slow(scene)
-    return groups.tau_star < _SHORT_MEMORY or _is_slow(scene)
+    if "yielding" in effects.names and gravity_number is not None:
+        return (gravity_number > math.sqrt(2) and viscous > _OVERDAMPED) or _is_slow(scene)
+    return viscous * weight_stress(scene) / modulus < _SHORT_MEMORY or _is_slow(scene)
 
 
 def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
     """Whether the filament yields far beyond its first fibre, too viscously to turn back, and stops."""
-    groups = groups_of(scene)
-    if "yielding" not in effects.names or groups.G is None or groups.V is None:
+    gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
+    if "yielding" not in effects.names or gravity_number is None or viscous is None:
         return False
-    throughout = _THROUGHOUT * first_yield_gravity_number(scene) < groups.G <= math.sqrt(2)
-    return throughout and groups.V > _OVERDAMPED
+    throughout = _THROUGHOUT * first_yield_gravity_number(scene) < gravity_number <= math.sqrt(2)
+    return throughout and viscous > _OVERDAMPED
 
 
 def _is_slow(scene: Scene) -> bool:
     """Whether the load comes on so slowly, compared with the period of the elastic filament, that nothing rings."""
     sag = elastic_sag(scene)
+    if sag == 0:
+        return False
     period = 2 * math.pi * math.sqrt(sag) * gravity_time(scene)
     return scene.load.ramp > _SLOW_PERIODS * period

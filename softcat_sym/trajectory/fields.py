@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from softcat_sym.graph import Graph, energy_scale
 from softcat_sym.graph.grid import Floats
-from softcat_sym.scene import Scene
+from softcat_sym.scene import Scene, rest_length, undeformed_area
 from softcat_sym.solve import Prepared, Solution
 from softcat_sym.trajectory.mirror import mirrored
 from softcat_sym.trajectory.variables import ENERGIES, VARIABLES
-
-
-def undeformed_area(scene: Scene) -> float:
-    """A_0 [m^2] of a rectangle or a circle."""
-    filament = scene.filament
-    if filament.section == "circle":
-        return math.pi * filament.thickness**2 / 4
-    return filament.thickness * filament.width
 
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
@@ -30,7 +20,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     dict of str to ndarray
         (frames, nodes), (frames, cells) or (frames,).
     """
-    graph, span = prepared.graph, scene.filament.span
+    graph, span = prepared.graph, rest_length(scene)
     observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
     observed["energy_dissipated"] = solution.quad[0][:, None] * unit

@@ -43,8 +43,9 @@ def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
     # A support has no cell behind it: its cell is compared with the one neighbour it has.
     left = np.concatenate([[-np.inf], stretch[:-1]])
     right = np.concatenate([stretch[1:], [-np.inf]])
-    excess = np.maximum(stretch - np.maximum(left, right), 0.0) * length
-    elongation = np.maximum(stretch - 1.0, 0.0) * length
+    excess = np.maximum(stretch - np.maximum(np.maximum(left, right), 1.0), 0.0) * length
+    # Where parts are compressed and parts drawn, their sum may vanish: it is no scale.
+    elongation = np.abs(stretch - 1.0) * length
     middle = len(stretch) // 2
     shares = [
         float(np.max(excess[half])) / float(np.sum(elongation[half]))

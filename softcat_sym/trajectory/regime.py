@@ -8,6 +8,8 @@ from typing import Literal
 import numpy as np
 
 from softcat_sym.effects import Effects
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.prediction import effective_viscosity, yield_stress_of
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
 
@@ -37,7 +39,7 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
     midpoint : ndarray, shape (frames,)
         Height of the midpoint [m].
     """
-    if "viscous-flow" not in effects.names:
+    if is_solid(scene) or not {"viscous-flow", "viscous-stress"} & set(effects.names):
         return "elastic"
     if "yielding" not in effects.names:
         return "viscous"
@@ -50,12 +52,23 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
 
 def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
     """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`."""
-    yield_stress, viscosity = scene.material.yield_stress, scene.material.viscosity
-    if not yield_stress or not viscosity:
+    pace = _pace(scene)
+    if not pace:
         return False
     frames = len(plastic_rate)
     last = plastic_rate[min(frames - 1, int((1 - ARREST_TIME) * (frames - 1))) :]
-    return bool(np.max(last) < ARREST_RATE * yield_stress / viscosity)
+    return bool(np.max(last) < ARREST_RATE * pace)
+
+
+def _pace(scene: Scene) -> float:
+    """Plastic strain rate at an overstress as large as the yield stress [1/s]: sigma_Y/eta, (sigma_Y/K)^(1/n)."""
+    yield_stress, viscosity = yield_stress_of(scene), effective_viscosity(scene)
+    if not yield_stress or not viscosity:
+        return 0.0
+    material = scene.material
+    if material.viscosity is None:
+        return yield_stress / viscosity
+    return float((yield_stress / material.viscosity) ** (1 / material.index))
 
 
 def turned_back(midpoint: Floats) -> float:

@@ -11,9 +11,10 @@ import numpy as np
 
 from softcat_sym.effects import Effects
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT, neck_length
+from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.graph.grid import Floats
-from softcat_sym.scene import Scene
+from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Solution
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import node_positions, whole_span_fields
@@ -76,7 +77,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     from softcat_sym.trajectory.dataset import dataset_of
 
     fields = whole_span_fields(scene, prepared, solution)
-    places = node_positions(prepared.graph, scene.filament.span)
+    places = node_positions(prepared.graph, rest_length(scene))
     time = solution.time * prepared.scale
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
@@ -118,7 +119,9 @@ def _outcome(
     # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
     runs_away = {NECKING_GRADIENT.name, YIELDING.name} <= set(effects.names)
     length = neck_length(scene) if runs_away else None
-    neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length)
+    # An elastic filament is as uneven as its load: only flow gathers strain.
+    flows = VISCOUS_FLOW.name in effects.names
+    neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length) if flows else ""
     if neck:
         return Outcome.localised, "; ".join(filter(None, [neck, solution.complaint]))
     if not solution.outcome.is_success:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from softcat_sym.effects.prediction import effective_viscosity
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
 
@@ -26,7 +27,7 @@ def _surface_tension(scene: Scene, time: Floats, midpoint: Floats) -> list[str]:
     gamma = scene.surroundings.surface_tension
     if gamma == 0 or len(time) < 2:
         return []
-    filament, viscosity = scene.filament, scene.material.viscosity
+    filament, viscosity = scene.filament, effective_viscosity(scene)
     weight = filament.density * scene.load.gravity * filament.thickness / 2 * filament.span
     static = gamma / weight if weight > 0 else np.inf
     speed = float(np.max(np.abs(np.diff(midpoint) / np.diff(time))))

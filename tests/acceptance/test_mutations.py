@@ -32,7 +32,7 @@ MUTATIONS = [
         "UNIFORM = Contraction(area=A0 / s, thickness=h0 / s",
         "02_section_and_closures",
     ),
-    ("rheology", "/ (section.zeta_squared * eta)", "/ eta", "02_section_and_closures"),
+    ("laws/bingham", "/ (section.zeta_squared * eta)", "/ eta", "02_section_and_closures"),
     ("small_deflection", "-(delta**2) * K_I * _mb / 2", "-(delta**2) * K_I * _mb", "03_small_deflection"),
     ("small_deflection", "moment_rate=-E * inertia", "moment_rate=E * inertia", "03_small_deflection"),
     ("asymptotics", "Rational(-3, 5)", "Rational(-2, 5)", "04_asymptotics"),

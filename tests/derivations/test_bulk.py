@@ -12,7 +12,8 @@ from scipy.optimize import brentq
 
 from softcat_sym.equations import bulk
 from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.rheology import bingham_rate, maxwell_rate
+from softcat_sym.equations.laws.bingham import bingham_rate
+from softcat_sym.equations.laws.maxwell import maxwell_rate
 from softcat_sym.equations.symbols import E, eta, sigma_Y
 
 MODULUS, POISSON, YIELD, VISCOSITY = 1.0, 0.45, 0.02, 0.5

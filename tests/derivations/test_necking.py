@@ -10,7 +10,8 @@ from scipy.special import iv, ivp
 
 from softcat_sym.equations import necking
 from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.rheology import bingham_rate, maxwell_rate
+from softcat_sym.equations.laws.bingham import bingham_rate
+from softcat_sym.equations.laws.maxwell import maxwell_rate
 from softcat_sym.equations.symbols import T, eta, h0, s, sigma, sigma_Y
 
 STRETCH, STRESS, VISCOSITY, THICKNESS = 1.3, 0.7, 2.0, 0.4

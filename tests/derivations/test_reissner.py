@@ -10,8 +10,8 @@ import sympy as sp
 
 from softcat_sym.equations import bulk, reissner
 from softcat_sym.equations.dimensions import check
+from softcat_sym.equations.laws.bingham import bingham_rate
 from softcat_sym.equations.reissner import Gam, Lam, S, k
-from softcat_sym.equations.rheology import bingham_rate
 from softcat_sym.equations.section import UNIFORM, WIDE, Contraction
 from softcat_sym.equations.symbols import A0, E, M, T, eta, h0, sigma, sigma_Y, x_X, y_X, zeta
 

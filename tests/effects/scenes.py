@@ -10,6 +10,7 @@ from softcat_sym.scene import Scene
 _FILAMENT = {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"}
 _MATERIALS: dict[str, dict[str, Any]] = {
     "elastic": {"law": "elastic", "youngs_modulus": "4 MPa"},
+    "kelvin-voigt": {"law": "kelvin-voigt", "youngs_modulus": "4 MPa", "viscosity": "13.84 kPa*s"},
     "maxwell": {"law": "maxwell", "youngs_modulus": "4 MPa", "viscosity": "13.84 kPa*s"},
     "bingham": {"law": "bingham", "youngs_modulus": "4 MPa", "viscosity": "13.84 kPa*s", "yield_stress": "9.32 kPa"},
 }

@@ -10,6 +10,7 @@ import pytest
 
 from softcat_sym.effects import REGISTRY, choose_effects
 from softcat_sym.equations.filament import Terms, derive
+from softcat_sym.equations.laws import law_of
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.errors import SceneError
 from softcat_sym.graph import End, Graph, assemble, half_span
@@ -28,6 +29,7 @@ ALL = (
     "thinning",
     "large-rotation",
     "viscous-flow",
+    "viscous-stress",
     "yielding",
     "gravity-ramp",
 )
@@ -36,8 +38,8 @@ BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia")
 
 
 @cache
-def graph_of(names: tuple[str, ...]) -> Graph:
-    terms = Terms()
+def graph_of(names: tuple[str, ...], law: str = "bingham") -> Graph:
+    terms = Terms(law=law_of(law))
     for effect in REGISTRY:
         if effect.name in names:
             terms = effect.contribute(terms)
@@ -65,7 +67,8 @@ def test_every_effect_says_what_it_is(effect: object) -> None:
 
 @pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
 def test_one_that_does_not_always_apply_says_why(effect: object) -> None:
-    scenes = [scene_of(law, ramp) for law, ramp in itertools.product(("elastic", "maxwell", "bingham"), ("0 s", "1 s"))]
+    laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
+    scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
     scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
     applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
     assert any(applies)
@@ -149,9 +152,26 @@ def test_an_absent_effect_leaves_no_state(absent: tuple[str, ...], state: str) -
     assert not any(name.startswith(state) for name in graph_of(without(*absent)).state_names)
 
 
-@pytest.mark.parametrize("absent", [name for name in ALL if name != "viscous-flow"])
+@pytest.mark.parametrize("absent", [name for name in ALL if name not in ("viscous-flow", "viscous-stress")])
 def test_an_absent_effect_leaves_no_instruction(absent: str) -> None:
     assert graph_of(without(absent)).instructions < graph_of(ALL).instructions
+
+
+def test_a_law_without_a_viscous_stress_is_the_same_with_that_effect() -> None:
+    assert graph_of(without("viscous-stress")).instructions == graph_of(ALL).instructions
+
+
+def test_an_absent_viscous_stress_leaves_no_instruction_and_no_parameter() -> None:
+    solid, elastic = graph_of(ALL, "kelvin-voigt"), graph_of(without("viscous-stress"), "kelvin-voigt")
+    assert elastic.instructions == graph_of(ALL, "elastic").instructions < solid.instructions
+    assert "viscosity" in solid.parameters
+    assert "viscosity" not in elastic.parameters
+
+
+def test_without_inertia_a_viscous_stress_makes_the_velocities_algebraic() -> None:
+    graph = graph_of(without("inertia"), "newtonian")
+    assert {name[: name.index("[")] for name in graph.state_names} == {"x", "y"}
+    assert {name[: name.index("[")] for name in graph.algebraic_names} == {"u", "v"}
 
 
 def test_without_any_flow_there_are_fewer_instructions_still() -> None:
@@ -160,7 +180,7 @@ def test_without_any_flow_there_are_fewer_instructions_still() -> None:
 
 def test_the_barest_filament_is_a_string_at_rest() -> None:
     graph = graph_of(())
-    assert set(graph.parameters) == {"span", "density", "gravity", "youngs_modulus", "time_scale"}
+    assert set(graph.parameters) == {"rest_length", "density", "gravity", "youngs_modulus", "time_scale"}
     assert not graph.state_names
     assert graph.is_dae
 
@@ -203,8 +223,9 @@ def test_auto_takes_the_gradient_where_a_neck_has_time_to_grow(name: str, necks:
 
 
 def test_the_printed_closure_is_the_published_theory() -> None:
-    assert choose_effects(scene_of(run={"closure": "printed"})).names == ALL
-    listed = scene_of(run={"closure": "printed", "effects": [*ALL, "shear"]})
+    published = without("viscous-stress")
+    assert choose_effects(scene_of(run={"closure": "printed"})).names == published
+    listed = scene_of(run={"closure": "printed", "effects": [*published, "shear"]})
     with pytest.raises(SceneError, match=r"run\.closure: 'printed' with shear"):
         choose_effects(listed)
     with pytest.raises(SceneError, match=r"run\.closure: 'printed' with fibres"):
@@ -224,7 +245,7 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
     scene = scene_of(run={"effects": ["bending", "inertia", "viscous-flow"]})
     effects = choose_effects(scene)
     assert effects.names == ("inertia", "bending", "viscous-flow")
-    assert set(effects.left_out) == set(NAMES) - set(effects.names)
+    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {"viscous-stress"}
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 
 

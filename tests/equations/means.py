@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 import sympy as sp
 
-from softcat_sym.equations.rheology import bingham_means
+from softcat_sym.equations.laws.bingham import bingham_means
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.equations.symbols import E, eta, sigma_0, sigma_1, sigma_Y
 

@@ -8,7 +8,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from softcat_sym.equations.rheology import bingham_means, bingham_rate, maxwell_means, maxwell_rate
+from softcat_sym.equations.laws.bingham import bingham_means, bingham_rate
+from softcat_sym.equations.laws.maxwell import maxwell_means, maxwell_rate
 from softcat_sym.equations.section import RECTANGLE, SECTIONS
 from softcat_sym.equations.symbols import E, eta, sigma, sigma_0, sigma_1, sigma_Y, zeta
 

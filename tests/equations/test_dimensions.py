@@ -10,8 +10,10 @@ from softcat_sym.equations.balance import mass_per_length
 from softcat_sym.equations.dimensions import PURE as NONE
 from softcat_sym.equations.dimensions import DimensionError as MismatchError
 from softcat_sym.equations.dimensions import dimension
+from softcat_sym.equations.laws.bingham import bingham_rate
+from softcat_sym.equations.laws.maxwell import maxwell_rate
 from softcat_sym.equations.loading import ramp_rate, ramped_gravity
-from softcat_sym.equations.rheology import bingham_rate, elastic_stress, maxwell_rate
+from softcat_sym.equations.rheology import elastic_stress
 from softcat_sym.equations.section import SECTIONS
 
 from .variants import all_filaments, expressions

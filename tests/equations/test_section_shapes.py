@@ -6,7 +6,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.section import CIRCLE, NONE, RECTANGLE, SECTIONS, UNIFORM, Section
+from softcat_sym.equations.section import CIRCLE, NONE, RECTANGLE, SECTIONS, SHEET, UNIFORM, Section
 from softcat_sym.equations.symbols import A0, c, h0, s, zeta
 
 SHAPES = [RECTANGLE, CIRCLE]
@@ -95,4 +95,4 @@ def test_uniform_contraction_keeps_the_volume_and_the_shape() -> None:
 
 
 def test_sections_are_found_by_the_name_in_the_scene() -> None:
-    assert SECTIONS == {"rectangle": RECTANGLE, "circle": CIRCLE}
+    assert SECTIONS == {"rectangle": RECTANGLE, "circle": CIRCLE, "sheet": SHEET}

@@ -10,15 +10,12 @@ import sympy as sp
 
 from softcat_sym.equations import kinematics, section
 from softcat_sym.equations.closure import CLOSURES
-from softcat_sym.equations.filament import FilamentEquations, SectionEquations, Terms, derive
+from softcat_sym.equations.filament import FilamentEquations, Terms, derive
+from softcat_sym.equations.laws import law_of
 from softcat_sym.equations.loading import ramp_rate, ramped_gravity
-from softcat_sym.equations.rheology import bingham_means, maxwell_means
+from softcat_sym.equations.section_response import BranchResponse, SectionResponse
 
-LAWS = {
-    "elastic": {},
-    "maxwell": {"flow": maxwell_means},
-    "bingham": {"flow": maxwell_means, "flow_beyond_yield": bingham_means},
-}
+LAWS = ("elastic", "maxwell", "bingham")
 
 
 @cache
@@ -37,12 +34,14 @@ def filament(
     terms = Terms(
         centreline=kinematics.LARGE_ROTATION if large else kinematics.SMALL_SLOPE,
         strain=kinematics.TRUE_STRAIN if finite else kinematics.SMALL_STRAIN,
-        contraction=section.UNIFORM if thin else section.NONE,
+        thins=thin,
         inertia=True,
         bending=bending,
         gravity=ramped_gravity() if ramp else Terms().gravity,
         gravity_rate=ramp_rate() if ramp else sp.Integer(0),
-        **LAWS[law],
+        law=law_of(law),
+        flows=True,
+        yields=True,
     )
     return derive(terms, section.SECTIONS[shape], closure)
 
@@ -59,9 +58,11 @@ def all_filaments() -> list[FilamentEquations]:
 def expressions(equations: FilamentEquations) -> dict[str, sp.Expr]:
     """All of its expressions by name."""
     response, terms = equations.response, equations.terms
-    found = {f.name: getattr(response, f.name) for f in fields(SectionEquations) if f.name != "means"}
-    if response.means is not None:
-        found |= {f"means.{f.name}": getattr(response.means, f.name) for f in fields(type(response.means))}
+    branch, whole = response.branch, {f.name for f in fields(SectionResponse)} - {"branches", "viscous"}
+    found = {name: getattr(response, name) for name in whole}
+    found |= {f.name: getattr(branch, f.name) for f in fields(BranchResponse) if f.name != "means"}
+    if branch.means is not None:
+        found |= {f"means.{f.name}": getattr(branch.means, f.name) for f in fields(type(branch.means))}
     gradients = {
         f"{name}_{axis}": component
         for name, pair in (

@@ -171,7 +171,7 @@ def elastic_sag(scene: Scene, cells: int, *, resolve: bool, shear: bool) -> floa
     terms = replace(effects.terms(), resolved=resolve, shear=shear)
     equations = derive(terms, SECTIONS[scene.filament.section], "material")
     graph = assemble(equations, half_span(cells, End.CLAMPED), effects.names, choose_theory(scene, equations))
-    guesses = sagging_guesses(graph, 0.02)
+    guesses = sagging_guesses(graph, graph.straight, 0.02)
     z = Equilibrium(graph).search(1e3, np.zeros(0), parameters(scene, graph), guesses)
     assert z is not None
     (row,) = [k for k, name in enumerate(graph.algebraic_names) if name.startswith("y[0]")]

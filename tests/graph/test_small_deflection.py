@@ -37,7 +37,8 @@ def test_the_section_is_the_one_that_was_proved(shape: Section, flows: bool) -> 
         "dissipation_mean",
         "dissipation_bending",
     ):
-        assert sp.simplify(getattr(response, name).subs(renamed) - getattr(proved, name)) == 0, name
+        part = response if hasattr(response, name) else response.branch
+        assert sp.simplify(getattr(part, name).subs(renamed) - getattr(proved, name)) == 0, name
     equations = derive(choose_effects(scene).terms(), shape, "material")
     vertical = equations.force.vertical.subs(sy.Q, sy.T)
     assert sp.simplify(vertical - proved.vertical_force) == 0

@@ -10,9 +10,13 @@ import numpy as np
 from softcat_sym.effects import choose_effects
 from softcat_sym.equations.filament import derive
 from softcat_sym.equations.section import SECTIONS
+from softcat_sym.graph.discretisation import Setting
+from softcat_sym.graph.grid import End, half_span
 from softcat_sym.graph.parameters import CATALOGUE, parameter_values
-from softcat_sym.graph.resolved_printer import ResolvedPrinter
+from softcat_sym.graph.profile import Profile
+from softcat_sym.graph.resolved_printer import ResolvedPrinter, Strains
 from softcat_sym.graph.section_rule import SectionRule
+from softcat_sym.graph.supports import Supports, held
 
 from .scenes import GEOMETRY, Array, scene
 
@@ -47,15 +51,20 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
     )
     equations = derive(choose_effects(asked).terms(), SECTIONS[section], asked.run.closure)
     numbers = parameter_values(asked)
-    printer = ResolvedPrinter(equations, {p.symbol: numbers[p.name] for p in CATALOGUE if p.name in numbers}, rule)
+    values = {p.symbol: numbers[p.name] for p in CATALOGUE if p.name in numbers}
+    supports = held(Supports(), {}, ca.SX(1), ca.SX(0))
+    printer = ResolvedPrinter(
+        equations, Setting(values, half_span(1, End.CLAMPED), Profile(), supports, ca.SX(1)), rule
+    )
     s, turning, a = ca.SX.sym("s"), ca.SX.sym("theta_X"), ca.SX.sym("a", rule.states)
     straight, level = ca.SX(0), ca.SX(0)
     axial = (ca.DM(rule.recall) @ a).T
-    points = printer.points(s, straight, turning, axial, ca.SX(1, rule.points))
-    section_forces = printer.resultants(s, straight, turning, level, points)
+    strains = Strains(s, straight, turning, None)
+    points = printer.points(strains, [(axial, ca.SX(1, rule.points))])
+    section_forces = printer.resultants(strains, level, points)
     inputs = [s, turning, a]
     return OneCell(
-        ca.Function("rates", inputs, [ca.densify(ca.DM(rule.project) @ points.axial_rate.T)]),
+        ca.Function("rates", inputs, [ca.densify(ca.DM(rule.project) @ points.flows[0].axial_rate.T)]),
         ca.Function("resultants", inputs, [section_forces.tension, section_forces.moment]),
         rule.states,
     )

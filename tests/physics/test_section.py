@@ -25,9 +25,9 @@ def pulled(closure: str, strains: np.ndarray) -> np.ndarray:
     equations = derive(choose_effects(asked).terms(), SECTIONS["rectangle"], closure)
     cell = CellPrinter(equations, {sy.E: E, sy.eta: ETA, sy.h0: 0.01})
     s, a_0, sigma_0 = ca.SX.sym("s"), ca.SX.sym("a_0"), ca.SX.sym("sigma_0")
-    stress = ca.Function("stress", [s, a_0], [cell.section("stress_mean", {sy.s: s, sy.a_0: a_0})])
+    stress = ca.Function("stress", [s, a_0], [cell.stress(0, "stress_mean", {sy.s: s, sy.a_0: a_0})])
     tension = ca.Function("tension", [s, sigma_0], [cell.section("tension", {sy.s: s, sy.sigma_0: sigma_0})])
-    flow = ca.Function("flow", [s, sigma_0], [cell.flow(s, sigma_0, ca.SX(0))["rate_mean"]])
+    flow = ca.Function("flow", [s, sigma_0], [cell.flow(0, s, sigma_0, ca.SX(0))["rate_mean"]])
 
     def rate(time: float, plastic: np.ndarray) -> np.ndarray:
         stretch = np.exp(RATE * time)

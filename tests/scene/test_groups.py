@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from softcat_sym.scene import (
+    Groups,
     Scene,
     bundled_names,
     bundled_title,
@@ -72,6 +73,65 @@ def test_hand_formulas(
     assert material.yield_stress == (None if yields_at is None else pytest.approx(yields_at, rel=1e-13))
 
 
+@pytest.mark.parametrize(
+    ("groups", "modulus", "viscosity", "yields_at"),
+    [
+        ({"law": "newtonian", "V": 2.0}, None, 2 * STRESS * TIME, None),
+        ({"law": "newtonian", "B": 0.25}, None, 2 * STRESS * TIME, None),
+        ({"law": "kelvin-voigt", "V": 2.0, "E_star": 50}, 50 * STRESS, 2 * STRESS * TIME, None),
+        ({"law": "kelvin-voigt", "tau": 0.5, "E_star": 50}, 50 * STRESS, 25 * STRESS * TIME, None),
+        ({"law": "power-law", "V": 2.0, "n": 0.4}, E, 2 * STRESS * TIME**0.4, None),
+        ({"law": "power-law", "V": 2.0}, E, 2 * STRESS * TIME, None),
+        ({"law": "power-law", "B": 0.25, "n": 1}, E, 2 * STRESS * TIME, None),
+        ({"law": "power-law", "tau": 0.5, "E_star": 50}, 50 * STRESS, 25 * STRESS * TIME, None),
+        ({"law": "herschel-bulkley", "V": 3.0, "n": 2, "G": 0.5}, E, 3 * STRESS * TIME**2, STRESS / 0.5),
+    ],
+)
+def test_hand_formulas_of_further_laws(
+    groups: dict[str, Any], modulus: float | None, viscosity: float, yields_at: float | None
+) -> None:
+    material = scene_of(**groups).material
+    expected = (modulus, viscosity, yields_at, groups.get("n", 1.0))
+    found = (material.youngs_modulus, material.viscosity, material.yield_stress, material.index)
+    for value, wanted in zip(found, expected, strict=True):
+        assert value == (None if wanted is None else pytest.approx(wanted, rel=1e-13))
+    back = groups_of(scene_of(**groups))
+    for name in set(groups) - {"law", "n", "tau"}:
+        assert getattr(back, name) == pytest.approx(groups[name], rel=1e-13)
+    if "tau" in groups:
+        assert back.tau_star == pytest.approx(groups["tau"], rel=1e-13)
+
+
+def test_the_index_may_stand_beside_the_groups() -> None:
+    block = {"groups.law": "herschel-bulkley", "groups.V": 2.0, "material.index": 0.4}
+    scene = Scene.model_validate(spoiled(block, GROUPS))
+    assert scene.material.viscosity == pytest.approx(2 * STRESS * TIME**0.4)
+    sheared = spoiled(block | {"groups.V": None, "material.shear_consistency": "2 Pa*s^0.4"}, GROUPS)
+    assert Scene.model_validate(sheared).material.viscosity == pytest.approx(2 * 3**0.7)
+
+
+def test_groups_of_laws_with_more_constants() -> None:
+    def groups(material: dict[str, Any], **changes: object) -> Groups:
+        return groups_of(Scene.model_validate(spoiled({"material": material} | changes)))
+
+    modes = [{"youngs_modulus": "1 MPa", "viscosity": "2 kPa*s"}, {"youngs_modulus": "3 MPa", "viscosity": "1 kPa*s"}]
+    found = groups({"law": "multimode-maxwell", "modes": modes})
+    assert (found.E_star, found.V) == pytest.approx((4e6 / STRESS, 3e3 / (STRESS * TIME)))
+    solid = {"law": "standard-linear", "youngs_modulus": "1 MPa", "second_modulus": "9 MPa", "viscosity": "2 Pa*s"}
+    assert groups(solid).E_star == pytest.approx(1e6 / STRESS)
+    own = {"law": "custom", "youngs_modulus": "1 MPa", "flow": "sigma/eta", "parameters": {"eta": "2 Pa*s"}}
+    assert (groups(own).V, groups(own).G, groups(own).tau_star, groups(own).B) == (None,) * 4
+    yielding = own | {"flow": "(max(sigma - c, 0) + min(sigma + c, 0))/eta"}
+    yielding["parameters"] = {"eta": "2 Pa*s", "c": "1 kPa"}
+    assert groups(yielding).G == pytest.approx(STRESS / 1e3)
+    fluid = Scene.model_validate(spoiled({"material": {"law": "newtonian", "viscosity": "2 Pa*s"}}))
+    assert elastic_time(fluid) == 0
+    assert groups_of(fluid).E_star is None
+    thick = {"law": "power-law", "youngs_modulus": "1 MPa", "viscosity": "2 Pa*s^2", "index": 2}
+    afloat = groups(thick, **{"load.gravity": "0 m/s^2"})
+    assert (afloat.V, afloat.B, afloat.tau_star) == (math.inf, 0, 0)
+
+
 group = st.floats(1e-6, 1e6)
 
 
@@ -109,6 +169,32 @@ BAD: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
     ({"groups.law": "bingam"}, [("groups.law", "did you mean 'bingham'?")]),
     ({"groups.law": "maxwell"}, [("groups.G", "the law 'maxwell' has no yield stress")]),
     ({"groups.law": "elastic", "groups.V": None}, [("groups.G", "the law 'elastic' has no yield stress")]),
+    (
+        {"groups.law": "custom"},
+        [("groups.law", "the law 'custom' has more constants than groups; accepted: give phys")],
+    ),
+    ({"groups.law": "multimode-maxwell"}, [("groups.law", "give physical values")]),
+    ({"groups.law": "standard-linear"}, [("groups.law", "give physical values")]),
+    ({"groups.n": 0.5}, [("groups.n", "given, but the law 'bingham' has no index")]),
+    ({"groups.n": 0}, [("groups.n", "0 is out of range")]),
+    (
+        {"groups.law": "herschel-bulkley", "groups.n": 0.5, "groups.V": None, "groups.B": 1},
+        [("groups.B", "with an index of 0.5 there is no viscosity to scale")],
+    ),
+    (
+        {"groups.law": "herschel-bulkley", "groups.n": 0.5, "groups.V": None, "groups.tau": 1, "groups.E_star": 9},
+        [("groups.tau", "with an index of 0.5 there is no viscosity to scale")],
+    ),
+    (
+        {"groups.law": "herschel-bulkley", "groups.n": 0.5, "material.index": 0.5},
+        [("material.index", "given twice, here and as groups.n")],
+    ),
+    ({"groups.law": "newtonian", "groups.G": None, "groups.V": None}, [("groups", "nothing fixes the viscosity")]),
+    ({"groups.law": "newtonian", "groups.G": None, "groups.E_star": 9}, [("groups.E_star", "no youngs modulus")]),
+    (
+        {"groups.law": "newtonian", "groups.G": None, "groups.time_unit": "elastic"},
+        [("groups.time_unit", "the law 'newtonian' has no Young's modulus; accepted: gravity")],
+    ),
     ({"groups.delta": 1.5}, [("groups.delta", "out of range")]),
     ({"groups.G": "0.4"}, [("groups.G", "'0.4' is not a number")]),
     ({"groups.G": math.nan}, [("groups.G", "nan is not finite")]),

@@ -40,7 +40,7 @@ def test_overrides_are_toml_or_text() -> None:
         ("filament.thickness=2 mm", "filament.thickness", 2e-3),
         ("filament.thickness=2 mm", "filament.width", 2e-3),
         ("filament.span=0.1 m", "filament.thickness", 3e-3),
-        ("filament.span=0.1 m", "filament.rest_length", 0.1),
+        ("material.poisson=0.3", "material.poisson", 0.3),
         ("run.duration=3 s", "run.duration", 3.0),
         ("load.ramp=3 s", "load.ramp", 3.0),
     ],

@@ -1,0 +1,66 @@
+"""Shear data: what the tensile constants of a von Mises material are when its shear ones were measured (THEORY 3)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+# Laws whose viscosity is a consistency, and which have an index.
+INDEXED = ("power-law", "herschel-bulkley")
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """One tensile constant from one shear datum.
+
+    Attributes
+    ----------
+    constant, shear : str
+        Names of the keys.
+    indexed : bool or None
+        Whether the law must have an index; None if that does not matter.
+    words : str
+        The rule.
+    """
+
+    constant: str
+    shear: str
+    indexed: bool | None
+    words: str
+
+    def suits(self, law: str | None) -> bool:
+        """Tell whether a law takes this datum."""
+        return self.indexed is None or self.indexed == (law in INDEXED)
+
+    def factor(self, index: float) -> float:
+        """Return the tensile value over the shear one; infinite where it overflows."""
+        if self.constant == "yield_stress":
+            return math.sqrt(3.0)
+        if not self.indexed:
+            return 3.0
+        return power(3.0, (index + 1) / 2)
+
+
+def power(base: float, exponent: float) -> float:
+    """Raise a positive number to a power; infinite where it overflows."""
+    try:
+        return math.pow(base, exponent)
+    except OverflowError:
+        return math.inf
+
+
+FROM_SHEAR = (
+    Conversion("viscosity", "shear_viscosity", False, "3 x shear_viscosity (Trouton)"),
+    Conversion("viscosity", "shear_consistency", True, "3^((n+1)/2) x shear_consistency (von Mises)"),
+    Conversion("yield_stress", "shear_yield_stress", None, "sqrt(3) x shear_yield_stress (von Mises)"),
+)
+
+
+def shear_names(constant: str) -> tuple[str, ...]:
+    """Name the shear data that a tensile constant may come from."""
+    return tuple(conversion.shear for conversion in FROM_SHEAR if conversion.constant == constant)
+
+
+def tensile_name(shear: str) -> str:
+    """Name the tensile constant that a shear datum gives; empty if it is none."""
+    return next((conversion.constant for conversion in FROM_SHEAR if conversion.shear == shear), "")

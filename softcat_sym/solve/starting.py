@@ -1,0 +1,226 @@
+"""Where a run begins: the filament at rest, straight if its ends allow it, otherwise in the elastic shape they impose.
+
+A taut filament starts without its weight, a slack one hangs in it. Shapes that are not straight are followed from the
+straight filament by continuation: clamps turn, the natural curvature grows, and supports move from where the filament
+would be straight to where they are.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from softcat_sym.effects.prediction import elastic_sag
+from softcat_sym.graph import Graph
+from softcat_sym.graph.grid import Floats
+from softcat_sym.graph.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
+from softcat_sym.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
+from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
+
+_LARGEST_STEP, _SMALLEST_STEP = 0.25, 1 / 512
+_POSITIONS = ("x", "y", "psi")
+
+
+@dataclass(frozen=True)
+class Start:
+    """Differential and algebraic states at t = 0."""
+
+    x: Floats
+    z: Floats
+
+
+def starting_state(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None) -> Start | None:
+    """Begin at rest; None if no equilibrium is found.
+
+    Parameters
+    ----------
+    scene : Scene
+        Ends, slack, natural curvature and initial plastic state.
+    graph : Graph
+        What is to be integrated.
+    p : ndarray
+        Its parameters.
+    statics : callable
+        The same filament with algebraic positions; only asked where it is needed.
+    """
+    x = _with_positions(graph.start, graph.x_kinds, graph.x_where, scene)
+    straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
+    x = _with_plastic_strain(x, graph, scene, 1.0)
+    if graph.positions_are_algebraic:
+        z = _balanced(scene, graph, p, straight)
+        return None if z is None else Start(x, z)
+    if not is_straight(scene):
+        rest = statics() if statics is not None else graph
+        if not rest.positions_are_algebraic:
+            return None
+        values = dict(zip(graph.parameters, p.tolist(), strict=True))
+        weight = values["gravity"] if is_slack(scene) else 0.0
+        constants = np.array([values[name] if name != "gravity" else weight for name in rest.parameters])
+        shape = _balanced(scene, rest, constants, _with_positions(rest.straight, rest.z_kinds, rest.z_where, scene))
+        if shape is None:
+            return None
+        x = _moved(x, graph.x_kinds, graph.x_where, rest, shape)
+        straight = _moved(straight, graph.z_kinds, graph.z_where, rest, shape)
+    if not graph.is_dae:
+        return Start(x, straight)
+    found = Equilibrium(graph).search(0.0, x, p, [straight])
+    return None if found is None else Start(x, found)
+
+
+def is_straight(scene: Scene) -> bool:
+    """Whether the straight filament between the ends is in equilibrium without weight."""
+    ends, initial = scene.ends, scene.initial
+    along = chord_angle(scene)
+    turned = any(
+        kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12)
+        for kind, angle in ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
+    )
+    held = "free" not in (ends.left, ends.right)
+    drawn = held and not math.isclose(rest_length(scene), distance(scene), rel_tol=1e-12)
+    uneven = len(set(initial.P)) > 1 or (drawn and bool(scene.filament.profile))
+    bent = scene.filament.curvature != 0 or any(initial.C)
+    return not ((turned and held) or is_slack(scene) or uneven or bent)
+
+
+def _balanced(scene: Scene, graph: Graph, p: Floats, straight: Floats) -> Floats | None:
+    """Algebraic positions in equilibrium at t = 0, followed from the straight filament where that is not one.
+
+    With its weight from the beginning; if that leads nowhere, with a weight that grows, which needs bending: a string
+    without weight has no stiffness.
+    """
+    equilibrium = Equilibrium(graph)
+    bends = "bending" in graph.effects
+    if is_straight(scene):
+        x = _with_plastic_strain(graph.start, graph, scene, 1.0)
+        z = equilibrium.search(0.0, x, p, sagging_guesses(graph, straight, elastic_sag(scene)))
+    else:
+        z = _followed(_Stage(scene, graph, p, weightless=False), equilibrium, straight)
+    if z is not None or not bends:
+        return z
+    return _followed(_Stage(scene, graph, p, weightless=True), equilibrium, straight)
+
+
+def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floats | None:
+    """Equilibrium at the end of a continuation, or None where it breaks off."""
+    guesses = sagging_guesses(stage.graph, stage.straight(straight), elastic_sag(stage.scene))
+    z = stage.search(equilibrium, 0.0, guesses[::-1] if stage.weightless else guesses)
+    reached, step = 0.0, _LARGEST_STEP
+    while z is not None and reached < 1.0:
+        further = stage.search(equilibrium, min(1.0, reached + step), [z])
+        if further is not None:
+            z, reached, step = further, min(1.0, reached + step), min(2 * step, _LARGEST_STEP)
+        elif step < _SMALLEST_STEP:
+            return None
+        else:
+            step /= 2
+    return z
+
+
+@dataclass(frozen=True)
+class _Stage:
+    """Parameters and plastic state between those of a straight filament (0) and those asked (1)."""
+
+    scene: Scene
+    graph: Graph
+    p: Floats
+    weightless: bool
+
+    @property
+    def _apart(self) -> float:
+        """Distance at which the filament is straight, over the one asked."""
+        return rest_length(self.scene) / distance(self.scene) if is_slack(self.scene) else 1.0
+
+    def at(self, share: float) -> tuple[Floats, Floats]:
+        """Plastic state and parameters."""
+        along, apart = chord_angle(self.scene), self._apart
+        begins = {"curvature": 0.0}
+        if is_held(self.scene):
+            # A filament with a free end points from the beginning where its clamp does.
+            begins |= {LEFT_ANGLE: along, RIGHT_ANGLE: along}
+        values = dict(zip(self.graph.parameters, self.p.tolist(), strict=True))
+        if self.weightless:
+            begins["gravity"] = 0.0
+        # A clamp that is level needs no parameter, and then cannot be turned either.
+        for name in (SPAN, DROP):
+            begins[name] = values.get(name, 0.0) * apart
+        mixed = {name: share * value + (1 - share) * begins.get(name, value) for name, value in values.items()}
+        x = _with_plastic_strain(self.graph.start, self.graph, self.scene, share)
+        return x, np.array([mixed[name] for name in self.graph.parameters])
+
+    def search(self, equilibrium: Equilibrium, share: float, guesses: list[Floats]) -> Floats | None:
+        """Equilibrium at a share; of a string without bending only one that hangs, as it cannot be pushed."""
+        x, constants = self.at(share)
+        for guess in guesses:
+            z = equilibrium.search(0.0, x, constants, [guess])
+            if z is not None and ("bending" in self.graph.effects or self._hangs(x, z, constants)):
+                return z
+        return None
+
+    def _hangs(self, x: Floats, z: Floats, constants: Floats) -> bool:
+        seen = self.graph.observables(time=0.0, state=x, algebraic=z, parameters=constants)
+        return float(np.min(np.asarray(seen["tension"]))) >= 0
+
+    def straight(self, straight: Floats) -> Floats:
+        """The straight filament between supports that far apart."""
+        stretched = np.isin(self.graph.z_kinds, ("x", "y"))
+        return np.where(stretched, straight * self._apart, straight)
+
+
+def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene: Scene) -> Floats:
+    """The state of the straight filament: along the chord, or from the one support along its direction."""
+    ends, filament = scene.ends, scene.filament
+    length, along = rest_length(scene), chord_angle(scene)
+    run, fall = filament.span / length, ends.drop / length
+    grown = scene.initial.stretch if scene.initial.relaxed else 1.0
+    middle = 0.0
+    left, drop = -run / 2, fall
+    if ends.right == "free":
+        along = ends.left_angle if ends.left == "clamped" else 0.0
+        run, fall = grown * math.cos(along), -grown * math.sin(along)
+        middle, drop = left + run / 2, fall
+    elif ends.left == "free":
+        along = ends.right_angle if ends.right == "clamped" else 0.0
+        run, fall = grown * math.cos(along), -grown * math.sin(along)
+        middle, drop = -left - run / 2, 2 * drop - fall
+    lines = {"x": middle + run * where, "y": -drop / 2 - fall * where, "psi": np.full(len(where), along)}
+    result = np.array(state, dtype=float)
+    for kind, line in lines.items():
+        chosen = np.array([one == kind for one in kinds], dtype=bool)
+        result = np.where(chosen, line, result) if len(kinds) else result
+    return result
+
+
+def _with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
+    """The state with a share of the plastic strain that the scene starts from."""
+    initial = scene.initial
+    mean = _along(initial.P, graph.x_where) + (math.log(initial.stretch) if initial.relaxed else 0.0)
+    bending = _along(initial.C, graph.x_where)
+    result = np.array(x, dtype=float)
+    for n, kind in enumerate(graph.x_kinds):
+        if kind in graph.profiles:
+            weight = graph.profiles[kind]
+            result[n] = share * (weight[0] * mean[n] + weight[1] * bending[n])
+    return result
+
+
+def _along(values: tuple[float, ...], where: Floats) -> Floats:
+    """Values given at equal distances from left to right, at X/L_0."""
+    if not values:
+        return np.zeros(len(where))
+    if len(values) == 1:
+        return np.full(len(where), values[0])
+    return np.interp(where, np.linspace(-0.5, 0.5, len(values)), values)
+
+
+def _moved(state: Floats, kinds: tuple[str, ...], where: Floats, rest: Graph, shape: Floats) -> Floats:
+    """The state with the positions and angles of a shape at rest."""
+    known = {(kind, round(at, 12)): v for kind, at, v in zip(rest.z_kinds, rest.z_where.tolist(), shape, strict=True)}
+    return np.array(
+        [
+            known.get((kind, round(at, 12)), value) if kind in _POSITIONS else value
+            for kind, at, value in zip(kinds, where.tolist(), state, strict=True)
+        ]
+    )

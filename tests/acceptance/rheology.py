@@ -1,0 +1,108 @@
+"""Scenes of any law, section and ends in SI numbers, on equal cells, and what their runs give."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+import softcat_sym as sc
+
+Array = npt.NDArray[np.float64]
+
+GEOMETRY = ("bending", "finite-stretch", "thinning", "large-rotation")
+STRING = ("finite-stretch", "thinning", "large-rotation")
+FLOW = {
+    "elastic": (),
+    "newtonian": ("viscous-stress",),
+    "kelvin-voigt": ("viscous-stress",),
+    "bingham": ("viscous-flow", "yielding"),
+    "herschel-bulkley": ("viscous-flow", "yielding"),
+}
+"""Effects of each law; ``viscous-flow`` for the others."""
+
+_UNITS = {
+    "span": "m",
+    "rest_length": "m",
+    "thickness": "m",
+    "width": "m",
+    "density": "kg/m^3",
+    "curvature": "1/m",
+    "youngs_modulus": "Pa",
+    "second_modulus": "Pa",
+    "viscosity": "Pa*s",
+    "shear_viscosity": "Pa*s",
+    "yield_stress": "Pa",
+    "drop": "m",
+    "left_angle": "rad",
+    "right_angle": "rad",
+    "gravity": "m/s^2",
+    "ramp": "s",
+    "point_mass": "kg",
+    "duration": "s",
+}
+
+
+def flow_of(law: str) -> tuple[str, ...]:
+    """Effects by which a law flows."""
+    return FLOW.get(law, ("viscous-flow",))
+
+
+def scene(
+    material: Mapping[str, Any],
+    filament: Mapping[str, Any],
+    *,
+    effects: str | tuple[str, ...],
+    ends: Mapping[str, Any] | None = None,
+    load: Mapping[str, Any] | None = None,
+    run: Mapping[str, Any] | None = None,
+    cells: int = 20,
+    rtol: float | None = None,
+) -> sc.Scene:
+    """A scene whose numbers are SI; span 1 m, density 1000 kg/m^3, gravity 10 m/s^2, 1 s and 2 frames if not given.
+
+    Parameters
+    ----------
+    material : mapping
+        The consistency of a law with an index is its ``viscosity``.
+    ends : mapping
+        ``motion`` in rows of numbers.
+    """
+    named = effects if isinstance(effects, str) else list(effects)
+    table: dict[str, Any] = {
+        "filament": _with_units({"span": 1.0, "density": 1000.0, **filament}),
+        "material": _with_units(material),
+        "ends": _with_units(ends or {}),
+        "load": _with_units({"gravity": 10.0, **(load or {})}),
+        "run": _with_units({"duration": 1.0, "frames": 2, **(run or {})}) | {"effects": named},
+        "numerics": {"cells": cells, "grading": 1.0} | ({} if rtol is None else {"rtol": rtol}),
+    }
+    return sc.Scene.model_validate(table)
+
+
+def _with_units(numbers: Mapping[str, Any]) -> dict[str, Any]:
+    table = dict(numbers)
+    for name, unit in _UNITS.items():
+        if name in table:
+            power = f"**{table['index']!r}" if name == "viscosity" and "index" in table else ""
+            table[name] = f"{float(table[name])!r} {unit}{power}"
+    if "modes" in table:
+        table["modes"] = [_with_units(mode) for mode in table["modes"]]
+    if "motion" in table:
+        table["motion"] = [[f"{float(t)!r} s", f"{float(x)!r} m", f"{float(y)!r} m"] for t, x, y in table["motion"]]
+    return table
+
+
+def solved(asked: sc.Scene) -> xr.Dataset:
+    """Data of a run that succeeded."""
+    done = sc.simulate(asked)
+    assert done.outcome is sc.Outcome.solved, f"{done.outcome.name}: {done.summary['complaint']}"
+    return done.data
+
+
+def limit_of(coarse: Any, fine: Any) -> Any:
+    """Limit of a second-order sequence from a grid and one twice as fine."""
+    return fine + (fine - coarse) / 3
