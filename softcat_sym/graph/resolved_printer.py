@@ -104,6 +104,7 @@ class ResolvedPrinter:
         self._values = dict(setting.values)
         self._inputs = inputs_of(equations)
         self._rule = rule
+        self._varies = setting.profile.cells is not None
         self._moduli = [branch.modulus for branch in equations.law.branches]
         self.outline = outline(setting.profile, equations.shape.area_power, setting.values)
 
@@ -181,7 +182,7 @@ class ResolvedPrinter:
         if strains.rates is not None:
             rates = strains.rates
             given |= {re.Lam_t: rates.Lam_t, re.Gam_t: rates.Gam_t, re.k_t: rates.k_t}
-        if self.outline.h_cells is not None and self.outline.h_cells.numel() == cells:
+        if self._varies:
             given[sy.h0] = self.outline.h_cells
         every = {symbol: ca.repmat(ca.SX(value), points, 1) for symbol, value in given.items()}
         return every | {sy.zeta: ca.SX(ca.vec(ca.repmat(ca.DM(self._rule.zeta).T, cells, 1)))}

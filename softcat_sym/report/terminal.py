@@ -51,6 +51,7 @@ def summary_rows(summary: Summary, scene: PicturedScene) -> list[tuple[str, str]
         parts.append(f"{summary['cells']} cells a half span")
     rows.append(("solver", ", ".join(parts) or "not stated"))
     rows.append(("wall time", _wall(summary.get("wall_s"))))
+    rows.extend(("converted", str(text)) for text in summary.get("converted") or ())
     rows.extend(("warning", str(text)) for text in summary.get("warnings") or ())
     return rows
 

@@ -57,7 +57,7 @@ def is_symmetric(scene: Scene) -> bool:
 
 def chord_angle(scene: Scene) -> float:
     """Return the angle of the line from the left support to the right one, counterclockwise [rad]."""
-    return math.atan2(-scene.ends.drop, scene.filament.span)
+    return math.atan2(-scene.ends.drop, scene.filament.span) + 0.0  # level is 0, not -0
 
 
 def undeformed_area(scene: Scene) -> float:

@@ -105,6 +105,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "rtol": prepared.settings.rtol,
         "steps": solution.steps,
         "backend": "interpreted",
+        "converted": list(scene.material.notes),
         "warnings": [*warnings_of(scene, time, midpoint)],
         "wall_s": wall,
     }

@@ -15,6 +15,7 @@ import xarray as xr
 
 from softcat_sym import load_scene, simulate
 from softcat_sym.effects import choose_effects
+from softcat_sym.scene import Scene
 from softcat_sym.solve import Outcome
 from softcat_sym.trajectory import Trajectory, files
 
@@ -254,3 +255,13 @@ def test_a_run_that_finds_no_equilibrium_is_written_too(tmp_path: Path) -> None:
     assert failed.outcome is Outcome.no_equilibrium
     failed.save(tmp_path)
     assert reread(tmp_path).sizes["time"] == 1
+
+
+def test_what_was_converted_from_shear_data_is_said() -> None:
+    given = {"law": "herschel-bulkley", "youngs_modulus": "1 MPa", "shear_yield_stress": "200 Pa", "index": 0.5}
+    table = scene_of(run={"effects": "paper"}).given()
+    scene = Scene.model_validate({**table, "material": {**given, "shear_consistency": "100 Pa*s^0.5"}})
+    said = " ".join(simulate(scene).summary["converted"])
+    assert "sqrt(3)" in said
+    assert f"{scene.material.viscosity:.6g}" in said
+    assert scene.material.viscosity == pytest.approx(3**0.75 * 100)
