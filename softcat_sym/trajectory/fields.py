@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from softcat_sym.effects.prediction import instant_modulus
 from softcat_sym.graph import Graph, energy_scale
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length, undeformed_area
 from softcat_sym.solve import Prepared, Solution
 from softcat_sym.trajectory.mirror import mirrored
 from softcat_sym.trajectory.variables import ENERGIES, VARIABLES
+
+_NO_STRAIN = 1e-6
 
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
@@ -30,6 +33,12 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     area = undeformed_area(scene)
     known = [v for v in VARIABLES if v.name in observed]
     return {v.name: _whole(graph, v.name, observed[v.name] * (area if v.per_area else 1.0)) for v in known}
+
+
+def least_energy(scene: Scene) -> float:
+    """Elastic energy of the whole filament at a strain of a millionth [J]: below it there is nothing to audit."""
+    modulus = instant_modulus(scene) or 0.0
+    return modulus * undeformed_area(scene) * rest_length(scene) * _NO_STRAIN**2
 
 
 def _gradient_energy(graph: Graph, observed: dict[str, Floats], integrated: Floats, span: float) -> Floats:

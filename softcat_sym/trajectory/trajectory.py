@@ -17,7 +17,7 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Solution
 from softcat_sym.trajectory.energy import energy_residual
-from softcat_sym.trajectory.fields import node_positions, whole_span_fields
+from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
 from softcat_sym.trajectory.localisation import neck_that_the_grid_decides
 from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.validity import warnings_of
@@ -81,7 +81,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     time = solution.time * prepared.scale
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    residual = energy_residual(fields)
+    residual = energy_residual(fields, least_energy(scene))
     # A sequence of equilibria is exact frame by frame: there the imbalance only tells how far apart the frames are.
     audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
     outcome, complaint = _outcome(scene, effects, solution, fields, places[0], audited)

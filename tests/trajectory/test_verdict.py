@@ -211,7 +211,7 @@ def test_no_energy_at_all() -> None:
 def test_a_balance_that_does_not_close_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     from softcat_sym.trajectory import trajectory
 
-    monkeypatch.setattr(trajectory, "energy_residual", lambda fields: 0.5)
+    monkeypatch.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
     drifted = simulate(scene_of())
     assert drifted.outcome is Outcome.energy_drift
     assert "0.5" in drifted.summary["complaint"]
