@@ -1,13 +1,39 @@
 """Shear: the section turns by itself, and is sheared against the centreline (Reissner's kinematics)."""
 
+import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
+from softcat_sym.effects.law import is_solid
+from softcat_sym.equations.fibres import SHEAR_CORRECTION
 from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.scene import Scene, distance, groups_of, is_held
+from softcat_sym.scene.geometry import stress_free_length
+from softcat_sym.scene.support_path import farthest
 
 _PER_SLENDERNESS = 0.7
 """Change of the sag per h0/L, against plane-stress elements: the hinges of a yielding filament shear most."""
+
+
+def elastic_stretch(scene: Scene) -> float:
+    """Elastic stretch that the supports impose: at the start, and of a solid at any later time."""
+    apart = farthest(scene) if is_solid(scene) and scene.ends.motion else distance(scene)
+    return apart / stress_free_length(scene) if is_held(scene) else 1.0
+
+
+def stays_straight(scene: Scene) -> bool:
+    """Whether a stretched section stays square to the centreline: log s < kappa_s mu/E.
+
+    Turned by phi at a fixed stretch, a section gains kappa_s mu phi^2/2 of energy in shear and loses E log(s) phi^2/2 of
+    stretching: beyond that stretch it turns by itself, which no material does.
+    """
+    correction = SHEAR_CORRECTION[scene.filament.section]
+    limit = float(correction) / (2 * (1 + scene.material.poisson))
+    return math.log(elastic_stretch(scene)) < limit
+
+
+def _applies(scene: Scene) -> bool:
+    return of_large_deflections(scene) and stays_straight(scene)
 
 
 def _contribute(terms: Terms) -> Terms:
@@ -27,8 +53,8 @@ SHEAR = Effect(
     summary="shear strain of the section, shear stress in its flow",
     source="Reissner 1972; 3.5-3.7",
     contribute=_contribute,
-    applies=of_large_deflections,
-    without_it=SMALL_MODEL,
+    applies=_applies,
+    without_it=f"the filament is stretched elastically beyond log s = kappa_s mu/E, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="largest shear strain over largest bending strain",
     needs=("bending", "finite-stretch", "thinning", "large-rotation"),
