@@ -24,8 +24,8 @@ def elastic_stretch(scene: Scene) -> float:
 def stays_straight(scene: Scene) -> bool:
     """Whether a stretched section stays square to the centreline: log s < kappa_s mu/E.
 
-    Turned by phi at a fixed stretch, a section gains kappa_s mu phi^2/2 of energy in shear and loses E log(s) phi^2/2 of
-    stretching: beyond that stretch it turns by itself, which no material does.
+    Turned by phi at a fixed stretch, a section gains kappa_s mu phi^2/2 of energy in shear and loses E log(s) phi^2/2
+    of stretching: beyond that stretch it turns by itself, which no material does.
     """
     correction = SHEAR_CORRECTION[scene.filament.section]
     limit = float(correction) / (2 * (1 + scene.material.poisson))

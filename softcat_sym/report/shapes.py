@@ -69,7 +69,7 @@ def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list
         sag = -float(data["midpoint"].values[frame])
         lines = [
             f"t = {clock.text(float(data['time'].values[frame]))}",
-            f"sag {length_unit(abs(sag), scene.filament.span).text(sag)}",
+            f"{'sag' if sag >= 0 else 'rise'} {length_unit(abs(sag), scene.filament.span).text(abs(sag))}",
         ]
         if limit is not None:
             length = np.diff(data["X_node"].values)
