@@ -32,6 +32,7 @@ class Equilibrium:
     def __init__(self, graph: Graph) -> None:
         # Only positions and angles make the equations nonlinear: velocities may be as large as they are.
         self._shape = np.isin(graph.z_kinds, ("x", "y", "psi"))
+        self._bends = "bending" in graph.effects
         inputs = [graph.t, graph.x, graph.z, graph.p]
         self._residual = ca.Function("residual", inputs, [graph.alg])
         self._jacobian = ca.Function("jacobian", inputs, [ca.jacobian(graph.alg, graph.z)])
@@ -65,7 +66,7 @@ class Equilibrium:
                 return None
             size = float(np.max(np.abs(step))) / max(1.0, float(np.max(np.abs(z + step), initial=0.0)))
             # Rounding of the positions times the axial stiffness, over that of bending: a thin filament stops short.
-            if size < _TOLERANCE or (size < _ROUNDING and size > 0.9 * before):
+            if size < _TOLERANCE or (self._bends and size < _ROUNDING and size > 0.9 * before):
                 return z + step
             before = size
             z = z + self._fraction(time, x, z, p, stiffness, step) * step
