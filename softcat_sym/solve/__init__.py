@@ -1,9 +1,20 @@
 """A Graph is integrated in time; the Outcome says how that went."""
 
+from softcat_sym.solve.interrupts import watched
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress, Silence
 from softcat_sym.solve.run import Prepared, prepare
 from softcat_sym.solve.settings import Settings, choose_settings
 from softcat_sym.solve.solution import Solution
 
-__all__ = ["Outcome", "Prepared", "Progress", "Settings", "Silence", "Solution", "choose_settings", "prepare"]
+__all__ = [
+    "Outcome",
+    "Prepared",
+    "Progress",
+    "Settings",
+    "Silence",
+    "Solution",
+    "choose_settings",
+    "prepare",
+    "watched",
+]

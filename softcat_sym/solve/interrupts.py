@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
@@ -41,7 +42,14 @@ class Interrupts:
 
 @contextmanager
 def watched() -> Iterator[Interrupts]:
-    """Watch for SIGINT, unless the program handles it in its own way or this is not its main thread."""
+    """Watch for SIGINT, unless the program handles it in its own way or this is not its main thread.
+
+    Within a watch it is that one.
+    """
+    around = getattr(signal.getsignal(signal.SIGINT), "__self__", None)
+    if isinstance(around, Interrupts):
+        yield around
+        return
     interrupts = Interrupts()
     with interrupts_go_to(interrupts.note):
         yield interrupts

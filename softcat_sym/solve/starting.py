@@ -19,6 +19,7 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.graph.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
 from softcat_sym.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
 from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
+from softcat_sym.solve.settling import settled
 
 _LARGEST_STEP, _SMALLEST_STEP = 0.25, 1 / 512
 _POSITIONS = ("x", "y", "psi")
@@ -98,9 +99,15 @@ def _balanced(scene: Scene, graph: Graph, p: Floats, straight: Floats) -> Floats
         z = equilibrium.search(0.0, x, p, sagging_guesses(graph, straight, elastic_sag(scene)))
     else:
         z = _followed(_Stage(scene, graph, p, weightless=False), equilibrium, straight)
-    if z is not None or not bends:
+    if z is None and bends:
+        z = _followed(_Stage(scene, graph, p, weightless=True), equilibrium, straight)
+    if z is None or not bends or not is_slack(scene) or not graph.conserves_energy:
         return z
-    return _followed(_Stage(scene, graph, p, weightless=True), equilibrium, straight)
+    # A bar that its supports push together is in equilibrium while straight, but not at rest.
+    stage = _Stage(scene, graph, p, weightless=False)
+    x, constants = stage.at(1.0)
+    low = settled(graph, x, constants, z, straight)
+    return equilibrium.search(0.0, x, constants, [low])
 
 
 def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floats | None:
