@@ -20,6 +20,9 @@
 # let it shrink, and compare with the paper. Two slips of (2.4) come to light.
 #
 # The names on the left of each comparison are derived here; those on the right are the very objects the solver runs.
+#
+# Effects derived here: `inertia` (`motion.MOTION`), `bending` (`balance.internal_force`), `large-rotation`
+# (`kinematics.LARGE_ROTATION`), `gravity-ramp` (`loading.ramped_gravity`, `loading.ramp_rate`).
 
 # %%
 import math

@@ -20,6 +20,10 @@
 #
 # $s$ stands for $s_X$. Means over the section are $\langle f\rangle = \int_{-1}^1 f(\zeta)\,w(\zeta)\,d\zeta$, where
 # $\zeta = 2z/h$.
+#
+# Effects derived here: `extensibility` (`balance.internal_force`), `finite-stretch` (`kinematics.TRUE_STRAIN`),
+# `thinning` (`section.UNIFORM`, `section.WIDE`), `yielding` (`laws.bingham.bingham_rate`,
+# `laws.bingham.bingham_means`).
 
 # %%
 from dataclasses import replace
@@ -27,7 +31,17 @@ from dataclasses import replace
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata
 
-from softcat_sym.equations import closure, energy, filament, kinematics, motion, paper_section, rheology, section
+from softcat_sym.equations import (
+    balance,
+    closure,
+    energy,
+    filament,
+    kinematics,
+    motion,
+    paper_section,
+    rheology,
+    section,
+)
 from softcat_sym.equations import through_thickness as layers
 from softcat_sym.equations.bulk import nu
 from softcat_sym.equations.dimensions import check
@@ -37,8 +51,11 @@ from softcat_sym.equations.section_means import scaled
 from softcat_sym.equations.section_response import PLANE_STRAIN, SectionResponse
 from softcat_sym.equations.symbols import (
     A0,
+    M_X,
     E,
+    L,
     M,
+    Q,
     T,
     X,
     a_0,
@@ -53,6 +70,8 @@ from softcat_sym.equations.symbols import (
     sigma_Y,
     t,
     theta_X,
+    x_X,
+    y_X,
     z,
     zeta,
 )
@@ -633,6 +652,7 @@ def cell(shape: section.Section, name: str, law: str, *, finite: bool = True) ->
         thins=finite,
         inertia=True,
         bending=True,
+        stretches=True,
         law=law_of(law),
         flows=True,
         yields=True,
@@ -792,6 +812,101 @@ prove_equal(folded(odd(sigma_0 + u)), sp.expand((odd(u + sigma_0) - odd(u - sigm
 prove_equal(folded(zeta * odd(sigma_0 + u)), sp.expand(zeta * (odd(sigma_0 + u) - odd(sigma_0 - u)) / 2))
 for shape in SHAPES:
     prove_equal(shape.weight.subs(zeta, -zeta), shape.weight)
+
+# %% [markdown]
+# ## Without stretching
+#
+# At small slope and strain the balance along the filament, without axial inertia, is $T_X = 0$: the tension is the
+# same everywhere. Between supports that stay, $\int(x_X - 1)\,dX = 0$, and the stretch $s = x_X + \tfrac12y_X^2$
+# leaves for the mean strain, and so for the tension, only what the slope makes:
+# $$T = EA\,\tfrac12\langle y_X^2\rangle,\qquad EI\,y_{XXXX} - T\,y_{XX} = -q .$$
+
+# %%
+shallow = balance.internal_force(kinematics.SMALL_SLOPE, bending=True)
+assert shallow.horizontal == Q
+prove_equal(shallow.vertical, Q * y_X + M_X)
+rise = sp.Function("w", real=True)(X)
+drift = sp.Function("U", real=True)(X)
+elongated = kinematics.SMALL_SLOPE.stretch.subs({x_X: 1 + drift.diff(X), y_X: rise.diff(X)}) - 1
+# As U = 0 at both ends, its integral is that of the strain.
+prove_equal(elongated - drift.diff(X), rise.diff(X) ** 2 / 2)
+second_moment, load = sp.symbols("I_0 q", positive=True)
+pull = sp.Symbol("T_0", real=True)
+carried = (shallow.vertical.subs(M_X, -E * second_moment * rise.diff(X, 3)).subs({Q: pull, y_X: rise.diff(X)})).diff(X)
+prove_equal(carried, pull * rise.diff(X, 2) - E * second_moment * rise.diff(X, 4))
+
+# %% [markdown]
+# Tension and bending share the load. For any shape $y = H f(X/L)$, with $I = A(h_0/2)^2\langle\zeta^2\rangle$, the
+# ratio of the two, $T y_{XX}/EI y_{XXXX}$, is $(H/h_0)^2$ times a number of the shape: leaving tension out changes the
+# sag by a share that falls with the *square* of the sag over the thickness. For one mode between pins,
+# $y = -H\cos(\pi X/L)$, the number follows from Euler's load: $T/(\pi^2EI/L^2) = AH^2/4I$, which is $3(H/h_0)^2$ for a
+# rectangle.
+
+# %%
+sag = sp.Symbol("H", positive=True)
+shape_of = sp.Function("f", real=True)
+
+
+def tension_of(height: sp.Expr) -> sp.Expr:
+    """T of a shape between fixed supports."""
+    return E * A0 * sp.integrate(sp.expand(height.diff(X) ** 2), (X, -L / 2, L / 2)) / (2 * L)
+
+
+any_shape = sag * shape_of(X / L)
+local_ratio = any_shape.diff(X) ** 2 * any_shape.diff(X, 2) / any_shape.diff(X, 4)
+prove_equal((local_ratio / sag**2).diff(sag), 0)
+mode = -sag * sp.cos(sp.pi * X / L)
+ratio = sp.simplify(tension_of(mode) * mode.diff(X, 2) / (-E * second_moment * mode.diff(X, 4)))
+prove_equal(ratio, A0 * sag**2 / (4 * second_moment))
+prove_equal(ratio.subs(second_moment, A0 * (h0 / 2) ** 2 * RECTANGLE.zeta_squared), 3 * (sag / h0) ** 2)
+
+# %% [markdown]
+# Of the static shapes the first correction to the sag is exact as well: $EI\,y^{(1)}_{XXXX} = T\,y^{(0)}_{XX}$ under
+# the same ends, with $T$ of the linear beam $y^{(0)}$. It takes the share $c\,AH^2/I$ of the sag $H$, with
+# $c = 32/525$ between clamps, $16592/65625$ between pins, $23/175$ between a clamp and a pin: $0.73$, $3.03$ and
+# $1.58$ times $(H/h_0)^2$ for a rectangle.
+
+# %%
+HELD = {"clamped": 1, "pinned": 2}  # order of the derivative that vanishes besides the height
+
+
+def bent(pressure: sp.Expr, left: str, right: str) -> sp.Expr:
+    """Solution of EI y'''' = pressure."""
+    constants = sp.symbols("c_0:4")
+    height = pressure / (E * second_moment)
+    for constant in constants:
+        height = sp.expand(sp.integrate(height, X)) + constant
+    held_ = [height.subs(X, end) for end in (-L / 2, L / 2)]
+    held_ += [height.diff(X, HELD[kind]).subs(X, end) for kind, end in ((left, -L / 2), (right, L / 2))]
+    return sp.expand(height.subs(sp.solve(held_, constants)))
+
+
+for left, right, stiffness_, share in (
+    ("clamped", "clamped", sp.Integer(384), sp.Rational(32, 525)),
+    ("pinned", "pinned", sp.Rational(384, 5), sp.Rational(16592, 65625)),
+    ("clamped", "pinned", sp.Integer(192), sp.Rational(23, 175)),
+):
+    linear_beam = bent(-load, left, right)
+    depth = -linear_beam.subs(X, 0)
+    prove_equal(depth, load * L**4 / (stiffness_ * E * second_moment))
+    lifted = bent(tension_of(linear_beam) * linear_beam.diff(X, 2), left, right).subs(X, 0)
+    prove_equal(lifted / depth, share * A0 * depth**2 / second_moment)
+
+# %% [markdown]
+# The solver's section then loses everything axial: $s = 1$, $\sigma_0 = 0$, no $a_0$; $\sigma_1\zeta$ alone flows, and
+# $\mathbf F = M_X\mathbf e_y$, whose power is that of the moment, so that the energy closes as before.
+
+# %%
+for law in ("maxwell", "bingham"):
+    beam = filament.Terms(bending=True, law=law_of(law), flows=True, yields=True)
+    loose, stiff = (filament.derive(replace(beam, stretches=given), CIRCLE, "material") for given in (True, False))
+    with_mean, alone = loose.response.branch, stiff.response.branch
+    assert stiff.response.tension == alone.stress_mean == alone.rate_mean == 0
+    assert stiff.response.moment == loose.response.moment
+    assert alone.stress_bending == with_mean.stress_bending
+    assert alone.rate_bending == with_mean.means.bending_rate.xreplace({sigma_0: sp.Integer(0)})
+    assert (stiff.force.horizontal, stiff.force.vertical) == (0, M_X)
+    assert not {s, sigma_0, a_0, T} & set().union(*(e.free_symbols for e in stiff.response.expressions()))
 
 # %% [markdown]
 # ## The appendix: (A1), (A2)

@@ -21,6 +21,9 @@
 # have any profile. We derive the strains, the forces conjugate to $(\Lambda,\Gamma,k)$, the balance from Hamilton's
 # principle, the flow of a fibre from the three-dimensional law of notebook 6, and we recover the paper's theory as
 # shear becomes rigid.
+#
+# Effects derived here: `shear` (`reissner.director_strains`, `reissner.BALANCE`), `fibres` (`reissner.fibre_flow`),
+# `rotary-inertia` (`reissner.rotary_inertia`).
 
 # %%
 import sympy as sp

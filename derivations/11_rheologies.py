@@ -18,6 +18,9 @@
 # $\sigma = \sum_j E_j(\epsilon - \epsilon^p_j) + \eta\,\epsilon_t$, $\dot\epsilon^p_j = \varphi_j(\sigma_j)$.
 # Proved here: what the constants measured in shear are worth in tension, what a wide sheet makes of a rule, which law
 # becomes which, and how a string of a power-law fluid sags.
+#
+# Effects derived here: `viscous-flow` (`laws.power_law.power_law_rate`, `laws.maxwell.maxwell_rate`), `viscous-stress`
+# (`laws.law_of`).
 
 # %%
 import sympy as sp

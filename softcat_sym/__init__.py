@@ -1,6 +1,7 @@
 """softcat_sym: slender soft filaments that sag, stretch, yield and stop.
 
-``load_scene`` reads a scene, ``simulate`` runs it. SymPy, CasADi and matplotlib are loaded when they are first used.
+``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it;
+``price_effects`` tells what each effect is worth. SymPy, CasADi and matplotlib are loaded when they are first used.
 """
 
 from __future__ import annotations
@@ -16,28 +17,38 @@ if TYPE_CHECKING:
     from softcat_sym.inverse import fit_flow_curve
     from softcat_sym.scene import Scene, bundled_names, load_scene
     from softcat_sym.solve import Outcome
+    from softcat_sym.study.explanation import Explanation, explain
+    from softcat_sym.study.pricing import Pricing, price_effects
     from softcat_sym.trajectory import Trajectory
 
 _HOMES = {
+    "Explanation": "softcat_sym.study.explanation",
     "Outcome": "softcat_sym.solve",
+    "Pricing": "softcat_sym.study.pricing",
     "Scene": "softcat_sym.scene",
     "SceneError": "softcat_sym.errors",
     "SoftcatError": "softcat_sym.errors",
     "Trajectory": "softcat_sym.trajectory",
     "bundled_names": "softcat_sym.scene",
+    "explain": "softcat_sym.study.explanation",
     "fit_flow_curve": "softcat_sym.inverse",
     "load_scene": "softcat_sym.scene",
+    "price_effects": "softcat_sym.study.pricing",
 }
 
 __all__ = [
+    "Explanation",
     "Outcome",
+    "Pricing",
     "Scene",
     "SceneError",
     "SoftcatError",
     "Trajectory",
     "bundled_names",
+    "explain",
     "fit_flow_curve",
     "load_scene",
+    "price_effects",
     "simulate",
 ]
 

@@ -26,6 +26,11 @@ class Clock:
         self._laps[stage] += now - self._last
         self._last = now
 
+    def set_aside(self) -> None:
+        """Put everything so far down to ``estimate``: it was a trial."""
+        trial = sum(self._laps.values())
+        self._laps = dict.fromkeys(_STAGES, 0.0) | {"estimate": trial}
+
     def laps(self) -> dict[str, float]:
         """Seconds of each stage, and their total."""
         return {**self._laps, "total": sum(self._laps.values())}

@@ -5,14 +5,21 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from softcat_sym.clock import Clock
+    from softcat_sym.effects import Effects
     from softcat_sym.graph import Graph
     from softcat_sym.scene import Scene
-    from softcat_sym.solve import Progress
+    from softcat_sym.solve import Prepared, Progress
     from softcat_sym.trajectory import Trajectory
+
+_REPEATS = 2
 
 
 def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     """Run a filament.
+
+    Where the program chooses the effects, the finished run is asked whether what was left out mattered; if it did, the
+    run is repeated with that in.
 
     Parameters
     ----------
@@ -31,29 +38,63 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     ------
     SceneError
         If the scene names effects that it cannot have.
+    KeyboardInterrupt
+        If the user stops it, wherever in CasADi that happens.
     """
     # Imported here, so that `import softcat_sym` stays light.
     from softcat_sym.clock import Clock
     from softcat_sym.effects import choose_effects
+    from softcat_sym.solve import Silence, watched
+
+    clock, listener = Clock(), progress or Silence()
+    shown: dict[str, str] = {}
+    repeats: list[str] = []
+    with watched() as interrupts:
+        try:
+            trajectory = _run(scene, choose_effects(scene), clock, listener)
+            while trajectory.overlooked and len(repeats) < _REPEATS:
+                clock.set_aside()
+                shown |= trajectory.overlooked
+                repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.overlooked.items()))
+                trajectory = _run(scene, choose_effects(scene, shown), clock, listener)
+        finally:
+            interrupts.check()
+    return trajectory.repeated(repeats)
+
+
+def build(scene: Scene, effects: Effects) -> Prepared:
+    """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+    effects : Effects
+        From :func:`softcat_sym.effects.choose_effects`.
+    """
     from softcat_sym.equations.filament import derive
     from softcat_sym.equations.section import SECTIONS
     from softcat_sym.graph import assemble
     from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
-    from softcat_sym.solve import Silence, choose_settings, prepare
-    from softcat_sym.trajectory import judge
+    from softcat_sym.solve import choose_settings, prepare
 
-    clock = Clock()
-    effects = choose_effects(scene)
     equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    grid = choose_grid(scene)
+    grid = choose_grid(scene, effects)
     graph = assemble(equations, grid, effects.names, choose_theory(scene, equations), choose_body(scene, grid))
 
     def statics() -> Graph:
         still = derive(effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
         return assemble(still, grid, effects.names, choose_theory(scene, still), choose_body(scene, grid))
 
-    prepared = prepare(scene, graph, choose_settings(scene, effects), statics)
+    return prepare(scene, graph, choose_settings(scene, effects), statics)
+
+
+def _run(scene: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
+    """Integrate once with these effects, and judge the answer."""
+    from softcat_sym.trajectory import judge
+
+    prepared = build(scene, effects)
     clock.lap("build")
-    solution = prepared.solve(progress or Silence())
+    solution = prepared.solve(progress)
     clock.lap("solve")
     return judge(scene, effects, prepared, solution, clock.laps())

@@ -3,19 +3,39 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate, always
-from softcat_sym.effects.prediction import predicted_sag
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.scene import Scene, chord_angle, groups_of
+
+_LAYER, _PINNED = 0.5, 0.1
+"""Length over which a clamp bends a string, and sag below which a string is a beam, in h0/H: clamped, and pinned."""
+
+_LEVEL = 1e-9
+
+
+def _indispensable(scene: Scene) -> str:
+    if scene.filament.curvature != 0:
+        return "the filament is curved by nature"
+    ends, along = scene.ends, chord_angle(scene)
+    held = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
+    turned = any(kind == "clamped" and abs(angle - along) > _LEVEL for kind, angle in held)
+    return "a clamp is turned against the line between the supports" if turned else ""
 
 
 def _contribute(terms: Terms) -> Terms:
     return replace(terms, bending=True)
 
 
-def _estimate(scene: Scene) -> Estimate:
-    delta = groups_of(scene).delta
-    tension_over_bending = 2 / 3 * (predicted_sag(scene) / delta) ** 2
-    return Estimate(max(delta, 1 / (1 + tension_over_bending)), "share of the load carried in bending, at least h0/L")
+def bending_share(scene: Scene, motion: Motion) -> float:
+    """Share of the load carried in bending, at least h0/(2 H): the bent ends of a string, and its first thickness."""
+    pinned = "clamped" not in (scene.ends.left, scene.ends.right)
+    layer = (_PINNED if pinned else _LAYER) * groups_of(scene).delta / motion.sag
+    return min(1.0, max(1 - motion.tension_share, layer))
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    share = motion.amplified(bending_share(scene, motion))
+    return Estimate(share, "share of the load carried in bending, at least h0/(2 H), between pins a fifth of it")
 
 
 BENDING = Effect(
@@ -27,4 +47,7 @@ BENDING = Effect(
     without_it="",
     estimate=_estimate,
     observable="bending share of the load away from the clamps",
+    example="glass-rod",
+    derivation="01_balance",
+    indispensable=_indispensable,
 )

@@ -2,45 +2,47 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from softcat_sym.effects.bending import BENDING
-from softcat_sym.effects.effect import Effect
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.extensibility import implied_extensibility
 from softcat_sym.effects.fibres import FIBRES
-from softcat_sym.effects.finite_stretch import FINITE_STRETCH
-from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
+from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.inertia import INERTIA
-from softcat_sym.effects.large_rotation import LARGE_ROTATION
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.outrunning import outrunning_faults
-from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
+from softcat_sym.effects.refusing import refuse, refuse_closure, refuse_law, refuse_without, why_not
+from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
-from softcat_sym.effects.thinning import THINNING
-from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
-from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.equations.filament import Terms
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene import Scene
 
-REGISTRY: tuple[Effect, ...] = (
-    INERTIA,
-    BENDING,
-    FINITE_STRETCH,
-    THINNING,
-    LARGE_ROTATION,
-    VISCOUS_FLOW,
-    VISCOUS_STRESS,
-    YIELDING,
-    GRAVITY_RAMP,
-    SHEAR,
-    FIBRES,
-    NECKING_GRADIENT,
-    ROTARY_INERTIA,
-)
+SHARE = 1 / 3
+"""Share of the accuracy asked above which an effect is called for: several that are left out add up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """What was decided about one effect.
+
+    Attributes
+    ----------
+    effect : Effect
+        The effect.
+    in_force : bool
+        Whether the run holds it.
+    estimate : Estimate or None
+        How much it should matter; None where the scene cannot have it.
+    reason : str
+        Why it is in force or not, without the estimate.
+    """
+
+    effect: Effect
+    in_force: bool
+    estimate: Estimate | None
+    reason: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,25 +51,39 @@ class Effects:
 
     Attributes
     ----------
-    in_force : tuple of Effect
-        In the order of the registry.
-    reasons : mapping of str to str
-        Why each is in force.
-    left_out : mapping of str to float
-        Estimate of each effect that the scene has but the run does not.
+    decisions : tuple of Decision
+        One for every effect, in the order of the registry.
     bare : Terms
         The filament of this material and shape without any effect.
     """
 
-    in_force: tuple[Effect, ...]
-    reasons: Mapping[str, str]
-    left_out: Mapping[str, float]
+    decisions: tuple[Decision, ...]
     bare: Terms
+
+    @property
+    def in_force(self) -> tuple[Effect, ...]:
+        """The effects in force."""
+        return tuple(decision.effect for decision in self.decisions if decision.in_force)
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the effects in force."""
         return tuple(effect.name for effect in self.in_force)
+
+    @property
+    def reasons(self) -> dict[str, str]:
+        """Why each effect in force is, with its estimate."""
+        chosen = [decision for decision in self.decisions if decision.in_force]
+        return {decision.effect.name: f"{decision.reason}; {decision.estimate}" for decision in chosen}
+
+    @property
+    def left_out(self) -> dict[str, float]:
+        """Estimate of each effect that the scene has but the run does not."""
+        return {
+            decision.effect.name: decision.estimate.value
+            for decision in self.decisions
+            if not decision.in_force and decision.estimate is not None
+        }
 
     def terms(self) -> Terms:
         """The terms that these effects pick."""
@@ -89,53 +105,111 @@ class Effects:
         )
 
 
-def choose_effects(scene: Scene) -> Effects:
+def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effects:
     """Choose the effects of a scene: those it names, the paper's list, or what its estimates call for.
 
-    The printed closure belongs to the published theory: with it, ``auto`` is the paper's list.
+    The printed closure and the small-deflection model belong to the published theory: with them ``auto`` is the paper's
+    list.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+    shown : mapping of str to str
+        Effects that a finished run has shown to matter after all, and how: ``auto`` takes them in too.
 
     Raises
     ------
     SceneError
-        If it names an effect that is unknown, that its law, load or closure cannot have, or that needs another one.
+        If it names an effect that is unknown, that its law, load or closure cannot have, or that needs another one;
+        if it leaves out one that it cannot do without.
     """
-    asked = scene.run.effects
-    _refuse_law(scene)
-    if isinstance(asked, str):
-        published = asked == "paper" or scene.run.closure == "printed"
-        why = {e.name: _why(e, scene, published=published) for e in REGISTRY if e.applies(scene)}
-    else:
-        _refuse(scene, (*asked, *_implied(scene, asked)))
-        why = {effect.name: "named in run.effects" if effect.name in asked else "" for effect in REGISTRY}
-    for name in _implied(scene, asked):
-        why[name] = why[name] or "numerics.fibres or numerics.order asks for it"
-    chosen = tuple(effect for effect in REGISTRY if why.get(effect.name))
-    _refuse_closure(scene, chosen)
-    reasons = {effect.name: f"{why[effect.name]}; {effect.estimate(scene)}" for effect in chosen}
-    left_out = {e.name: e.estimate(scene).value for e in REGISTRY if e.applies(scene) and e not in chosen}
-    _refuse_without_stress(scene, chosen)
+    refuse_law(scene)
+    reasons = _reasons(scene, shown or {})
+    chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
+    refuse_closure(scene, chosen)
+    refuse_without(scene, chosen)
     outrun = outrunning_faults(scene) if INERTIA in chosen else []
     if outrun:
         raise SceneError(outrun)
-    return Effects(chosen, reasons, left_out, Terms(law=law_in(scene), curved=scene.filament.curvature != 0))
+    decisions = tuple(_decision(effect, scene, reasons) for effect in REGISTRY)
+    return Effects(decisions, _bare(scene))
 
 
-def _refuse_without_stress(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """A Newtonian fluid has no other stress than its viscous one."""
-    if not law_in(scene).branches and VISCOUS_STRESS not in chosen:
-        found = f"without {VISCOUS_STRESS.name!r}, but the law {scene.material.law!r} has no other stress"
-        raise SceneError([Fault("run.effects", found, f"add {VISCOUS_STRESS.name!r}")])
+def _bare(scene: Scene) -> Terms:
+    """The filament of this material and shape without any effect; the small-deflection model has its own tension."""
+    stretches = scene.model == "small-deflection"
+    return Terms(law=law_in(scene), curved=scene.filament.curvature != 0, stretches=stretches)
 
 
-def _why(effect: Effect, scene: Scene, *, published: bool) -> str:
-    """Why an effect that applies is in force; empty if it is not."""
-    if effect.in_paper:
-        return "in the paper's list"
-    called_for = not published and effect.called_for(scene, effect.estimate(scene).value)
-    return "called for by its estimate" if called_for else ""
+def _decision(effect: Effect, scene: Scene, reasons: Mapping[str, str]) -> Decision:
+    if not effect.applies(scene):
+        return Decision(effect, False, None, f"cannot be had: {why_not(effect, scene)}")
+    estimate = effect.estimate(scene, forecast(scene))
+    if effect.name in reasons:
+        return Decision(effect, True, estimate, reasons[effect.name])
+    return Decision(effect, False, estimate, _why_not(effect, scene, estimate))
 
 
-def _implied(scene: Scene, asked: str | tuple[str, ...]) -> tuple[str, ...]:
+def _why_not(effect: Effect, scene: Scene, estimate: Estimate) -> str:
+    """Why an effect that applies is not in force."""
+    if not isinstance(scene.run.effects, str):
+        return "not named in run.effects"
+    if _is_published(scene):
+        return "not in the paper's list"
+    if estimate.value <= SHARE * scene.run.accuracy:
+        return "its estimate is below a third of the accuracy asked"
+    return effect.spared(scene)
+
+
+def _reasons(scene: Scene, shown: Mapping[str, str]) -> dict[str, str]:
+    """Why each effect in force is; what is not in force is not among the keys."""
+    asked = scene.run.effects
+    if not isinstance(asked, str):
+        implied = _implied(scene, asked)
+        implied |= implied_extensibility(scene, (*asked, *implied))
+        refuse(scene, (*asked, *implied))
+        return dict.fromkeys(asked, "named in run.effects") | implied
+    if _is_published(scene):
+        reasons = {e.name: "in the paper's list" for e in REGISTRY if e.in_paper and e.applies(scene)}
+        return _implied(scene, reasons) | reasons
+    return _completed(scene, _called_for(scene) | dict(shown) | _implied(scene, ()))
+
+
+def _is_published(scene: Scene) -> bool:
+    return scene.run.effects == "paper" or scene.run.closure == "printed" or scene.model == "small-deflection"
+
+
+def _called_for(scene: Scene) -> dict[str, str]:
+    """What ``auto`` takes in: what the scene cannot do without, and what its estimate calls for."""
+    reasons = {}
+    for effect in REGISTRY:
+        if not effect.applies(scene):
+            continue
+        needed = effect.indispensable(scene)
+        if needed:
+            reasons[effect.name] = needed
+        elif not effect.spared(scene) and effect.estimate(scene, forecast(scene)).value > SHARE * scene.run.accuracy:
+            reasons[effect.name] = "called for by its estimate"
+    return reasons
+
+
+def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
+    """The effects with whatever makes the run easier, and with whatever they need."""
+    complete = dict(reasons)
+    for effect in REGISTRY:
+        if effect.name not in complete and effect.applies(scene) and (why := effect.eases(scene)):
+            complete[effect.name] = why
+    if FIBRES.name in complete and SHEAR.applies(scene):
+        complete.setdefault(SHEAR.name, "fibres are resolved on sections that shear")
+    for effect in reversed(REGISTRY):
+        if effect.name in complete:
+            for need in effect.needs:
+                complete.setdefault(need, f"{effect.name} needs it")
+    return complete
+
+
+def _implied(scene: Scene, asked: Iterable[str]) -> dict[str, str]:
     """Effects that another key asks for: a number of fibres, or an order beyond the paper's, wants them resolved.
 
     Raises
@@ -145,47 +219,10 @@ def _implied(scene: Scene, asked: str | tuple[str, ...]) -> tuple[str, ...]:
     """
     numerics = scene.numerics
     if numerics.fibres is None and (numerics.order or 0) <= 1:
-        return ()
+        return {}
     if not FIBRES.applies(scene):
         key = "fibres" if numerics.fibres is not None else "order"
-        found = f"{getattr(numerics, key)}, but {FIBRES.without_it}"
-        raise SceneError([Fault(f"numerics.{key}", found, "leaving it out")])
-    return () if FIBRES.name in asked else (FIBRES.name,)
-
-
-def _refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """The printed closure is a plastic state linear through the thickness of a filament that does not shear."""
-    beyond = [effect.name for effect in chosen if not effect.in_paper]
-    if scene.run.closure == "printed" and beyond:
-        found = f"'printed' with {', '.join(beyond)}"
-        accepted = "'material', or the published effects without numerics.fibres and with numerics.order = 1"
-        raise SceneError([Fault("run.closure", found, accepted)])
-
-
-def _refuse_law(scene: Scene) -> None:
-    """The small-deflection model has one plastic stretch for the whole filament, which only a linear law allows."""
-    if scene.model == "small-deflection" and YIELDING.applies(scene):
-        raise SceneError(
-            [Fault("material.law", f"{scene.material.law!r} with model 'small-deflection'", "elastic or maxwell")]
-        )
-
-
-def _refuse(scene: Scene, asked: tuple[str, ...]) -> None:
-    known = {effect.name: effect for effect in REGISTRY}
-    faults: list[Fault] = []
-    for name in asked:
-        if name not in known:
-            near = difflib.get_close_matches(name, known, 1)
-            hint = f"did you mean {near[0]!r}? " if near else ""
-            faults.append(Fault("run.effects", f"unknown effect {name!r}", f"{hint}one of {', '.join(known)}"))
-            continue
-        effect = known[name]
-        if not effect.applies(scene):
-            faults.append(Fault("run.effects", f"{name!r} cannot be had: {effect.without_it}", f"leave {name!r} out"))
-        faults += [
-            Fault("run.effects", f"{name!r} without {need!r}", f"add {need!r} or leave {name!r} out")
-            for need in effect.needs
-            if need not in asked
-        ]
-    if faults:
-        raise SceneError(faults)
+        found = f"{getattr(numerics, key)}, but {why_not(FIBRES, scene)}"
+        accepted = "leaving it out" if key == "fibres" else "1, or leaving it out"
+        raise SceneError([Fault(f"numerics.{key}", found, accepted)])
+    return {} if FIBRES.name in asked else {FIBRES.name: "numerics.fibres or numerics.order asks for it"}

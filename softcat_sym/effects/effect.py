@@ -5,18 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.scene import Scene
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """How much an effect matters in a scene, before anything is run.
+    """How much an effect matters: before a run from the groups of the scene, after it from what it shows.
 
     Attributes
     ----------
     value : float
-        Dimensionless; compared with the accuracy asked.
+        Change of the midpoint, relative to the largest, that leaving the effect out would make; compared with the
+        accuracy asked.
     meaning : str
         What the number is, with its formula.
     """
@@ -26,6 +28,12 @@ class Estimate:
 
     def __str__(self) -> str:
         return f"{self.meaning} = {self.value:.2g}"
+
+
+def dispensable(scene: Scene) -> str:
+    """Nothing speaks against leaving the effect out."""
+    del scene
+    return ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,15 +55,23 @@ class Effect:
     without_it : str
         Why it cannot be had where it does not apply.
     estimate : callable
-        How much it matters in a scene.
+        How much it matters in a scene that moves so: foreseen before a run, seen after it.
     observable : str
         Measure of a finished run that shows whether leaving it out was harmless.
+    example : str
+        Bundled scene in which it matters.
+    derivation : str
+        Notebook that derives its terms.
     needs : tuple of str
         Effects without which it makes no sense.
     in_paper : bool
         Whether it is part of the published theory.
-    called_for : callable
-        Whether ``auto`` takes it in, from the scene and the value of the estimate.
+    eases : callable
+        Why a scene is run more quickly with it, although it may not matter; an empty text where it is not.
+    spared : callable
+        Why ``auto`` leaves it out although it may matter; an empty text where it does not. A run warns of it.
+    indispensable : callable
+        Why a scene cannot do without it; an empty text where it can.
     """
 
     name: str
@@ -64,11 +80,15 @@ class Effect:
     contribute: Callable[[Terms], Terms]
     applies: Callable[[Scene], bool]
     without_it: str
-    estimate: Callable[[Scene], Estimate]
+    estimate: Callable[[Scene, Motion], Estimate]
     observable: str
+    example: str
+    derivation: str
     needs: tuple[str, ...] = ()
     in_paper: bool = True
-    called_for: Callable[[Scene, float], bool] = lambda _scene, _value: True
+    eases: Callable[[Scene], str] = dispensable
+    spared: Callable[[Scene], str] = dispensable
+    indispensable: Callable[[Scene], str] = dispensable
 
 
 def of_large_deflections(scene: Scene) -> bool:

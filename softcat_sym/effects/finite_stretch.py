@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.effects.prediction import predicted_strain
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.equations.kinematics import TRUE_STRAIN
 from softcat_sym.scene import Scene
@@ -13,8 +13,9 @@ def _contribute(terms: Terms) -> Terms:
     return replace(terms, strain=TRUE_STRAIN)
 
 
-def _estimate(scene: Scene) -> Estimate:
-    return Estimate(predicted_strain(scene) / 2, "relative difference of s - 1 and log s, half the mean strain")
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.amplified(0.4 * motion.strain), "difference of s - 1 and log s, 0.4 of the strain")
 
 
 FINITE_STRETCH = Effect(
@@ -25,5 +26,8 @@ FINITE_STRETCH = Effect(
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=_estimate,
+    needs=("extensibility",),
     observable="largest strain",
+    example="continual-descent",
+    derivation="02_section_and_closures",
 )

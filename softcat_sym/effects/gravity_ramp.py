@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.equations.loading import ramp_rate, ramped_gravity
 from softcat_sym.scene import Scene
@@ -16,8 +17,9 @@ def _applies(scene: Scene) -> bool:
     return scene.load.ramp > 0
 
 
-def _estimate(scene: Scene) -> Estimate:
-    return Estimate(min(1.0, scene.load.ramp / scene.run.duration), "ramp over duration")
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.risen, "share of the sag, and of the ringing, that the ramp delays")
 
 
 GRAVITY_RAMP = Effect(
@@ -29,4 +31,6 @@ GRAVITY_RAMP = Effect(
     without_it="load.ramp is zero: gravity acts at once",
     estimate=_estimate,
     observable="ramp over duration",
+    example="arrested-overdamped",
+    derivation="01_balance",
 )

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate, always
-from softcat_sym.effects.prediction import duration_star, viscous_number
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.scene import Scene
 
@@ -12,15 +12,9 @@ def _contribute(terms: Terms) -> Terms:
     return replace(terms, inertia=True)
 
 
-def _estimate(scene: Scene) -> Estimate:
-    # t_high of section 2.2 with alpha = 1/15: from then on inertia is less than alpha of the tension.
-    number = viscous_number(scene)
-    viscous = None if number is None else 1 / (2 * number)
-    time = duration_star(scene)
-    settles = (viscous / 3) ** 0.2 * 0.4**-0.6 if viscous is not None else time
-    return Estimate(
-        min(1.0, settles / time) if time else 1.0, "share of the run before inertia has died out, t_high/duration"
-    )
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.missed, "share of the sag that a filament in balance at every instant misses")
 
 
 INERTIA = Effect(
@@ -32,4 +26,6 @@ INERTIA = Effect(
     without_it="",
     estimate=_estimate,
     observable="largest inertia force over weight",
+    example="maxwell-slow",
+    derivation="01_balance",
 )

@@ -3,19 +3,22 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.effects.prediction import predicted_sag
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.equations.kinematics import LARGE_ROTATION as EXACT
-from softcat_sym.scene import Scene
+from softcat_sym.scene import Scene, is_held
+
+_HELD, _FREE = 0.07, 0.25
+"""Change of the sag per slope squared: of a filament held at both ends, and at one."""
 
 
 def _contribute(terms: Terms) -> Terms:
     return replace(terms, centreline=EXACT)
 
 
-def _estimate(scene: Scene) -> Estimate:
-    slope = 4 * predicted_sag(scene)
-    return Estimate(slope**2 / 2, "half the square of the slope at the supports")
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    share = _HELD if is_held(scene) else _FREE
+    return Estimate(motion.amplified(share * motion.slope**2), f"slope squared times {share:g}")
 
 
 LARGE_ROTATION = Effect(
@@ -26,5 +29,8 @@ LARGE_ROTATION = Effect(
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=_estimate,
+    needs=("extensibility",),
     observable="largest slope squared",
+    example="continual-descent",
+    derivation="01_balance",
 )

@@ -19,8 +19,16 @@ def is_solid(scene: Scene) -> bool:
     return scene.material.law in SOLIDS
 
 
-def flow_is_linear(scene: Scene) -> bool:
-    """Whether the plastic strain rate is proportional to the stress, so that it stays linear through the thickness."""
+def flow_nonlinearity(scene: Scene, overstress: float) -> float:
+    """How far the flow rule is from a proportional one, whose plastic strain stays linear in z: 0 to 1.
+
+    Parameters
+    ----------
+    overstress : float
+        Mean stress of the flowing filament over the yield stress; infinite without one.
+    """
     material = scene.material
-    rules = {"bingham": False, "custom": False, "power-law": material.index == 1, "herschel-bulkley": False}
-    return rules.get(material.law, True)
+    if material.law == "custom":
+        return 1.0
+    bent = abs(1 - 1 / material.index) if material.law in ("power-law", "herschel-bulkley") else 0.0
+    return min(1.0, bent + 1 / max(1.0, overstress))

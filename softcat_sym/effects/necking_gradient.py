@@ -4,27 +4,19 @@ import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
-from softcat_sym.effects.prediction import (
-    duration_star,
-    first_yield_gravity_number,
-    gravity_number_of,
-    predicted_strain,
-    viscous_number,
-)
+from softcat_sym.effects.motion import Motion
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
+from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.necking import NECKS, aspect
-from softcat_sym.scene import Scene
+from softcat_sym.scene import Scene, groups_of
 
 _UNEVENNESS = 4e-4
 """Unevenness that a neck grows from: one e-fold of it changes the sag of the paper's arrested filament by 1 %."""
 
+_HINGE = 0.1
+"""Change of the sag per h0/L where hinges yield at clamps: the gradient makes them wider."""
 
-def neck_length(scene: Scene) -> float:
-    """Half the shortest wavelength that grows, pi sqrt(beta) h0 [m]: a neck is not shorter than this."""
-    filament = scene.filament
-    beta = NECKS[filament.section].beta.subs(aspect, filament.width / filament.thickness)
-    return math.pi * math.sqrt(float(beta)) * filament.thickness
+_MANY_FOLDS = 30.0  # beyond which a neck has grown in any case
 
 
 def _contribute(terms: Terms) -> Terms:
@@ -35,17 +27,12 @@ def _applies(scene: Scene) -> bool:
     return scene.model == "filament" and VISCOUS_FLOW.applies(scene)
 
 
-def _estimate(scene: Scene) -> Estimate:
-    # A neck grows at sigma/eta = sigma_Y/eta + the rate of strain, at the most for as long as the run lasts.
-    gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
-    folds = predicted_strain(scene)
-    if gravity_number and viscous and gravity_number > first_yield_gravity_number(scene):
-        folds += duration_star(scene) / (gravity_number * viscous)
-    return Estimate(folds, "growth of a neck in e-folds, sigma/eta times the duration")
-
-
-def _called_for(scene: Scene, value: float) -> bool:
-    return value > math.log(max(1.0, scene.run.accuracy / _UNEVENNESS))
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    grown = _UNEVENNESS * math.expm1(min(motion.folds, _MANY_FOLDS))
+    hinged = YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
+    spread = _HINGE * groups_of(scene).delta * motion.relaxed if hinged else 0.0
+    meaning = f"an unevenness of {_UNEVENNESS:g} grown by {motion.folds:.2g} e-folds, or the spread of hinges, 0.1 h0/L"
+    return Estimate(min(1.0, max(grown, spread)), meaning)
 
 
 NECKING_GRADIENT = Effect(
@@ -57,7 +44,8 @@ NECKING_GRADIENT = Effect(
     without_it=f"the law does not flow, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="largest gradient force over tension",
+    example="arrested-underdamped",
+    derivation="08_necking",
     needs=("finite-stretch", "thinning", "viscous-flow"),
     in_paper=False,
-    called_for=_called_for,
 )

@@ -48,7 +48,15 @@ def effective_viscosity(scene: Scene) -> float | None:
 
     None for a law that does not flow, 0 where the rule gives no number.
     """
-    material, stress = scene.material, weight_stress(scene) or 1.0
+    return effective_viscosity_at(scene, weight_stress(scene) or 1.0)
+
+
+def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
+    """Stress over flow rate [Pa s] at that much stress [Pa] beyond yield; None for a law that does not flow.
+
+    0 where the rule gives no number.
+    """
+    material = scene.material
     if material.modes:
         return sum(mode.viscosity for mode in material.modes)
     if material.law == "custom" and material.formula is not None:

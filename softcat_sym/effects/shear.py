@@ -4,10 +4,11 @@ import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.law import flow_nonlinearity, is_solid, law_in
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.fibres import SHEAR_CORRECTION
 from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, distance, groups_of, is_held
+from softcat_sym.scene import Scene, distance, is_held
 from softcat_sym.scene.geometry import stress_free_length
 from softcat_sym.scene.support_path import farthest
 
@@ -40,12 +41,16 @@ def _contribute(terms: Terms) -> Terms:
     return replace(terms, shear=True)
 
 
-def _estimate(scene: Scene) -> Estimate:
-    return Estimate(_PER_SLENDERNESS * groups_of(scene).delta, "change of the sag by shear, 0.7 h0/L")
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.amplified(motion.sheared), "share of the sag that shear makes")
 
 
-def _called_for(scene: Scene, value: float) -> bool:
-    return value > scene.run.accuracy
+def _eases(scene: Scene) -> str:
+    flows = [branch.flow for branch in law_in(scene).branches if branch.flow is not None]
+    if all(flow.closed_means for flow in flows) or flow_nonlinearity(scene, math.inf) == 0:
+        return ""
+    return "its flow rule has no mean in closed form: sections of points are quicker than quadrature"
 
 
 SHEAR = Effect(
@@ -57,7 +62,9 @@ SHEAR = Effect(
     without_it=f"the filament is stretched elastically beyond log s = kappa_s mu/E, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="largest shear strain over largest bending strain",
+    example="arrested-overdamped",
+    derivation="09_shearing_filament",
     needs=("bending", "finite-stretch", "thinning", "large-rotation"),
     in_paper=False,
-    called_for=_called_for,
+    eases=_eases,
 )

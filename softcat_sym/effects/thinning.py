@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.effects.prediction import predicted_strain
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.scene import Scene
 
@@ -12,8 +12,9 @@ def _contribute(terms: Terms) -> Terms:
     return replace(terms, thins=True)
 
 
-def _estimate(scene: Scene) -> Estimate:
-    return Estimate(predicted_strain(scene), "relative loss of area, the mean strain")
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.amplified(0.5 * motion.strain), "loss of stiffness with the area, half the strain")
 
 
 THINNING = Effect(
@@ -24,5 +25,8 @@ THINNING = Effect(
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=_estimate,
+    needs=("extensibility",),
     observable="largest relative loss of area",
+    example="continual-descent",
+    derivation="02_section_and_closures",
 )

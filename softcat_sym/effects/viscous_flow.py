@@ -1,13 +1,18 @@
 """Viscous flow: plastic strain that grows with the stress (without a threshold, unless yielding is in force)."""
 
-import math
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.prediction import effective_viscosity, instant_modulus
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.scene import Scene
+
+
+def _indispensable(scene: Scene) -> str:
+    initial = scene.initial
+    plastic = bool(initial.P) or bool(initial.C) or (initial.stretch != 1 and initial.relaxed)
+    return "the initial state is a plastic strain" if plastic else ""
 
 
 def _contribute(terms: Terms) -> Terms:
@@ -18,12 +23,9 @@ def _applies(scene: Scene) -> bool:
     return law_in(scene).flows
 
 
-def _estimate(scene: Scene) -> Estimate:
-    modulus, viscosity = instant_modulus(scene), effective_viscosity(scene)
-    if not viscosity or modulus is None:
-        return Estimate(0.0, "share of the stress that relaxes during the run")
-    relaxed = -math.expm1(-scene.run.duration * modulus / viscosity)
-    return Estimate(relaxed, "share of the stress that relaxes during the run, 1 - exp(-duration E/eta)")
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.amplified(motion.relaxed), "share of the stress that relaxes during the run")
 
 
 VISCOUS_FLOW = Effect(
@@ -35,4 +37,7 @@ VISCOUS_FLOW = Effect(
     without_it="the law is elastic, Newtonian or Kelvin-Voigt: it has no plastic strain",
     estimate=_estimate,
     observable="largest plastic strain",
+    example="continual-descent",
+    derivation="11_rheologies",
+    indispensable=_indispensable,
 )

@@ -4,9 +4,14 @@ from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.prediction import duration_star, static_modulus
+from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.scene import Scene
+
+
+def _indispensable(scene: Scene) -> str:
+    branches = law_in(scene).branches
+    return "" if branches else f"the law {scene.material.law!r} has no other stress"
 
 
 def _contribute(terms: Terms) -> Terms:
@@ -17,13 +22,9 @@ def _applies(scene: Scene) -> bool:
     return scene.model == "filament" and law_in(scene).viscosity is not None
 
 
-def _estimate(scene: Scene) -> Estimate:
-    modulus, viscosity = static_modulus(scene), scene.material.viscosity
-    if modulus is None or viscosity is None or duration_star(scene) == 0:
-        return Estimate(1.0, "retardation time eta/E over the duration, at most 1")
-    return Estimate(
-        min(1.0, viscosity / modulus / scene.run.duration), "retardation time eta/E over the duration, at most 1"
-    )
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.retarded, "lag of the sag behind its load, or loss of its ringing")
 
 
 VISCOUS_STRESS = Effect(
@@ -35,4 +36,7 @@ VISCOUS_STRESS = Effect(
     without_it="the law has no stress that depends on the strain rate",
     estimate=_estimate,
     observable="largest viscous stress over the largest stress",
+    example="cooked-spaghetti",
+    derivation="11_rheologies",
+    indispensable=_indispensable,
 )

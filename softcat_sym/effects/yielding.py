@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.prediction import gravity_number_of, predicted_sag
+from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.equations.filament import Terms
 from softcat_sym.scene import Scene
 
@@ -17,14 +18,10 @@ def _applies(scene: Scene) -> bool:
     return law_in(scene).yields
 
 
-def _estimate(scene: Scene) -> Estimate:
-    gravity_number = gravity_number_of(scene)
-    sag = predicted_sag(scene)
-    if gravity_number is None or gravity_number == 0 or sag == 0:
-        return Estimate(1.0, "yield stress over the stress of the catenary")
-    return Estimate(
-        1 / (gravity_number * (sag + 1 / (8 * sag))), "yield stress over the stress of the catenary, 1/(G (H + 1/8H))"
-    )
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    # Where the state is plastic from the beginning, whether it flows at once is what the yield stress decides.
+    flows = 1.0 if VISCOUS_FLOW.indispensable(scene) else VISCOUS_FLOW.estimate(scene, motion).value
+    return Estimate(flows / max(1.0, motion.flowing_overstress), "yield stress over the stress, of what flows")
 
 
 YIELDING = Effect(
@@ -36,5 +33,7 @@ YIELDING = Effect(
     without_it="the law has no yield stress",
     estimate=_estimate,
     observable="yield stress over the largest fibre stress",
+    example="arrested-overdamped",
+    derivation="02_section_and_closures",
     needs=("viscous-flow",),
 )

@@ -29,14 +29,15 @@ class InternalForce:
     vertical: sp.Expr
 
 
-def internal_force(kinematics: Kinematics, *, bending: bool) -> InternalForce:
-    """Q grad s + M_X grad theta, without the second part when the filament does not bend."""
+def internal_force(kinematics: Kinematics, *, bending: bool, stretches: bool = True) -> InternalForce:
+    """Q grad s + M_X grad theta: without the first part when it does not stretch, the second when it does not bend."""
     along = kinematics.stretch_gradient()
     across = kinematics.angle_gradient()
+    tension = Q if stretches else sp.Integer(0)
     moment_change = M_X if bending else sp.Integer(0)
     return InternalForce(
-        horizontal=Q * along[0] + moment_change * across[0],
-        vertical=Q * along[1] + moment_change * across[1],
+        horizontal=tension * along[0] + moment_change * across[0],
+        vertical=tension * along[1] + moment_change * across[1],
     )
 
 

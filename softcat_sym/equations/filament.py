@@ -1,13 +1,14 @@
 """One section of the filament, assembled from the terms that the effects in force have picked.
 
-:class:`Terms` starts as the barest filament there is: an elastic string at small slope and strain, without inertia,
-under gravity switched on at once. Each effect replaces what it is responsible for. :func:`derive` turns the terms into
-the expressions of one cell; the graph prints these same objects.
+:class:`Terms` starts with nothing: an elastic filament at small slope and strain that neither stretches nor bends,
+without inertia, under gravity switched on at once. Each effect replaces what it is responsible for. :func:`derive`
+turns the terms into the expressions of one cell; the graph prints these same objects.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import sympy as sp
 
@@ -34,6 +35,8 @@ class Terms:
         Whether the section shrinks as its shape does.
     inertia, bending : bool
         Whether momentum and moment are in the balance.
+    stretches : bool
+        Whether the filament stretches; otherwise it is a beam of small slope with no other unknown than its height.
     law : Law
         The law of the material, of which the effects pick what is in force.
     flows, yields, viscous : bool
@@ -55,6 +58,7 @@ class Terms:
     thins: bool = False
     inertia: bool = False
     bending: bool = False
+    stretches: bool = False
     law: Law = ELASTIC
     flows: bool = False
     yields: bool = False
@@ -112,6 +116,7 @@ class FilamentEquations:
         return self.closure == "material" and s not in self.response.volume.free_symbols
 
 
+@lru_cache(maxsize=64)
 def derive(terms: Terms, shape: section.Section, closure_name: str) -> FilamentEquations:
     """Assemble one cell.
 
@@ -123,11 +128,20 @@ def derive(terms: Terms, shape: section.Section, closure_name: str) -> FilamentE
         Rectangle, circle or sheet.
     closure_name : str
         ``material`` or ``printed``.
+
+    Raises
+    ------
+    ValueError
+        If nothing carries the weight, or if a filament that does not stretch has what only stretching brings.
     """
+    if not terms.stretches:
+        _refuse_stretching(terms)
     contraction = shape.contraction if terms.thins else section.NONE
     law = terms.law_in_force()
     closed = closure.CLOSURES[closure_name](terms.strain, contraction)
-    outline = Shape(shape, contraction, terms.strain, bends=terms.bending, curved=terms.curved)
+    outline = Shape(
+        shape, contraction, terms.strain, bends=terms.bending, stretches=terms.stretches, curved=terms.curved
+    )
     resolved = resolve(shape, law, shear=terms.shear, curved=terms.curved) if terms.shear or terms.resolved else None
     return FilamentEquations(
         terms=terms,
@@ -137,5 +151,22 @@ def derive(terms: Terms, shape: section.Section, closure_name: str) -> FilamentE
         response=respond(outline, closed, law),
         resolved=resolved,
         neck=NECKS[shape.name] if terms.necking_gradient else None,
-        force=internal_force(terms.centreline, bending=terms.bending),
+        force=internal_force(terms.centreline, bending=terms.bending, stretches=terms.stretches),
     )
+
+
+def _refuse_stretching(terms: Terms) -> None:
+    """Refuse what has no meaning in a filament that does not stretch."""
+    if not terms.bending:
+        raise ValueError("a filament that neither stretches nor bends carries no weight")
+    present = {
+        "finite strain": terms.strain is not kinematics.SMALL_STRAIN,
+        "large rotation": terms.centreline is not kinematics.SMALL_SLOPE,
+        "thinning": terms.thins,
+        "shear": terms.shear,
+        "a section resolved point by point": terms.resolved,
+        "a necking gradient": terms.necking_gradient,
+    }
+    if any(present.values()):
+        found = ", ".join(name for name, there in present.items() if there)
+        raise ValueError(f"{found}: only in a filament that stretches")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -54,12 +55,22 @@ class Kinematics:
 
     def turning_rate(self) -> sp.Expr:
         """Rate of the angle between neighbouring tangents, of both tangents and their rates."""
-        pairs = ((x_X_before, x_Xt_before), (y_X_before, y_Xt_before), (x_X, x_Xt), (y_X, y_Xt))
-        return sp.Add(*(sp.simplify(sp.diff(self.turning, of)) * rate for of, rate in pairs))
+        return _rate_of_turning(self.turning)
 
     def _by_stretch(self, expression: sp.Expr) -> sp.Expr:
         """Write the stretch as s where it occurs, so that it is computed once."""
-        return sp.simplify(expression).subs(self.stretch, s).subs(self.stretch**2, s**2)
+        return _with_stretch(expression, self.stretch)
+
+
+@cache
+def _rate_of_turning(turning: sp.Expr) -> sp.Expr:
+    pairs = ((x_X_before, x_Xt_before), (y_X_before, y_Xt_before), (x_X, x_Xt), (y_X, y_Xt))
+    return sp.Add(*(sp.simplify(sp.diff(turning, of)) * rate for of, rate in pairs))
+
+
+@cache
+def _with_stretch(expression: sp.Expr, stretch: sp.Expr) -> sp.Expr:
+    return sp.simplify(expression).subs(stretch, s).subs(stretch**2, s**2)
 
 
 # The turning angle is atan2(cross, dot) of neighbouring tangents, so that nothing wraps past the vertical.

@@ -55,18 +55,34 @@ def scaled(means: SectionMeans, factor: sp.Expr) -> SectionMeans:
     A wide sheet cannot contract across its width: of its stress sigma the equivalent stress is sqrt(3)/2 sigma, and of
     the equivalent strain rate its own is sqrt(3)/2, so that it flows by this rule with the factor sqrt(3)/2.
     """
-    stresses = {sigma_0: factor * sigma_0, sigma_1: factor * sigma_1}
-
-    def of_scaled(expr: sp.Expr) -> sp.Expr:
-        # Each edge stands in the expression at every point; SymPy is slow to build a Max and does so once this way.
-        return expr.xreplace({part: part.xreplace(stresses) for part in expr.atoms(sp.Max, sp.Min)} | stresses)
-
+    of_scaled = _at({sigma_0: factor * sigma_0, sigma_1: factor * sigma_1})
     return SectionMeans(
         rate=factor * of_scaled(means.rate),
         bending_rate=factor * of_scaled(means.bending_rate),
         yielded_fraction=of_scaled(means.yielded_fraction),
         largest_rate=factor * of_scaled(means.largest_rate),
     )
+
+
+def of_bending_alone(means: SectionMeans) -> SectionMeans:
+    """Means where the stress is sigma_1 zeta: its two sides are mirror images, and <phi> of an odd rule vanishes."""
+    without_mean = _at({sigma_0: sp.Integer(0)})
+    return SectionMeans(
+        rate=sp.Integer(0),
+        bending_rate=without_mean(means.bending_rate),
+        yielded_fraction=without_mean(means.yielded_fraction),
+        largest_rate=without_mean(means.largest_rate),
+    )
+
+
+def _at(stresses: dict[sp.Symbol, sp.Expr]) -> Callable[[sp.Expr], sp.Expr]:
+    """Expressions with other stresses put in."""
+
+    def put_in(expr: sp.Expr) -> sp.Expr:
+        # Each edge stands in the expression at every point; SymPy is slow to build a Max and does so once this way.
+        return expr.xreplace({part: part.xreplace(stresses) for part in expr.atoms(sp.Max, sp.Min)} | stresses)
+
+    return put_in
 
 
 def quadrature_means(section: Section, rate: sp.Expr, threshold: sp.Expr) -> SectionMeans:

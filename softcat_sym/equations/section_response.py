@@ -11,7 +11,7 @@ from softcat_sym.equations.closure import ClosedSection
 from softcat_sym.equations.kinematics import StrainMeasure
 from softcat_sym.equations.law import Branch, Law
 from softcat_sym.equations.section import Contraction, Section
-from softcat_sym.equations.section_means import SectionMeans, scaled
+from softcat_sym.equations.section_means import SectionMeans, of_bending_alone, scaled
 from softcat_sym.equations.symbols import (
     A0,
     M,
@@ -182,15 +182,26 @@ class Shape:
         How it shrinks.
     strain : StrainMeasure
         Axial strain.
-    bends, curved : bool
-        Whether it carries a moment, and whether it is curved when relaxed.
+    bends, stretches, curved : bool
+        Whether it carries a moment, whether it stretches and carries a tension, and whether it is curved when relaxed.
     """
 
     section: Section
     contraction: Contraction
     strain: StrainMeasure
     bends: bool
+    stretches: bool
     curved: bool
+
+    @property
+    def axial_strain(self) -> sp.Expr:
+        """Strain of the centreline, a function of s."""
+        return self.strain.strain if self.stretches else sp.Integer(0)
+
+    @property
+    def mean_stress(self) -> sp.Expr:
+        """sigma_0, or nothing in a beam that does not stretch: only the part sigma_1 zeta is left of its stress."""
+        return sigma_0 if self.stretches else sp.Integer(0)
 
     @property
     def weight(self) -> sp.Expr:
@@ -208,9 +219,9 @@ def respond(shape: Shape, closed: ClosedSection, law: Law) -> SectionResponse:
         viscous=None if law.viscosity is None else _viscous(shape, closed, law.viscosity),
         area=area,
         thickness=thickness,
-        tension=area * sigma_0,
+        tension=area * shape.mean_stress,
         moment=bends * modulus * sigma_1,
-        stress_of_tension=T / area,
+        stress_of_tension=T / area if shape.stretches else sp.Integer(0),
         stress_of_moment=bends * M / modulus,
         axial_correction=bends * closed.axial_correction,
         volume=shape.weight,
@@ -234,20 +245,21 @@ def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchRespon
     if branch.flow is not None:
         means = branch.flow.means(shape.section)
         means = scaled(means, PLANE_STRAIN) if shape.section.plane_strain else means
+        means = means if shape.stretches else of_bending_alone(means)
     modulus = stiffness(shape.section, branch.modulus)
     bending = closed.lever * theta_X - (h0 * kappa_0 / 2 if shape.curved else zero)
-    plastic_mean = closed.recall_mean * a_0 if means else zero
+    plastic_mean = closed.recall_mean * a_0 if means and shape.stretches else zero
     plastic_bending = closed.recall_bending * a_1 if means else zero
     weight, bending_weight = shape.weight, bends * shape.weight * shape.section.zeta_squared
     return BranchResponse(
-        stress_mean=modulus * (shape.strain.strain - plastic_mean),
+        stress_mean=modulus * (shape.axial_strain - plastic_mean),
         stress_bending=-bends * modulus * (bending + plastic_bending),
         means=means,
         rate_mean=means.rate / closed.recall_mean if means else zero,
         rate_bending=bends * means.bending_rate / closed.recall_bending if means else zero,
-        elastic_mean=weight * sigma_0**2 / (2 * modulus),
+        elastic_mean=weight * shape.mean_stress**2 / (2 * modulus),
         elastic_bending=bending_weight * sigma_1**2 / (2 * modulus),
-        dissipation_mean=weight * sigma_0 * means.rate if means else zero,
+        dissipation_mean=weight * shape.mean_stress * means.rate if means else zero,
         dissipation_bending=bending_weight * sigma_1 * means.bending_rate if means else zero,
     )
 
@@ -257,9 +269,9 @@ def _viscous(shape: Shape, closed: ClosedSection, viscosity: sp.Expr) -> Viscous
     bends = sp.Integer(1) if shape.bends else sp.Integer(0)
     turning = sp.diff(closed.lever, s) * s_t * theta_X + closed.lever * theta_Xt
     return ViscousResponse(
-        stress_mean=eta * sp.diff(shape.strain.strain, s) * s_t,
+        stress_mean=eta * sp.diff(shape.axial_strain, s) * s_t,
         stress_bending=-bends * eta * turning,
-        dissipation_mean=shape.weight * sigma_0**2 / eta,
+        dissipation_mean=shape.weight * shape.mean_stress**2 / eta,
         dissipation_bending=bends * shape.weight * shape.section.zeta_squared * sigma_1**2 / eta,
-        rate=(sp.Abs(sigma_0) + sp.Abs(sigma_1)) / eta,
+        rate=(sp.Abs(shape.mean_stress) + sp.Abs(sigma_1)) / eta,
     )

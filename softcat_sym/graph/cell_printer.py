@@ -78,8 +78,8 @@ class CellPrinter:
     def force(self, slope: Pair, s: ca.SX, axial: ca.SX, moment_change: ca.SX) -> Pair:
         """Internal force of cells (2.1, 2.2)."""
         values = {sy.x_X: slope[0], sy.y_X: slope[1], sy.s: s, sy.Q: axial, sy.M_X: moment_change}
-        out = self._force(values)
-        return out["x"], out["y"]
+        out, every = self._force(values), ca.SX.ones(s.numel())
+        return out["x"] * every, out["y"] * every
 
     def section(self, name: str, values: Mapping[sy.Symbol, Any]) -> ca.SX:
         """One of the section's relations, named as in :class:`SectionResponse`, on vectors of cells or nodes."""

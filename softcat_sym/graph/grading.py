@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.prediction import beam_of, first_yield_gravity_number, gravity_number_of
 from softcat_sym.scene import Scene, groups_of
 
@@ -28,7 +28,7 @@ HINGE_CELL = 1 / 15
 at h0/L = 0.03 the error of the arrested filament falls from 1 % to 0.1 % as that cell shrinks from 1/5 to 1/10."""
 
 
-def choose_grading(scene: Scene, cells: int) -> float:
+def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> float:
     """Choose the ratio of the longest cell to the shortest; 1 where no end is clamped or nothing bends.
 
     Parameters
@@ -38,19 +38,21 @@ def choose_grading(scene: Scene, cells: int) -> float:
     cells : int
         Cells per half span. Only a hinge depends on them: the more there are, the sooner its cell is short enough. Who
         compares grids to estimate an error keeps the ratio of the coarsest, so that all lie on one map.
+    effects : Effects
+        Those in force; without them, what the scene calls for.
 
     Returns
     -------
     float
         Between 1 and 30; what ``grading`` of :func:`softcat_sym.graph.half_span` takes.
     """
-    effects = choose_effects(scene).names
-    if "clamped" not in (scene.ends.left, scene.ends.right) or "bending" not in effects:
+    names = (effects or choose_effects(scene)).names
+    if "clamped" not in (scene.ends.left, scene.ends.right) or "bending" not in names:
         return 1.0
-    hinge = "yielding" in effects and _may_yield(scene)
+    hinge = "yielding" in names and _may_yield(scene)
     if scene.model == "small-deflection":
         return LEAST
-    if "shear" in effects or "fibres" in effects:
+    if "shear" in names or "fibres" in names:
         return _ratio_for(HINGE_CELL * groups_of(scene).delta, cells) if hinge else LEAST
     return MOST if hinge else SMOOTH_KIRCHHOFF
 

@@ -24,17 +24,24 @@ from softcat_sym.graph.neck_force import neck_double_force, neck_tension
 
 
 def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
-    """Positions and velocities of free nodes; a_0 of every cell, a_1 of every node that carries a moment."""
+    """Positions and velocities of free nodes; a_0 of every cell, a_1 of every node that carries a moment.
+
+    A filament that does not stretch has neither x nor a_0: its nodes stay above the places where they start.
+    """
     free_x, free_y = free_nodes(grid)
     zeros = np.zeros(grid.cells + 1)
     plastic: list[Block] = []
+    stretches = equations.terms.stretches
     for axial, bending in plastic_names(equations):
-        plastic.append(cell_block(axial, grid))
+        if stretches:
+            plastic.append(cell_block(axial, grid))
         if equations.terms.bending:
             plastic.append(node_block(bending, bending_nodes(grid), grid, zeros))
+    along = (node_block("x", free_x, grid, grid.nodes),) if stretches else ()
+    along_speed = (node_block("u", free_x, grid, zeros),) if stretches else ()
     return Unknowns(
-        positions=(node_block("x", free_x, grid, grid.nodes), node_block("y", free_y, grid, zeros)),
-        velocities=(node_block("u", free_x, grid, zeros), node_block("v", free_y, grid, zeros)),
+        positions=(*along, node_block("y", free_y, grid, zeros)),
+        velocities=(*along_speed, node_block("v", free_y, grid, zeros)),
         plastic=tuple(plastic),
         profiles=linear_profiles(equations),
     )
@@ -43,16 +50,18 @@ def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
 def linear_profiles(equations: FilamentEquations) -> dict[str, tuple[float, float]]:
     """What each kind of plastic state is of a linear plastic strain."""
     names = plastic_names(equations)
-    return {axial: (1.0, 0.0) for axial, _ in names} | {bending: (0.0, 1.0) for _, bending in names}
+    means = {axial: (1.0, 0.0) for axial, _ in names} if equations.terms.stretches else {}
+    return means | {bending: (0.0, 1.0) for _, bending in names}
 
 
 def evaluate(equations: FilamentEquations, setting: Setting, state: State) -> Fields:
     """Evaluate the whole filament."""
     cell, grid = CellPrinter(equations, setting.values), setting.grid
     x, y = setting.positions(state)
+    x = x if equations.terms.stretches else unstretched_places(setting)
     per_length, per_span = ca.DM(1 / grid.cell_length), 1 / setting.values[sy.L_0]
     slope = (ca.diff(x) * per_length, ca.diff(y) * per_length)
-    s = cell.stretch(slope)
+    s = cell.stretch(slope) if equations.terms.stretches else ca.SX.ones(grid.cells, 1)
     strained = Strained(s, to_nodes(grid, s), turning(cell, setting, slope), *_rates(cell, setting, state, slope))
     section = stress_section(cell, setting, state.field, strained)
     turned = {sy.s: strained.stretch_node, sy.theta_X: strained.turning, sy.M: section.moment}
@@ -68,6 +77,14 @@ def evaluate(equations: FilamentEquations, setting: Setting, state: State) -> Fi
     }
     force = cell.force(slope, s, axial, transverse)
     return section_fields(setting, (x, y), force, section, shown, double_force)
+
+
+def unstretched_places(setting: Setting) -> ca.SX:
+    """Places of nodes that stay above those where a straight, level filament has them, in rest lengths."""
+    grid, nodes = setting.grid, ca.SX(setting.grid.nodes)
+    if grid.first.holds_height:
+        return nodes + (setting.supports.left_x - nodes[0])
+    return nodes + (setting.supports.right_x - nodes[-1])
 
 
 def turning(cell: CellPrinter, setting: Setting, slope: Pair) -> ca.SX:
@@ -98,7 +115,8 @@ def _rates(cell: CellPrinter, setting: Setting, state: State, slope: Pair) -> Pa
     per_length = ca.DM(1 / grid.cell_length)
     u, v = setting.velocities(state)
     speed = (ca.diff(u) * per_length, ca.diff(v) * per_length)
-    stretching = cell.stretch_rate(slope, speed)
+    stretches = cell.equations.terms.stretches
+    stretching = cell.stretch_rate(slope, speed) if stretches else ca.SX(grid.cells, 1)
     if not cell.equations.terms.bending:
         return stretching, ca.SX(grid.cells + 1, 1)
     at_rest = (ca.SX(0), ca.SX(0))

@@ -154,6 +154,8 @@ def section_fields(
     cell, node = ca.DM(grid.cell_length) * shape.area_cells, ca.DM(grid.node_length) * shape.area_nodes
     dissipated, stored = section.gather("dissipation"), section.gather("elastic")
     branches = section.parts[:-1] if section.viscous else section.parts
+    # Where nothing stretches, no cell dissipates: a power that is zero at every place is left out of the quadratures.
+    places = [cell * dissipated[0], node * dissipated[1]]
     rates = {branch_name("a_0", j): part.cells["rate_mean"] for j, part in enumerate(branches)}
     rates |= {branch_name("a_1", j): part.nodes["rate_bending"] for j, part in enumerate(branches)}
     return Fields(
@@ -164,7 +166,7 @@ def section_fields(
         force_y=force[1],
         plastic_rates=rates,
         elastic_energy=ca.dot(cell, stored[0]) + ca.dot(node, stored[1]),
-        dissipation=ca.vertcat(cell * dissipated[0], node * dissipated[1]),
+        dissipation=places[1] if places[0].is_zero() else ca.vertcat(*places),
         observables={
             **shown,
             "tension": section.tension,

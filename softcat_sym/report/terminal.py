@@ -45,7 +45,8 @@ def summary_rows(summary: Summary, scene: PicturedScene) -> list[tuple[str, str]
         rows.append(("energy residual", f"{significant(summary['energy_residual'])} of the largest energy"))
     rows.append(("effects", _listed(summary.get("effects"))))
     if summary.get("left_out"):
-        rows.append(("left out", _listed(summary["left_out"])))
+        rows.append(("left out", _left_out(summary)))
+    rows.extend(("repeated", str(text)) for text in summary.get("repeats") or ())
     parts = [str(summary[key]) for key in ("solver", "backend") if summary.get(key)]
     if summary.get("cells") is not None:
         parts.append(f"{summary['cells']} cells a half span")
@@ -125,6 +126,16 @@ def _listed(reasons: Mapping[str, Any] | None) -> str:
     if not reasons:
         return "none"
     return "\n".join(f"{name}: {_value(value)}" if value not in (None, "") else name for name, value in reasons.items())
+
+
+def _left_out(summary: Summary) -> str:
+    """What each omitted effect would have changed, as expected before the run and as the run shows it."""
+    shown = summary.get("checked") or {}
+    lines = []
+    for name, expected in summary["left_out"].items():
+        seen = f", seen {significant(shown[name])}" if name in shown else ""
+        lines.append(f"{name}: expected {significant(expected)}{seen}")
+    return "\n".join(lines)
 
 
 def _wall(stages: Mapping[str, float] | None) -> str:

@@ -236,12 +236,15 @@ class Names(AsValidator):
         if isinstance(value, str):
             if value in self.words:
                 return value
-            raise refusal(_unknown_name(value, self.words), self.accepted)
+            if value.strip().startswith("["):
+                raise refusal(f"{shown(value)} is not a list: its brackets or quotes do not match", self.accepted)
+            list_of_one = f', or a list, even of one: ["{value}"]'
+            raise refusal(_unknown_name(value, self.words), f"{', '.join(self.words)}{list_of_one}")
         if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
             raise refusal(f"{shown(value)} is not a list of names", self.accepted)
         repeated = sorted({item for item in value if value.count(item) > 1})
         if repeated:
-            raise refusal(f"{', '.join(repeated)} named twice", self.accepted)
+            raise refusal(f"{', '.join(map(repr, repeated))} named twice", "each name once")
         return tuple(value)
 
     def write(self, value: str | tuple[str, ...]) -> object:

@@ -97,7 +97,11 @@ def _table_of(text: str, source: str) -> dict[str, Any]:
     try:
         table = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
-        raise _refuse(source, f"not TOML: {shown(str(error), 200)[1:-1]}", "TOML, as `softcat scenes` shows") from None
+        raise _refuse(
+            source,
+            f"not TOML: {shown(str(error), 200)[1:-1]}",
+            "TOML; `softcat explain no-yield -o DIR` writes a scene",
+        ) from None
     if not table:
         raise _refuse(source, "the file is empty", "at least the tables [filament], [material], [run], or [groups]")
     return table

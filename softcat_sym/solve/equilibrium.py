@@ -34,8 +34,11 @@ class Equilibrium:
         self._shape = np.isin(graph.z_kinds, ("x", "y", "psi"))
         self._bends = "bending" in graph.effects
         inputs = [graph.t, graph.x, graph.z, graph.p]
+        jacobian = ca.jacobian(graph.alg, graph.z)
+        # Of a beam that does not stretch: the first whole step ends at the answer, however far that is.
+        self._linear = not ca.depends_on(jacobian, graph.z)
         self._residual = ca.Function("residual", inputs, [graph.alg])
-        self._jacobian = ca.Function("jacobian", inputs, [ca.jacobian(graph.alg, graph.z)])
+        self._jacobian = ca.Function("jacobian", inputs, [jacobian])
         # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
         self._stiffness = ca.Linsol("stiffness", "qr", self._jacobian.sparsity_out(0))
 
@@ -85,6 +88,8 @@ class Equilibrium:
 
     def _fraction(self, time: float, x: Floats, z: Floats, p: Floats, stiffness: ca.DM, step: Floats) -> float:
         """Fraction of the step after which less remains; if there is none, the longest, in hope of the next."""
+        if self._linear:
+            return 1.0
         size = float(np.linalg.norm(step))
         # A straight string has next to no stiffness: its first step would end spans away, where elasticity softens.
         reach = float(np.max(np.abs(step[self._shape]), initial=0.0))

@@ -59,7 +59,7 @@ class FrameIntegrator:
         ode, alg, quad = ca.substitute([graph.ode, graph.alg, powers], [graph.t], [now])
         # Without inertia nothing but flow limits the steps of IDAS, and where nothing flows a quadrature would be left
         # with one point a frame: the powers then count as unknowns, whose error is controlled.
-        self._works = 3 if settings.solver == "idas" and "u" not in graph.x_kinds else 0
+        self._works = 3 if settings.solver == "idas" and "v" not in graph.x_kinds else 0
         works = ca.SX.sym("works", self._works)
         dae = {
             "t": tau,

@@ -16,6 +16,10 @@ class Outcome(Enum):
         "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, or ask for a smaller "
         "run.accuracy"
     )
+    overlooked = (
+        "an effect that was left out matters more than the accuracy asked, and the run was not repeated once more: "
+        "name the effects in run.effects, or ask for a larger run.accuracy"
+    )
     step_limit = (
         "the integrator ran out of steps: loosen numerics.rtol, shorten run.duration, or try another numerics.solver"
     )

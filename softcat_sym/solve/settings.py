@@ -33,6 +33,7 @@ _STEPS_PER_FRAME = 100_000
 # a tenth of the accuracy asked or less.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
 _VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
+_TURNING = 0.05  # of BDF where sections have inertia: their waves must not spoil the energy balance
 _CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
 _REST = 0.04  # of IDAS where a filament that yields throughout comes to rest: its last swings are small, not absent
 _QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load starts must be followed from the beginning
@@ -86,14 +87,14 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
     solver, reason = _solver(scene, effects)
     rtol = scene.numerics.rtol or scene.run.accuracy * _tightening(scene, effects, solver)
     wanted = rtol * _ATOL_PER_RTOL[solver] * _smallest_strain(scene)
-    noise = _roundoff(scene) if "inertia" in effects.names else 0.0
+    noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
     return Settings(solver, rtol, max(wanted, noise), reason)
 
 
-def _roundoff(scene: Scene) -> float:
+def _roundoff(scene: Scene, effects: Effects) -> float:
     """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
     modulus, weight = instant_modulus(scene), weight_stress(scene)
-    cells = 0.5 / float(np.min(choose_grid(scene).cell_length))
+    cells = 0.5 / float(np.min(choose_grid(scene, effects).cell_length))
     return _NOISE * cells * math.sqrt(modulus / weight) if modulus is not None and weight > 0 else 0.0
 
 
@@ -104,6 +105,8 @@ def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
     if solver != "rosenbrock":
         if _is_slow(scene):
             return _CREEP
+        if "rotary-inertia" in effects.names:
+            return _TURNING
         if "yielding" not in effects.names:
             return _VISCOUS
         if _creeps_to_rest(scene, effects):
@@ -133,8 +136,9 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
     if _flow_damps(scene, effects):
         solver: Name = "idas" if algebraic else "cvodes"
         return solver, "flow damps the elastic waves: BDF of order 2 is the cheapest"
-    if algebraic and _creeps_to_rest(scene, effects):
-        return "idas", "it yields throughout and creeps to rest: BDF of order 2, tightly, is the cheapest"
+    if _creeps_to_rest(scene, effects):
+        slow: Name = "idas" if algebraic else "cvodes"
+        return slow, "it yields throughout and creeps to rest: BDF of order 2, tightly, is the cheapest"
     return "rosenbrock", "elastic waves ring on: a fifth-order method does not damp them by itself"
 
 

@@ -35,12 +35,17 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
     Parameters
     ----------
     fields : mapping of str to ndarray
-        ``plastic_rate`` and ``yielded_fraction`` (frames, cells), ``energy_dissipated`` (frames,).
+        ``plastic_rate``, ``yielded_fraction``, ``stress_mean``, ``stress_bending`` (frames, cells),
+        ``energy_dissipated`` (frames,).
     midpoint : ndarray, shape (frames,)
         Height of the midpoint [m].
     """
-    if is_solid(scene) or not {"viscous-flow", "viscous-stress"} & set(effects.names):
+    if is_solid(scene):
         return "elastic"
+    if not {"viscous-flow", "viscous-stress"} & set(effects.names):
+        limit = yield_stress_of(scene)
+        stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])
+        return "no-yield" if limit is not None and float(np.max(stress)) < limit else "elastic"
     if "yielding" not in effects.names:
         return "viscous"
     if not np.any(fields["yielded_fraction"] > 0) and not np.any(fields["energy_dissipated"] > 0):

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from softcat_sym.effects import Effects
-from softcat_sym.effects.necking_gradient import NECKING_GRADIENT, neck_length
+from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
+from softcat_sym.effects.necks import neck_length
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Solution
+from softcat_sym.trajectory.checking import measures, overlooked, spared
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
 from softcat_sym.trajectory.localisation import neck_that_the_grid_decides
 from softcat_sym.trajectory.regime import regime_of
+from softcat_sym.trajectory.seen import seen
 from softcat_sym.trajectory.validity import warnings_of
 
 if TYPE_CHECKING:
@@ -40,12 +43,32 @@ class Trajectory:
         What ``summary.json`` holds.
     outcome : Outcome
         Whether the answer may be used, and otherwise what to do.
+    overlooked : dict of str to str
+        Effects that ``auto`` has left out and that the run shows to matter, and how; empty in what `simulate` returns
+        with success.
     """
 
     scene: Scene
     data: xr.Dataset
     summary: dict[str, Any]
     outcome: Outcome
+    overlooked: dict[str, str]
+
+    def repeated(self, repeats: list[str]) -> Trajectory:
+        """The same run as the last of several: each text says what the run before had overlooked."""
+        warnings = [*self.summary["warnings"]]
+        if len(repeats) > 1:
+            warnings.append(f"repeated {len(repeats)} times: an estimate is wrong for this scene, please report it")
+        outcome = self.outcome
+        if self.overlooked and outcome.is_success:
+            outcome = Outcome.overlooked
+        changed: dict[str, Any] = {"repeats": repeats, "warnings": warnings}
+        changed |= {"outcome": outcome.name, "advice": outcome.value}
+        if outcome is not self.outcome:
+            complaint = "; ".join(f"{name}: {how}" for name, how in self.overlooked.items())
+            changed |= {"complaint": complaint, "regime": None}
+        self.data.attrs["outcome"] = outcome.name
+        return replace(self, summary=self.summary | changed, outcome=outcome)
 
     def save(self, directory: str | Path) -> list[Path]:
         """Write ``trajectory.nc``, ``summary.json`` and ``scene.toml``; files of the same name are replaced whole.
@@ -85,6 +108,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     # A sequence of equilibria is exact frame by frame: there the imbalance only tells how far apart the frames are.
     audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
     outcome, complaint = _outcome(scene, effects, solution, fields, places[0], audited)
+    measured = measures(scene, effects, seen(scene, effects, time, places, fields))
     summary = {
         "title": scene.title,
         "outcome": outcome.name,
@@ -98,6 +122,8 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "energy_residual": residual,
         "effects": dict(effects.reasons),
         "left_out": dict(effects.left_out),
+        "checked": {name: measure.value for name, measure in measured.items()},
+        "repeats": [],
         "closure": scene.run.closure,
         "cells": prepared.graph.grid.cells if prepared.graph.grid.is_half else prepared.graph.grid.cells // 2,
         "solver": prepared.settings.solver,
@@ -106,11 +132,11 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "steps": solution.steps,
         "backend": "interpreted",
         "converted": list(scene.material.notes),
-        "warnings": [*warnings_of(scene, time, midpoint)],
+        "warnings": [*warnings_of(scene, time, midpoint), *spared(scene, effects, measured)],
         "wall_s": wall,
     }
     data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}
-    return Trajectory(scene, data, summary, outcome)
+    return Trajectory(scene, data, summary, outcome, overlooked(scene, effects, measured, outcome))
 
 
 def _outcome(

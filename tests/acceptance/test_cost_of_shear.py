@@ -55,7 +55,7 @@ def test_energies_add_up_with_every_effect_in_force() -> None:
         assert run.summary["energy_residual"] < run.scene.run.accuracy
         assert gradient > 10 * run.summary["energy_residual"]
     assert set(every) == {*everything, "rotary-inertia"}
-    assert len(every) == 12
+    assert len(every) == 13
     show("energy residual", ("effects", "solver", "residual", "work against the gradient/dissipated"), rows)
 
 

@@ -70,6 +70,7 @@ def test_the_outer_solution_is_exact_for_a_string_without_inertia_and_the_third_
             "run.effects": ["viscous-flow"],
             "run.accuracy": 1e-5,
             "numerics.solver": "rosenbrock",
+            "numerics.cells": 80,
         }
         run = sc.simulate(sc.load_scene("maxwell-slow", changes))
         assert run.outcome is sc.Outcome.solved

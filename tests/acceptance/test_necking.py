@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.necking_gradient import neck_length
+from softcat_sym.effects.necks import neck_length
 from softcat_sym.errors import SoftcatError
 from softcat_sym.reference import Mesh
 from softcat_sym.trajectory import Trajectory

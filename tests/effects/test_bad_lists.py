@@ -20,14 +20,14 @@ def faults(effects: list[str], law: str = "bingham", ramp: str = "0.1 s") -> tup
 def test_a_misspelt_effect_is_told_its_nearest_name() -> None:
     (fault,) = faults(["inertia", "bendign"])
     assert "'bendign'" in fault.found
-    assert "did you mean 'bending'?" in fault.accepted
+    assert "did you mean 'bending'?" in fault.found
     assert "large-rotation" in fault.accepted
 
 
 def test_an_unknown_effect_is_told_all_names() -> None:
     (fault,) = faults(["quux"])
     assert "'quux'" in fault.found
-    assert "did you mean" not in fault.accepted
+    assert "did you mean" not in fault.found
     assert "viscous-flow" in fault.accepted
 
 
@@ -62,6 +62,6 @@ def test_a_ramp_needs_a_ramp() -> None:
 def test_all_faults_stand_in_one_error() -> None:
     asked = ["inertia", "bendign", "yielding", "gravity-ramp"]
     found = " | ".join(str(fault) for fault in faults(asked, "maxwell", "0 s"))
-    for part in ("'bendign'", "'yielding' cannot", "'yielding' without", "'gravity-ramp' cannot"):
+    for part in ("'bendign'", "'yielding' cannot", "'gravity-ramp' cannot"):
         assert part in found
-    assert len(faults(asked, "maxwell", "0 s")) == 4
+    assert len(faults(asked, "maxwell", "0 s")) == 3

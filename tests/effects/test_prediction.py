@@ -7,6 +7,7 @@ import math
 import pytest
 
 from softcat_sym.effects import REGISTRY
+from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.prediction import (
     bending_stiffness,
     duration_star,
@@ -143,7 +144,7 @@ def test_duration_in_units_of_the_fall() -> None:
 def test_estimates_of_bundled_scenes_are_finite_and_not_negative(name: str) -> None:
     scene = load_scene(name)
     for effect in REGISTRY:
-        estimate = effect.estimate(scene)
+        estimate = effect.estimate(scene, forecast(scene))
         assert math.isfinite(estimate.value), effect.name
         assert estimate.value >= 0, effect.name
         assert estimate.meaning in str(estimate)
@@ -156,5 +157,5 @@ def test_estimates_of_bundled_scenes_are_finite_and_not_negative(name: str) -> N
 def test_estimates_of_any_scene_are_finite_and_not_negative(law: str, gravity: str, ends: dict[str, str]) -> None:
     scene = scene_of(law, load={"gravity": gravity}, ends=ends)
     for effect in REGISTRY:
-        assert math.isfinite(effect.estimate(scene).value), effect.name
-        assert effect.estimate(scene).value >= 0, effect.name
+        assert math.isfinite(effect.estimate(scene, forecast(scene)).value), effect.name
+        assert effect.estimate(scene, forecast(scene)).value >= 0, effect.name

@@ -27,6 +27,7 @@ def filament(
     finite: bool = True,
     thin: bool = True,
     bending: bool = True,
+    stretches: bool = True,
     large: bool = True,
     ramp: bool = True,
 ) -> FilamentEquations:
@@ -37,6 +38,7 @@ def filament(
         thins=thin,
         inertia=True,
         bending=bending,
+        stretches=stretches,
         gravity=ramped_gravity() if ramp else Terms().gravity,
         gravity_rate=ramp_rate() if ramp else sp.Integer(0),
         law=law_of(law),
@@ -47,8 +49,9 @@ def filament(
 
 
 def all_filaments() -> list[FilamentEquations]:
-    """Both sections, both closures, three laws, with everything and with each effect missing."""
+    """Every section, both closures, three laws, with everything, with each effect missing, and without stretching."""
     missing = [{}, *({name: False} for name in ("finite", "thin", "bending", "large", "ramp"))]
+    missing.append(dict.fromkeys(("finite", "thin", "large", "stretches"), False))
     return [
         filament(shape, closure, law, **options)
         for shape, closure, law, options in product(section.SECTIONS, CLOSURES, LAWS, missing)

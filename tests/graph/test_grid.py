@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.graph import End, Grid, half_span, whole_span
-from softcat_sym.graph.choosing import DEFAULT_CELLS, choose_grid
+from softcat_sym.graph.choosing import CLAMPED_CELLS, choose_grid
 from softcat_sym.graph.kirchhoff import bending_nodes, free_nodes
 
 from .filaments import scene_of
@@ -67,7 +67,7 @@ def test_a_symmetric_scene_takes_half_the_span() -> None:
     scene = scene_of()
     grid = choose_grid(scene)
     assert grid.is_half
-    assert grid.cells == DEFAULT_CELLS
+    assert grid.cells == CLAMPED_CELLS
     uneven = choose_grid(scene.replace({"ends.left": "pinned", "numerics.cells": 6}))
     assert not uneven.is_half
     assert (uneven.cells, uneven.first, uneven.last) == (12, End.PINNED, End.CLAMPED)

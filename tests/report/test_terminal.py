@@ -119,7 +119,7 @@ def test_summary_says_what_a_user_asks(summary, scene):
     assert words["final midpoint"] == "\N{MINUS SIGN}50.0 mm = \N{MINUS SIGN}0.250 of the span"
     assert words["error estimate"] == "not estimated"
     assert words["effects"].splitlines() == ["inertia: always", "yielding: the law yields [at 9.32 kPa]"]
-    assert words["left out"] == "shear: 0.0210"
+    assert words["left out"] == "shear: expected 0.0210"
     assert words["solver"] == "cvodes, interpreted, 80 cells a half span"
     assert words["wall time"].startswith("build 0.500 s, compile 0 s, solve 0.210 s")
     assert words["warning"] == "surface tension: Ca = 0.3"

@@ -97,7 +97,7 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"run.effects": "papers"}, "run.effects", "did you mean 'paper'?"),
     ({"run.effects": 3}, "run.effects", "3 is not a list of names"),
     ({"run.effects": ["inertia", 3]}, "run.effects", "is not a list of names"),
-    ({"run.effects": ["inertia", "inertia"]}, "run.effects", "inertia named twice"),
+    ({"run.effects": ["inertia", "inertia"]}, "run.effects", "'inertia' named twice"),
     ({"numerics.cells": 3}, "numerics.cells", "3 is out of range; accepted: a whole number from 4"),
     ({"numerics.rtol": -1e-3}, "numerics.rtol", "out of range"),
 ]

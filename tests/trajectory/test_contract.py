@@ -149,7 +149,7 @@ def test_the_summary(saved: Path) -> None:
     stages = [value for name, value in summary["wall_s"].items() if name != "total"]
     assert summary["wall_s"]["total"] == pytest.approx(math.fsum(stages))
     assert summary["effects"] == dict(choose_effects(run().scene).reasons)
-    assert set(summary["left_out"]) == {"necking-gradient", "rotary-inertia"}
+    assert set(summary["left_out"]) == {"rotary-inertia"}
 
 
 def test_cells_of_a_lopsided_run_are_counted_per_half() -> None:

@@ -1,0 +1,101 @@
+"""``softcat effects``: what each effect is worth, and what it costs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    OutputOption,
+    QuietOption,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    judge,
+    scene_of,
+)
+from softcat_sym.errors import SoftcatError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from contextlib import AbstractContextManager
+    from pathlib import Path
+
+    from softcat_sym.scene import Scene
+    from softcat_sym.solve import Progress
+
+
+@app.command()
+def effects(
+    output: OutputOption,
+    scene: Annotated[
+        str | None, typer.Argument(metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.")
+    ] = None,
+    bundled: Annotated[bool, typer.Option("--bundled", help="All bundled scenes instead, with a table.")] = False,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Put each effect in or leave it out in turn: effects.csv, .json and .png in DIR.
+
+    With --bundled --set changes every scene, and a scene that cannot be priced is a line of the table.
+    """
+    if bundled is (scene is not None):
+        raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
+    check_directory(output)
+    try:
+        if scene is None:
+            _all(output, changes or [], quiet=quiet)
+        else:
+            _one(scene, scene_of(scene, changes), output, quiet=quiet)
+    except KeyboardInterrupt:
+        complain(f"interrupted; {'what was finished before is' if bundled else 'nothing was'} written")
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def _one(name: str, asked: Scene, output: Path, *, quiet: bool) -> None:
+    from softcat_sym.report.pricing import print_pricing, write_pricing
+    from softcat_sym.study.pricing import price_effects
+
+    pricing = price_effects(asked, _listening(asked, "", quiet=quiet), name)
+    written = write_pricing(pricing, output)
+    if not quiet:
+        print_pricing(pricing)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    judge(pricing.base.outcome, pricing.base.complaint, quiet=quiet)
+
+
+def _all(output: Path, changes: list[str], *, quiet: bool) -> None:
+    from softcat_sym.report.pricing import write_pricings
+    from softcat_sym.scene import bundled_names
+    from softcat_sym.study.bundled_pricing import price_bundled
+
+    refused = [error for name in bundled_names() if (error := _refusal(name, changes)) is not None]
+    if len(refused) == len(bundled_names()):
+        raise refused[0]
+
+    def listening(name: str, asked: Scene) -> Callable[[str], AbstractContextManager[Progress]]:
+        return _listening(asked, f"{name}, ", quiet=quiet)
+
+    written = write_pricings(price_bundled(bundled_names(), listening, changes), output)
+    if not quiet:
+        typer.echo(f"wrote {len(written)} files to {output}, among them {written[-1].name}")
+
+
+def _refusal(name: str, changes: list[str]) -> SoftcatError | None:
+    """What is wrong with the changes of a scene, if anything is."""
+    from softcat_sym.effects import choose_effects
+
+    try:
+        choose_effects(scene_of(name, changes))
+    except SoftcatError as error:
+        return error
+    return None
+
+
+def _listening(asked: Scene, before: str, *, quiet: bool) -> Callable[[str], AbstractContextManager[Progress]]:
+    from softcat_sym.report.progress import IntegrationProgress
+
+    return lambda what: IntegrationProgress(asked.run.duration, f"{before}{what}", quiet=quiet)

@@ -1,0 +1,37 @@
+"""``softcat flow-curve``: a rheometer's measurements become a material."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from softcat_sym.cli.application import OutputOption, QuietOption, SetOption, app, check_directory
+
+
+@app.command("flow-curve")
+def flow_curve(
+    curve: Annotated[str, typer.Argument(metavar="CSV", help="Columns shear_rate_1_s and shear_stress_Pa.")],
+    output: OutputOption,
+    scene: Annotated[
+        str | None, typer.Option("--scene", metavar="SCENE", help="Write this scene with the fitted material, too.")
+    ] = None,
+    law: Annotated[
+        str | None, typer.Option("--law", metavar="LAW", help="Hand this law on: bingham, power-law, herschel-bulkley.")
+    ] = None,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Fit a rheometer's flow curve: flow_curve.json, picture and table in DIR; with --scene, scene.toml."""
+    if changes and scene is None:
+        raise typer.BadParameter("it changes a scene: name one with --scene", param_hint="--set")
+    check_directory(output)
+    from softcat_sym.inverse import fit_flow_curve, fitted_scene
+    from softcat_sym.report.flow_curve import print_flow_curve, write_flow_curve
+
+    fit = fit_flow_curve(curve)
+    handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])
+    written = write_flow_curve(fit, output, law, handed_on)
+    if not quiet:
+        print_flow_curve(fit)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")

@@ -1,0 +1,292 @@
+"""The regime that a scene should show, from its groups alone (3.9)-(3.14), by the names of a finished run."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import sympy as sp
+
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.plastic_overshoot import hinge_pace, overshoot, rebound, ringing_share
+from softcat_sym.effects.prediction import (
+    beam_of,
+    duration_star,
+    first_yield_gravity_number,
+    gravity_number_of,
+    instant_modulus,
+    viscous_number,
+    weight_stress,
+    yield_stress_of,
+)
+from softcat_sym.equations import regimes
+from softcat_sym.equations.fibres import SHEAR_CORRECTION
+from softcat_sym.equations.section import SECTIONS
+from softcat_sym.scene import Scene, gravity_time, groups_of, is_held, is_slack, stress_free_length, undeformed_area
+from softcat_sym.scene.support_path import farthest
+
+TURNS_BACK = 0.05
+"""Underdamped: it springs back by more than this share of its sag, as a finished run is judged.
+
+The rebound of the parabola is some 1.3 times that of the filament: of G = 0.04 to 0.4 and V = 0.4 to 26 of the paper's
+filament, every run falls on the side of the limit where its parabola does. Near the limit the estimate may miss: the
+bundled drying-ink, stressed from the start, is expected to spring back by 0.08 and does by 0.03.
+"""
+
+HINGES_CREEP = 0.78
+"""Pace of a hinge at a clamp above which a finished run counts as descending.
+
+It counts as arrested below 0.5 sigma_Y/eta. In the paper's overdamped arrest (G = 0.4, V = 26) a hinge flows at 0.25
+sigma_Y/eta at the end, of which :func:`hinge_pace` predicts 0.39: the limit is 0.5 (0.39/0.25).
+"""
+
+HANGING = 1.0
+"""G above which a filament with a free end never stops: hung up vertically, it carries rho g L at its end."""
+
+# First natural frequency of a uniform beam, (b L)^2 of omega = (b L)^2 sqrt(EI/(rho A L^4)).
+_FIRST_MODE = {
+    regimes.CLAMPED: 4.730041**2,
+    regimes.PROPPED: 3.926602**2,
+    regimes.PINNED: math.pi**2,
+    regimes.CANTILEVER: 1.875104**2,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class ExpectedRegime:
+    """What a run should show; None where the law has no such number.
+
+    Attributes
+    ----------
+    name : str
+        As :data:`softcat_sym.trajectory.regime.Regime`.
+    reason : str
+        In words, with the numbers that decide.
+    gravity_number : float or None
+        G (3.10) of the most stressed section, with a point mass at midspan counted twice.
+    first_yield : float or None
+        G from which a fibre yields, (3.11) with stretching, overshoot and initial stress.
+    collapse : float or None
+        G from which the straight beam gives way and only its sag can hold it.
+    arrest_paper, arrest_exact : float or None
+        G above which nothing holds it: sqrt 2 (3.12), and of the exact catenary; 1 with a free end.
+    stopping_depth_paper, stopping_depth_exact : float or None
+        Sag over span at which a catenary of largest stress sigma_Y rests (3.13), and the exact one; None beyond
+        the thresholds, and with a free end.
+    overshoot : float or None
+        Where it first stops, over that depth.
+    rebound : float or None
+        How far it then springs back, over its sag.
+    hinge_pace : float or None
+        Plastic rate left at a clamp at the end of the run, over sigma_Y/eta.
+    """
+
+    name: str
+    reason: str
+    gravity_number: float | None = None
+    first_yield: float | None = None
+    collapse: float | None = None
+    arrest_paper: float | None = None
+    arrest_exact: float | None = None
+    stopping_depth_paper: float | None = None
+    stopping_depth_exact: float | None = None
+    overshoot: float | None = None
+    rebound: float | None = None
+    hinge_pace: float | None = None
+
+
+def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
+    """Predict the regime.
+
+    A filament that yields (G above first yield) descends for ever above the exact threshold of (3.12). Below it, it
+    stops: underdamped where it springs back by more than :data:`TURNS_BACK`, otherwise overdamped; unless the hinges
+    at its clamps still creep when the run ends (:data:`HINGES_CREEP`).
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+    effects : collection of str
+        Names of the effects in force.
+    """
+    gravity_number = worst_gravity_number(scene)
+    if is_solid(scene):
+        return ExpectedRegime("elastic", "the law is a solid's: it swings about, or creeps to, its elastic sag")
+    if not {"viscous-flow", "viscous-stress"} & set(effects):
+        if gravity_number is not None:
+            sound = _with_yield_stress(scene, effects, gravity_number)
+            if sound.name == "no-yield":
+                return sound
+        return ExpectedRegime("elastic", "no flow is in force: it swings about its elastic sag")
+    if "yielding" not in effects or gravity_number is None:
+        why = "yielding is not in force" if gravity_number is not None else "the law has no yield stress"
+        return ExpectedRegime("viscous", f"{why}: it flows for as long as it is loaded")
+    return _with_yield_stress(scene, effects, gravity_number)
+
+
+def worst_gravity_number(scene: Scene) -> float | None:
+    """G of the thinnest section, which carries the same tension; a weight at midspan counts twice as much as spread."""
+    plain = gravity_number_of(scene)
+    if plain is None:
+        return None
+    filament = scene.filament
+    areas = [part ** SECTIONS[filament.section].area_power for part in filament.profile] or [1.0]
+    mean = sum(areas) / len(areas)
+    carried = scene.load.point_mass / (filament.density * undeformed_area(scene) * filament.span)
+    return plain * (mean + 2 * carried) / min(areas)
+
+
+def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
+    """G from which a fibre yields: static (3.11) over what the weight overshoots by, less what is stressed already."""
+    ringing = ringing_share(_first_frequency(scene), _ramp(scene, effects)) if "inertia" in effects else 0.0
+    overshot = 1 + (float(beam_of(scene).overshoot_bound) - 1) * ringing
+    limit, modulus, initial = yield_stress_of(scene) or 0.0, instant_modulus(scene) or 0.0, scene.initial
+    there = max(map(abs, initial.P), default=0.0) + max(map(abs, initial.C), default=0.0)
+    there += 0.0 if initial.relaxed else abs(math.log(initial.stretch))
+    # Tension helps a filament that is loaded slowly. One that swings is not relied on to have it when it bends most:
+    # the paper's yields at G = 0.04, where the tension of its static sag would put first yield at 0.041.
+    linear = first_yield_gravity_number(scene)
+    static = linear + (1 - ringing) * (_static_first_yield(scene) - linear)
+    return static / overshot * max(0.0, 1 - modulus * there / limit)
+
+
+def _with_yield_stress(scene: Scene, effects: Collection[str], gravity_number: float) -> ExpectedRegime:
+    held = is_held(scene)
+    collapse = regimes.plastic_collapse(SECTIONS[scene.filament.section], beam_of(scene))
+    paper, exact = (float(regimes.ARREST_THRESHOLD), _exact_threshold()) if held else (HANGING, HANGING)
+    found = functools.partial(
+        ExpectedRegime,
+        gravity_number=gravity_number,
+        first_yield=first_yield_under_load(scene, effects),
+        collapse=float(collapse.subs(regimes.delta, groups_of(scene).delta)),
+        arrest_paper=paper,
+        arrest_exact=exact,
+        stopping_depth_paper=_depth_paper(gravity_number) if held and 0 < gravity_number < paper else None,
+        stopping_depth_exact=_depth_exact(gravity_number) if held and 0 < gravity_number < exact else None,
+    )
+    blank = found("no-yield", "")
+    if gravity_number < (blank.first_yield or 0.0) and not _pulled_beyond_yield(scene):
+        return found("no-yield", f"G = {gravity_number:.3g} is below first yield at {blank.first_yield:.3g}")
+    if gravity_number >= exact:
+        what = "no catenary rests" if held else "not even hanging straight down does it rest"
+        return found("descending", f"{what}: G = {gravity_number:.3g} is beyond {exact:.4g}")
+    if scene.ends.motion and scene.ends.motion[-1][0] > 0.9 * scene.run.duration:
+        return found("descending", "its support still moves when the run ends")
+    return _arrested(scene, effects, blank, found)
+
+
+def _arrested(
+    scene: Scene, effects: Collection[str], numbers: ExpectedRegime, found: functools.partial[ExpectedRegime]
+) -> ExpectedRegime:
+    """Overdamped, underdamped, or still creeping when the run ends."""
+    gravity_number, modulus, limit = numbers.gravity_number or 0.0, instant_modulus(scene), yield_stress_of(scene)
+    viscous = viscous_number(scene) or 0.0
+    if gravity_number == 0 or not modulus or not limit:
+        return found("arrested-overdamped", "nothing but its supports makes it flow")
+    past = overshoot(gravity_number, viscous, _ramp(scene, effects)) if "inertia" in effects else 1.0
+    springs = rebound(gravity_number, limit / modulus, past)
+    if gravity_number < (numbers.collapse or 0.0):
+        springs = _swing(scene, effects, gravity_number)
+    depth = past * (numbers.stopping_depth_exact or 0.0)
+    clamped = "clamped" in (scene.ends.left, scene.ends.right) and "bending" in effects
+    pace = hinge_pace(gravity_number, viscous, depth, duration_star(scene)) if clamped else 0.0
+    named = functools.partial(found, overshoot=past, rebound=springs, hinge_pace=pace)
+    carried = _how_it_is_held(scene, numbers)
+    if pace > HINGES_CREEP:
+        creeps = f"but at the end of the run its clamps still flow at {pace:.2g} sigma_Y/eta or so"
+        return named("descending", f"{carried}, {creeps}")
+    kind = "underdamped" if springs > TURNS_BACK else "overdamped"
+    stops = "" if gravity_number < (numbers.collapse or 0.0) else f"stops at {past:.3g} times its depth of rest and "
+    beyond = f"it {stops}springs back by {springs:.2g} of its sag"
+    return named(f"arrested-{kind}", f"{carried}; {beyond} ({kind}: limit {TURNS_BACK:g})")
+
+
+def _swing(scene: Scene, effects: Collection[str], gravity_number: float) -> float:
+    """Rebound of a beam that holds its load: it rings about its static sag, with bending and the tension at yield."""
+    if "inertia" not in effects:
+        return 0.0
+    frequency = math.hypot(_first_frequency(scene), math.sqrt(10 / gravity_number))
+    left = ringing_share(frequency, _ramp(scene, effects))
+    return 2 * left / (1 + left)
+
+
+def _how_it_is_held(scene: Scene, numbers: ExpectedRegime) -> str:
+    value = f"G = {numbers.gravity_number:.3g}"
+    if (numbers.gravity_number or 0.0) < (numbers.collapse or 0.0):
+        return f"some fibres yield and the beam itself holds it ({value} is below its plastic collapse at " + (
+            f"{numbers.collapse:.3g})"
+        )
+    if not is_held(scene):
+        return f"it droops until it hangs ({value} is below {HANGING:g})"
+    slack = ", though it starts slack" if is_slack(scene) else ""
+    return f"it yields and a catenary holds it ({value} is below {numbers.arrest_exact:.4g}){slack}"
+
+
+def _pulled_beyond_yield(scene: Scene) -> bool:
+    """Whether the supports, moving, stretch it beyond its yield strain."""
+    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    if not scene.ends.motion or not limit or not modulus or not is_held(scene):
+        return False
+    return modulus * math.log(farthest(scene) / stress_free_length(scene)) > limit
+
+
+def _ramp(scene: Scene, effects: Collection[str]) -> float:
+    """Ramp in sqrt(L/g); none where it is left out."""
+    return scene.load.ramp / gravity_time(scene) if "gravity-ramp" in effects else 0.0
+
+
+def _first_frequency(scene: Scene) -> float:
+    """First natural frequency of the elastic beam, lowered by shear as its sag is raised, in sqrt(g/L)."""
+    modulus, weight = instant_modulus(scene) or 0.0, weight_stress(scene)
+    gyration = float(regimes.gyration(SECTIONS[scene.filament.section]))
+    speed = math.sqrt(gyration * modulus / weight) * groups_of(scene).delta if weight > 0 else math.inf
+    return _FIRST_MODE[beam_of(scene)] * speed / math.sqrt(1 + _shear_sag(scene))
+
+
+def _shear_sag(scene: Scene) -> float:
+    """Sag of a uniform beam by shear over that by bending, E I/(kappa_s mu A L^2 8 C), with q L^2/8 of a held beam."""
+    shape = SECTIONS[scene.filament.section]
+    stiffness = 8 * float(SHEAR_CORRECTION[scene.filament.section]) / (2 * (1 + scene.material.poisson))
+    slender = float(regimes.gyration(shape) / beam_of(scene).midspan_sag) * groups_of(scene).delta ** 2
+    return slender / stiffness
+
+
+def _static_first_yield(scene: Scene) -> float:
+    """First yield under a slow load: between clamps with the tension of its sag, otherwise of the linear beam."""
+    linear, strain = first_yield_gravity_number(scene), groups_of(scene).eps_Y
+    if beam_of(scene) != regimes.CLAMPED or not strain:
+        return linear
+    return max(linear, _stretched_first_yield(scene.filament.section, groups_of(scene).delta, strain))
+
+
+@functools.cache
+def _stretched_first_yield(section: str, slenderness: float, yield_strain: float) -> float:
+    """G of :func:`regimes.first_yield_stretched` at a yield strain, by bisection in the logarithm of psi."""
+    curve = regimes.first_yield_stretched(SECTIONS[section])
+    strain, gravity_number = (
+        sp.lambdify(regimes.psi_T, side.subs(regimes.delta, slenderness), "math")
+        for side in (curve.yield_strain, curve.gravity_number)
+    )
+    low, high = math.log(0.05), math.log(300.0)
+    if yield_strain <= strain(math.exp(low)):
+        return 0.0
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (low, middle) if strain(math.exp(middle)) > yield_strain else (middle, high)
+    return float(gravity_number(math.exp(low)))
+
+
+@functools.cache
+def _exact_threshold() -> float:
+    return float(regimes.arrest_threshold_exact())
+
+
+def _depth_paper(gravity_number: float) -> float:
+    return float(regimes.STOPPING_DEPTH.right.subs(regimes.G, gravity_number))
+
+
+@functools.cache
+def _depth_exact(gravity_number: float) -> float:
+    return float(regimes.stopping_depth_exact(gravity_number))

@@ -1,0 +1,57 @@
+"""Extensibility: axial strain and tension; without it the filament is a beam that bends and does not stretch."""
+
+import math
+from collections.abc import Collection
+from dataclasses import replace
+
+from softcat_sym.effects.bending import BENDING
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
+from softcat_sym.effects.motion import Motion
+from softcat_sym.equations.filament import Terms
+from softcat_sym.scene import Scene, distance, is_held, rest_length
+
+_MEANINGLESS_WITHOUT = {"finite-stretch", "thinning", "large-rotation", "shear", "fibres", "necking-gradient"}
+
+
+def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:
+    """Why a list that does not name extensibility has it all the same; empty if it has not."""
+    if EXTENSIBILITY.name in asked or not of_large_deflections(scene):
+        return {}
+    if (needed := EXTENSIBILITY.indispensable(scene)) or set(asked) & _MEANINGLESS_WITHOUT:
+        return {EXTENSIBILITY.name: needed or "named effects need it"}
+    return {} if BENDING.name in asked else {EXTENSIBILITY.name: "without bending nothing else carries the load"}
+
+
+def _indispensable(scene: Scene) -> str:
+    """A straight relaxed filament between level supports that stay can do without; a free end does not pull either."""
+    ends, filament = scene.ends, scene.filament
+    straight = math.isclose(rest_length(scene), distance(scene), rel_tol=1e-14) or not is_held(scene)
+    level = ends.drop == 0 and ends.left_angle == 0 and ends.right_angle == 0 and not ends.motion
+    stressed = bool(scene.initial.P) or bool(scene.initial.C) or filament.curvature != 0
+    if straight and level and not stressed:
+        return ""
+    return "the filament does not start straight, level and without stress between supports that stay"
+
+
+def _contribute(terms: Terms) -> Terms:
+    return replace(terms, stretches=True)
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    return Estimate(motion.amplified(motion.tension_share), "share of the load carried in tension")
+
+
+EXTENSIBILITY = Effect(
+    name="extensibility",
+    summary="axial strain and tension",
+    source="2.2, 2.10",
+    contribute=_contribute,
+    applies=of_large_deflections,
+    without_it=SMALL_MODEL,
+    estimate=_estimate,
+    observable="tension share of the load",
+    example="arrested-overdamped",
+    derivation="02_section_and_closures",
+    indispensable=_indispensable,
+)

@@ -1,0 +1,180 @@
+"""How a filament is going to move, from its groups alone: the motion that the estimates of all effects start from."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.missed_inertia import missed_from_rest, missed_inertia
+from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.necks import neck_folds
+from softcat_sym.effects.prediction import (
+    bending_stiffness,
+    effective_viscosity_at,
+    instant_modulus,
+    weight_stress,
+    yield_stress_of,
+)
+from softcat_sym.effects.quasi_static import (
+    Floats,
+    History,
+    elastic_sag_under,
+    load_factor,
+    quasi_static_history,
+    retardation,
+    slackness,
+    start_sag,
+)
+from softcat_sym.effects.ringing import Ringing, ringing
+from softcat_sym.effects.shearing import sheared_share
+from softcat_sym.scene import Scene, distance, groups_of, is_held, is_slack
+from softcat_sym.scene.support_path import farthest
+
+_TIP_SLOPE = 2 * 64 / 51
+"""Slope at the tip of a cantilever over the sag of its middle, (1/6)/(17/384) of a linear beam, limited below."""
+
+_KINKED = 0.1
+"""Share of the sag that rings, from which on the load counts as sudden."""
+
+
+@lru_cache(maxsize=256)
+def forecast(scene: Scene) -> Motion:
+    """Foresee the motion of a scene: closed forms of beam, cable and string put together (THEORY 5-7, 11).
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+    """
+    history, rings = quasi_static_history(scene), ringing(scene)
+    span, first = scene.filament.span, float(history.time[1])
+    sag = max(float(np.max(history.sag)), 1e-12)
+    scale = max(sag, abs(sag + scene.ends.drop / span / 2))
+    amplitude = min(1.0, rings.lasting(first) / scale)
+    missed = missed_by(scene, history.time, history.sag * span)
+    return Motion(
+        sag=sag,
+        scale=scale,
+        strain=strain_of(scene, sag),
+        slope=slope_of(scene, sag),
+        tension_share=tension_share(scene, sag),
+        swings=amplitude * rings.phase(scene.run.duration),
+        # What a moving support sets in motion is not foreseen.
+        missed=1.0 if scene.ends.motion else max(amplitude, missed * sag / scale),
+        risen=_risen(scene, history, amplitude),
+        relaxed=_relaxed(scene, rings),
+        overstress=_overstress(scene, rings),
+        flowing_overstress=flowing_overstress(scene, sag),
+        retarded=_retarded(scene, rings, amplitude),
+        sheared=sheared_share(scene, sag, tension_share(scene, sag)),
+        folds=neck_folds(scene, strain_of(scene, sag)),
+    )
+
+
+def missed_by(scene: Scene, time: Floats, sag: Floats) -> float:
+    """What a filament that is in balance at every instant misses; a slack one hangs in its weight from the start.
+
+    Parameters
+    ----------
+    time, sag : ndarray, shape (n,)
+        Output times [s] and balanced sag [m].
+    """
+    if is_slack(scene):
+        return missed_from_rest(time, sag, scene.load.gravity)
+    return missed_inertia(time, sag, scene.load.gravity, scene.load.ramp)
+
+
+def strain_of(scene: Scene, sag: float) -> float:
+    """Largest mean strain: (8/3) H^2 beyond the slack, what the supports impose, or the weight of a hanging end."""
+    if not is_held(scene):
+        modulus = instant_modulus(scene)
+        return weight_stress(scene) / modulus if modulus else sag**2
+    imposed = farthest(scene) / distance(scene) - 1 + max(0.0, -slackness(scene), scene.initial.stretch - 1)
+    return max(0.0, 8 / 3 * (sag**2 - start_sag(scene) ** 2)) + imposed
+
+
+def slope_of(scene: Scene, sag: float) -> float:
+    """Largest slope: of the parabola, of the line between the supports and of the clamps."""
+    ends = scene.ends
+    lowest = max(abs(ends.drop), *(abs(ends.drop - dy) for _, _, dy in ends.motion), 0.0)
+    imposed = math.atan2(lowest, scene.filament.span)
+    own = min(math.pi / 2, (_TIP_SLOPE * 1.5 if not is_held(scene) else 4) * sag)
+    return own + max(imposed, abs(ends.left_angle), abs(ends.right_angle))
+
+
+def tension_share(scene: Scene, sag: float) -> float:
+    """Share of the load carried in tension at a sag: (64/3) H^2 against the stiffness of the beam."""
+    stiffness = bending_stiffness(scene)
+    if not is_held(scene):
+        return min(1.0, sag**2)
+    taut = 8 * max(0.0, -slackness(scene), farthest(scene) / distance(scene) - 1)
+    ratio = (64 / 3 * sag**2 + taut) / stiffness
+    return ratio / (1 + ratio)
+
+
+def flowing_overstress(scene: Scene, sag: float) -> float:
+    """Mean stress of beam or catenary over the yield stress; infinite without one."""
+    limit, delta = yield_stress_of(scene), groups_of(scene).delta
+    if limit is None:
+        return math.inf
+    return weight_stress(scene) * min(sag + 1 / (8 * sag), 1 / (2 * delta)) / limit
+
+
+def _risen(scene: Scene, history: History, amplitude: float) -> float:
+    ramp = scene.load.ramp
+    if ramp == 0:
+        return 0.0
+    reached = float(np.interp(ramp, history.time, history.sag)) / max(float(np.max(history.sag)), 1e-12)
+    return min(1.0, reached + amplitude)
+
+
+def _relaxed(scene: Scene, rings: Ringing) -> float:
+    modulus, delta = instant_modulus(scene), groups_of(scene).delta
+    if modulus is None:
+        return 0.0
+    stress = weight_stress(scene) / (2 * delta)
+    viscosity = effective_viscosity_at(scene, stress or 1.0)
+    if not viscosity:
+        return 0.0 if viscosity is None else 1.0
+    relaxation = viscosity / modulus
+    if scene.material.modes:
+        relaxation = min(mode.viscosity / mode.youngs_modulus for mode in scene.material.modes)
+    if is_solid(scene):
+        relaxation = retardation(scene)
+    share = -math.expm1(-scene.run.duration / relaxation)
+    over = _overstress(scene, rings)
+    return share * (1 - 1 / max(1.0, over))
+
+
+def _overstress(scene: Scene, rings: Ringing) -> float:
+    """Largest elastic fibre stress over the yield stress."""
+    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    if limit is None or modulus is None:
+        return math.inf
+    return modulus * largest_strain(scene, rings) / limit
+
+
+def largest_strain(scene: Scene, rings: Ringing) -> float:
+    """Largest strain of an elastic fibre of the overshooting filament: mean strain, and bending where it is clamped."""
+    weight, delta = weight_stress(scene) * load_factor(scene), groups_of(scene).delta
+    deep = (elastic_sag_under(scene, weight, instant_modulus(scene)) if weight else 0.0) + rings.amplitude
+    ends = {scene.ends.left, scene.ends.right}
+    # A string that falls at once is bent where its kinks run, between pins too.
+    kinked = rings.amplitude > _KINKED * deep
+    bent = 4.8 * delta * deep if ends == {"pinned"} and not kinked else 16 * delta * deep + 11 * deep**2
+    begins = max((abs(value) for value in scene.initial.C), default=0.0) + max(0.0, -slackness(scene))
+    return max(0.0, 8 / 3 * (deep**2 - start_sag(scene) ** 2)) + begins + bent
+
+
+def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:
+    """What the sag of a solid lags behind, or what its ringing loses."""
+    late = retardation(scene)
+    if late == 0 or is_slack(scene):
+        return 0.0
+    lost = -math.expm1(-rings.decay * scene.run.duration) if math.isfinite(rings.frequency) else 0.0
+    times = np.linspace(0.0, scene.run.duration, min(scene.run.frames, 201))[1]
+    lag = math.exp(-min(700.0, float(times) / late)) if scene.load.ramp == 0 else min(1.0, late / scene.load.ramp)
+    return max(lag, amplitude * lost)

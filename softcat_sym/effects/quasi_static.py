@@ -1,0 +1,177 @@
+"""Sag of a filament in balance at every instant: beam and cable together, elastic and flowing (THEORY 5-7, 11)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.prediction import (
+    bending_stiffness,
+    effective_viscosity_at,
+    first_yield_gravity_number,
+    gravity_number_of,
+    instant_modulus,
+    smaller_of,
+    static_modulus,
+    weight_stress,
+    yield_stress_of,
+)
+from softcat_sym.scene import Scene, distance, groups_of, is_held, undeformed_area
+from softcat_sym.scene.geometry import stress_free_length
+
+Floats = npt.NDArray[np.float64]
+
+_MOST_TIMES = 201
+_CANTILEVER_SAG = 0.5  # of the middle of a filament that hangs straight down
+_SHALLOW, _DEEP, _POINTS = 1e-7, 10.0, 120
+
+
+@dataclass(frozen=True, slots=True)
+class History:
+    """Sag over span at output times.
+
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        [s].
+    sag : ndarray, shape (n,)
+        Depth below the line between the supports.
+    """
+
+    time: Floats
+    sag: Floats
+
+
+def smooth_step(share: Floats) -> Floats:
+    """The quintic ramp of gravity at a share of its duration."""
+    s = np.clip(share, 0.0, 1.0)
+    return np.asarray(s**3 * (10 - 15 * s + 6 * s * s))
+
+
+def load_factor(scene: Scene) -> float:
+    """Sag of the loaded filament over that of the bare one: a mass at midspan counts twice."""
+    mass = scene.filament.density * undeformed_area(scene) * scene.filament.span
+    return 1 + 2 * scene.load.point_mass / mass
+
+
+def slackness(scene: Scene) -> float:
+    """Stress-free length over the distance of the ends, minus one: negative where the filament starts stretched."""
+    if not is_held(scene):
+        return 0.0
+    free = stress_free_length(scene) * math.exp(mean_of(scene.initial.P))
+    return free / distance(scene) - 1
+
+
+def mean_of(values: tuple[float, ...]) -> float:
+    """Mean of what is given along the filament; zero without any."""
+    return sum(values) / len(values) if values else 0.0
+
+
+def quasi_static_history(scene: Scene) -> History:
+    """Sag at the output times, under gravity that comes on as the scene says."""
+    run, ramp = scene.run, scene.load.ramp
+    time = np.linspace(0.0, run.duration, min(run.frames, _MOST_TIMES))
+    share = smooth_step(time / ramp) if ramp > 0 else np.ones_like(time)
+    sag = np.array([_sag(scene, float(t), float(r)) for t, r in zip(time, share, strict=True)])
+    return History(time, np.minimum(sag, _CANTILEVER_SAG) if not is_held(scene) else sag)
+
+
+def _sag(scene: Scene, time: float, share: float) -> float:
+    weight = weight_stress(scene) * load_factor(scene) * share
+    if weight == 0:
+        return start_sag(scene)
+    elapsed = max(0.0, time - scene.load.ramp / 2)
+    at_once = elastic_sag_under(scene, weight, instant_modulus(scene))
+    if is_solid(scene):
+        lasting = elastic_sag_under(scene, weight, static_modulus(scene))
+        first = 0.0 if scene.material.law == "kelvin-voigt" else at_once
+        return lasting + (first - lasting) * math.exp(-elapsed / retardation(scene)) if retardation(scene) else lasting
+    return at_once + flow_sag(scene, weight, at_once, elapsed)
+
+
+def retardation(scene: Scene) -> float:
+    """Time in which a solid comes to rest [s]: eta/E, of a standard linear solid eta (1/E + 1/E_2)."""
+    material = scene.material
+    if material.viscosity is None or material.youngs_modulus is None or not is_solid(scene):
+        return 0.0
+    compliance = 1 / material.youngs_modulus + (1 / material.second_modulus if material.second_modulus else 0.0)
+    return material.viscosity * compliance
+
+
+def start_sag(scene: Scene) -> float:
+    """Sag of a slack filament before anything stretches it: arc length 1 + (8/3) H^2."""
+    return math.sqrt(3 / 8 * max(0.0, slackness(scene)))
+
+
+def elastic_sag_under(scene: Scene, weight: float, modulus: float | None, *, taut: bool = True) -> float:
+    """Static elastic sag under a weight rho g L [Pa]; a filament that starts slack or stretched is a cable.
+
+    Without `taut` that of the beam alone.
+    """
+    if modulus is None:
+        return start_sag(scene)
+    stiff, slack = modulus / weight, slackness(scene)
+    beam = 1 / (bending_stiffness(scene) * stiff)
+    if not is_held(scene) or not taut:
+        return beam
+    cable = cable_sag(3 / (64 * stiff), 3 / 8 * slack)
+    return cable if slack > 0 else smaller_of(beam, cable)
+
+
+def cable_sag(load: float, slack: float) -> float:
+    """Largest root H of H^3 - slack H = load: strain (8/3)(H^2 - slack) under a tension that falls as 1/H."""
+    height = float(max(load ** (1 / 3), math.sqrt(max(0.0, slack)) + load, 1e-300))
+    if slack < 0:
+        height = min(height, load / -slack)
+    for _ in range(50):
+        step = (height**3 - slack * height - load) / (3 * height**2 - slack)
+        height -= step
+        if abs(step) < 1e-9 * height:
+            break
+    return height
+
+
+def flow_sag(scene: Scene, weight: float, first: float, time: float) -> float:
+    """Sag that flow adds to a first one after a time [s]: viscous beam and string, until a yield stress holds it."""
+    if time <= 0:
+        return 0.0
+    gravity_number = gravity_number_of(scene)
+    if gravity_number is not None and gravity_number < first_yield_gravity_number(scene) and start_sag(scene) == 0:
+        return 0.0
+    sag, reached = _flow_table(scene, weight, max(first, _SHALLOW))
+    return float(np.interp(time, reached, sag)) - max(first, _SHALLOW)
+
+
+@lru_cache(maxsize=64)
+def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floats]:
+    """Sags from the first one on, and the times [s] at which flow reaches them."""
+    sag = np.geomspace(first, max(_DEEP, 2 * first), _POINTS)
+    speed = np.array([_flow_speed(scene, weight, float(height)) for height in sag])
+    moving = np.minimum.accumulate(speed > 0)
+    slowness = np.where(moving, 1 / np.where(moving, speed, 1.0), 0.0)
+    time = np.concatenate([[0.0], np.cumsum((slowness[1:] + slowness[:-1]) / 2 * np.diff(sag))])
+    reached = np.count_nonzero(moving)
+    return (sag[:reached], time[:reached]) if reached else (sag[:1], time[:1])
+
+
+def _flow_speed(scene: Scene, weight: float, sag: float) -> float:
+    """Rate of the sag over span [1/s]: a beam and a string in which flow is all that yields, the slower of the two."""
+    delta = groups_of(scene).delta
+    beam = weight / bending_stiffness(scene) / _viscosity(scene, weight / (2 * delta))
+    if not is_held(scene):
+        return beam
+    taut = weight * (sag + 1 / (8 * sag))
+    string = taut / _viscosity(scene, taut) * (1 + 8 / 3 * sag**2) / (16 / 3 * sag)
+    return smaller_of(beam, string)
+
+
+def _viscosity(scene: Scene, stress: float) -> float:
+    """Stress over flow rate [Pa s]; infinite below the yield stress."""
+    beyond = stress - (yield_stress_of(scene) or 0.0)
+    viscosity = effective_viscosity_at(scene, beyond) if beyond > 0 else None
+    return viscosity * stress / beyond if viscosity else math.inf

@@ -1,0 +1,253 @@
+"""What a scene calls for and what it should do, before anything is integrated."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+from softcat_sym.effects import choose_effects
+from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
+from softcat_sym.effects.prediction import predicted_sag, predicted_strain
+from softcat_sym.effects.theory_limits import theory_limits
+from softcat_sym.equations.filament import derive
+from softcat_sym.equations.in_force import equations_in_force
+from softcat_sym.equations.section import SECTIONS
+from softcat_sym.equations.written import Stated
+from softcat_sym.graph import Graph, assemble
+from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
+from softcat_sym.graph.parameters import parameter_values
+from softcat_sym.scene import Scene, groups_of
+from softcat_sym.solve import Settings, choose_settings
+
+GROUP_MEANINGS = {
+    "delta": "thickness over span, h0/L [3.9]",
+    "G": "weight over yield stress, rho g L/sigma_Y [3.10]",
+    "V": "viscosity, eta/(rho sqrt(g L^3)) [3.10]",
+    "eps_Y": "yield strain, sigma_Y/E [3.9]",
+    "E_star": "modulus over weight, E/(rho g L)",
+    "tau_star": "relaxation time eta/E in sqrt(L/g)",
+    "B": "weight over viscosity, 1/(2 V)",
+}
+
+KINDS = {
+    "x": "horizontal positions",
+    "y": "heights",
+    "u": "horizontal velocities",
+    "v": "vertical velocities",
+    "psi": "angles of the section",
+    "omega": "rates of the angle of the section",
+    "a_0": "axial plastic strains",
+    "a_1": "bending plastic strains",
+    "axial": "axial plastic strains, at every point through the thickness",
+    "shear": "plastic shear strains, at every point through the thickness",
+}
+_NUMBERS = re.compile(r"_mode\d+$|(?<=axial)_\d+(_mode\d+)?$|(?<=shear)_\d+(_mode\d+)?$")
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """A dimensionless group; the value None where it is infinite."""
+
+    name: str
+    value: float | None
+    meaning: str
+
+
+@dataclass(frozen=True, slots=True)
+class Decided:
+    """One effect.
+
+    Attributes
+    ----------
+    effect, summary : str
+        Its name and what it adds.
+    in_force : bool
+        Whether the run holds it.
+    estimate : float or None
+        Change of the midpoint that leaving it out would make, over the largest; None where it cannot be had.
+    meaning, reason : str
+        What the estimate is, and why the effect is in or out.
+    """
+
+    effect: str
+    summary: str
+    in_force: bool
+    estimate: float | None
+    meaning: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """One kind of unknown; `algebraic` has no rate of its own."""
+
+    kind: str
+    meaning: str
+    number: int
+    algebraic: bool
+
+
+@dataclass(frozen=True, slots=True)
+class GraphSize:
+    """Size of what is integrated; `cells` and `nodes` are those of the half span where it is symmetric."""
+
+    cells: int
+    half: bool
+    differential: int
+    algebraic: int
+    instructions: int
+    parameters: tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Integrator:
+    """The integrator, its tolerances and why it was taken."""
+
+    solver: str
+    rtol: float
+    atol: float
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """Everything that is known of a run before it is made.
+
+    Attributes
+    ----------
+    title, law, model, closure : str
+        What is asked.
+    accuracy : float
+        Likewise.
+    groups : tuple of Group
+        Those that the law has.
+    regime : ExpectedRegime
+        What it should show.
+    sag, strain : float
+        Rough sag over span, and mean strain, at the end of the run.
+    effects : tuple of Decided
+        All of them, in the order of the registry.
+    equations : tuple of Stated
+        In force.
+    unknowns : tuple of Unknown
+        By kind.
+    graph : GraphSize
+        How large they make the graph.
+    integrator : Integrator
+        How it is integrated.
+    warnings : tuple of str
+        Where the theory itself ends.
+    """
+
+    title: str
+    law: str
+    model: str
+    closure: str
+    accuracy: float
+    groups: tuple[Group, ...]
+    regime: ExpectedRegime
+    sag: float
+    strain: float
+    effects: tuple[Decided, ...]
+    equations: tuple[Stated, ...]
+    unknowns: tuple[Unknown, ...]
+    graph: GraphSize
+    integrator: Integrator
+    warnings: tuple[str, ...]
+
+    @property
+    def in_force(self) -> tuple[str, ...]:
+        """Names of the effects in force."""
+        return tuple(decided.effect for decided in self.effects if decided.in_force)
+
+    def as_dict(self) -> dict[str, Any]:
+        """The same as nested dictionaries and lists, fit for JSON."""
+        plain = dataclasses.asdict(self)
+        plain["graph"]["parameters"] = dict(self.graph.parameters)
+        return plain
+
+
+def explain(scene: Scene) -> Explanation:
+    """Work out what a scene calls for; its equations and graph are built, nothing is integrated.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+
+    Raises
+    ------
+    SceneError
+        If the scene names effects that it cannot have.
+    """
+    effects = choose_effects(scene)
+    equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
+    grid = choose_grid(scene, effects)
+    graph = assemble(equations, grid, effects.names, choose_theory(scene, equations), choose_body(scene, grid))
+    regime = expected_regime(scene, effects.names)
+    decisions = tuple(
+        Decided(
+            effect=decision.effect.name,
+            summary=decision.effect.summary,
+            in_force=decision.in_force,
+            estimate=decision.estimate.value if decision.estimate else None,
+            meaning=decision.estimate.meaning if decision.estimate else "",
+            reason=decision.reason,
+        )
+        for decision in effects.decisions
+    )
+    return Explanation(
+        title=scene.title,
+        law=scene.material.law,
+        model=scene.model,
+        closure=scene.run.closure,
+        accuracy=scene.run.accuracy,
+        groups=_groups(scene),
+        regime=regime,
+        sag=predicted_sag(scene),
+        strain=predicted_strain(scene),
+        effects=decisions,
+        equations=equations_in_force(equations, reduced=scene.model == "small-deflection"),
+        unknowns=_unknowns(graph),
+        graph=_size(scene, graph),
+        integrator=_integrator(choose_settings(scene, effects)),
+        warnings=theory_limits(scene, regime),
+    )
+
+
+def _groups(scene: Scene) -> tuple[Group, ...]:
+    known = groups_of(scene)
+    values = {name: getattr(known, name) for name in GROUP_MEANINGS}
+    return tuple(
+        Group(name, float(value) if value < float("inf") else None, GROUP_MEANINGS[name])
+        for name, value in values.items()
+        if value is not None
+    )
+
+
+def _unknowns(graph: Graph) -> tuple[Unknown, ...]:
+    """Kinds of unknown; the plastic states of all points through the thickness are one kind, and so of all modes."""
+    found: list[Unknown] = []
+    for kinds, algebraic in ((graph.x_kinds, False), (graph.z_kinds, True)):
+        for kind, number in Counter(_NUMBERS.sub("", kind) or kind for kind in kinds).items():
+            found.append(Unknown(kind, KINDS.get(kind, "plastic strains"), number, algebraic))
+    return tuple(found)
+
+
+def _size(scene: Scene, graph: Graph) -> GraphSize:
+    values = parameter_values(scene)
+    return GraphSize(
+        cells=graph.grid.cells,
+        half=graph.grid.is_half,
+        differential=int(graph.x.numel()),
+        algebraic=int(graph.z.numel()),
+        instructions=graph.instructions,
+        parameters=tuple((name, float(values[name])) for name in graph.parameters),
+    )
+
+
+def _integrator(settings: Settings) -> Integrator:
+    return Integrator(settings.solver, settings.rtol, settings.atol, settings.reason)

@@ -1,0 +1,121 @@
+"""One run with what it cost: unknowns, instructions and the median of its solve times."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from statistics import median
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from softcat_sym.effects import choose_effects
+from softcat_sym.graph.grid import Floats
+from softcat_sym.simulate import build, simulate
+from softcat_sym.solve import watched
+
+if TYPE_CHECKING:
+    from softcat_sym.scene import Scene
+    from softcat_sym.solve import Outcome, Prepared, Progress
+    from softcat_sym.trajectory import Trajectory
+
+_SHORT = 1.0
+"""Runs below this many seconds are repeated: what else the machine does would show."""
+
+_REPEATS = 3
+
+
+@dataclass(frozen=True)
+class PricedRun:
+    """A run of one list of effects.
+
+    Attributes
+    ----------
+    effects : tuple of str
+        Names in force.
+    time, midpoint : ndarray, shape (frames,)
+        Output times [s] and height of the midpoint [m]; fewer frames where the run ended early.
+    states, algebraic : int
+        Differential and algebraic unknowns.
+    instructions : int
+        Elementary operations in one evaluation of the right-hand side.
+    solve : float
+        Wall time of the integration [s], the median of three where it is short.
+    solver : str
+        The integrator that these effects call for.
+    outcome : Outcome
+        Verdict.
+    complaint : str
+        Why it is not a success.
+    """
+
+    effects: tuple[str, ...]
+    time: Floats
+    midpoint: Floats
+    states: int
+    algebraic: int
+    instructions: int
+    solve: float
+    solver: str
+    outcome: Outcome
+    complaint: str
+
+    @property
+    def reach(self) -> float:
+        """Largest |midpoint| [m]."""
+        heights = np.abs(self.midpoint[np.isfinite(self.midpoint)])
+        return float(heights.max()) if heights.size else 0.0
+
+
+def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None) -> PricedRun:
+    """Run a scene with a list of effects and take down what it cost.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its effects are a list.
+    progress : Progress
+        Told how far each repetition is.
+    first : Trajectory, optional
+        A run of the same effects that has been made already.
+
+    Raises
+    ------
+    SceneError
+        If the scene cannot have these effects.
+    KeyboardInterrupt
+        If the user stops it, wherever in CasADi that happens.
+    """
+    with watched() as interrupts:
+        try:
+            return _priced(scene, progress, first)
+        finally:
+            interrupts.check()
+
+
+def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> PricedRun:
+    run = first or simulate(scene, progress)
+    prepared = build(scene, choose_effects(scene))
+    graph = prepared.graph
+    seconds = [float(run.summary["wall_s"]["solve"])]
+    if seconds[0] < _SHORT:
+        seconds += [_seconds(prepared, progress) for _ in range(_REPEATS - 1)]
+    return PricedRun(
+        effects=tuple(run.summary["effects"]),
+        time=run.data["time"].values,
+        midpoint=run.data["midpoint"].values,
+        states=int(graph.x.numel()),
+        algebraic=int(graph.z.numel()),
+        instructions=graph.instructions,
+        solve=median(seconds),
+        solver=run.summary["solver"],
+        outcome=run.outcome,
+        complaint=run.summary["complaint"],
+    )
+
+
+def _seconds(prepared: Prepared, progress: Progress) -> float:
+    """Wall time of one more integration [s]."""
+    start = time.perf_counter()
+    prepared.solve(progress)
+    return time.perf_counter() - start

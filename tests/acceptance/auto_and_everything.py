@@ -1,0 +1,192 @@
+"""What ``auto`` answers beside the run with everything switched on, and what each chosen effect is worth.
+
+All cores work; each answer is kept in the user's cache under the fingerprint of the scene and of the package's sources,
+so that an interrupted check goes on where it was.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tomllib
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict, dataclass
+from functools import cache
+from multiprocessing import get_context
+from pathlib import Path
+
+import numpy as np
+
+import softcat_sym as sc
+from softcat_sym.effects import REGISTRY
+from softcat_sym.errors import SoftcatError
+from softcat_sym.native import cache_folder
+from softcat_sym.trajectory import Trajectory
+
+ASIDE = "rotary-inertia"
+"""In everything only where it is in ``auto``."""
+
+COARSE = 10
+"""Cells per half span on which chosen effects are left out in turn: one grid, so that only the physics differs."""
+
+TIGHTER = 10
+"""By how much the time steps are refined there, so that a hundredth of the accuracy is not their noise."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One scene.
+
+    Attributes
+    ----------
+    name, scene : str
+        Its name, and the scene as TOML.
+    accuracy : float
+        Asked.
+    complaints : tuple of str
+        Why ``auto`` or the run with everything has no answer; then nothing else is known.
+    chosen : tuple of str
+        What ``auto`` ended with.
+    repeats : tuple of str
+        What it had overlooked at first.
+    error : float
+        Largest difference of its midpoint from that of everything, over the largest of the latter; each on the grid
+        that it gets by itself.
+    finer : float
+        The same on one grid for both, twice as fine as that of ``auto``; only looked at where `error` is beyond the
+        accuracy: two theories that agree have different errors of the grid.
+    seconds, everything_seconds : float
+        Building and solving, repeats included.
+    idle : dict of str to float
+        Change of the answer when a chosen effect is left out (with what needs it); infinite if there is no answer then.
+    """
+
+    name: str
+    scene: str
+    accuracy: float
+    complaints: tuple[str, ...]
+    chosen: tuple[str, ...] = ()
+    repeats: tuple[str, ...] = ()
+    error: float = np.nan
+    finer: float = np.nan
+    seconds: float = np.nan
+    everything_seconds: float = np.nan
+    idle: dict[str, float] | None = None
+
+
+def answers(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Answer]:
+    """The answers, in the order of the scenes."""
+    jobs = [(name, scene.to_toml()) for name, scene in scenes]
+    with ProcessPoolExecutor(max_workers=os.cpu_count(), mp_context=get_context("spawn")) as pool:
+        return list(pool.map(_kept, jobs))
+
+
+def _kept(job: tuple[str, str]) -> Answer:
+    key = hashlib.sha256("\n".join((_sources(), *job)).encode()).hexdigest()
+    path = cache_folder() / "answers" / f"{key}.json"
+    if path.is_file():
+        return Answer(**json.loads(path.read_text()))
+    answer = answer_of(*job)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_suffix(f".{os.getpid()}")
+    partial.write_text(json.dumps(asdict(answer)))
+    partial.replace(path)
+    return answer
+
+
+@cache
+def _sources() -> str:
+    """Fingerprint of what an answer depends on."""
+    package = Path(sc.__file__).parent
+    parts = ("scene", "equations", "effects", "printing", "graph", "solve", "trajectory", "simulate.py")
+    files = [
+        f for part in parts for f in ([package / part] if part.endswith(".py") else (package / part).rglob("*.py"))
+    ]
+    digest = hashlib.sha256(Path(__file__).read_bytes())
+    for file in sorted(files):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()
+
+
+def answer_of(name: str, text: str) -> Answer:
+    """Run ``auto``, everything, and ``auto`` without each of its effects."""
+    scene = sc.Scene.model_validate(tomllib.loads(text))
+    auto = _run(scene)
+    turning = not isinstance(auto, str) and ASIDE in auto.summary["effects"]
+    everything = [e.name for e in REGISTRY if e.applies(scene) and (e.name != ASIDE or turning)]
+    complete = _run(scene.replace({"run.effects": everything}))
+    complaints = tuple(
+        f"{what}: {run if isinstance(run, str) else run.summary['complaint'] or run.outcome.name}"
+        for what, run in (("everything", complete), ("auto", auto))
+        if isinstance(run, str) or not run.outcome.is_success
+    )
+    if isinstance(complete, str) or isinstance(auto, str) or complaints:
+        return Answer(name, text, scene.run.accuracy, complaints)
+    chosen, error = tuple(auto.summary["effects"]), difference(auto, complete)
+    finer = np.nan
+    if error > scene.run.accuracy:
+        fine = _twice_as_fine(auto, scene)
+        pair = [_run(fine.replace({"run.effects": list(names)})) for names in (chosen, everything)]
+        finer = np.inf if any(isinstance(run, str) for run in pair) else difference(*pair)  # type: ignore[arg-type]
+    return Answer(
+        name=name,
+        scene=text,
+        accuracy=scene.run.accuracy,
+        complaints=(),
+        chosen=chosen,
+        repeats=tuple(auto.summary["repeats"]),
+        error=error,
+        finer=finer,
+        seconds=auto.summary["wall_s"]["total"],
+        everything_seconds=complete.summary["wall_s"]["total"],
+        idle=_idle(scene, chosen),
+    )
+
+
+def _twice_as_fine(run: Trajectory, scene: sc.Scene) -> sc.Scene:
+    """The scene on twice the cells of a run, graded as they are."""
+    lengths = np.diff(run.data.X_node.values)
+    ratio = float(np.max(lengths) / np.min(lengths))
+    return scene.replace({"numerics.cells": 2 * run.summary["cells"], "numerics.grading": max(1.0, round(ratio, 6))})
+
+
+def _idle(scene: sc.Scene, chosen: tuple[str, ...]) -> dict[str, float]:
+    """What leaving out each chosen effect changes; what the scene cannot do without is not among them."""
+    tight = scene.run.accuracy / TIGHTER
+    coarse = scene.replace({"numerics.cells": scene.numerics.cells or COARSE, "run.accuracy": tight})
+    base = _run(coarse.replace({"run.effects": list(chosen)}))
+    changes: dict[str, float] = {}
+    for effect in REGISTRY:
+        if effect.name not in chosen or effect.indispensable(scene):
+            continue
+        less = _run(coarse.replace({"run.effects": list(without(chosen, effect.name))}))
+        if isinstance(less, str) and "run.effects" in less:
+            continue  # a list that makes no sense: the effect cannot be left out
+        answered = not isinstance(base, str) and not isinstance(less, str) and less.outcome.is_success
+        changes[effect.name] = difference(less, base) if answered else np.inf  # type: ignore[arg-type]
+    return changes
+
+
+def without(names: Sequence[str], left_out: str) -> tuple[str, ...]:
+    """The names without one, and without what needs it."""
+    gone = {left_out}
+    for _ in names:
+        gone |= {effect.name for effect in REGISTRY if gone & {*effect.needs}}
+    return tuple(name for name in names if name not in gone)
+
+
+def difference(run: Trajectory, reference: Trajectory) -> float:
+    """Largest difference of the midpoint at the output times, over the largest of the reference."""
+    found, wanted = run.data.midpoint.values, reference.data.midpoint.values
+    if len(found) != len(wanted):
+        return np.inf
+    return float(np.max(np.abs(found - wanted)) / np.max(np.abs(wanted)))
+
+
+def _run(scene: sc.Scene) -> Trajectory | str:
+    try:
+        return sc.simulate(scene)
+    except SoftcatError as error:
+        return str(error)
