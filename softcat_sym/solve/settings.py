@@ -131,7 +131,8 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
     if "inertia" not in effects.names:
         unknowns = "velocities" if "viscous-stress" in effects.names else "positions"
         return "idas", f"{unknowns} are algebraic without inertia"
-    if algebraic and "yielding" not in effects.names and not _is_slow(scene):
+    turning = algebraic or "rotary-inertia" in effects.names
+    if turning and "yielding" not in effects.names and not _is_slow(scene):
         return "rosenbrock", "nothing yields, so that a method of fifth order takes few steps"
     if _flow_damps(scene, effects):
         solver: Name = "idas" if algebraic else "cvodes"
