@@ -57,7 +57,7 @@ class Effect:
     estimate : callable
         How much it matters in a scene that moves so: foreseen before a run, seen after it.
     observable : str
-        Measure of a finished run that shows whether leaving it out was harmless.
+        What a finished run is measured by to show whether leaving it out was harmless (trajectory/seen.py).
     example : str
         Bundled scene in which it matters.
     derivation : str

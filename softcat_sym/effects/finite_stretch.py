@@ -27,7 +27,7 @@ FINITE_STRETCH = Effect(
     without_it=SMALL_MODEL,
     estimate=_estimate,
     needs=("extensibility",),
-    observable="largest strain",
+    observable="mean strain, and how far the midpoint rings",
     example="continual-descent",
     derivation="02_section_and_closures",
 )

@@ -33,8 +33,8 @@ from softcat_sym.effects.shearing import sheared_share
 from softcat_sym.scene import Scene, distance, groups_of, is_held, is_slack
 from softcat_sym.scene.support_path import farthest
 
-_TIP_SLOPE = 2 * 64 / 51
-"""Slope at the tip of a cantilever over the sag of its middle, (1/6)/(17/384) of a linear beam, limited below."""
+_TIP_SLOPE = 64 / 17
+"""Slope at the tip of a cantilever over the sag of its middle over the span, (1/6)/(17/384) of a linear beam."""
 
 _KINKED = 0.1
 """Share of the sag that rings, from which on the load counts as sudden."""
@@ -101,7 +101,7 @@ def slope_of(scene: Scene, sag: float) -> float:
     ends = scene.ends
     lowest = max(abs(ends.drop), *(abs(ends.drop - dy) for _, _, dy in ends.motion), 0.0)
     imposed = math.atan2(lowest, scene.filament.span)
-    own = min(math.pi / 2, (_TIP_SLOPE * 1.5 if not is_held(scene) else 4) * sag)
+    own = min(math.pi / 2, (4 if is_held(scene) else _TIP_SLOPE) * sag)
     return own + max(imposed, abs(ends.left_angle), abs(ends.right_angle))
 
 

@@ -30,7 +30,7 @@ GRAVITY_RAMP = Effect(
     applies=_applies,
     without_it="load.ramp is zero: gravity acts at once",
     estimate=_estimate,
-    observable="ramp over duration",
+    observable="share of the sag reached by the end of the ramp",
     example="arrested-overdamped",
     derivation="01_balance",
 )

@@ -25,7 +25,7 @@ INERTIA = Effect(
     applies=always,
     without_it="",
     estimate=_estimate,
-    observable="largest inertia force over weight",
+    observable="lag behind the balanced sag: its jump, its pace against free fall, acceleration over gravity",
     example="maxwell-slow",
     derivation="01_balance",
 )

@@ -30,7 +30,7 @@ LARGE_ROTATION = Effect(
     without_it=SMALL_MODEL,
     estimate=_estimate,
     needs=("extensibility",),
-    observable="largest slope squared",
+    observable="largest slope, and how far the midpoint rings",
     example="continual-descent",
     derivation="01_balance",
 )

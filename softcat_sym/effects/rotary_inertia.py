@@ -27,7 +27,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
 
 
 def _spared(scene: Scene) -> str:
-    return "followed through hinges that yield it takes ten times as long" if YIELDING.applies(scene) else ""
+    return "followed through hinges that yield it takes many times as long" if YIELDING.applies(scene) else ""
 
 
 ROTARY_INERTIA = Effect(
@@ -38,7 +38,7 @@ ROTARY_INERTIA = Effect(
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=_estimate,
-    observable="kinetic energy of turning over kinetic energy",
+    observable="how far the midpoint rings, times (h0/L)^2",
     example="stretched-rubber-band",
     derivation="09_shearing_filament",
     needs=("inertia", "shear"),

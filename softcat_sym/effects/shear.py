@@ -12,9 +12,6 @@ from softcat_sym.scene import Scene, distance, is_held
 from softcat_sym.scene.geometry import stress_free_length
 from softcat_sym.scene.support_path import farthest
 
-_PER_SLENDERNESS = 0.7
-"""Change of the sag per h0/L, against plane-stress elements: the hinges of a yielding filament shear most."""
-
 
 def elastic_stretch(scene: Scene) -> float:
     """Elastic stretch that the supports impose: at the start, and of a solid at any later time."""
@@ -61,7 +58,7 @@ SHEAR = Effect(
     applies=_applies,
     without_it=f"the filament is stretched elastically beyond log s = kappa_s mu/E, or {SMALL_MODEL}",
     estimate=_estimate,
-    observable="largest shear strain over largest bending strain",
+    observable="transverse force times shear compliance, and the share of Timoshenko at the largest sag",
     example="arrested-overdamped",
     derivation="09_shearing_filament",
     needs=("bending", "finite-stretch", "thinning", "large-rotation"),

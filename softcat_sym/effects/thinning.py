@@ -26,7 +26,7 @@ THINNING = Effect(
     without_it=SMALL_MODEL,
     estimate=_estimate,
     needs=("extensibility",),
-    observable="largest relative loss of area",
+    observable="mean strain, and how far the midpoint rings",
     example="continual-descent",
     derivation="02_section_and_closures",
 )

@@ -60,7 +60,8 @@ class Answer:
     seconds, everything_seconds : float
         Building and solving, repeats included.
     idle : dict of str to float
-        Change of the answer when a chosen effect is left out (with what needs it); infinite if there is no answer then.
+        Change of the answer when a chosen effect is left out (with what needs it); infinite if there is no answer then;
+        None where the coarse run has no answer itself.
     """
 
     name: str
@@ -152,11 +153,16 @@ def _twice_as_fine(run: Trajectory, scene: sc.Scene) -> sc.Scene:
     return scene.replace({"numerics.cells": 2 * run.summary["cells"], "numerics.grading": max(1.0, round(ratio, 6))})
 
 
-def _idle(scene: sc.Scene, chosen: tuple[str, ...]) -> dict[str, float]:
-    """What leaving out each chosen effect changes; what the scene cannot do without is not among them."""
+def _idle(scene: sc.Scene, chosen: tuple[str, ...]) -> dict[str, float] | None:
+    """What leaving out each chosen effect changes; what the scene cannot do without is not among them.
+
+    None where the coarse run has no answer itself: then nothing can be said of its effects.
+    """
     tight = scene.run.accuracy / TIGHTER
     coarse = scene.replace({"numerics.cells": scene.numerics.cells or COARSE, "run.accuracy": tight})
     base = _run(coarse.replace({"run.effects": list(chosen)}))
+    if isinstance(base, str) or not base.outcome.is_success:
+        return None
     changes: dict[str, float] = {}
     for effect in REGISTRY:
         if effect.name not in chosen or effect.indispensable(scene):
@@ -164,7 +170,7 @@ def _idle(scene: sc.Scene, chosen: tuple[str, ...]) -> dict[str, float]:
         less = _run(coarse.replace({"run.effects": list(without(chosen, effect.name))}))
         if isinstance(less, str) and "run.effects" in less:
             continue  # a list that makes no sense: the effect cannot be left out
-        answered = not isinstance(base, str) and not isinstance(less, str) and less.outcome.is_success
+        answered = not isinstance(less, str) and less.outcome.is_success
         changes[effect.name] = difference(less, base) if answered else np.inf  # type: ignore[arg-type]
     return changes
 

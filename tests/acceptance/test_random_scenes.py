@@ -20,8 +20,8 @@ from .table import show
 
 pytestmark = pytest.mark.slow
 
-WITHIN, IDLE, LEAST = 0.97, 0.10, 1 / 100
-"""Share of scenes within the accuracy; share that may hold an effect worth less than `LEAST` of it."""
+WITHIN, FASTER, IDLE, LEAST = 0.97, 2.0, 0.10, 1 / 100
+"""Share of scenes within the accuracy; median factor of time; share that may hold an effect worth less than `LEAST`."""
 
 
 @cache
@@ -83,11 +83,9 @@ def test_auto_is_faster_than_everything() -> None:
     assert median(ratios.values()) >= FASTER
 
 
-FASTER = 2.0
-
-
 def test_nearly_everything_that_is_chosen_is_worth_it() -> None:
-    found = answered()
+    found = [answer for answer in answered() if answer.idle is not None]
+    assert len(found) > 0.95 * len(answered())
     idle = {answer.name: without_worth(answer) for answer in found if without_worth(answer)}
     rows = [
         (name, ", ".join(f"{effect} {change:.0e}" for effect, change in worth.items())) for name, worth in idle.items()
