@@ -13,6 +13,7 @@ from softcat_sym.effects.motion import Motion
 from softcat_sym.effects.necks import neck_folds
 from softcat_sym.effects.prediction import (
     bending_stiffness,
+    duration_star,
     effective_viscosity_at,
     instant_modulus,
     weight_stress,
@@ -54,7 +55,10 @@ def forecast(scene: Scene) -> Motion:
     sag = max(float(np.max(history.sag)), 1e-12)
     scale = max(sag, abs(sag + scene.ends.drop / span / 2))
     amplitude = min(1.0, rings.lasting(first) / scale)
-    missed = missed_by(scene, history.time, history.sag * span)
+    missed, overstress = missed_by(scene, history.time, history.sag * span), _overstress(scene, rings)
+    # How fast the hinges of a slack filament give way from its first moment on is not foreseen, nor what a moving
+    # support sets in motion.
+    sudden = scene.ends.motion or (is_slack(scene) and 1 < overstress < math.inf)
     return Motion(
         sag=sag,
         scale=scale,
@@ -62,16 +66,25 @@ def forecast(scene: Scene) -> Motion:
         slope=slope_of(scene, sag),
         tension_share=tension_share(scene, sag),
         swings=amplitude * rings.phase(scene.run.duration),
-        # What a moving support sets in motion is not foreseen.
-        missed=1.0 if scene.ends.motion else max(amplitude, missed * sag / scale),
+        missed=1.0 if sudden else max(amplitude, missed * sag / scale),
         risen=_risen(scene, history, amplitude),
         relaxed=_relaxed(scene, rings),
-        overstress=_overstress(scene, rings),
+        overstress=overstress,
         flowing_overstress=flowing_overstress(scene, sag),
         retarded=_retarded(scene, rings, amplitude),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=neck_folds(scene, strain_of(scene, sag)),
     )
+
+
+def expected_sag(scene: Scene) -> float:
+    """Largest sag over span in the run, no further than free fall goes."""
+    return min(duration_star(scene) ** 2 / 2, forecast(scene).sag)
+
+
+def expected_strain(scene: Scene) -> float:
+    """Mean stretch minus one of a parabola of the expected sag: (8/3) (H/L)^2."""
+    return 8 / 3 * expected_sag(scene) ** 2
 
 
 def missed_by(scene: Scene, time: Floats, sag: Floats) -> float:

@@ -1,4 +1,4 @@
-"""How far a scene will sag, roughly: the smallest of free fall, elastic and flowing estimates (THEORY 5-7, 11)."""
+"""What every estimate starts from: moduli, viscosities and thresholds, and the static sag (THEORY 5-7, 11)."""
 
 from __future__ import annotations
 
@@ -110,30 +110,3 @@ def elastic_sag(scene: Scene) -> float:
         return 0.0
     stiff = modulus / weight
     return smaller_of(1 / (bending_stiffness(scene) * stiff), (3 / (64 * stiff)) ** (1 / 3))
-
-
-def flowing_sag(scene: Scene) -> float:
-    """Sag over span that flow adds by the end of the run: viscous beam and string, up to H_stop (3.13)."""
-    viscous, gravity_number = viscous_number(scene), gravity_number_of(scene)
-    if not viscous or is_solid(scene):
-        return 0.0
-    if gravity_number is not None and gravity_number < first_yield_gravity_number(scene):
-        return 0.0
-    time = duration_star(scene)
-    if time == 0:
-        return 0.0
-    flowing = smaller_of(time / (bending_stiffness(scene) * viscous), (9 * time / (128 * viscous)) ** (1 / 3))
-    if gravity_number is None or float(regimes.ARREST_THRESHOLD) <= gravity_number:
-        return flowing
-    return min(flowing, float(regimes.STOPPING_DEPTH.right.subs(regimes.G, gravity_number)))
-
-
-def predicted_sag(scene: Scene) -> float:
-    """Sag over span at the end of the run, no further than free fall goes."""
-    fall = duration_star(scene) ** 2 / 2
-    return min(fall, elastic_sag(scene) + flowing_sag(scene))
-
-
-def predicted_strain(scene: Scene) -> float:
-    """Mean stretch minus one of a parabola of the predicted sag: (8/3) (H/L)^2."""
-    return 8 / 3 * predicted_sag(scene) ** 2

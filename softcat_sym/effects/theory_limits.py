@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 
 from softcat_sym.effects.expected_regime import ExpectedRegime
+from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.plastic_overshoot import neck_draw
 from softcat_sym.effects.prediction import (
     effective_viscosity,
     instant_modulus,
-    predicted_sag,
-    predicted_strain,
     viscous_number,
     weight_stress,
     yield_stress_of,
@@ -63,7 +62,7 @@ def fastest(scene: Scene) -> float:
     span, duration = scene.filament.span, scene.run.duration
     parts = {max(duration / share, min(scene.load.ramp, duration)) for share in (1, 4, 16, 64)}
     shorter = (scene.model_copy(update={"run": scene.run.model_copy(update={"duration": part})}) for part in parts)
-    return max(predicted_sag(part) * span / part.run.duration for part in shorter)
+    return max(expected_sag(part) * span / part.run.duration for part in shorter)
 
 
 def _surface_tension(scene: Scene) -> str:
@@ -86,7 +85,7 @@ def _surface_tension(scene: Scene) -> str:
 
 def _is_stiff(scene: Scene, gamma: float, radius: float, modulus: float) -> bool:
     """Whether the capillary strain is little beside that of stretching and of buckling."""
-    return gamma / (radius * modulus) < SMALL * max(predicted_strain(scene), groups_of(scene).delta ** 2)
+    return gamma / (radius * modulus) < SMALL * max(expected_strain(scene), groups_of(scene).delta ** 2)
 
 
 def _thickness(scene: Scene) -> str:
@@ -131,7 +130,7 @@ def _descent(regime: ExpectedRegime) -> str:
 
 def _reductions(scene: Scene) -> tuple[str, str]:
     """What the reduced model and the printed closure cannot follow."""
-    sag, strain = predicted_sag(scene), predicted_strain(scene)
+    sag, strain = expected_sag(scene), expected_strain(scene)
     shallow = printed = ""
     if scene.model == "small-deflection" and sag > SHALLOW:
         shallow = f"the small-deflection model is for sags well below the span, and {sag:.2g} L is expected"

@@ -62,7 +62,7 @@ def regime_rows(explanation: Explanation) -> Rows:
     rows: Rows = [("regime", regime.name), ("because", regime.reason)]
     rows.append(
         (
-            "sag at the end",
+            "largest sag",
             f"about {significant(explanation.sag)} of the span, a mean strain of {significant(explanation.strain)}",
         )
     )

@@ -9,13 +9,12 @@ from typing import Any, Literal
 import numpy as np
 
 from softcat_sym.effects import Effects
+from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.prediction import (
     elastic_sag,
     first_yield_gravity_number,
     gravity_number_of,
     instant_modulus,
-    predicted_sag,
-    predicted_strain,
     viscous_number,
     weight_stress,
 )
@@ -115,9 +114,9 @@ def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
 
 
 def _smallest_strain(scene: Scene) -> float:
-    """The strain against which absolute errors are measured: that of the predicted sag, a hundredth at the most."""
-    bending = 4 * predicted_sag(scene) * groups_of(scene).delta
-    expected = max(bending, predicted_strain(scene))
+    """The strain against which absolute errors are measured: that of the expected sag, a hundredth at the most."""
+    bending = 4 * expected_sag(scene) * groups_of(scene).delta
+    expected = max(bending, expected_strain(scene))
     return min(0.01, expected) if expected > 0 else 0.01
 
 

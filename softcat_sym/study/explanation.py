@@ -10,7 +10,7 @@ from typing import Any
 
 from softcat_sym.effects import choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
-from softcat_sym.effects.prediction import predicted_sag, predicted_strain
+from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.equations.filament import derive
 from softcat_sym.equations.in_force import equations_in_force
@@ -127,7 +127,7 @@ class Explanation:
     regime : ExpectedRegime
         What it should show.
     sag, strain : float
-        Rough sag over span, and mean strain, at the end of the run.
+        Rough largest sag over span, and mean strain.
     effects : tuple of Decided
         All of them, in the order of the registry.
     equations : tuple of Stated
@@ -207,8 +207,8 @@ def explain(scene: Scene) -> Explanation:
         accuracy=scene.run.accuracy,
         groups=_groups(scene),
         regime=regime,
-        sag=predicted_sag(scene),
-        strain=predicted_strain(scene),
+        sag=expected_sag(scene),
+        strain=expected_strain(scene),
         effects=decisions,
         equations=equations_in_force(equations, reduced=scene.model == "small-deflection"),
         unknowns=_unknowns(graph),

@@ -127,3 +127,11 @@ KNOWN = {
 @pytest.mark.parametrize("name", KNOWN)
 def test_sag_is_foreseen_within_a_third(name: str) -> None:
     assert forecast(load_scene(name)).sag == pytest.approx(KNOWN[name], rel=0.34)
+
+
+def test_what_gives_way_while_it_hangs_slack_keeps_its_inertia() -> None:
+    """Its hinges yield from the first moment on; one that only its strength holds back hangs in balance."""
+    slack = {"filament": {"rest_length": "0.25 m"}, "load": {"ramp": "0 s"}}
+    weak, strong = (scene_of(material={"yield_stress": stress}, **slack) for stress in ("9 kPa", "90 MPa"))
+    assert forecast(weak).missed == 1
+    assert forecast(strong).missed < 0.01
