@@ -62,7 +62,7 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     return trajectory.repeated(repeats)
 
 
-def build(scene: Scene, effects: Effects) -> Prepared:
+def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepared:
     """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready.
 
     Parameters
@@ -71,29 +71,42 @@ def build(scene: Scene, effects: Effects) -> Prepared:
         What is asked.
     effects : Effects
         From :func:`softcat_sym.effects.choose_effects`.
+    clock : Clock
+        Told what the compilation took.
     """
+    from softcat_sym.codegen.structure import structure_of
     from softcat_sym.equations.filament import derive
     from softcat_sym.equations.section import SECTIONS
     from softcat_sym.graph import assemble
     from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
-    from softcat_sym.solve import choose_settings, prepare
+    from softcat_sym.solve import choose_backend, choose_settings, compiled_settings, prepare
+    from softcat_sym.solve.compiling import compile_filament
 
-    equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
+    shape, backend = SECTIONS[scene.filament.section], choose_backend(scene, effects)
+    equations = derive(effects.terms(), shape, scene.run.closure)
     grid = choose_grid(scene, effects)
-    graph = assemble(equations, grid, effects.names, choose_theory(scene, equations), choose_body(scene, grid))
+    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
+    graph = assemble(equations, grid, effects.names, theory, body)
 
     def statics() -> Graph:
-        still = derive(effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
+        still = derive(effects.at_rest(), shape, scene.run.closure)
         return assemble(still, grid, effects.names, choose_theory(scene, still), choose_body(scene, grid))
 
-    return prepare(scene, graph, choose_settings(scene, effects), statics)
+    if clock is not None:
+        clock.lap("build")
+    if not backend.compiled:
+        return prepare(scene, graph, choose_settings(scene, effects), statics)
+    compiled = compile_filament(graph, structure_of(scene, effects, graph, equations, theory, body))
+    if clock is not None:
+        clock.lap("compile")
+    return prepare(scene, graph, compiled_settings(scene, effects), statics, (backend, compiled))
 
 
 def _run(scene: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
     """Integrate once with these effects, and judge the answer."""
     from softcat_sym.trajectory import judge
 
-    prepared = build(scene, effects)
+    prepared = build(scene, effects, clock)
     clock.lap("build")
     solution = prepared.solve(progress)
     clock.lap("solve")

@@ -16,6 +16,7 @@ from softcat_sym.cli import compare as compare  # isort: skip
 from softcat_sym.cli import figures as figures  # isort: skip
 from softcat_sym.cli import flow_curve as flow_curve  # isort: skip
 from softcat_sym.cli import scenes as scenes  # isort: skip
+from softcat_sym.cli import cache as cache  # isort: skip
 from softcat_sym.cli.application import BAD_INPUT, app, complain
 
 __all__ = ["app", "main"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import casadi as ca
 
@@ -12,6 +12,7 @@ from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.layout import Block, Layout
+from softcat_sym.graph.lengths import Lengths
 from softcat_sym.graph.profile import Profile
 from softcat_sym.graph.supports import Held
 
@@ -40,6 +41,28 @@ class Unknowns:
     profiles: Mapping[str, tuple[float, float]]
     angles: tuple[Block, ...] = ()
     spins: tuple[Block, ...] = ()
+
+
+class Recall(Protocol):
+    """Whatever knows the unknowns by name."""
+
+    def field(self, name: str, full: ca.SX) -> ca.SX:
+        """The values `full` of all nodes (or cells), with the unknown ones replaced."""
+        ...
+
+
+class Stage(Protocol):
+    """Names a field of cells or nodes that other places read; it may put symbols in its place."""
+
+    def __call__(self, name: str, value: ca.SX) -> ca.SX:
+        """The field, or what stands for it."""
+        ...
+
+
+def unstaged(name: str, value: ca.SX) -> ca.SX:
+    """Every field written out where it is used."""
+    del name
+    return value
 
 
 @dataclass(frozen=True)
@@ -76,6 +99,10 @@ class Setting:
         Where the supports are.
     time_scale : casadi.SX
         Unit of time [s].
+    lengths : Lengths
+        Of the grid.
+    stage : Stage
+        What becomes of the fields that other places read.
     """
 
     values: Mapping[sy.Symbol, Any]
@@ -83,16 +110,18 @@ class Setting:
     profile: Profile
     supports: Held
     time_scale: ca.SX
+    lengths: Lengths
+    stage: Stage = unstaged
 
-    def positions(self, state: State) -> tuple[ca.SX, ca.SX]:
+    def positions(self, state: Recall) -> tuple[ca.SX, ca.SX]:
         """Positions of all nodes, in rest lengths; those that are held are where the supports are."""
-        x, y = ca.SX(self.grid.nodes), ca.SX.zeros(self.grid.cells + 1)
+        x, y = ca.SX(self.lengths.nodes), ca.SX.zeros(self.grid.cells + 1)
         if self.grid.first.holds_height:
             x[0] = self.supports.left_x
         x[-1], y[-1] = self.supports.right_x, self.supports.right_y
         return state.field("x", x), state.field("y", y)
 
-    def velocities(self, state: State) -> tuple[ca.SX, ca.SX]:
+    def velocities(self, state: Recall) -> tuple[ca.SX, ca.SX]:
         """Velocities of all nodes, in rest lengths per second."""
         u, v = ca.SX.zeros(self.grid.cells + 1), ca.SX.zeros(self.grid.cells + 1)
         u[-1], v[-1] = self.supports.right_u * self.time_scale, self.supports.right_v * self.time_scale
@@ -144,6 +173,8 @@ class Discretisation:
 
     Attributes
     ----------
+    label : str
+        What it is, down to the numbers that its equations hold.
     unknowns : callable
         Equations and grid to the unknowns.
     evaluate : callable
@@ -152,6 +183,7 @@ class Discretisation:
         Equations to the expressions that are printed, for the parameters that occur in them.
     """
 
+    label: str
     unknowns: Callable[[FilamentEquations, Grid], Unknowns]
-    evaluate: Callable[[FilamentEquations, Setting, State], Fields]
+    evaluate: Callable[[FilamentEquations, Setting, Recall], Fields]
     expressions: Callable[[FilamentEquations], Iterable[Any]]

@@ -48,6 +48,8 @@ class Graph:
         Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ...
     x_where, z_where : ndarray
         X/L_0 of each component.
+    x_places, z_places : tuple of int
+        Number of the node or cell of each component.
     profiles : mapping of str to (float, float)
         What each kind of plastic state is of a plastic strain a_0 + a_1 zeta.
     """
@@ -74,6 +76,8 @@ class Graph:
     z_kinds: tuple[str, ...]
     x_where: Floats
     z_where: Floats
+    x_places: tuple[int, ...]
+    z_places: tuple[int, ...]
     profiles: Mapping[str, tuple[float, float]]
 
     @property

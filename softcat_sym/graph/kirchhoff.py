@@ -15,7 +15,7 @@ import numpy as np
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import CellPrinter, Pair
-from softcat_sym.graph.discretisation import Discretisation, Fields, Setting, State, Unknowns
+from softcat_sym.graph.discretisation import Discretisation, Fields, Recall, Setting, Unknowns
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.layout import Block, cell_block, node_block
 from softcat_sym.graph.linear_section import Strained, plastic_names, section_fields, stress_section
@@ -54,34 +54,37 @@ def linear_profiles(equations: FilamentEquations) -> dict[str, tuple[float, floa
     return means | {bending: (0.0, 1.0) for _, bending in names}
 
 
-def evaluate(equations: FilamentEquations, setting: Setting, state: State) -> Fields:
+def evaluate(equations: FilamentEquations, setting: Setting, state: Recall) -> Fields:
     """Evaluate the whole filament."""
     cell, grid = CellPrinter(equations, setting.values), setting.grid
     x, y = setting.positions(state)
     x = x if equations.terms.stretches else unstretched_places(setting)
-    per_length, per_span = ca.DM(1 / grid.cell_length), 1 / setting.values[sy.L_0]
-    slope = (ca.diff(x) * per_length, ca.diff(y) * per_length)
-    s = cell.stretch(slope) if equations.terms.stretches else ca.SX.ones(grid.cells, 1)
-    strained = Strained(s, to_nodes(grid, s), turning(cell, setting, slope), *_rates(cell, setting, state, slope))
+    stage, lengths = setting.stage, setting.lengths
+    per_length, per_span = 1 / lengths.cell, 1 / setting.values[sy.L_0]
+    slope = (stage("slope_x", ca.diff(x) * per_length), stage("slope_y", ca.diff(y) * per_length))
+    s = stage("s", cell.stretch(slope)) if equations.terms.stretches else ca.SX.ones(grid.cells, 1)
+    s_node, turned_by = stage("s_node", to_nodes(lengths, s)), stage("turning", turning(cell, setting, slope))
+    strained = Strained(s, s_node, turned_by, *_rates(cell, setting, state, slope))
     section = stress_section(cell, setting, state.field, strained)
     turned = {sy.s: strained.stretch_node, sy.theta_X: strained.turning, sy.M: section.moment}
-    axial = section.tension + to_cells(cell.section("axial_correction", turned))
+    axial = section.tension + to_cells(stage("axial_correction", cell.section("axial_correction", turned)))
     double_force = None
     if equations.neck is not None:
         double_force = neck_double_force(equations.neck, setting, s, section.tension)
-        axial += neck_tension(grid, double_force)
+        axial += neck_tension(lengths, double_force)
     transverse = ca.diff(section.moment) * (per_length * per_span)
     shown = {
         "shear_force": transverse / s,
         "relative_thickness": cell.section("relative_thickness", {sy.s: s}) * section.outline.relative,
     }
-    force = cell.force(slope, s, axial, transverse)
+    force_x, force_y = cell.force(slope, s, axial, transverse)
+    force = stage("force_x", force_x), stage("force_y", force_y)
     return section_fields(setting, (x, y), force, section, shown, double_force)
 
 
 def unstretched_places(setting: Setting) -> ca.SX:
     """Places of nodes that stay above those where a straight, level filament has them, in rest lengths."""
-    grid, nodes = setting.grid, ca.SX(setting.grid.nodes)
+    grid, nodes = setting.grid, ca.SX(setting.lengths.nodes)
     if grid.first.holds_height:
         return nodes + (setting.supports.left_x - nodes[0])
     return nodes + (setting.supports.right_x - nodes[-1])
@@ -96,7 +99,7 @@ def turning(cell: CellPrinter, setting: Setting, slope: Pair) -> ca.SX:
     first = cell.turning(before, (slope[0][0], slope[1][0])) if grid.first.holds_angle else ca.SX(0)
     last = cell.turning((slope[0][-1], slope[1][-1]), behind) if grid.last.holds_angle else ca.SX(0)
     inner = cell.turning((slope[0][:-1], slope[1][:-1]), (slope[0][1:], slope[1][1:]))
-    return ca.SX(ca.vertcat(first, inner, last) * (ca.DM(1 / grid.node_length) / setting.values[sy.L_0]))
+    return ca.SX(ca.vertcat(first, inner, last) * (1 / setting.lengths.node / setting.values[sy.L_0]))
 
 
 def clamp_tangents(setting: Setting) -> tuple[Pair, Pair]:
@@ -107,16 +110,16 @@ def clamp_tangents(setting: Setting) -> tuple[Pair, Pair]:
     return (ca.cos(left), ca.sin(left)), (ca.cos(right), ca.sin(right))
 
 
-def _rates(cell: CellPrinter, setting: Setting, state: State, slope: Pair) -> Pair:
+def _rates(cell: CellPrinter, setting: Setting, state: Recall, slope: Pair) -> Pair:
     """Rates of stretch and turning [1/s], where the stress depends on them."""
     grid = setting.grid
     if cell.equations.response.viscous is None:
         return ca.SX(grid.cells, 1), ca.SX(grid.cells + 1, 1)
-    per_length = ca.DM(1 / grid.cell_length)
+    per_length, stage = 1 / setting.lengths.cell, setting.stage
     u, v = setting.velocities(state)
-    speed = (ca.diff(u) * per_length, ca.diff(v) * per_length)
+    speed = (stage("speed_x", ca.diff(u) * per_length), stage("speed_y", ca.diff(v) * per_length))
     stretches = cell.equations.terms.stretches
-    stretching = cell.stretch_rate(slope, speed) if stretches else ca.SX(grid.cells, 1)
+    stretching = stage("stretching", cell.stretch_rate(slope, speed)) if stretches else ca.SX(grid.cells, 1)
     if not cell.equations.terms.bending:
         return stretching, ca.SX(grid.cells + 1, 1)
     at_rest = (ca.SX(0), ca.SX(0))
@@ -128,8 +131,8 @@ def _rates(cell: CellPrinter, setting: Setting, state: State, slope: Pair) -> Pa
     left = tuple((a[0][:-1], a[1][:-1]) for a in (slope, speed))
     right = tuple((a[0][1:], a[1][1:]) for a in (slope, speed))
     inner = cell.turning_rate((left[0], right[0]), (left[1], right[1]))
-    per_node = ca.DM(1 / grid.node_length) / setting.values[sy.L_0]
-    return stretching, ca.vertcat(first, inner, last) * per_node
+    per_node = 1 / setting.lengths.node / setting.values[sy.L_0]
+    return stretching, stage("turning_rate", ca.vertcat(first, inner, last) * per_node)
 
 
 def bending_nodes(grid: Grid) -> list[int]:
@@ -155,4 +158,4 @@ def expressions(equations: FilamentEquations) -> Iterable[Any]:
     return [*printed, neck.double_force()] if neck is not None else printed
 
 
-KIRCHHOFF = Discretisation(unknowns, evaluate, expressions)
+KIRCHHOFF = Discretisation("kirchhoff", unknowns, evaluate, expressions)

@@ -68,6 +68,8 @@ class Layout:
         self.names = tuple(labels[i] for i in self._order)
         kinds = [b.name for b in blocks for _ in b.places]
         self.kinds = tuple(kinds[i] for i in self._order)
+        places = [place for b in blocks for place in b.places]
+        self.places = tuple(places[i] for i in self._order)
         self.where = where[self._order]
         values = np.concatenate([b.start for b in blocks]) if blocks else np.zeros(0)
         self.start = values[self._order]

@@ -108,7 +108,7 @@ def stress_section(
 def _part(
     cell: CellPrinter, setting: Setting, shape: Outline, at: Strained, number: int, plastic: tuple[ca.SX, ca.SX]
 ) -> Stressed:
-    grid, s, s_node = setting.grid, at.stretch, at.stretch_node
+    grid, lengths, s, s_node = setting.grid, setting.lengths, at.stretch, at.stretch_node
     mean = cell.stress(number, "stress_mean", {sy.s: s, sy.s_t: at.stretch_rate, sy.a_0: plastic[0]})
     turned = {sy.theta_X: at.turning, sy.theta_Xt: at.turning_rate, sy.a_1: plastic[1], sy.h0: shape.h_nodes}
     if sy.kappa_0 in setting.values:
@@ -116,13 +116,16 @@ def _part(
         carries = np.ones(grid.cells + 1)
         carries[0], carries[-1] = grid.first.holds_angle, grid.last.holds_angle
         turned[sy.kappa_0] = setting.values[sy.kappa_0] * ca.DM(carries)
-    rates = {sy.s: s_node, sy.s_t: to_nodes(grid, at.stretch_rate * ca.SX.ones(grid.cells))}
+    stage, tag = setting.stage, f"_{number}"
+    rates = {sy.s: s_node, sy.s_t: to_nodes(lengths, at.stretch_rate * ca.SX.ones(grid.cells))}
     bending = cell.stress(number, "stress_bending", {**turned, **rates})
-    tension = shape.area_cells * cell.section("tension", {sy.s: s, sy.sigma_0: mean})
-    moment = shape.area_nodes * cell.section("moment", {sy.s: s_node, sy.sigma_1: bending, sy.h0: shape.h_nodes})
-    on_nodes = to_nodes(grid, tension) / shape.area_nodes
+    tension = stage("tension" + tag, shape.area_cells * cell.section("tension", {sy.s: s, sy.sigma_0: mean}))
+    at_nodes = {sy.s: s_node, sy.sigma_1: bending, sy.h0: shape.h_nodes}
+    moment = stage("moment" + tag, shape.area_nodes * cell.section("moment", at_nodes))
+    on_nodes = stage("tension_node" + tag, to_nodes(lengths, tension) / shape.area_nodes)
     mean_node = cell.section("stress_of_tension", {sy.s: s_node, sy.T: on_nodes})
-    on_cells = {sy.s: s, sy.M: to_cells(moment) / shape.area_cells, sy.h0: shape.h_cells}
+    moment_cell = stage("moment_cell" + tag, to_cells(moment) / shape.area_cells)
+    on_cells = {sy.s: s, sy.M: moment_cell, sy.h0: shape.h_cells}
     bending_cell = cell.section("stress_of_moment", on_cells)
     return Stressed(
         mean=mean,
@@ -151,7 +154,7 @@ def section_fields(
         Observables that the theory has at hand.
     """
     grid, at, shape = setting.grid, section.strained, section.outline
-    cell, node = ca.DM(grid.cell_length) * shape.area_cells, ca.DM(grid.node_length) * shape.area_nodes
+    cell, node = setting.lengths.cell * shape.area_cells, setting.lengths.node * shape.area_nodes
     dissipated, stored = section.gather("dissipation"), section.gather("elastic")
     branches = section.parts[:-1] if section.viscous else section.parts
     # Where nothing stretches, no cell dissipates: a power that is zero at every place is left out of the quadratures.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from softcat_sym.graph.grid import Grid
+from softcat_sym.graph.lengths import Lengths
 
 
 def to_cells(on_nodes: ca.SX) -> ca.SX:
@@ -12,8 +12,8 @@ def to_cells(on_nodes: ca.SX) -> ca.SX:
     return (on_nodes[:-1] + on_nodes[1:]) / 2
 
 
-def to_nodes(grid: Grid, on_cells: ca.SX) -> ca.SX:
+def to_nodes(lengths: Lengths, on_cells: ca.SX) -> ca.SX:
     """Mean of a cell quantity over the length that each node answers for, shape (cells + 1,)."""
-    length, whole = grid.cell_length / 2, grid.node_length
-    behind = ca.vertcat(ca.DM(length / whole[:-1]) * on_cells, 0)
-    return behind + ca.vertcat(0, ca.DM(length / whole[1:]) * on_cells)
+    length, whole = lengths.cell / 2, lengths.node
+    behind = ca.vertcat(length / whole[:-1] * on_cells, 0)
+    return ca.SX(behind + ca.vertcat(0, length / whole[1:] * on_cells))

@@ -19,13 +19,13 @@ class Profile:
 
     Attributes
     ----------
-    nodes, cells : ndarray or None
-        At the nodes and in the middle of the cells; None for a filament that is the same everywhere, which then leaves
-        nothing of this in the graph.
+    nodes, cells : ndarray, casadi.SX or None
+        At the nodes and in the middle of the cells, as symbols where the grid is an input; None for a filament that is
+        the same everywhere, which then leaves nothing of this in the graph.
     """
 
-    nodes: Floats | None = None
-    cells: Floats | None = None
+    nodes: Floats | ca.SX | None = None
+    cells: Floats | ca.SX | None = None
 
     @classmethod
     def sampled(cls, values: tuple[float, ...], grid: Grid) -> Profile:
@@ -62,15 +62,20 @@ def outline(profile: Profile, power: int, values: Mapping[sy.Symbol, Any]) -> Ou
     h = values.get(sy.h0)
     if profile.nodes is None or profile.cells is None or h is None:
         return Outline(h, h, 1.0, 1.0, 1.0)
-    cells, nodes = ca.DM(profile.cells), ca.DM(profile.nodes)
+    cells, nodes = as_values(profile.cells), as_values(profile.nodes)
     return Outline(h * cells, h * nodes, cells**power, nodes**power, cells)
+
+
+def as_values(values: Floats | ca.SX) -> Any:
+    """Numbers or symbols as CasADi has them."""
+    return values if isinstance(values, ca.SX) else ca.DM(values)
 
 
 def node_mass(grid: Grid, profile: Profile, power: int) -> Floats:
     """Mass that each node answers for, over density, undeformed area and rest length, shape (cells + 1,)."""
     half = grid.cell_length / 2
     if profile.cells is not None:
-        half = half * profile.cells**power
+        half = half * np.asarray(profile.cells) ** power
     behind: Floats = np.concatenate([half, [0.0]])
     before: Floats = np.concatenate([[0.0], half])
     return behind + before

@@ -17,7 +17,7 @@ import numpy as np
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import Pair
-from softcat_sym.graph.discretisation import Discretisation, Fields, Setting, State, Unknowns
+from softcat_sym.graph.discretisation import Discretisation, Fields, Recall, Setting, Stage, Unknowns
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.kirchhoff import free_nodes
 from softcat_sym.graph.layout import cell_block, node_block
@@ -31,7 +31,7 @@ from softcat_sym.graph.section_rule import SectionRule
 def reissner(rule: SectionRule) -> Discretisation:
     """The theory with its section sampled and its plastic state represented by `rule`."""
     section = _Sampled(rule)
-    return Discretisation(section.unknowns, section.evaluate, expressions)
+    return Discretisation(f"reissner {rule.label}", section.unknowns, section.evaluate, expressions)
 
 
 def expressions(equations: FilamentEquations) -> Iterable[Any]:
@@ -87,13 +87,13 @@ class _Sampled:
     def _names(self, kind: str, branch: int) -> list[str]:
         return [branch_name(f"{kind}_{n}", branch) for n in range(self.rule.states)]
 
-    def evaluate(self, equations: FilamentEquations, setting: Setting, state: State) -> Fields:
+    def evaluate(self, equations: FilamentEquations, setting: Setting, state: Recall) -> Fields:
         """Evaluate the whole filament."""
         grid = setting.grid
         cell = ResolvedPrinter(equations, setting, self.rule)
         x, y = setting.positions(state)
         psi = self._angles(setting, state)
-        length, per_length = ca.DM(grid.cell_length), ca.DM(1 / grid.cell_length)
+        length, per_length, stage = setting.lengths.cell, 1 / setting.lengths.cell, setting.stage
         per_span = 1 / setting.values[sy.L_0]
         slope = (ca.diff(x) * per_length, ca.diff(y) * per_length)
         k, angle = ca.diff(psi) * (per_length * per_span), to_cells(psi)
@@ -106,12 +106,14 @@ class _Sampled:
         points = cell.points(strains, plastic)
         section = cell.resultants(strains, angle, points)
         stretch = ca.sqrt(slope[0] ** 2 + slope[1] ** 2)
-        force_x, force_y = section.force
+        force_x, force_y = stage("section_force_x", section.force[0]), stage("section_force_y", section.force[1])
         double_force = None
         if equations.neck is not None:
-            double_force = neck_double_force(equations.neck, setting, stretch, section.tension)
-            gain = neck_tension(grid, double_force) / stretch
-            force_x, force_y = force_x + gain * slope[0], force_y + gain * slope[1]
+            stretch = stage("stretch", stretch)
+            double_force = neck_double_force(equations.neck, setting, stretch, stage("tension", section.tension))
+            gain = neck_tension(setting.lengths, double_force) / stretch
+            force_x = stage("force_x", force_x + gain * slope[0])
+            force_y = stage("force_y", force_y + gain * slope[1])
         volume = length * cell.outline.area_cells
         return Fields(
             x=x,
@@ -123,11 +125,11 @@ class _Sampled:
             elastic_energy=ca.dot(volume, points.energy @ ca.DM(self.rule.weight)),
             dissipation=volume * (points.dissipation @ ca.DM(self.rule.weight)),
             observables=self._shown(section, points, strains),
-            torque=_torque(length * setting.values[sy.L_0], section),
+            torque=_torque(length * setting.values[sy.L_0], section, stage),
             double_force=double_force,
         )
 
-    def _angles(self, setting: Setting, state: State) -> ca.SX:
+    def _angles(self, setting: Setting, state: Recall) -> ca.SX:
         psi = ca.SX.zeros(setting.grid.cells + 1)
         if not setting.grid.is_half:
             psi[0] = setting.supports.left_angle
@@ -135,19 +137,19 @@ class _Sampled:
         return state.field("psi", psi)
 
     def _strain_rates(
-        self, cell: ResolvedPrinter, setting: Setting, state: State, slope: Pair, angle: ca.SX
+        self, cell: ResolvedPrinter, setting: Setting, state: Recall, slope: Pair, angle: ca.SX
     ) -> StrainRates | None:
         """Rates of the strains [1/s], where the stress depends on them."""
         if not cell.is_viscous:
             return None
-        per_length = ca.DM(1 / setting.grid.cell_length)
+        per_length = 1 / setting.lengths.cell
         u, v = setting.velocities(state)
         omega = state.field("omega", ca.SX.zeros(setting.grid.cells + 1)) / setting.time_scale
         speed = (ca.diff(u) * per_length, ca.diff(v) * per_length)
         bending = ca.diff(omega) * (per_length / setting.values[sy.L_0])
         return StrainRates(*cell.strain_rates(slope, angle, speed, to_cells(omega)), bending)
 
-    def _at_points(self, state: State, grid: Grid, kind: str, branch: int) -> ca.SX:
+    def _at_points(self, state: Recall, grid: Grid, kind: str, branch: int) -> ca.SX:
         """Plastic strain of a branch at every point of every cell, shape (cells, points)."""
         zeros = ca.SX(grid.cells, 1)
         states = ca.horzcat(*(state.field(name, zeros) for name in self._names(kind, branch)))
@@ -196,7 +198,7 @@ class _Sampled:
         return low, ca.fmax(low, high)
 
 
-def _torque(length: ca.SX, section: Resultants) -> ca.SX:
+def _torque(length: ca.SX, section: Resultants, stage: Stage) -> ca.SX:
     """Change of the couple and the moment of the forces about each node, shape (cells + 1,) [Pa m]."""
-    half = length * section.turning_moment / 2
-    return ca.vertcat(section.couple, 0) - ca.vertcat(0, section.couple) + ca.vertcat(half, 0) + ca.vertcat(0, half)
+    half, couple = stage("turning_half", length * section.turning_moment / 2), stage("couple", section.couple)
+    return ca.vertcat(couple, 0) - ca.vertcat(0, couple) + ca.vertcat(half, 0) + ca.vertcat(0, half)

@@ -42,6 +42,11 @@ class SectionRule:
         return len(self.zeta)
 
     @property
+    def label(self) -> str:
+        """All of its numbers."""
+        return ", ".join(repr(part.tolist()) for part in (self.zeta, self.weight, self.recall, self.project))
+
+    @property
     def states(self) -> int:
         """Number of plastic states of one kind."""
         return int(self.recall.shape[1])

@@ -13,7 +13,7 @@ import numpy as np
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import CellPrinter
-from softcat_sym.graph.discretisation import Discretisation, Fields, Setting, State, Unknowns
+from softcat_sym.graph.discretisation import Discretisation, Fields, Recall, Setting, Unknowns
 from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.kirchhoff import bending_nodes, expressions, free_nodes, linear_profiles, turning
 from softcat_sym.graph.layout import Block, block, node_block
@@ -37,11 +37,12 @@ def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
     )
 
 
-def evaluate(equations: FilamentEquations, setting: Setting, state: State) -> Fields:
+def evaluate(equations: FilamentEquations, setting: Setting, state: Recall) -> Fields:
     """Evaluate the whole filament from its heights."""
     cell, grid = CellPrinter(equations, setting.values), setting.grid
     zeros, every = ca.SX(grid.cells + 1, 1), ca.SX.ones(grid.cells, 1)
-    length, per_length, per_span = ca.DM(grid.cell_length), ca.DM(1 / grid.cell_length), 1 / setting.values[sy.L_0]
+    length, per_span = setting.lengths.cell, 1 / setting.values[sy.L_0]
+    per_length = 1 / length
     y = state.field("y", zeros)
     slope = (every, ca.diff(y) * per_length)
     # Elongation of each cell at x_X = 1; what the mean has beyond it is the horizontal displacement U (2.13).
@@ -65,4 +66,4 @@ def evaluate(equations: FilamentEquations, setting: Setting, state: State) -> Fi
     )
 
 
-SMALL_DEFLECTION = Discretisation(unknowns, evaluate, expressions)
+SMALL_DEFLECTION = Discretisation("small-deflection", unknowns, evaluate, expressions)

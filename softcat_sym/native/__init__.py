@@ -1,8 +1,10 @@
 """C text becomes a shared library, once: compiled by the user's compiler, kept under the hash of all that made it."""
 
-from softcat_sym.native.cache import CacheEntry, cache_entries, cache_folder, clear_cache
-from softcat_sym.native.compiler import Compiler, find_compiler
+from softcat_sym.native.cache import CacheEntry, cache_entries, clear_cache
+from softcat_sym.native.compiler import Compiler, compiler_name, find_compiler
+from softcat_sym.native.folder import cache_folder
 from softcat_sym.native.library import OPTIMISED, compile_library, load
+from softcat_sym.native.limit import cache_limit, size_text
 
 __all__ = [
     "OPTIMISED",
@@ -10,8 +12,11 @@ __all__ = [
     "Compiler",
     "cache_entries",
     "cache_folder",
+    "cache_limit",
     "clear_cache",
     "compile_library",
+    "compiler_name",
     "find_compiler",
     "load",
+    "size_text",
 ]

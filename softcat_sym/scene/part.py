@@ -1,15 +1,12 @@
-"""What the parts of a scene share: frozen, no unknown keys, "not yet", equality by physics."""
+"""What the parts of a scene share: frozen, no unknown keys, equality by physics."""
 
 from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from pydantic import BaseModel, ConfigDict, ValidationInfo, ValidatorFunctionWrapHandler, field_validator
-from pydantic_core import PydanticCustomError, ValidationError
+from pydantic import BaseModel, ConfigDict
 
-from softcat_sym.scene.kinds import Choice, Kind, refusal
-from softcat_sym.scene.notyet import AVAILABLE, available, has_physics
-from softcat_sym.scene.units import shown
+from softcat_sym.scene.kinds import Kind
 
 
 class Part(BaseModel):
@@ -20,27 +17,6 @@ class Part(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
     table_name: ClassVar[str] = ""
-
-    @field_validator("*", mode="wrap")
-    @classmethod
-    def _refuse_what_is_not_yet(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        name = str(info.field_name)
-        path = dotted(cls.table_name, name)
-        if value is None and cls.model_fields[name].default is None:
-            return None
-        if path not in AVAILABLE:
-            return handler(value)
-        try:
-            result = handler(value)
-        except ValidationError:
-            kind = kinds_of(cls)[name]
-            if isinstance(kind, Choice):
-                raise _misspelt(path, value, kind) from None
-            # Whatever was meant, it belongs to physics still to come.
-            raise not_yet(path, value) from None
-        if not has_physics(path, result, info.data):
-            raise not_yet(path, value)
-        return result
 
     def kinds(self) -> dict[str, Kind]:
         """Return how each value is written, by field name."""
@@ -73,13 +49,3 @@ def dotted(*names: str) -> str:
 def kinds_of(part: type[BaseModel]) -> dict[str, Kind]:
     """Return the kind of each field that holds a value (not a part)."""
     return {name: kind for name, info in part.model_fields.items() for kind in info.metadata if isinstance(kind, Kind)}
-
-
-def not_yet(path: str, value: object) -> PydanticCustomError:
-    """Refuse a value whose physics is still to come, and say what there is now."""
-    return refusal(f"{shown(value)} is not yet available", f"for now {available(path)}", code="not_yet")
-
-
-def _misspelt(path: str, value: object, kind: Choice) -> PydanticCustomError:
-    later = [name for name in kind.names if name not in AVAILABLE[path]]
-    return refusal(kind.unknown(value), f"{available(path)}" + (f" (later: {', '.join(later)})" if later else ""))

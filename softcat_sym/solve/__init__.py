@@ -1,20 +1,24 @@
 """A Graph is integrated in time; the Outcome says how that went."""
 
+from softcat_sym.solve.backend import Backend, choose_backend
 from softcat_sym.solve.interrupts import watched
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress, Silence
 from softcat_sym.solve.run import Prepared, prepare
-from softcat_sym.solve.settings import Settings, choose_settings
+from softcat_sym.solve.settings import Settings, choose_settings, compiled_settings
 from softcat_sym.solve.solution import Solution
 
 __all__ = [
+    "Backend",
     "Outcome",
     "Prepared",
     "Progress",
     "Settings",
     "Silence",
     "Solution",
+    "choose_backend",
     "choose_settings",
+    "compiled_settings",
     "prepare",
     "watched",
 ]

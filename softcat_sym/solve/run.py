@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -11,6 +12,8 @@ from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
 from softcat_sym.graph.parameters import TIME_SCALE, parameter_values
 from softcat_sym.scene import Scene
+from softcat_sym.solve.backend import Backend
+from softcat_sym.solve.compiled import CompiledFilament, CompiledIntegration
 from softcat_sym.solve.integrate import Integration
 from softcat_sym.solve.march import march
 from softcat_sym.solve.outcome import Outcome
@@ -18,6 +21,16 @@ from softcat_sym.solve.progress import Progress
 from softcat_sym.solve.settings import Settings
 from softcat_sym.solve.solution import Solution
 from softcat_sym.solve.starting import Start, starting_state
+
+_INTERPRETED = Backend(False, "as asked")
+
+
+class Integrates(Protocol):
+    """Whatever carries a filament from its start through the output times."""
+
+    def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
+        """Integrate."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -36,6 +49,12 @@ class Prepared:
         Output times in units of the time scale.
     scale : float
         The time scale [s].
+    start : Start or None
+        Where the run begins; None if no shape in balance was found.
+    integration : Integrates or None
+        What integrates; None of a row of equilibria.
+    backend : Backend
+        Interpreted or compiled.
     """
 
     graph: Graph
@@ -44,7 +63,8 @@ class Prepared:
     times: Floats
     scale: float
     start: Start | None
-    integration: Integration | None
+    integration: Integrates | None
+    backend: Backend = _INTERPRETED
 
     def solve(self, progress: Progress) -> Solution:
         """Integrate."""
@@ -61,7 +81,13 @@ class Prepared:
         return Solution(self.times[:1], x, z, frame, Outcome.no_equilibrium, text, 0)
 
 
-def prepare(scene: Scene, graph: Graph, settings: Settings, statics: Callable[[], Graph] | None = None) -> Prepared:
+def prepare(
+    scene: Scene,
+    graph: Graph,
+    settings: Settings,
+    statics: Callable[[], Graph] | None = None,
+    compiled: tuple[Backend, CompiledFilament] | None = None,
+) -> Prepared:
     """Fill in the scene's parameters, find the starting shape and build the integrator.
 
     Parameters
@@ -69,6 +95,8 @@ def prepare(scene: Scene, graph: Graph, settings: Settings, statics: Callable[[]
     statics : callable
         The same filament without inertia and viscous stress, for a starting shape that is not straight;
         without it such a run finds none.
+    compiled : pair of Backend and CompiledFilament
+        What integrates in place of CasADi.
     """
     values = parameter_values(scene)
     scale = values[TIME_SCALE]
@@ -78,5 +106,9 @@ def prepare(scene: Scene, graph: Graph, settings: Settings, statics: Callable[[]
     flows = bool(graph.x.numel())
     # A frame at which a support changes pace is one too, but for the first.
     kinks = np.array(sorted({row[0] / scale for row in scene.ends.motion if 0 < row[0] < scene.run.duration}))
+    if compiled is not None:
+        backend, filament = compiled
+        whole = CompiledIntegration(graph, settings, filament, scene.run.frames, kinks)
+        return Prepared(graph, settings, p, times, scale, start, whole, backend)
     integration = Integration(graph, settings, scene.run.frames, kinks) if flows and start is not None else None
     return Prepared(graph, settings, p, times, scale, start, integration)

@@ -36,6 +36,9 @@ _TURNING = 0.05  # of BDF where sections have inertia: their waves must not spoi
 _CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
 _REST = 0.04  # of IDAS where a filament that yields throughout comes to rest: its last swings are small, not absent
 _QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load starts must be followed from the beginning
+# Of the compiled Rosenbrock method: of a filament that flows down, of one that a viscous stress holds, of one that
+# creeps to rest, and of one that rings.
+_FLOWING, _HELD_BACK, _CREEPING, _RINGING = 0.3, 0.03, 0.008, 0.012
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
 _OVERDAMPED = 5.0  # V above which a descending filament does not turn back
@@ -88,6 +91,19 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
     wanted = rtol * _ATOL_PER_RTOL[solver] * _smallest_strain(scene)
     noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
     return Settings(solver, rtol, max(wanted, noise), reason)
+
+
+def compiled_settings(scene: Scene, effects: Effects) -> Settings:
+    """Tolerances of the compiled Rosenbrock method, which is the cheapest for every filament."""
+    if "viscous-stress" in effects.names:
+        share = _HELD_BACK
+    elif _creeps_to_rest(scene, effects):
+        share = _CREEPING
+    else:
+        share = _FLOWING if _flow_damps(scene, effects) else _RINGING
+    rtol = scene.numerics.rtol or scene.run.accuracy * share
+    noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
+    return Settings("rosenbrock", rtol, max(rtol * _smallest_strain(scene), noise), "the compiled one")
 
 
 def _roundoff(scene: Scene, effects: Effects) -> float:

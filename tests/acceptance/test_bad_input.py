@@ -44,7 +44,7 @@ CASES: dict[str, tuple[bytes | None, str]] = {
     "duration 0": (changed('"2 s"', '"0 s"'), "run.duration"),
     "frames -3": (changed("[run]", "[run]\nframes = -3"), "run.frames"),
     "unknown effect": (changed("[run]", '[run]\neffects = ["inertia", "magic"]'), "run.effects"),
-    "physics not there yet": (changed("[run]", '[numerics]\nbackend = "compiled"\n[run]'), "not yet"),
+    "backend": (changed("[run]", '[numerics]\nbackend = "compile"\n[run]'), "numerics.backend"),
     "empty file": (b"", "empty"),
     "not TOML": (b"span == 3 metres", "TOML"),
     "binary": (b"\xff\xfe\x00\x01", "UTF-8"),

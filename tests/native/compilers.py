@@ -10,6 +10,12 @@ import pytest
 from softcat_sym.native import find_compiler
 
 ANSWER = {"answer.c": '#include "answer.h"\nint answer(void) { return ANSWER; }\n', "answer.h": "#define ANSWER 42\n"}
+COMPILE = f"from softcat_sym.native import compile_library, load\nprint(load(compile_library({ANSWER!r})).answer())"
+
+
+def left_in(native: Path) -> list[str]:
+    """What lies in the folder of libraries, beside what is known of compilers."""
+    return sorted(path.name for path in native.iterdir() if path.name != "compilers.json")
 
 
 class Counter:
@@ -36,3 +42,11 @@ class Counter:
     def compilations(self) -> int:
         """Calls that compiled, rather than asked for the version."""
         return sum("-shared" in call for call in self.calls)
+
+
+def compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, compiling: str) -> Counter:
+    """A compiler that does this instead of compiling."""
+    counter = Counter(tmp_path, monkeypatch)
+    text = counter.script.read_text()
+    counter.script.write_text(text.replace("*-shared*) sleep 0.0;;", f"*-shared*) {compiling};;"))
+    return counter

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import ctypes
+import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import OPTIMISED, compile_library, find_compiler, load
+from softcat_sym.native import OPTIMISED, cache_folder, compile_library, compiler, compiler_name, find_compiler, load
 
-from .compilers import ANSWER, Counter
+from .compilers import ANSWER, Counter, left_in
 
 
 @pytest.fixture(autouse=True)
@@ -69,7 +72,7 @@ def test_broken_sources_give_the_first_errors_and_leave_nothing(cache: Path) -> 
     assert "nowhere" in text
     assert "set CC" in text
     assert len(text.splitlines()) < 12
-    assert not list((cache / "native").iterdir())
+    assert left_in(cache / "native") == []
 
 
 @pytest.mark.parametrize("named", ["/nowhere/cc", "no-such-compiler -O2", "false"])
@@ -100,15 +103,99 @@ def test_cc_may_carry_flags(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     assert compiler.version
 
 
-def test_a_flag_for_this_processor_is_left_out_where_it_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_no_flag_names_the_processor_unless_the_user_asks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     counter = Counter(tmp_path, monkeypatch)
-    script = counter.script.read_text().replace("case", 'case "$*" in *-march*) exit 1;; esac\ncase', 1)
-    counter.script.write_text(script)
-    assert "-march=native" in OPTIMISED
+    assert not any("native" in flag for flag in OPTIMISED)
+    first = compile_library(ANSWER)
+    assert not any("native" in call for call in counter.calls)
+    monkeypatch.setenv("SOFTCAT_CFLAGS", "-march=native -DSPACE='a b'")
+    second = compile_library(ANSWER)
+    assert second != first
+    assert load(second).answer() == 42
+    assert "-march=native -DSPACE=a b -o" in counter.calls[-1], "after the flags of the package"
+    assert compile_library(ANSWER) == second
+
+
+def test_the_processor_counts_where_a_flag_asks_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    native, general = compile_library(ANSWER, flags=["-march=native"]), compile_library(ANSWER)
+    compiler._processor.cache_clear()
+    monkeypatch.setattr(compiler, "_output", lambda *command: "#define __OTHER__ 1\n")
+    assert compile_library(ANSWER) == general
+    assert compile_library(ANSWER, flags=["-march=native"]) != native
+    compiler._processor.cache_clear()
+
+
+@pytest.mark.parametrize("variable", ["SOFTCAT_CFLAGS", "CC"])
+def test_quotes_that_are_not_closed_are_said(variable: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(variable, "'-O2")
+    with pytest.raises(SoftcatError, match=f"{variable} is .*No closing quotation"):
+        compile_library(ANSWER)
+
+
+def test_a_flag_of_the_user_that_the_compiler_refuses_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOFTCAT_CFLAGS", "-march=no-such-processor")
+    with pytest.raises(SoftcatError, match="no-such-processor"):
+        compile_library(ANSWER)
+
+
+def test_versions_are_in_the_key() -> None:
+    paths = [compile_library(ANSWER, versions=versions) for versions in ({"casadi": "3.6"}, {"casadi": "3.7"}, None)]
+    assert len(set(paths)) == 3
+
+
+def test_another_process_finds_a_library_without_starting_any(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    counter = Counter(tmp_path, monkeypatch)
+    path = compile_library(ANSWER)
+    before = counter.calls
+    code = (
+        "import subprocess\nsubprocess.Popen = None\nfrom softcat_sym.native import compile_library\n"
+        f"print(compile_library({ANSWER!r}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == str(path)
+    assert counter.calls == before
+    counter.script.write_text(counter.script.read_text() + "# another\n")
+    assert compile_library(ANSWER) == path
+    assert len(counter.calls) == len(before) + 1, "a compiler whose file changed is asked again"
+    known = cache_folder() / "native" / "compilers.json"
+    days_ago = {key: {**value, "time": value["time"] - 2e5} for key, value in json.loads(known.read_bytes()).items()}
+    known.write_text(json.dumps(days_ago))
+    compiler._examine.cache_clear()
+    assert compile_library(ANSWER) == path
+    assert len(counter.calls) == len(before) + 2, "and so is one behind a wrapper, once a day"
+
+
+@pytest.mark.parametrize("known", [b"", b"[]", b'{"a": 1}', b"\xff"])
+def test_what_is_known_of_compilers_may_be_damaged(known: bytes, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (cache / "native").mkdir(parents=True)
+    (cache / "native" / "compilers.json").write_bytes(known)
+    compiler._examine.cache_clear()
     assert load(compile_library(ANSWER)).answer() == 42
-    assert not any("-march" in call for call in counter.calls if "-shared" in call)
+    found = find_compiler()
+    assert found is not None
+    assert found.version in json.dumps(json.loads((cache / "native" / "compilers.json").read_bytes()))
+
+
+@pytest.mark.parametrize(
+    ("version", "name"),
+    [
+        ("cc (Debian 12.2.0-14+deb12u1) 12.2.0", "gcc 12.2.0"),
+        ("gcc (GCC) 11.4.1 20231218 (Red Hat 11.4.1-3)", "gcc 11.4.1"),
+        ("gcc-13 (Homebrew GCC 13.2.0) 13.2.0", "gcc 13.2.0"),
+        ("Debian clang version 14.0.6", "clang 14.0.6"),
+        ("Apple clang version 15.0.0 (clang-1500.3.9.4)", "clang 15.0.0"),
+        ("tcc version 0.9.27 (x86_64 Linux)", "tcc 0.9.27"),
+        ("strange", "strange"),
+    ],
+)
+def test_a_compiler_in_short(version: str, name: str) -> None:
+    assert compiler.Compiler(("cc",), version).name == name
+
+
+def test_no_compiler_has_no_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert compiler_name().split()[0] in ("gcc", "clang")
+    monkeypatch.setenv("CC", "/nowhere/cc")
+    assert compiler_name() == ""
 
 
 def test_what_is_no_library_is_not_loaded(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from softcat_sym.equations.filament import derive
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.graph.discretisation import Setting
 from softcat_sym.graph.grid import End, half_span
+from softcat_sym.graph.lengths import lengths_of
 from softcat_sym.graph.parameters import CATALOGUE, parameter_values
 from softcat_sym.graph.profile import Profile
 from softcat_sym.graph.resolved_printer import ResolvedPrinter, Strains
@@ -53,9 +54,9 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
     numbers = parameter_values(asked)
     values = {p.symbol: numbers[p.name] for p in CATALOGUE if p.name in numbers}
     supports = held(Supports(), {}, ca.SX(1), ca.SX(0))
-    printer = ResolvedPrinter(
-        equations, Setting(values, half_span(1, End.CLAMPED), Profile(), supports, ca.SX(1)), rule
-    )
+    grid = half_span(1, End.CLAMPED)
+    setting = Setting(values, grid, Profile(), supports, ca.SX(1), lengths_of(grid))
+    printer = ResolvedPrinter(equations, setting, rule)
     s, turning, a = ca.SX.sym("s"), ca.SX.sym("theta_X"), ca.SX.sym("a", rule.states)
     straight, level = ca.SX(0), ca.SX(0)
     axial = (ca.DM(rule.recall) @ a).T

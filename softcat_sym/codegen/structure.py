@@ -1,0 +1,85 @@
+"""What the C text of a filament depends on: its equations, ends and supports, but no number and not the grid."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+from softcat_sym.codegen.model_text import Model, model_of
+from softcat_sym.codegen.recording import record
+from softcat_sym.effects import Effects
+from softcat_sym.equations.filament import FilamentEquations
+from softcat_sym.graph import End, Graph
+from softcat_sym.graph.body import Body
+from softcat_sym.graph.discretisation import Discretisation
+from softcat_sym.scene import Scene
+
+
+@dataclass(frozen=True)
+class Structure:
+    """All filaments that share a C text.
+
+    Attributes
+    ----------
+    key : str
+        Hash of all that the text depends on; two structures are equal if theirs are.
+    effects : tuple of str
+        Names of the effects in force.
+    equations, theory, ends, body
+        What the filament is recorded from.
+    """
+
+    key: str
+    effects: tuple[str, ...]
+    equations: FilamentEquations = field(compare=False)
+    theory: Discretisation = field(compare=False)
+    ends: tuple[End, End] = field(compare=False)
+    body: Body = field(compare=False)
+
+    @property
+    def area_power(self) -> int:
+        """With which the area of the section goes with its thickness."""
+        return self.equations.shape.area_power
+
+
+def structure_of(
+    scene: Scene, effects: Effects, graph: Graph, equations: FilamentEquations, theory: Discretisation, body: Body
+) -> Structure:
+    """The structure of a scene's filament.
+
+    Parameters
+    ----------
+    scene, effects
+        What is asked, and the physics in force.
+    graph, equations, theory, body
+        What it became.
+    """
+    ends = graph.grid.first, graph.grid.last
+    parts = (
+        effects.terms(),
+        equations.shape.name,
+        scene.run.closure,
+        theory.label,
+        tuple(end.name for end in ends),
+        body.supports,
+        body.profile.nodes is not None,
+        body.weighted,
+    )
+    return Structure(_digest(parts), effects.names, equations, theory, ends, body)
+
+
+def _digest(parts: tuple[object, ...]) -> str:
+    return hashlib.sha256("\n".join(repr(part) for part in parts).encode()).hexdigest()
+
+
+@lru_cache(maxsize=128)
+def model_for(structure: Structure) -> Model:
+    """The C text of a structure, made once a process.
+
+    Raises
+    ------
+    PrintingError
+        If it has none.
+    """
+    return model_of(record(structure.equations, structure.theory, structure.ends, structure.body))

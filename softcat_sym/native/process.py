@@ -1,0 +1,94 @@
+"""Running a compiler: nothing of it outlives a time limit or Ctrl-C."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from types import FrameType
+
+from softcat_sym.interrupts import interrupts_go_to
+
+
+def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run a command to its end, and take what it says.
+
+    Parameters
+    ----------
+    command : sequence of str
+        The executable and its arguments.
+    seconds : float
+        How long it may take.
+    folder : pathlib.Path, optional
+        Where it runs and puts its temporary files.
+
+    Returns
+    -------
+    subprocess.CompletedProcess
+        Its status (negative: the signal that ended it) and what it printed.
+
+    Raises
+    ------
+    OSError
+        If it cannot be started.
+    subprocess.TimeoutExpired
+        If it takes longer. As with Ctrl-C, it is then dead, and so is every process that it started.
+    """
+    # In the C locale messages are in English, where the word "error" marks the lines that matter.
+    surroundings = {**os.environ, "LC_ALL": "C"}
+    if folder is not None:
+        surroundings["TMPDIR"] = str(folder)
+    interrupt = _Interrupt()
+    with (
+        interrupts_go_to(interrupt.note),
+        subprocess.Popen(
+            command,
+            cwd=folder,
+            env=surroundings,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            # A group of its own: a compiler is a driver whose passes would live on if only the driver were killed.
+            start_new_session=True,
+        ) as process,
+    ):
+        try:
+            interrupt.pass_on()
+            out, err = process.communicate(timeout=seconds)
+        except BaseException:
+            _kill_group(process)
+            raise
+    return subprocess.CompletedProcess(command, process.returncode, out, err)
+
+
+class _Interrupt:
+    """Ctrl-C, held back while a process is being started: raised then, it would leave one that nobody knows of."""
+
+    def __init__(self) -> None:
+        self._pending = self._passed_on = False
+
+    def note(self, number: int, frame: FrameType | None) -> None:
+        """Handle SIGINT."""
+        self._pending = True
+        if self._passed_on:
+            signal.default_int_handler(number, frame)
+
+    def pass_on(self) -> None:
+        """Raise what was held back, and from now on whatever comes."""
+        self._passed_on = True
+        if self._pending:
+            raise KeyboardInterrupt
+
+
+def _kill_group(process: subprocess.Popen[str]) -> None:
+    if sys.platform == "win32":
+        process.kill()
+    else:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)

@@ -1,0 +1,188 @@
+"""The C model of a filament and the C runtime that integrates it, as ctypes sees them (softcat_model.h, ...)."""
+
+from __future__ import annotations
+
+import ctypes as ct
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+
+from softcat_sym.codegen.model_text import Model
+from softcat_sym.errors import SoftcatError
+from softcat_sym.graph.grid import Floats
+from softcat_sym.native import compile_library, load
+
+Doubles = ct.POINTER(ct.c_double)
+Integers = ct.POINTER(ct.c_int)
+
+_VERSIONS = {"casadi": version("casadi")}
+
+SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
+
+
+class Filament(ct.Structure):
+    """softcat_filament."""
+
+    _fields_ = (("sites", ct.c_int), ("parameters", Doubles), ("places", Doubles))
+
+
+class Options(ct.Structure):
+    """softcat_options."""
+
+    _fields_ = (
+        ("relative", ct.c_double),
+        ("absolute", Doubles),
+        ("first_step", ct.c_double),
+        ("smallest_step", ct.c_double),
+        ("largest_step", ct.c_double),
+        ("most_steps", ct.c_long),
+        ("method", ct.c_int),
+        ("kinks", Doubles),
+        ("kink_count", ct.c_int),
+        ("stop", Integers),
+    )
+
+
+class Status(ct.Structure):
+    """softcat_status."""
+
+    _fields_ = (
+        ("code", ct.c_int),
+        ("steps", ct.c_long),
+        ("rejected", ct.c_long),
+        ("evaluations", ct.c_long),
+        ("factorisations", ct.c_long),
+        ("reached", ct.c_double),
+        ("worst_site", ct.c_int),
+        ("worst_slot", ct.c_int),
+    )
+
+
+def doubles(array: Floats | None) -> ct._Pointer[ct.c_double] | None:
+    """A pointer to an array's memory, which the caller keeps alive; NULL for None."""
+    return None if array is None else array.ctypes.data_as(Doubles)
+
+
+@dataclass(frozen=True)
+class Run:
+    """Numbers of one integration.
+
+    Attributes
+    ----------
+    parameters : ndarray
+        In the order of the model.
+    places : ndarray, shape (sites, places)
+        Geometry.
+    state : ndarray, shape (sites, slots)
+        Where it begins.
+    times : ndarray, shape (frames,)
+        Increasing; the first is where it begins.
+    relative, absolute : float
+        Tolerances.
+    kinks : ndarray
+        Times that no step runs over.
+    most_steps : int
+        Before it gives up.
+    """
+
+    parameters: Floats
+    places: Floats
+    state: Floats
+    times: Floats
+    relative: float
+    absolute: float
+    kinks: Floats
+    most_steps: int
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came of it: states (frames, sites, slots) and work (frames, powers), NaN where it did not get."""
+
+    states: Floats
+    work: Floats
+    status: Status
+
+
+class CModel:
+    """A compiled model, ready to be integrated from any number of threads.
+
+    Parameters
+    ----------
+    model : Model
+        Its text.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self._runtime = _runtime()
+        self._library = load(compile_library({"filament.c": model.text, **_headers()}, versions=_VERSIONS))
+        self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, "softcat_filament_model")))
+
+    def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None) -> Answer:
+        """Integrate; `status` tells the time reached even while it works, and a non-zero `stop` ends it."""
+        frames, (sites, slots) = len(run.times), run.state.shape
+        states, work = np.full((frames, sites, slots), np.nan), np.zeros((frames, max(1, len(self.model.powers))))
+        state, absolute = run.state.copy(), np.full(slots, run.absolute)
+        filament = Filament(sites, doubles(run.parameters), doubles(run.places))
+        options = Options(relative=run.relative, absolute=doubles(absolute), most_steps=run.most_steps)
+        if len(run.kinks):
+            options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
+        if stop is not None:
+            options.stop = ct.pointer(stop)
+        self._runtime.softcat_integrate(
+            self._address,
+            ct.byref(filament),
+            ct.byref(options),
+            doubles(state),
+            doubles(run.times),
+            frames,
+            doubles(states),
+            doubles(work) if self.model.powers else None,
+            ct.byref(status),
+        )
+        return Answer(states, work[:, : len(self.model.powers)], status)
+
+    def message(self, code: int) -> str:
+        """What a code means."""
+        return str(self._runtime.softcat_message(code).decode())
+
+
+def runtime_sources() -> dict[str, str]:
+    """The C files of the runtime by name."""
+    folder = resources.files("softcat_sym.codegen") / "runtime"
+    files = sorted(folder.iterdir(), key=str)
+    return {file.name: file.read_text(encoding="utf-8") for file in files if file.name[-2:] in (".c", ".h")}
+
+
+def _headers() -> dict[str, str]:
+    return {name: text for name, text in runtime_sources().items() if name == "softcat_model.h"}
+
+
+@lru_cache(maxsize=1)
+def _runtime() -> ct.CDLL:
+    library = load(compile_library(runtime_sources()))
+    library.softcat_integrate.argtypes = _signature()
+    library.softcat_message.restype = ct.c_char_p
+    return library
+
+
+def _signature() -> list[Any]:
+    given: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
+    return [*given, Doubles, Doubles, ct.POINTER(Status)]
+
+
+def refuse(code: int, message: str) -> None:
+    """Raise where the fault is not in the filament.
+
+    Raises
+    ------
+    SoftcatError
+        If memory is short, or an argument is wrong.
+    """
+    if code in (MEMORY, ARGUMENT):
+        raise SoftcatError(f"the compiled solver refused to begin: {message}")

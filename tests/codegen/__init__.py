@@ -1,0 +1,1 @@
+"""Generated C against the graph that it was generated from."""

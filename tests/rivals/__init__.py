@@ -1,0 +1,1 @@
+"""What the generated C solver is measured against: written to win, by the means that others have."""
