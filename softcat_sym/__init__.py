@@ -1,7 +1,8 @@
 """softcat_sym: slender soft filaments that sag, stretch, yield and stop.
 
-``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it;
-``price_effects`` tells what each effect is worth. SymPy, CasADi and matplotlib are loaded when they are first used.
+``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``generate`` writes it as C;
+``simulate_many`` runs a table of them; ``price_effects`` tells what each effect is worth. SymPy, CasADi and matplotlib
+are loaded when they are first used.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ from typing import TYPE_CHECKING, Any
 from softcat_sym.simulate import simulate
 
 if TYPE_CHECKING:
+    from softcat_sym.ensemble import Ensemble, simulate_many
     from softcat_sym.errors import SceneError, SoftcatError
+    from softcat_sym.generating import generate
     from softcat_sym.inverse import fit_flow_curve
     from softcat_sym.scene import Scene, bundled_names, load_scene
     from softcat_sym.solve import Outcome
@@ -22,6 +25,7 @@ if TYPE_CHECKING:
     from softcat_sym.trajectory import Trajectory
 
 _HOMES = {
+    "Ensemble": "softcat_sym.ensemble",
     "Explanation": "softcat_sym.study.explanation",
     "Outcome": "softcat_sym.solve",
     "Pricing": "softcat_sym.study.pricing",
@@ -32,11 +36,14 @@ _HOMES = {
     "bundled_names": "softcat_sym.scene",
     "explain": "softcat_sym.study.explanation",
     "fit_flow_curve": "softcat_sym.inverse",
+    "generate": "softcat_sym.generating",
     "load_scene": "softcat_sym.scene",
     "price_effects": "softcat_sym.study.pricing",
+    "simulate_many": "softcat_sym.ensemble",
 }
 
 __all__ = [
+    "Ensemble",
     "Explanation",
     "Outcome",
     "Pricing",
@@ -47,9 +54,11 @@ __all__ = [
     "bundled_names",
     "explain",
     "fit_flow_curve",
+    "generate",
     "load_scene",
     "price_effects",
     "simulate",
+    "simulate_many",
 ]
 
 

@@ -27,9 +27,10 @@ class Clock:
         self._last = now
 
     def set_aside(self) -> None:
-        """Put everything so far down to ``estimate``: it was a trial."""
-        trial = sum(self._laps.values())
-        self._laps = dict.fromkeys(_STAGES, 0.0) | {"estimate": trial}
+        """Put everything so far down to ``estimate``, it was a trial; but for what was compiled, and is kept."""
+        compiled = self._laps["compile"]
+        trial = sum(self._laps.values()) - compiled
+        self._laps = dict.fromkeys(_STAGES, 0.0) | {"estimate": trial, "compile": compiled}
 
     def laps(self) -> dict[str, float]:
         """Seconds of each stage, and their total."""

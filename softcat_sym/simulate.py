@@ -79,8 +79,9 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepare
     from softcat_sym.equations.section import SECTIONS
     from softcat_sym.graph import assemble
     from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
-    from softcat_sym.solve import choose_backend, choose_settings, compiled_settings, prepare
+    from softcat_sym.solve import choose_backend, prepare, settings_for
     from softcat_sym.solve.compiling import compile_filament
+    from softcat_sym.solve.external import compiled_rhs
 
     shape, backend = SECTIONS[scene.filament.section], choose_backend(scene, effects)
     equations = derive(effects.terms(), shape, scene.run.closure)
@@ -92,14 +93,16 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepare
         still = derive(effects.at_rest(), shape, scene.run.closure)
         return assemble(still, grid, effects.names, choose_theory(scene, still), choose_body(scene, grid))
 
+    settings = settings_for(scene, effects, compiled=backend.compiled)
+    if not backend.compiled:
+        return prepare(scene, graph, settings, statics, (backend, None))
     if clock is not None:
         clock.lap("build")
-    if not backend.compiled:
-        return prepare(scene, graph, choose_settings(scene, effects), statics)
-    compiled = compile_filament(graph, structure_of(scene, effects, graph, equations, theory, body))
+    structure = structure_of(scene, effects, graph, equations, theory, body)
+    code = compile_filament(graph, structure) if settings.solver == "rosenbrock" else compiled_rhs(graph)
     if clock is not None:
         clock.lap("compile")
-    return prepare(scene, graph, compiled_settings(scene, effects), statics, (backend, compiled))
+    return prepare(scene, graph, settings, statics, (backend, code))
 
 
 def _run(scene: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:

@@ -12,6 +12,7 @@ from typing import NoReturn
 from softcat_sym.cli import run as run  # isort: skip
 from softcat_sym.cli import explain as explain  # isort: skip
 from softcat_sym.cli import effects as effects  # isort: skip
+from softcat_sym.cli import generate as generate  # isort: skip
 from softcat_sym.cli import compare as compare  # isort: skip
 from softcat_sym.cli import figures as figures  # isort: skip
 from softcat_sym.cli import flow_curve as flow_curve  # isort: skip

@@ -10,6 +10,7 @@ import casadi as ca
 from softcat_sym.codegen.c_printer import statements
 from softcat_sym.codegen.instructions import code_of
 from softcat_sym.codegen.leaves import DERIVATIVE, PARAMETER, PLACE, STAGED, UNKNOWN, Leaf
+from softcat_sym.codegen.reciprocals import with_reciprocals
 from softcat_sym.codegen.recording import Recording
 from softcat_sym.codegen.stencil import Where
 
@@ -51,7 +52,7 @@ class Writer:
     def field(self, name: str) -> str:
         """C text of a field at the site that is looked at."""
         number = self._scratch.setdefault(name, len(self._scratch))
-        return f"w[{times(number, 'n')}i]"
+        return f"w{number}[i]"
 
     def leaf(self, leaf: Leaf) -> str:
         """C text of a leaf as seen from site i."""
@@ -63,19 +64,22 @@ class Writer:
             return f"g[{at(len(self._place), leaf.site, self._place[leaf.name])}]"
         if leaf.kind in (STAGED, DERIVATIVE):
             number = self._scratch.setdefault(leaf.name, len(self._scratch))
-            return f"w[{times(number, 'n')}i{leaf.site:+d}]" if leaf.site else f"w[{times(number, 'n')}i]"
+            return f"w{number}[i{f' {chr(43) if leaf.site > 0 else chr(45)} {abs(leaf.site)}' if leaf.site else ''}]"
         self.moves_in_time = True
         return "t"
 
     def function(self, name: str, where: Where, values: Sequence[ca.SX], targets: Sequence[str]) -> str:
         """Write a function that computes values at its sites; the call of it."""
         leaves = self._leaves.within(ca.vertcat(*values))
-        code = code_of([self._leaves.symbol(leaf) for leaf in leaves], list(values))
+        plain = code_of([self._leaves.symbol(leaf) for leaf in leaves], list(values))
+        code, leaves = with_reciprocals(plain, leaves)
         inputs = [self.leaf(leaf) for leaf in leaves]
         before, within = statements(code, inputs, [not leaf.is_local for leaf in leaves], targets)
         body = "\n".join([*before, *within])
-        letters = [(c, kind) for c, kind in _ARGUMENTS if re.search(rf"\b{c}\b", body)]
+        letters = [(c, kind) for c, kind in _ARGUMENTS if re.search(rf"\b{c}\b", body) or (c == "w" and "w" in body)]
         lines = [f"static void {name}(int n{''.join(f', {kind}{c}' for c, kind in letters)})", "{"]
+        rows = sorted({int(row) for row in re.findall(r"\bw(\d+)\[", body)})
+        lines += [f"    double *restrict w{row} = w{f' + {row} * n' if row else ''};" for row in rows]
         lines += [f"    {line}" for line in before]
         if where.alone:
             lines.append(f"    const int i = {where.first if where.first >= 0 else f'n - {-where.first}'};")

@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.codegen.leaves import PARAMETER, PLACE, STAGED, TIME, UNKNOWN, Leaf, Leaves
+from softcat_sym.codegen.reciprocals import INVERTED, PER
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.assembly import inputs_for, layouts_of
@@ -189,7 +190,7 @@ def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End
 def place_names(body: Body) -> tuple[str, ...]:
     """The geometry of a site that this body needs."""
     profile = ("h_node", "h_cell") if body.profile.nodes is not None else ()
-    return ("X", "cell", "node", "mass", *profile, *(("hung",) if body.weighted else ()))
+    return ("X", *INVERTED, *(PER + name for name in INVERTED), *profile, *(("hung",) if body.weighted else ()))
 
 
 def _slots(unknowns: Unknowns, blocks: dict[str, Block], moving: set[str], *, in_sections: bool) -> tuple[Slot, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.codegen.reciprocals import INVERTED, PER
 from softcat_sym.codegen.recording import Slot
 from softcat_sym.graph import Graph
 from softcat_sym.graph.body import Body
@@ -79,4 +80,5 @@ def places_of(graph: Graph, body: Body, power: int, names: tuple[str, ...]) -> F
     }
     if profile.nodes is not None and profile.cells is not None:
         known |= {"h_node": np.asarray(profile.nodes), "h_cell": np.append(np.asarray(profile.cells), 1.0)}
+    known |= {PER + name: 1 / known[name] for name in INVERTED}
     return np.ascontiguousarray(np.stack([known[name] for name in names], axis=1))

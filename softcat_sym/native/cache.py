@@ -111,11 +111,7 @@ def store(key: str, build: Callable[[Path], object], about: str = "") -> Path:
     try:
         passing = _begin(native, key)
     except OSError as error:
-        reason = error.strerror or str(error)
-        # A folder that the user named is taken or refused, never replaced by another; a full disk is no reason to move.
-        if os.environ.get("SOFTCAT_CACHE") or error.errno in _FULL:
-            raise _unwritable(native, error) from error
-        native = folders.temporary(native, reason)
+        native = _elsewhere(native, error)
         found = _find(native / key)
         if found is not None:
             return found
@@ -133,6 +129,16 @@ def store(key: str, build: Callable[[Path], object], about: str = "") -> Path:
         shutil.rmtree(passing, ignore_errors=True)
     _trim(native, limit, key)
     return library
+
+
+def _elsewhere(native: Path, error: OSError) -> Path:
+    """The temporary folder that is used where the usual one cannot be.
+
+    A folder that the user named is taken or refused, never replaced by another; a full disk is no reason to move.
+    """
+    if os.environ.get("SOFTCAT_CACHE") or error.errno in _FULL:
+        raise _unwritable(native, error) from error
+    return folders.temporary(native, error.strerror or str(error))
 
 
 def _begin(native: Path, key: str) -> Path:

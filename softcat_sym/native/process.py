@@ -38,17 +38,13 @@ def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> s
     subprocess.TimeoutExpired
         If it takes longer. As with Ctrl-C, it is then dead, and so is every process that it started.
     """
-    # In the C locale messages are in English, where the word "error" marks the lines that matter.
-    surroundings = {**os.environ, "LC_ALL": "C"}
-    if folder is not None:
-        surroundings["TMPDIR"] = str(folder)
     interrupt = _Interrupt()
     with (
         interrupts_go_to(interrupt.note),
         subprocess.Popen(
             command,
             cwd=folder,
-            env=surroundings,
+            env=_surroundings(folder),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -65,6 +61,11 @@ def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> s
             _kill_group(process)
             raise
     return subprocess.CompletedProcess(command, process.returncode, out, err)
+
+
+def _surroundings(folder: Path | None) -> dict[str, str]:
+    """In the C locale messages are in English, where the word "error" marks the lines that matter."""
+    return {**os.environ, "LC_ALL": "C", **({"TMPDIR": str(folder)} if folder is not None else {})}
 
 
 class _Interrupt:

@@ -129,6 +129,7 @@ def numeric_rows(explanation: Explanation) -> Rows:
     )
     rows.append(("parameters", ", ".join(f"{name} {significant(value)}" for name, value in graph.parameters) + " (SI)"))
     rows.append(("integrator", f"{integrator.solver}, rtol {significant(integrator.rtol)}: {integrator.reason}"))
+    rows.append(("backend", integrator.backend))
     rows.append(("closure", f"{explanation.closure}; accuracy asked {significant(explanation.accuracy)}"))
     return rows
 

@@ -5,7 +5,7 @@ from softcat_sym.solve.interrupts import watched
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress, Silence
 from softcat_sym.solve.run import Prepared, prepare
-from softcat_sym.solve.settings import Settings, choose_settings, compiled_settings
+from softcat_sym.solve.settings import Settings, choose_settings, compiled_settings, settings_for
 from softcat_sym.solve.solution import Solution
 
 __all__ = [
@@ -20,5 +20,6 @@ __all__ = [
     "choose_settings",
     "compiled_settings",
     "prepare",
+    "settings_for",
     "watched",
 ]

@@ -36,6 +36,7 @@ class Options(ct.Structure):
     _fields_ = (
         ("relative", ct.c_double),
         ("absolute", Doubles),
+        ("work_absolute", ct.c_double),
         ("first_step", ct.c_double),
         ("smallest_step", ct.c_double),
         ("largest_step", ct.c_double),
@@ -83,6 +84,8 @@ class Run:
         Increasing; the first is where it begins.
     relative, absolute : float
         Tolerances.
+    work_absolute : float
+        Absolute tolerance of the work; 0 where its error is not controlled.
     kinks : ndarray
         Times that no step runs over.
     most_steps : int
@@ -95,6 +98,7 @@ class Run:
     times: Floats
     relative: float
     absolute: float
+    work_absolute: float
     kinks: Floats
     most_steps: int
 
@@ -130,6 +134,7 @@ class CModel:
         state, absolute = run.state.copy(), np.full(slots, run.absolute)
         filament = Filament(sites, doubles(run.parameters), doubles(run.places))
         options = Options(relative=run.relative, absolute=doubles(absolute), most_steps=run.most_steps)
+        options.work_absolute = run.work_absolute
         if len(run.kinks):
             options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
         if stop is not None:

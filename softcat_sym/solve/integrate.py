@@ -6,12 +6,14 @@ import contextlib
 import io
 import itertools
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
+from softcat_sym.solve.external import External
 from softcat_sym.solve.interrupts import watched
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress
@@ -45,31 +47,41 @@ class FrameIntegrator:
         Integrator and tolerances.
     intervals : int
         Output intervals in one call.
+    external : External
+        The compiled right-hand side of the graph, in its place; not for Rosenbrock, which differentiates the powers.
     """
 
-    def __init__(self, graph: Graph, settings: Settings, intervals: int) -> None:
+    def __init__(self, graph: Graph, settings: Settings, intervals: int, external: External | None = None) -> None:
         self.intervals = intervals
-        tau, start, interval = ca.SX.sym("tau"), ca.SX.sym("start"), ca.SX.sym("interval")
+        kind: Any = ca.SX if external is None else ca.MX
+        tau, start, interval = kind.sym("tau"), kind.sym("start"), kind.sym("interval")
         now = start + interval * tau
         # Rosenbrock differentiates the quadratures too, and a sum would fill a row of its Jacobian; BDF does not.
         local = settings.solver == "rosenbrock"
         powers = ca.vertcat(*graph.powers) if local else graph.quad
         sizes = [power.numel() if local else 1 for power in graph.powers]
         self._firsts = [0, sizes[0], sizes[0] + sizes[1]]
-        ode, alg, quad = ca.substitute([graph.ode, graph.alg, powers], [graph.t], [now])
+        x: Any = graph.x
+        z: Any = graph.z
+        p: Any = graph.p
+        if external is None:
+            ode, alg, quad = ca.substitute([graph.ode, graph.alg, powers], [graph.t], [now])
+        else:
+            x, z, p = external.symbols()
+            (ode, alg), quad = external.rhs(now, x, z, p), external.powers(now, x, z, p)
         # Without inertia nothing but flow limits the steps of IDAS, and where nothing flows a quadrature would be left
         # with one point a frame: the powers then count as unknowns, whose error is controlled.
         self._works = 3 if settings.solver == "idas" and "v" not in graph.x_kinds else 0
-        works = ca.SX.sym("works", self._works)
-        dae = {
+        works = kind.sym("works", self._works)
+        dae: dict[str, Any] = {
             "t": tau,
-            "x": ca.vertcat(graph.x, works),
-            "p": ca.vertcat(graph.p, start, interval),
+            "x": ca.vertcat(x, works),
+            "p": ca.vertcat(p, start, interval),
             "ode": ca.vertcat(ode, quad if self._works else works) * interval,
             "quad": quad * interval,
         }
         if graph.is_dae:
-            dae |= {"z": graph.z, "alg": alg}
+            dae |= {"z": z, "alg": alg}
         options = settings.options()
         self._most_steps = int(options["max_num_steps"])
         call = ca.integrator("filament", settings.solver, dae, 0, list(range(intervals + 1)), options)
@@ -123,14 +135,17 @@ class Integration:
         Number of output times, t = 0 included.
     kinks : ndarray
         Times, in units of the time scale, at which a support changes pace: no step runs over one.
+    external : External
+        The compiled right-hand side, if there is one.
     """
 
-    def __init__(self, graph: Graph, settings: Settings, frames: int, kinks: Floats) -> None:
+    def __init__(
+        self, graph: Graph, settings: Settings, frames: int, kinks: Floats, external: External | None = None
+    ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
-        if len(kinks):
-            self._chunk = FrameIntegrator(graph, settings, 1)
-            return
-        self._chunk = FrameIntegrator(graph, settings, max(1, -(-(frames - 1) // _chunks(graph, settings))))
+        self._external = external
+        intervals = 1 if len(kinks) else max(1, -(-(frames - 1) // _chunks(graph, settings)))
+        self._chunk = FrameIntegrator(graph, settings, intervals, external)
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest.
@@ -197,7 +212,7 @@ class Integration:
 
     def _to_the_bitter_end(self, record: _Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
         """Go on frame by frame to where it fails, so that the part that is sound is kept."""
-        single = FrameIntegrator(self._graph, self._settings, 1)
+        single = FrameIntegrator(self._graph, self._settings, 1, self._external)
         while record.reached < self._frames - 1:
             failed = self._attempt(single, record, p, interval)
             if failed:

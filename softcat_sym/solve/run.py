@@ -14,6 +14,7 @@ from softcat_sym.graph.parameters import TIME_SCALE, parameter_values
 from softcat_sym.scene import Scene
 from softcat_sym.solve.backend import Backend
 from softcat_sym.solve.compiled import CompiledFilament, CompiledIntegration
+from softcat_sym.solve.external import External
 from softcat_sym.solve.integrate import Integration
 from softcat_sym.solve.march import march
 from softcat_sym.solve.outcome import Outcome
@@ -86,7 +87,7 @@ def prepare(
     graph: Graph,
     settings: Settings,
     statics: Callable[[], Graph] | None = None,
-    compiled: tuple[Backend, CompiledFilament] | None = None,
+    compiled: tuple[Backend, CompiledFilament | External | None] = (_INTERPRETED, None),
 ) -> Prepared:
     """Fill in the scene's parameters, find the starting shape and build the integrator.
 
@@ -95,8 +96,8 @@ def prepare(
     statics : callable
         The same filament without inertia and viscous stress, for a starting shape that is not straight;
         without it such a run finds none.
-    compiled : pair of Backend and CompiledFilament
-        What integrates in place of CasADi.
+    compiled : pair of Backend and CompiledFilament, External or None
+        What integrates in place of CasADi, or the right-hand side that CasADi integrates.
     """
     values = parameter_values(scene)
     scale = values[TIME_SCALE]
@@ -105,10 +106,11 @@ def prepare(
     start = starting_state(scene, graph, p, statics)
     flows = bool(graph.x.numel())
     # A frame at which a support changes pace is one too, but for the first.
-    kinks = np.array(sorted({row[0] / scale for row in scene.ends.motion if 0 < row[0] < scene.run.duration}))
-    if compiled is not None:
-        backend, filament = compiled
-        whole = CompiledIntegration(graph, settings, filament, scene.run.frames, kinks)
-        return Prepared(graph, settings, p, times, scale, start, whole, backend)
-    integration = Integration(graph, settings, scene.run.frames, kinks) if flows and start is not None else None
-    return Prepared(graph, settings, p, times, scale, start, integration)
+    kinks = np.array(sorted({row[0] / scale for row in scene.ends.motion if 0 < row[0] <= scene.run.duration}))
+    backend, code = compiled
+    integration: Integrates | None = None
+    if isinstance(code, CompiledFilament):
+        integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks)
+    elif flows and start is not None:
+        integration = Integration(graph, settings, scene.run.frames, kinks[kinks < times[-1]], code)
+    return Prepared(graph, settings, p, times, scale, start, integration, backend)

@@ -106,6 +106,18 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     return Settings("rosenbrock", rtol, max(rtol * _smallest_strain(scene), noise), "the compiled one")
 
 
+def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:
+    """Integrator and tolerances of a run that is compiled or not; compiled, CVODES and IDAS must be named.
+
+    Raises
+    ------
+    SceneError
+        If the scene names an integrator that cannot solve it.
+    """
+    ours = compiled and scene.numerics.solver in (None, "rosenbrock")
+    return compiled_settings(scene, effects) if ours else choose_settings(scene, effects)
+
+
 def _roundoff(scene: Scene, effects: Effects) -> float:
     """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
     modulus, weight = instant_modulus(scene), weight_stress(scene)

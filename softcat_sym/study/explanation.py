@@ -8,7 +8,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.theory_limits import theory_limits
@@ -20,7 +20,7 @@ from softcat_sym.graph import Graph, assemble
 from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
 from softcat_sym.graph.parameters import parameter_values
 from softcat_sym.scene import Scene, groups_of
-from softcat_sym.solve import Settings, choose_settings
+from softcat_sym.solve import choose_backend, settings_for
 
 GROUP_MEANINGS = {
     "delta": "thickness over span, h0/L [3.9]",
@@ -104,9 +104,10 @@ class GraphSize:
 
 @dataclass(frozen=True, slots=True)
 class Integrator:
-    """The integrator, its tolerances and why it was taken."""
+    """The integrator, its tolerances and why it was taken; whether generated C runs it, and by which compiler."""
 
     solver: str
+    backend: str
     rtol: float
     atol: float
     reason: str
@@ -213,7 +214,7 @@ def explain(scene: Scene) -> Explanation:
         equations=equations_in_force(equations, reduced=scene.model == "small-deflection"),
         unknowns=_unknowns(graph),
         graph=_size(scene, graph),
-        integrator=_integrator(choose_settings(scene, effects)),
+        integrator=_integrator(scene, effects),
         warnings=theory_limits(scene, regime),
     )
 
@@ -249,5 +250,7 @@ def _size(scene: Scene, graph: Graph) -> GraphSize:
     )
 
 
-def _integrator(settings: Settings) -> Integrator:
-    return Integrator(settings.solver, settings.rtol, settings.atol, settings.reason)
+def _integrator(scene: Scene, effects: Effects) -> Integrator:
+    backend = choose_backend(scene, effects)
+    settings = settings_for(scene, effects, compiled=backend.compiled)
+    return Integrator(settings.solver, str(backend), settings.rtol, settings.atol, settings.reason)

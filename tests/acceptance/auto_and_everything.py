@@ -58,7 +58,7 @@ class Answer:
         The same on one grid for both, twice as fine as that of ``auto``; only looked at where `error` is beyond the
         accuracy: two theories that agree have different errors of the grid.
     seconds, everything_seconds : float
-        Building and solving, repeats included.
+        Solving, and whatever trials took. Equations, graph and C text are made once for all filaments of a kind.
     idle : dict of str to float
         Change of the answer when a chosen effect is left out (with what needs it); infinite if there is no answer then;
         None where the coarse run has no answer itself.
@@ -101,10 +101,10 @@ def _kept(job: tuple[str, str]) -> Answer:
 def _sources() -> str:
     """Fingerprint of what an answer depends on."""
     package = Path(sc.__file__).parent
-    parts = ("scene", "equations", "effects", "printing", "graph", "solve", "trajectory", "simulate.py")
-    files = [
-        f for part in parts for f in ([package / part] if part.endswith(".py") else (package / part).rglob("*.py"))
-    ]
+    parts = ("scene", "equations", "effects", "printing", "graph", "codegen", "solve", "trajectory", "simulate.py")
+    found = [package / part for part in parts]
+    inside = [file for place in found for file in ([place] if place.is_file() else place.rglob("*"))]
+    files = [file for file in inside if file.suffix in (".py", ".c", ".h")]
     digest = hashlib.sha256(Path(__file__).read_bytes())
     for file in sorted(files):
         digest.update(file.read_bytes())
@@ -140,8 +140,8 @@ def answer_of(name: str, text: str) -> Answer:
         repeats=tuple(auto.summary["repeats"]),
         error=error,
         finer=finer,
-        seconds=auto.summary["wall_s"]["total"],
-        everything_seconds=complete.summary["wall_s"]["total"],
+        seconds=seconds_of(auto),
+        everything_seconds=seconds_of(complete),
         idle=_idle(scene, chosen),
     )
 
@@ -159,7 +159,14 @@ def _idle(scene: sc.Scene, chosen: tuple[str, ...]) -> dict[str, float] | None:
     None where the coarse run has no answer itself: then nothing can be said of its effects.
     """
     tight = scene.run.accuracy / TIGHTER
-    coarse = scene.replace({"numerics.cells": scene.numerics.cells or COARSE, "run.accuracy": tight})
+    coarse = scene.replace(
+        {
+            "numerics.cells": scene.numerics.cells or COARSE,
+            "run.accuracy": tight,
+            # Every effect in turn would be another C text to compile.
+            "numerics.backend": "interpreted",
+        }
+    )
     base = _run(coarse.replace({"run.effects": list(chosen)}))
     if isinstance(base, str) or not base.outcome.is_success:
         return None
@@ -181,6 +188,11 @@ def without(names: Sequence[str], left_out: str) -> tuple[str, ...]:
     for _ in names:
         gone |= {effect.name for effect in REGISTRY if gone & {*effect.needs}}
     return tuple(name for name in names if name not in gone)
+
+
+def seconds_of(run: Trajectory) -> float:
+    """What the answer took, beyond what filaments of its kind share."""
+    return float(run.summary["wall_s"]["solve"] + run.summary["wall_s"]["estimate"])
 
 
 def difference(run: Trajectory, reference: Trajectory) -> float:

@@ -57,6 +57,7 @@ class Options(c.Structure):
     _fields_ = [
         ("relative", c.c_double),
         ("absolute", _Doubles),
+        ("work_absolute", c.c_double),
         ("first_step", c.c_double),
         ("smallest_step", c.c_double),
         ("largest_step", c.c_double),
@@ -207,7 +208,7 @@ class Settings:
     def options(self, slots: int) -> Options:
         """As C sees them."""
         absolute = doubles(np.broadcast_to(np.asarray(self.absolute, dtype=float), (slots,)))
-        made = Options(self.relative, absolute, self.first_step, self.smallest_step, self.largest_step)
+        made = Options(self.relative, absolute, 0.0, self.first_step, self.smallest_step, self.largest_step)
         made.most_steps, made.method = self.most_steps, self.method
         made.kinks, made.kink_count = doubles(self.kinks), len(self.kinks)
         made.stop = c.pointer(self.stop) if self.stop is not None else None

@@ -1,5 +1,5 @@
 #include "softcat_rosenbrock.h"
-#include "softcat_step.h"
+#include "softcat_run.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,8 +30,8 @@ static int damp(softcat_step *step, const softcat_filament *filament,
     return SOFTCAT_NO_CONVERGENCE;
 }
 
-static int newton(softcat_step *step, const softcat_filament *filament,
-                  const softcat_options *options, double t, double *state, softcat_status *status)
+int softcat_newton(softcat_step *step, const softcat_filament *filament,
+                   const softcat_options *options, double t, double *state, softcat_status *status)
 {
     const double enough = 1e-2;
     for (int pass = 0; pass < MOST_CORRECTIONS; pass++) {
@@ -72,7 +72,7 @@ int softcat_consistent(const softcat_model *model, const softcat_filament *filam
     if (status->code) return status->code;
     int algebraic = 0;
     for (int k = 0; k < model->slots; k++) algebraic |= !model->differential[k];
-    if (algebraic) status->code = newton(&step, filament, options, t, state, status);
+    if (algebraic) status->code = softcat_newton(&step, filament, options, t, state, status);
     status->evaluations = step.evaluations;
     status->factorisations = step.factorisations;
     softcat_step_free(&step);

@@ -12,6 +12,7 @@ static const double safety = 0.9, most_growth = 6.0, most_shrinking = 0.2;
 static int contradictory(const softcat_model *model, const softcat_options *options,
                          const double *times, int count, const softcat_directions *directions)
 {
+    if (!(options->work_absolute >= 0.0)) return 1;
     if (count < 1 || !(options->relative > 0.0) || !softcat_method_of(options->method)) return 1;
     for (int k = 0; k < model->slots; k++)
         if (!(options->absolute[k] >= 0.0)) return 1;
@@ -159,6 +160,9 @@ static int advance(softcat_run *r, double *next)
         if (code && code != SOFTCAT_NON_FINITE && code != SOFTCAT_SINGULAR) return code;
         if (!code) {
             error = norm(r, softcat_step_error(step), copy->state, step->next);
+            if (r->options->work_absolute > 0.0)
+                error = fmax(error, softcat_step_work_error(step, copy->work, r->options->relative,
+                                                            r->options->work_absolute));
         } else if (code == SOFTCAT_NON_FINITE) {
             blame_non_finite(r);
         }
@@ -179,6 +183,18 @@ static int advance(softcat_run *r, double *next)
     }
 }
 
+/* Where f jumps, algebraic unknowns jump with it. */
+static int begin_anew(softcat_run *r)
+{
+    softcat_status aside = *r->status;
+    int algebraic = 0, code = SOFTCAT_SOLVED;
+    for (int k = 0; k < r->model->slots; k++) algebraic |= !r->model->differential[k];
+    if (!algebraic) return code;
+    code = softcat_newton(&r->step, &r->copies[0].filament, r->options, inner_start(r),
+                          r->copies[0].state, &aside);
+    return code ? code : softcat_copies_correct(r, inner_start(r));
+}
+
 static int integrate(softcat_run *r)
 {
     double next = r->options->first_step;
@@ -192,7 +208,10 @@ static int integrate(softcat_run *r)
     r->outputs.next = 1;
     if (!code && r->t < r->last && !(next > 0.0)) code = choose_first(r, &next);
     r->status->worst_site = r->status->worst_slot = -1;
-    while (!code && r->t < r->last) code = advance(r, &next);
+    while (!code && r->t < r->last) {
+        code = advance(r, &next);
+        if (!code && r->after_kink && r->t < r->last) code = begin_anew(r);
+    }
     return code;
 }
 

@@ -23,6 +23,8 @@ enum {
 typedef struct softcat_options {
     double relative;           /* relative error a step may make, > 0 */
     const double *absolute;    /* [slots] absolute error, in units of each slot, >= 0 */
+    double work_absolute;      /* absolute error of the work, whose error is controlled too; 0: not.
+                                  Without inertia little else may limit the steps. */
     double first_step;         /* 0: chosen */
     double smallest_step;      /* 0: ten roundings of the time */
     double largest_step;       /* 0: the whole span */

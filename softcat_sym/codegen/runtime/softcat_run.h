@@ -26,6 +26,10 @@ int softcat_copies_new(softcat_run *, const softcat_filament *, const double *st
                        const softcat_directions *);
 void softcat_copies_free(softcat_run *);
 
+/* Damped Newton's method for the algebraic unknowns at t; counts its passes as steps. */
+int softcat_newton(softcat_step *, const softcat_filament *, const softcat_options *, double t,
+                   double *state, softcat_status *);
+
 /* Make the algebraic unknowns of the moved copies consistent; f is asked at `start`. */
 int softcat_copies_correct(softcat_run *, double start);
 

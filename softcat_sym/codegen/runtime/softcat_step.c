@@ -229,6 +229,22 @@ const double *softcat_step_error(softcat_step *step)
     return step->point;
 }
 
+double softcat_step_work_error(const softcat_step *step, const double *before, double relative,
+                               double absolute)
+{
+    const softcat_method *method = step->method;
+    size_t count = (size_t)step->powers;
+    const double *last = step->power_stages + (size_t)(method->stages - 1) * count;
+    double largest = 0.0;
+    for (size_t p = 0; p < count; p++) {
+        double error = last[p];
+        if (method->embedded >= 0) error -= step->power_stages[(size_t)method->embedded * count + p];
+        error = fabs(error) / (absolute + relative * fabs(before[p] + step->power_next[p]));
+        if (!(error <= largest)) largest = error;
+    }
+    return largest;
+}
+
 /* What each stage adds to the line between both ends of the step. */
 static void dense_weights(const softcat_method *method, double x, double *weight)
 {

@@ -45,6 +45,11 @@ int softcat_step_take(softcat_step *, const softcat_filament *, double t, double
 /* Estimate of the error of the step just taken; overwrites `point`. */
 const double *softcat_step_error(softcat_step *);
 
+/* The largest error of what the powers have done in the step just taken, `before` of it by then, in
+ * units of relative * |work| + absolute. */
+double softcat_step_work_error(const softcat_step *, const double *before, double relative,
+                               double absolute);
+
 /* out = y(t + x h), 0 <= x <= 1, of the step just taken from y. */
 void softcat_step_between(const softcat_step *, const double *y, double x, double *out);
 
