@@ -32,7 +32,7 @@ def test_every_name_resolves_and_says_what_it_is(name: str) -> None:
     assert not (thing.__doc__ or "").startswith(f"{name}(")
 
 
-@pytest.mark.parametrize("name", ["explain", "fit_flow_curve", "load_scene", "price_effects", "simulate"])
+@pytest.mark.parametrize("name", ["explain", "fit_flow_curve", "generate", "load_scene", "price_effects", "simulate", "simulate_many"])
 def test_every_function_tells_its_parameters_and_annotates_them(name: str) -> None:
     function = getattr(sc, name)
     signature = inspect.signature(function)
@@ -43,7 +43,7 @@ def test_every_function_tells_its_parameters_and_annotates_them(name: str) -> No
 
 
 def test_a_name_that_is_not_there_is_told_with_those_that_are() -> None:
-    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Explanation, .*simulate"):
+    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Ensemble, Explanation, .*simulate"):
         _ = sc.simulat
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from softcat_sym.codegen.c_source import CSource
 from softcat_sym.codegen.model_text import Model
 from softcat_sym.codegen.structure import Structure
 from softcat_sym.effects import Effects
@@ -113,6 +114,11 @@ class Description:
         return self.scene.title or "a filament"
 
     @property
+    def digest(self) -> str:
+        """Of the text of the physics: two filaments share a structure if theirs are the same."""
+        return CSource({"model.c": self.model.text}).digest
+
+    @property
     def least_cells(self) -> int:
         """Per half span."""
         return LEAST_CELLS
@@ -191,5 +197,5 @@ def _bound(scene: Scene, name: str) -> str:
     free = ("curvature", "drop", "left_angle", "right_angle")
     if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
         return "any"
-    zero = ("gravity", "ramp", "point_mass_per_area")
+    zero = ("gravity", "ramp", "point_mass_per_area", "time_scale")
     return "not-negative" if name in zero or name.startswith("motion_") else "positive"

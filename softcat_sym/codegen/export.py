@@ -8,12 +8,12 @@ from importlib import resources
 from softcat_sym.codegen.c_source import CSource
 from softcat_sym.codegen.description import Description
 from softcat_sym.codegen.header import header_text
-from softcat_sym.codegen.interface import DEFAULT_NAME, prefix_of, source_text
+from softcat_sym.codegen.interface import DEFAULT_NAME, prefix_of, source_text, symbol_of
 from softcat_sym.codegen.manifest import manifest_text
 from softcat_sym.errors import SoftcatError
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
-_TAKEN = frozenset({"main", "structure", "solve", "model"})
+_TAKEN = frozenset({"main", "all", "run", "clean"})
 _TEMPLATES = ("main.c", "Makefile", "CMakeLists.txt", "README.md")
 
 
@@ -28,7 +28,7 @@ def check_name(name: str) -> str:
     if not _NAME.fullmatch(name) or name in _TAKEN or name.startswith("softcat"):
         raise SoftcatError(
             f"name {name!r}: take up to 40 small letters, digits and underscores, a letter first, and not "
-            f"{', '.join(sorted(_TAKEN))} nor softcat..."
+            f"{', '.join(sorted(_TAKEN))} nor anything that begins with softcat"
         )
     return name
 
@@ -57,7 +57,7 @@ def program_files(described: Description, name: str, command: str, *, rhs: bool)
         texts["main.c"] = (
             texts["main.c"]
             .replace(f"{DEFAULT_NAME}.h", f"{name}.h")
-            .replace(f"softcat_{DEFAULT_NAME}_structure", f"softcat_{name}_structure")
+            .replace(f"softcat_{DEFAULT_NAME}_structure", symbol_of(name, "structure"))
             .replace(f"{DEFAULT_NAME} PARAMETERS", f"{name} PARAMETERS")
         )
     filled = {
@@ -78,6 +78,6 @@ def program_files(described: Description, name: str, command: str, *, rhs: bool)
 _RHS = """
 ## Your own integrator
 
-`softcat_rhs.c` and `softcat_rhs.h` are the same filament as plain CasADi functions: right-hand side, sparse Jacobian and
-powers, on the grid of the scene. They need nothing else here; their comment says what goes in and out.
+`softcat_rhs.c` and `softcat_rhs.h` are the same filament as plain CasADi functions: right-hand side, sparse Jacobian
+and powers, on the grid of the scene. They need nothing else here; their comment says what goes in and out.
 """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from softcat_sym.codegen.c_printer import number
 from softcat_sym.codegen.description import Description
-from softcat_sym.codegen.interface import heading, prefix_of, shown, symbol
+from softcat_sym.codegen.interface import heading, prefix_of, shown, symbol, symbol_of
 from softcat_sym.graph import End
 
 
@@ -24,14 +24,20 @@ def header_text(described: Description, name: str, command: str) -> str:
         '#include "softcat_solve.h"',
         '#ifdef __cplusplus\nextern "C" {\n#endif',
         "/* Numbers of the parameters; all are in SI units. Values are those of the scene. */\n"
-        + _enumeration([f"{big}_P_{symbol(one.name)}" for one in described.parameters], f"{big}_PARAMETERS")
-        .format(*(shown(one) for one in described.parameters)),
+        + _enumeration([f"{big}_P_{symbol(one.name)}" for one in described.parameters], f"{big}_PARAMETERS").format(
+            *(shown(one) for one in described.parameters)
+        ),
         "/* Numbers of the unknowns of a site: a node, or the cell to its right. */\n"
-        + _enumeration([f"{big}_SLOT_{symbol(slot.name)}" for slot in described.model.slots], f"{big}_SLOTS")
-        .format(*(_words(described, k) for k in range(len(described.model.slots)))),
+        + _enumeration([f"{big}_SLOT_{symbol(slot.name)}" for slot in described.model.slots], f"{big}_SLOTS").format(
+            *(_words(described, k) for k in range(len(described.model.slots)))
+        ),
         _constants(described, big),
         _FUNCTIONS.format(
-            prefix=prefix, big=big, name=name, grid=_grid(described), least=described.least_cells
+            prefix=prefix,
+            big=big,
+            structure=symbol_of(name, "structure"),
+            grid=_grid(described),
+            least=described.least_cells,
         ),
         "#ifdef __cplusplus\n}\n#endif",
         "#endif",
@@ -74,7 +80,7 @@ def _grid(described: Description) -> str:
 
 
 _FUNCTIONS = """\
-extern const softcat_structure softcat_{name}_structure;
+extern const softcat_structure {structure};
 
 /* Doubles that one time takes in `out`, 2 for each node; 0 if cells < {least}. Solved is
  * {grid}. */

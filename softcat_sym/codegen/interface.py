@@ -20,14 +20,17 @@ _RANGES = {
     "poisson": "SOFTCAT_POISSON",
 }
 
-_PLACES = frozenset(
-    {"X", "cell", "node", "mass", "per_cell", "per_node", "per_mass", "h_node", "h_cell", "hung"}
-)
+_PLACES = frozenset({"X", "cell", "node", "mass", "per_cell", "per_node", "per_mass", "h_node", "h_cell", "hung"})
 
 
 def prefix_of(name: str) -> str:
-    """What the names of the functions begin with."""
-    return "softcat" if name == DEFAULT_NAME else f"softcat_{name}"
+    """What the names of the functions begin with: no other than the default may begin as those of the runtime do."""
+    return "softcat" if name == DEFAULT_NAME else name
+
+
+def symbol_of(name: str, what: str) -> str:
+    """Name of the model or the structure that the file exports."""
+    return f"softcat_{name}_{what}" if name == DEFAULT_NAME else f"{name}_{what}"
 
 
 def symbol(text: str) -> str:
@@ -47,7 +50,7 @@ def source_text(described: Description, name: str, command: str) -> str:
     command : str
         That writes the file again.
     """
-    model = described.model.text.replace("softcat_filament_model", f"softcat_{name}_model")
+    model = described.model.text.replace("softcat_filament_model", symbol_of(name, "model"))
     # Its head includes what the model needs; the header of this file brings more.
     return "\n".join(
         [
@@ -59,7 +62,7 @@ def source_text(described: Description, name: str, command: str) -> str:
             "",
             _structure(described, name),
             "",
-            _functions(prefix_of(name), f"softcat_{name}_structure"),
+            _functions(prefix_of(name), symbol_of(name, "structure")),
         ]
     )
 
@@ -72,7 +75,7 @@ def heading(described: Description, command: str) -> str:
         f"Generated, do not edit; written by: {command}",
         ", ".join(f"{package} {version}" for package, version in VERSIONS.items()),
         f"Effects: {', '.join(described.effects.names)}",
-        f"Digest of the structure: {described.structure.key}",
+        f"Digest of the structure: {described.digest}",
     ]
     return comment(lines)
 
@@ -81,7 +84,9 @@ def comment(lines: Sequence[str]) -> str:
     """Lines as a C comment that nothing in them can end."""
     safe = [re.sub(r"\?(?=\?)", "? ", line.replace("*/", "* /").replace("/*", "/ *")) for line in lines]
     wrapped = [
-        part for line in safe for part in textwrap.wrap(line, 96, subsequent_indent="    ", break_on_hyphens=False) or [""]
+        part
+        for line in safe
+        for part in textwrap.wrap(line, 96, subsequent_indent="    ", break_on_hyphens=False) or [""]
     ]
     return "\n".join(["/*", *(f" * {line}".rstrip() for line in wrapped), " */"])
 
@@ -151,7 +156,7 @@ def _structure(described: Description, name: str) -> str:
     parameters = [one.name for one in described.parameters]
     slots = [slot.name for slot in described.model.slots]
     fields = {
-        "model": f"&softcat_{name}_model",
+        "model": f"&{symbol_of(name, 'model')}",
         "title": quoted(described.title),
         "parameter_names": "described_parameters",
         "parameter_units": "described_units",
@@ -181,7 +186,7 @@ def _structure(described: Description, name: str) -> str:
     fields |= {key: number(getattr(described, key)) for key in ("grading", "relative", "absolute")}
     fields |= {"duration": number(scene.run.duration), "cells": str(described.cells), "frames": str(scene.run.frames)}
     lines = [f"    .{key} = {value}," for key, value in fields.items()]
-    return "\n".join([f"const softcat_structure softcat_{name}_structure = {{", *lines, "};"])
+    return "\n".join([f"const softcat_structure {symbol_of(name, 'structure')} = {{", *lines, "};"])
 
 
 _KNOWN = (

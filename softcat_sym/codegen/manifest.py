@@ -32,7 +32,7 @@ def manifest(described: Description, name: str, command: str, source: CSource) -
         "generated": f"do not edit; written by: {command}",
         "title": described.title,
         "structure": {
-            "digest": structure.key,
+            "digest": described.digest,
             "effects": list(described.effects.names),
             "law": scene.material.law,
             "section": scene.filament.section,

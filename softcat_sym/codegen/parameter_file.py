@@ -25,7 +25,9 @@ def parameter_text(described: Description, command: str, *, has_start: bool) -> 
     for one in described.parameters:
         bound = {"positive": "> 0", "not-negative": ">= 0", "poisson": "-1 < nu < 1/2"}.get(one.bound, "")
         said = "; ".join(part for part in (one.meaning, bound) if part and not one.name.endswith(free))
-        lines.append(_line(f"{one.name} = {one.value!r}{'' if one.unit == '1' else f' {one.unit}'}", said or one.meaning))
+        lines.append(
+            _line(f"{one.name} = {one.value!r}{'' if one.unit == '1' else f' {one.unit}'}", said or one.meaning)
+        )
     lines += ["", _line(f"cells = {described.cells}", f"per half span, {described.least_cells} or more")]
     lines.append(_line(f"grading = {described.grading!r}", "longest cell over the shortest"))
     lines.append(_line(f"duration = {run.duration!r} s", ""))

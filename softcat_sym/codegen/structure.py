@@ -23,7 +23,7 @@ class Structure:
     Attributes
     ----------
     key : str
-        Hash of all that the text depends on; two structures are equal if theirs are.
+        Hash of all that the text depends on, within one process; two structures are equal if theirs are.
     effects : tuple of str
         Names of the effects in force.
     equations, theory, ends, body

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 from softcat_sym.effects.law import is_solid
 from softcat_sym.equations import regimes
@@ -88,14 +89,22 @@ def beam_of(scene: Scene) -> regimes.Beam:
 
 def bending_stiffness(scene: Scene) -> float:
     """K delta^2 over the sag factor C of the beam: the linear beam sags by 1/(this E*), or t*/(this V) (2.18)."""
-    shape = SECTIONS[scene.filament.section]
-    return float(regimes.gyration(shape) / beam_of(scene).midspan_sag) * groups_of(scene).delta ** 2
+    return _stiffness_of(scene.filament.section, beam_of(scene)) * groups_of(scene).delta ** 2
+
+
+@lru_cache(maxsize=64)
+def _stiffness_of(section: str, beam: regimes.Beam) -> float:
+    return float(regimes.gyration(SECTIONS[section]) / beam.midspan_sag)
 
 
 def first_yield_gravity_number(scene: Scene) -> float:
     """G below which no fibre yields under a slowly applied weight: 2 delta for a clamped rectangle (3.11)."""
-    threshold = regimes.first_yield(SECTIONS[scene.filament.section], beam_of(scene))
-    return float(threshold.subs(regimes.delta, groups_of(scene).delta))
+    return _first_yield(scene.filament.section, beam_of(scene), groups_of(scene).delta)
+
+
+@lru_cache(maxsize=256)
+def _first_yield(section: str, beam: regimes.Beam, delta: float) -> float:
+    return float(regimes.first_yield(SECTIONS[section], beam).subs(regimes.delta, delta))
 
 
 def smaller_of(bending: float, stretching: float) -> float:

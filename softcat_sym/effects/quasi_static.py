@@ -151,7 +151,8 @@ def flow_sag(scene: Scene, weight: float, first: float, time: float) -> float:
 def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floats]:
     """Sags from the first one on, and the times [s] at which flow reaches them."""
     sag = np.geomspace(first, max(_DEEP, 2 * first), _POINTS)
-    speed = np.array([_flow_speed(scene, weight, float(height)) for height in sag])
+    beam = _beam_speed(scene, weight)
+    speed = np.array([_flow_speed(scene, weight, float(height), beam) for height in sag])
     moving = np.minimum.accumulate(speed > 0)
     slowness = np.where(moving, 1 / np.where(moving, speed, 1.0), 0.0)
     time = np.concatenate([[0.0], np.cumsum((slowness[1:] + slowness[:-1]) / 2 * np.diff(sag))])
@@ -159,10 +160,13 @@ def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floa
     return (sag[:reached], time[:reached]) if reached else (sag[:1], time[:1])
 
 
-def _flow_speed(scene: Scene, weight: float, sag: float) -> float:
+def _beam_speed(scene: Scene, weight: float) -> float:
+    """Rate of the sag over span [1/s] of a beam in which flow is all that yields."""
+    return weight / bending_stiffness(scene) / _viscosity(scene, weight / (2 * groups_of(scene).delta))
+
+
+def _flow_speed(scene: Scene, weight: float, sag: float, beam: float) -> float:
     """Rate of the sag over span [1/s]: a beam and a string in which flow is all that yields, the slower of the two."""
-    delta = groups_of(scene).delta
-    beam = weight / bending_stiffness(scene) / _viscosity(scene, weight / (2 * delta))
     if not is_held(scene):
         return beam
     taut = weight * (sag + 1 / (8 * sag))

@@ -83,7 +83,7 @@ class CompiledIntegration:
             times=np.linspace(0.0, duration, self.frames),
             relative=self.settings.rtol,
             absolute=self.settings.atol,
-            # Without inertia nothing but flow limits the steps, and where little flows the work would be left to chance.
+            # Without inertia only flow limits the steps: where little flows the work would be left to chance.
             work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
             kinks=self.kinks,
             most_steps=_STEPS_PER_FRAME * self.frames,

@@ -17,6 +17,7 @@ from softcat_sym.effects.prediction import (
     instant_modulus,
     viscous_number,
     weight_stress,
+    yield_stress_of,
 )
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.graph.choosing import choose_grid
@@ -36,9 +37,10 @@ _TURNING = 0.05  # of BDF where sections have inertia: their waves must not spoi
 _CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
 _REST = 0.04  # of IDAS where a filament that yields throughout comes to rest: its last swings are small, not absent
 _QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load starts must be followed from the beginning
-# Of the compiled Rosenbrock method: of a filament that flows down, of one that a viscous stress holds, of one that
-# creeps to rest, and of one that rings.
-_FLOWING, _HELD_BACK, _CREEPING, _RINGING = 0.3, 0.03, 0.008, 0.012
+# Relative tolerance of the compiled Rosenbrock method over the accuracy: of a filament that flows down, of one that a
+# viscous stress holds, of one that creeps to rest, and of one that rings.
+_FLOWING, _HELD_BACK, _CREEPING, _RINGING = 0.3, 0.03, 1.0, 0.012
+_PER_YIELD_STRAIN = 0.02  # absolute strain, over the yield strain, against which one that creeps to rest is measured
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
 _OVERDAMPED = 5.0  # V above which a descending filament does not turn back
@@ -95,15 +97,23 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
 
 def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     """Tolerances of the compiled Rosenbrock method, which is the cheapest for every filament."""
+    share, smallest = _RINGING, _smallest_strain(scene)
     if "viscous-stress" in effects.names:
         share = _HELD_BACK
     elif _creeps_to_rest(scene, effects):
-        share = _CREEPING
-    else:
-        share = _FLOWING if _flow_damps(scene, effects) else _RINGING
+        # What is left of its stress beyond yield decides where it stops.
+        share, smallest = _CREEPING, min(smallest, _PER_YIELD_STRAIN * _yield_strain(scene))
+    elif _flow_damps(scene, effects):
+        share = _FLOWING
     rtol = scene.numerics.rtol or scene.run.accuracy * share
     noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
-    return Settings("rosenbrock", rtol, max(rtol * _smallest_strain(scene), noise), "the compiled one")
+    return Settings("rosenbrock", rtol, max(rtol * smallest, noise), "the compiled one")
+
+
+def _yield_strain(scene: Scene) -> float:
+    """Eps_Y of a law that yields; infinite for one that is rigid until then, or does not."""
+    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    return limit / modulus if limit and modulus else math.inf
 
 
 def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:

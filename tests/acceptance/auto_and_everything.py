@@ -35,6 +35,9 @@ TIGHTER = 10
 """By how much the time steps are refined there, so that a hundredth of the accuracy is not their noise."""
 
 
+_QUICK = 0.1  # s of solving
+
+
 @dataclass(frozen=True)
 class Answer:
     """One scene.
@@ -142,7 +145,7 @@ def answer_of(name: str, text: str) -> Answer:
         finer=finer,
         seconds=seconds_of(auto),
         everything_seconds=seconds_of(complete),
-        idle=_idle(scene, chosen),
+        idle=_idle(scene, chosen, quick=seconds_of(auto) < _QUICK),
     )
 
 
@@ -153,7 +156,7 @@ def _twice_as_fine(run: Trajectory, scene: sc.Scene) -> sc.Scene:
     return scene.replace({"numerics.cells": 2 * run.summary["cells"], "numerics.grading": max(1.0, round(ratio, 6))})
 
 
-def _idle(scene: sc.Scene, chosen: tuple[str, ...]) -> dict[str, float] | None:
+def _idle(scene: sc.Scene, chosen: tuple[str, ...], *, quick: bool) -> dict[str, float] | None:
     """What leaving out each chosen effect changes; what the scene cannot do without is not among them.
 
     None where the coarse run has no answer itself: then nothing can be said of its effects.
@@ -163,8 +166,8 @@ def _idle(scene: sc.Scene, chosen: tuple[str, ...]) -> dict[str, float] | None:
         {
             "numerics.cells": scene.numerics.cells or COARSE,
             "run.accuracy": tight,
-            # Every effect in turn would be another C text to compile.
-            "numerics.backend": "interpreted",
+            # Every effect in turn is another C text to compile, which takes longer than a quick run.
+            "numerics.backend": "interpreted" if quick else "auto",
         }
     )
     base = _run(coarse.replace({"run.effects": list(chosen)}))

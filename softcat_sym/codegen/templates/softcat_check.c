@@ -50,7 +50,6 @@ int softcat_check(const softcat_structure *s, const double *params, int cells,
     for (int k = 0; k < s->model->parameters; k++) {
         softcat_range range = s->parameter_ranges[k];
         *which = k;
-        if (k == s->time_scale) range = SOFTCAT_NOT_NEGATIVE;
         if (!within(params[k], range)) return SOFTCAT_BAD_PARAMETER;
     }
     *which = s->time_scale;
@@ -70,7 +69,7 @@ const char *softcat_explain(int code)
     switch (code) {
     case SOFTCAT_BAD_PARAMETER: return "a parameter is not finite or out of range";
     case SOFTCAT_BAD_CELLS: return "the number of cells per half span is too small or too large";
-    case SOFTCAT_BAD_TIMES: return "times must be finite, increasing and not negative, at least one";
+    case SOFTCAT_BAD_TIMES: return "times must be finite, increasing, not negative, at least one";
     case SOFTCAT_BAD_SETTINGS: return "a setting is out of range, or not one of this structure";
     case SOFTCAT_BAD_START:
         return "the starting shape is no table of this structure, or does not meet the supports";

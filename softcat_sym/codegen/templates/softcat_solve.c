@@ -34,7 +34,8 @@ static size_t cut(run *r, int derivatives, int works)
     size_t by = derivatives ? (size_t)r->settings->by_count : 0;
     size_t kinks = (size_t)(r->settings->kink_count + r->s->motion_rows);
     struct { double **to; size_t size; } parts[] = {
-        {&r->params, (size_t)m->parameters}, {&r->X, sites}, {&r->places, sites * (size_t)m->places},
+        {&r->params, (size_t)m->parameters}, {&r->X, sites},
+        {&r->places, sites * (size_t)m->places},
         {&r->state, r->size}, {&r->spare, r->size}, {&r->times, rows}, {&r->kinks, kinks},
         {&r->absolute, (size_t)m->slots}, {&r->states, rows * r->size},
         {&r->work, works ? rows * (size_t)m->powers : 0}, {&r->steps, by},
@@ -70,13 +71,16 @@ static void gather_kinks(run *r)
     r->options.kink_count = kept;
 }
 
-static void set_options(run *r, int n)
+static void set_options(run *r, int n, int works)
 {
+    const softcat_model *m = r->s->model;
+    int speed = m->rate[r->s->y], inertia = speed >= 0 && m->differential[speed];
     const softcat_settings *c = r->settings;
     double absolute = c->absolute > 0.0 ? c->absolute : r->s->absolute;
-    for (int k = 0; k < r->s->model->slots; k++) r->absolute[k] = absolute;
+    for (int k = 0; k < m->slots; k++) r->absolute[k] = absolute;
     r->options.relative = c->relative > 0.0 ? c->relative : r->s->relative;
     r->options.absolute = r->absolute;
+    if (works && !inertia) r->options.work_absolute = absolute; /* nothing else limits the steps */
     r->options.largest_step = c->largest_step / r->scale;
     r->options.most_steps = c->most_steps > 0 ? c->most_steps : (long)STEPS_PER_TIME * n;
     r->options.method = c->method;
@@ -136,7 +140,8 @@ static int point(run *r)
 }
 
 /* Position [rest lengths] of a node; of one that is held, where its support is. */
-static void node(const run *r, const double *state, int i, softcat_supports at, double *x, double *y)
+static void node(const run *r, const double *state, int i, softcat_supports at, double *x,
+                 double *y)
 {
     const softcat_structure *s = r->s;
     int slots = s->model->slots, last = r->filament.sites - 1;
@@ -243,7 +248,7 @@ static int integrate(run *r, const double *params, int cells, const double *time
 {
     memcpy(r->params, params, (size_t)r->s->model->parameters * sizeof(double));
     r->params[r->s->time_scale] = r->scale;
-    set_options(r, n);
+    set_options(r, n, to->work != NULL);
     int code = begin(r, cells, status), derived = to->derivatives && r->settings->by_count;
     if (!code && derived) code = point(r);
     if (code) return code;

@@ -1,0 +1,159 @@
+#include "softcat_linear.h"
+
+#include "softcat_plan.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+softcat_linear *softcat_linear_new(const softcat_model *model, int sites, int *code)
+{
+    softcat_linear *linear = calloc(1, sizeof *linear);
+    *code = SOFTCAT_MEMORY;
+    if (!linear) return NULL;
+    linear->model = model;
+    linear->sites = sites;
+    *code = softcat_plan_make(linear);
+    if (*code) {
+        softcat_linear_free(linear);
+        return NULL;
+    }
+    softcat_linear_hold(linear, 0);
+    return linear;
+}
+
+void softcat_linear_free(softcat_linear *linear)
+{
+    if (!linear) return;
+    softcat_plan_free(linear);
+    free(linear);
+}
+
+void softcat_linear_hold(softcat_linear *linear, int algebraic_only)
+{
+    const softcat_model *model = linear->model;
+    int last = linear->sites - 1;
+    for (int site = 0; site <= last; site++)
+        for (int k = 0; k < linear->slots; k++) {
+            int held = (site == 0 && model->held_first[k]) || (site == last && model->held_last[k])
+                       || (algebraic_only && model->differential[k]);
+            linear->free_unknowns[(size_t)site * (size_t)linear->slots + (size_t)k] = !held;
+        }
+    linear->first_plain = linear->back + 1;
+    linear->last_plain = algebraic_only ? -1 : last - linear->ahead - 1;
+}
+
+const unsigned char *softcat_linear_free_unknowns(const softcat_linear *linear)
+{
+    return linear->free_unknowns;
+}
+
+/* A site all of whose entries stand inside the filament and meet no held unknown. */
+static int plain(const softcat_linear *linear, int site)
+{
+    return site >= linear->first_plain && site <= linear->last_plain;
+}
+
+/* Whether row and column of an entry exist and are free. */
+static int counts(const softcat_linear *linear, int site, const softcat_link *link)
+{
+    int other = site + link->offset;
+    if (other < 0 || other >= linear->sites) return 0;
+    const unsigned char *free_row = linear->free_unknowns + (ptrdiff_t)site * linear->slots;
+    const unsigned char *free_column = linear->free_unknowns + (ptrdiff_t)other * linear->slots;
+    if (link->via >= 0 && !free_column[link->via]) return 0;
+    return free_row[link->row] && free_column[link->column];
+}
+
+void softcat_linear_scatter(const softcat_linear *linear, const softcat_links *links, int site,
+                            const double *entries, double *store)
+{
+    const softcat_link *link = links->links, *first_via = link + links->first_via;
+    const softcat_link *end = link + links->count;
+    double inverse = linear->inverse_shift;
+    if (plain(linear, site)) {
+        for (; link < first_via; link++) store[link->target] -= entries[link->entry];
+        for (; link < end; link++) store[link->target] -= entries[link->entry] * inverse;
+        return;
+    }
+    for (; link < end; link++)
+        if (counts(linear, site, link))
+            store[link->target] -= entries[link->entry] * (link < first_via ? 1.0 : inverse);
+}
+
+int softcat_linear_factorise(softcat_linear *linear, const double *entries, double shift)
+{
+    const softcat_model *model = linear->model;
+    softcat_band *band = &linear->band;
+    int code = SOFTCAT_SOLVED;
+    size_t each = (size_t)model->entries;
+    linear->entries = entries;
+    linear->inverse_shift = shift > 0.0 ? 1.0 / shift : 0.0;
+    for (int site = 0; site < linear->sites && model->sections > 0 && !code; site++)
+        code = softcat_sections_eliminate(linear, site, entries + (size_t)site * each, shift);
+    if (code) return code;
+    memset(band->rows, 0, (size_t)band->size * (size_t)band->width * sizeof(double));
+    for (int site = 0; site < linear->sites; site++) {
+        double *rows = band->rows + (size_t)site * (size_t)linear->remaining * (size_t)band->width;
+        const unsigned char *is_free = linear->free_unknowns + (size_t)site * (size_t)linear->slots;
+        for (int i = 0; i < linear->remaining; i++) {
+            int slot = linear->remaining_slot[i];
+            double mass = model->differential[slot] ? shift : 0.0;
+            rows[i * band->width + band->lower] = is_free[slot] ? mass : 1.0;
+        }
+        softcat_linear_scatter(linear, &linear->direct, site, entries + (size_t)site * each, rows);
+        if (model->sections > 0) softcat_sections_answer(linear, site, rows);
+    }
+    return softcat_band_factorise(band);
+}
+
+/* r_row += J_rx k_x, for the x that are already eliminated. */
+static void carry_over(const softcat_linear *linear, double *k)
+{
+    const softcat_link *links = linear->moved.links, *end = links + linear->moved.count;
+    for (int site = 0; site < linear->sites; site++) {
+        const double *entries = linear->entries + (size_t)site * (size_t)linear->model->entries;
+        const unsigned char *is_free = linear->free_unknowns + (ptrdiff_t)site * linear->slots;
+        double *here = k + (ptrdiff_t)site * linear->slots, sum = 0.0;
+        int all = plain(linear, site);
+        for (const softcat_link *link = links; link < end; link++) {
+            int other = site + link->offset;
+            if (all || (other >= 0 && other < linear->sites && is_free[link->row]))
+                sum += entries[link->entry] * here[link->distance];
+            if (link + 1 == end || link[1].row != link->row) {
+                here[link->row] += sum;
+                sum = 0.0;
+            }
+        }
+    }
+}
+
+void softcat_linear_solve(const softcat_linear *linear, double *k)
+{
+    const softcat_band *band = &linear->band;
+    size_t slots = (size_t)linear->slots;
+    size_t all = (size_t)linear->sites * slots;
+    for (size_t i = 0; i < all; i++)
+        if (!linear->free_unknowns[i]) k[i] = 0.0;
+    for (int e = 0; e < linear->eliminated; e++)
+        for (int site = 0; site < linear->sites; site++)
+            k[(size_t)site * slots + (size_t)linear->eliminated_slot[e]] *= linear->inverse_shift;
+    if (linear->moved.count > 0) carry_over(linear, k);
+    if (linear->model->sections > 0) softcat_sections_first(linear, k);
+    double *right = band->right;
+    for (int site = 0; site < linear->sites; site++)
+        for (int i = 0; i < linear->remaining; i++)
+            *right++ = k[(size_t)site * slots + (size_t)linear->remaining_slot[i]];
+    softcat_band_solve(band);
+    right = band->right;
+    for (int site = 0; site < linear->sites; site++)
+        for (int i = 0; i < linear->remaining; i++)
+            k[(size_t)site * slots + (size_t)linear->remaining_slot[i]] = *right++;
+    if (linear->model->sections > 0) softcat_sections_last(linear, k);
+    for (int e = 0; e < linear->eliminated; e++) {
+        size_t x = (size_t)linear->eliminated_slot[e], u = (size_t)linear->model->rate[x];
+        for (int site = 0; site < linear->sites; site++)
+            if (linear->free_unknowns[(size_t)site * slots + x])
+                k[(size_t)site * slots + x] += k[(size_t)site * slots + u] * linear->inverse_shift;
+    }
+}

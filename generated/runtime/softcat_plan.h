@@ -1,0 +1,97 @@
+/* The order in which softcat_linear.c eliminates, found once from the pattern of the Jacobian. */
+#ifndef SOFTCAT_PLAN_H
+#define SOFTCAT_PLAN_H
+
+#include "softcat_band.h"
+#include "softcat_linear.h"
+
+/* An entry of the Jacobian, and where the elimination puts it, the same way at every site. */
+typedef struct softcat_link {
+    int entry, row, offset, column;
+    int via;      /* rate u of a column x, in whose column the entry is put, times 1 / s; else -1 */
+    int target;   /* place in the store, relative to that of the site */
+    int distance; /* from the site's first unknown to the column's */
+} softcat_link;
+
+typedef struct softcat_links {
+    int count;
+    int first_via; /* those with a rate come last */
+    softcat_link *links;
+} softcat_links;
+
+/* Section states that see each other: positions first .. first + size - 1, numbers from start. */
+typedef struct softcat_block {
+    int first, size, start;
+} softcat_block;
+
+/* A kept row, and the distance to a site whose section states it sees. */
+typedef struct softcat_group {
+    int row, offset;
+} softcat_group;
+
+struct softcat_linear {
+    const softcat_model *model;
+    int sites, slots, kept;
+    unsigned char *free_unknowns;  /* [sites * slots] */
+    int first_plain, last_plain;   /* sites whose entries need no look at the ends */
+    int back, ahead;               /* reach of the entries, in sites */
+
+    int eliminated, remaining;     /* kept slots: those with a rate, and the others */
+    int *eliminated_slot, *remaining_slot;
+    int *place;                    /* [slots] position of a remaining slot in its site, or -1;
+                                      of a section slot: in section_slot */
+
+    int *section_slot;             /* [sections] block by block */
+    int *diagonal;                 /* [sections] where their diagonal stands in the blocks */
+    int block_count, block_doubles;
+    softcat_block *block;
+    double *blocks;                /* [sites * block_doubles] inverted */
+
+    int padded;                    /* sections, rounded up to fours */
+    int answer_columns;            /* kept unknowns that section states see, at which sites */
+    int *answer_offset, *answer_slot;
+    double *answers;               /* [sites * answer_columns * padded] (W_ss)^-1 W_sk */
+    int drag_columns;              /* eliminated x that section states see */
+    int *drag_offset, *drag_slot;
+    double *drags;                 /* [sites * drag_columns * padded] J_sx */
+
+    int group_count;
+    softcat_group *group;
+    double *weights;               /* [sites * groups * padded] J of kept rows by section states */
+    int *group_target;             /* [groups * answer_columns] places of answers in the band */
+
+    softcat_links direct;          /* kept row, kept column: into the band */
+    softcat_links within;          /* section row, section column: into the blocks */
+    softcat_links driven;          /* section row, kept column: into the coupling */
+    softcat_links dragged;         /* section row, column of an eliminated x: into the drags */
+    softcat_links seen;            /* kept row, section column: into the weights */
+    softcat_links moved;           /* kept row, column of an eliminated x */
+
+    double *coupling;              /* [answer_columns * padded] of one site */
+    double *gathered, *solved;     /* [padded] */
+    int *order;
+    softcat_band band;
+    const double *entries;         /* of the last factorisation */
+    double inverse_shift;
+};
+
+/* What softcat_sections.c does of softcat_linear.h: eliminate a site's section states, whose band
+ * rows are `rows`; then, in a right-hand side, solve for them alone and, last, add what they
+ * answer to the kept unknowns. */
+int softcat_sections_eliminate(softcat_linear *, int site, const double *entries, double shift);
+void softcat_sections_answer(const softcat_linear *, int site, double *rows);
+void softcat_sections_first(const softcat_linear *, double *k);
+void softcat_sections_last(const softcat_linear *, double *k);
+
+/* Add -J to a store at a site; the column of an x stands in that of its rate u, times 1 / s. */
+void softcat_linear_scatter(const softcat_linear *, const softcat_links *, int site,
+                            const double *entries, double *store);
+
+/* Order the remaining slots of a site so that the band is narrow, and say how wide it is. */
+void softcat_plan_order(softcat_linear *, int *lower, int *upper);
+
+/* Fill a zeroed softcat_linear but for the numbers that depend on the sites: 0 or a code. */
+int softcat_plan_make(softcat_linear *);
+void softcat_plan_free(softcat_linear *);
+
+#endif

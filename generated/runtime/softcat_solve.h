@@ -1,0 +1,140 @@
+/* Positions and midpoint of a filament over time, from parameters in SI units.
+ *
+ * A generated filament.c describes one structure (law, section, ends, effects) by a
+ * softcat_structure; filament.h calls what is declared here with it. Lengths are in metres, times
+ * in seconds, positions x to the right and y upwards from the left support, with x = 0 halfway
+ * between the supports. Everything is re-entrant: there is no global state, and any number of
+ * threads may solve at once. */
+#ifndef SOFTCAT_SOLVE_H
+#define SOFTCAT_SOLVE_H
+
+#include "softcat_rosenbrock.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Codes beyond those of softcat_model.h; softcat_explain has a sentence for every one. */
+enum {
+    SOFTCAT_BAD_PARAMETER = 100, /* not finite or out of range; its number is status->worst_slot */
+    SOFTCAT_BAD_CELLS,           /* below softcat_structure.least_cells or above a million */
+    SOFTCAT_BAD_TIMES,           /* n < 1, not finite, not increasing, or before 0 */
+    SOFTCAT_BAD_SETTINGS,        /* a number in softcat_settings is out of range */
+    SOFTCAT_BAD_START,           /* the starting shape is no table, or does not meet the supports */
+    SOFTCAT_NOT_STRAIGHT         /* the filament does not begin straight: give a starting shape */
+};
+
+typedef enum softcat_end {
+    SOFTCAT_SYMMETRY, SOFTCAT_CLAMPED, SOFTCAT_PINNED, SOFTCAT_FREE
+} softcat_end;
+
+typedef enum softcat_range {
+    SOFTCAT_ANY, SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POISSON /* -1 < nu < 1/2 */
+} softcat_range;
+
+/* Geometry of a site: lengths in rest lengths that its cell has and its node answers for, the mass
+ * of the node over that of the filament, their inverses, thickness and share of a point mass. */
+typedef enum softcat_place {
+    SOFTCAT_PLACE_X, SOFTCAT_PLACE_CELL, SOFTCAT_PLACE_NODE, SOFTCAT_PLACE_MASS,
+    SOFTCAT_PLACE_PER_CELL, SOFTCAT_PLACE_PER_NODE, SOFTCAT_PLACE_PER_MASS,
+    SOFTCAT_PLACE_H_NODE, SOFTCAT_PLACE_H_CELL, SOFTCAT_PLACE_HUNG, SOFTCAT_PLACE_COUNT
+} softcat_place;
+
+/* What a filament.c describes; numbers of parameters and slots are -1 where there is none. */
+typedef struct softcat_structure {
+    const softcat_model *model;
+    const char *title;
+    const char *const *parameter_names, *const *parameter_units; /* [model->parameters] */
+    const softcat_range *parameter_ranges;                       /* [model->parameters] */
+    const double *parameter_values;       /* [model->parameters] those of the scene */
+    const char *const *slot_names;        /* [model->slots] */
+    const int *on_cells;                  /* [model->slots] whether it belongs to the cell */
+    const double *mean, *bending;         /* [model->slots] what a slot is of a plastic strain
+                                             that is linear through the thickness */
+    softcat_end first, last;              /* what holds the first and the last node */
+    int least_cells;                      /* per half span */
+    int area_power;                       /* the area goes with this power of the thickness */
+    int profiled;                         /* whether the thickness varies */
+    const softcat_place *places;          /* [model->places] */
+    int x, y, psi;                        /* slots */
+    int rest_length, time_scale, gravity, density; /* parameters */
+    int span, drop, left_angle, right_angle, curvature;
+    int motion, motion_rows;              /* first of 3 numbers a row: time, dx, dy */
+    double stretch;                       /* stress-free initial stretch */
+    const double *initial_mean, *initial_bending, *thickness; /* equally spaced from left to right*/
+    int initial_mean_count, initial_bending_count, thickness_count;
+    double grading, relative, absolute;   /* of the scene */
+    double duration;                      /* of the scene [s] */
+    int cells, frames;                    /* of the scene */
+} softcat_structure;
+
+/* A shape to begin from: unknowns at nodes from left to right, those of cells in the row of the
+ * node to their left. Dimensionless, as the model has them: lengths in rest lengths. */
+typedef struct softcat_table {
+    int rows;
+    const double *X;      /* [rows] of the nodes, in rest lengths, 0 halfway; increasing */
+    const double *values; /* [rows * model->slots] */
+} softcat_table;
+
+/* Set all to zero first ({0}); what stays zero is as the scene has it. */
+typedef struct softcat_settings {
+    double grading;            /* longest cell, at midspan, over the shortest, at the supports */
+    double relative, absolute; /* error a step may make; absolute: lengths in rest lengths */
+    double largest_step;       /* [s] */
+    long most_steps;           /* 0: 100000 for each time asked */
+    int method;                /* SOFTCAT_RODAS5P ... of softcat_rosenbrock.h */
+    const double *thickness;   /* [thickness_count] relative, equally spaced from left to right; */
+    int thickness_count;       /*       only of a structure whose scene has a profile */
+    const softcat_table *start;
+    const double *kinks;       /* [kink_count] increasing times [s] at which anything jumps; those
+                                  of a moving support are known */
+    int kink_count;
+    const volatile int *stop;  /* set non-zero from another thread or a signal to stop */
+    const int *by;             /* [by_count] parameters that derivatives are taken by */
+    int by_count;
+    const double *by_step;     /* [by_count] SI, steps of their differences; NULL: 1e-5 of each */
+} softcat_settings;
+
+/* Where results go; NULL: not wanted. n is the number of times, row that of softcat_structure_row.
+ * After a failure, rows at times that were not reached are NaN. */
+typedef struct softcat_results {
+    double *positions;   /* [n * row] x_0 y_0 x_1 y_1 ... of all nodes from left to right [m] */
+    double *midpoint;    /* [n] height of the node at X = 0 [m] */
+    double *states;      /* [n * sites * model->slots] all unknowns, dimensionless */
+    double *work;        /* [n * model->powers] J per m^2 of undeformed section: dissipated by
+                            flow, of the changing load, of the necking gradient */
+    double *derivatives; /* [by_count * n * row] of positions by parameters [m / SI unit] */
+} softcat_results;
+
+/* Doubles that one time takes in `positions`; 0 if `cells` is out of range. A symmetric filament is
+ * solved from its plane of symmetry to the right support: cells + 1 nodes; others have
+ * 2 * cells + 1. */
+int softcat_structure_row(const softcat_structure *, int cells);
+
+/* Solve from rest at t = 0.
+ *
+ * params   [model->parameters] SI; time_scale 0: sqrt(rest_length / gravity)
+ * cells    per half span
+ * times    [n] increasing, times[0] >= 0 [s]
+ * settings or NULL
+ * status   or NULL; `reached` is in seconds
+ * Returns SOFTCAT_SOLVED or a code.
+ *
+ * Without settings->start the filament begins straight and without velocity, stretched or bent
+ * plastically as the scene says, which must be an equilibrium without weight: neither slack nor
+ * curved, clamps along the line of the supports; otherwise SOFTCAT_NOT_STRAIGHT. A starting shape
+ * is carried over to the grid by cubic interpolation; it is at rest only with the parameters and
+ * cells that it was computed for. Algebraic unknowns are made consistent either way.
+ *
+ * Derivatives: see softcat_directions; those by motion_*_time and time_scale are refused. */
+int softcat_structure_solve(const softcat_structure *, const double *params, int cells,
+                            const double *times, int n, const softcat_settings *settings,
+                            const softcat_results *, softcat_status *status);
+
+/* One English sentence on a code; never NULL. */
+const char *softcat_explain(int code);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

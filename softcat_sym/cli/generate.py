@@ -1,0 +1,66 @@
+"""``softcat generate``: the compiled solver of a scene as files to take away."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    OutputOption,
+    QuietOption,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    scene_of,
+)
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from softcat_sym.scene import Scene
+
+
+@app.command()
+def generate(
+    output: OutputOption,
+    scene: Annotated[
+        str | None, typer.Argument(metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.")
+    ] = None,
+    bundled: Annotated[
+        bool, typer.Option("--bundled", help="The structures of the bundled scenes instead, one runtime for all.")
+    ] = False,
+    changes: SetOption = None,
+    rhs: Annotated[
+        bool, typer.Option("--rhs", help="Add right-hand side and sparse Jacobian, for an integrator of your own.")
+    ] = False,
+    name: Annotated[
+        str, typer.Option("--name", metavar="NAME", help="Of the C file and of what it exports: one for each filament.")
+    ] = "filament",
+    quiet: QuietOption = False,
+) -> None:
+    """Write the solver of a scene as C99 without Python: sources, program, parameters.txt, Makefile, README in DIR."""
+    if bundled is (scene is not None):
+        raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
+    if bundled and (changes or rhs or name != "filament"):
+        raise typer.BadParameter("--bundled goes with neither --set nor --rhs nor --name", param_hint="--bundled")
+    asked = None if scene is None else scene_of(scene, changes)
+    check_directory(output)
+    try:
+        written = _write(asked, output, name, rhs=rhs)
+    except KeyboardInterrupt:
+        complain("interrupted; nothing was written, or not all of it")
+        raise typer.Exit(INTERRUPTED) from None
+    if not quiet:
+        size = sum(path.stat().st_size for path in written)
+        typer.echo(f"wrote {len(written)} files, {size / 1000:.0f} kB, to {output}")
+        if not bundled:
+            typer.echo(f"next: make -C {output} && {output}/{name} {output}/parameters.txt -o midpoint.csv")
+
+
+def _write(asked: Scene | None, output: Path, name: str, *, rhs: bool) -> list[Path]:
+    from softcat_sym import generating, products
+
+    return products.write(output) if asked is None else generating.generate(asked, output, rhs, name)

@@ -1,0 +1,160 @@
+"""Members integrated side by side, in threads: the compiled solver works outside Python."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from softcat_sym.ensemble.members import Member
+from softcat_sym.ensemble.progress import MembersProgress
+from softcat_sym.ensemble.shared import Workshop
+from softcat_sym.ensemble.verdict import verdict
+from softcat_sym.errors import SoftcatError
+from softcat_sym.graph import Graph
+from softcat_sym.graph.grid import Floats
+from softcat_sym.scene import rest_length
+from softcat_sym.solve import Outcome, Solution
+
+
+@dataclass(frozen=True)
+class Record:
+    """What is kept of a member's run.
+
+    Attributes
+    ----------
+    midpoint : ndarray, shape (frames,)
+        [m]; NaN after the time that was reached.
+    outcome : Outcome
+        How it ended.
+    complaint : str
+        Why, if that was no success.
+    reached : float
+        Last frame [s].
+    energy_residual : float
+        Between the first and the last frame, relative to the largest energy in them.
+    steps : int
+        Of the integrator.
+    wall : float
+        Seconds, waiting for other threads included.
+    """
+
+    midpoint: Floats
+    outcome: Outcome
+    complaint: str
+    reached: float
+    energy_residual: float
+    steps: int
+    wall: float
+
+
+class Stop:
+    """Ends integrations from outside: as their listener, it raises when told to."""
+
+    def __init__(self) -> None:
+        self._told = threading.Event()
+
+    def tell(self) -> None:
+        """Let no integration go on."""
+        self._told.set()
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Look whether to stop.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            If so.
+        """
+        del simulated_time, step_size
+        if self._told.is_set():
+            raise KeyboardInterrupt
+
+
+def workers_of(workers: int | None) -> int:
+    """As many as asked, otherwise one for each core that this process may use.
+
+    Raises
+    ------
+    SoftcatError
+        If less than one is asked for.
+    """
+    if workers is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
+        raise SoftcatError(f"workers = {workers!r}: give a whole number of threads, 1 or more, or None for all cores")
+    return workers
+
+
+def run_all(members: Sequence[Member], workshop: Workshop, workers: int, progress: MembersProgress) -> list[Record]:
+    """Run the members, `workers` at a time.
+
+    Returns
+    -------
+    list of Record
+        In the order of the members.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user stops it: no thread goes on.
+    SoftcatError
+        If the compiler refuses or memory is short.
+    """
+    stop, begun = Stop(), time.monotonic()
+    with ThreadPoolExecutor(workers, thread_name_prefix="softcat-member") as pool:
+        try:
+            futures = [pool.submit(_run, member, workshop, stop) for member in members]
+            for done, future in enumerate(as_completed(futures), start=1):
+                future.result()
+                spent = time.monotonic() - begun
+                progress.update(done, len(members), spent / done * (len(members) - done))
+        finally:
+            stop.tell()
+            pool.shutdown(cancel_futures=True)
+    return [future.result() for future in futures]
+
+
+def _run(member: Member, workshop: Workshop, stop: Stop) -> Record:
+    begun = time.perf_counter()
+    scene = member.scene
+    stop.update(0.0, None)
+    prepared = workshop.prepare(member)
+    solution = prepared.solve(stop)
+    # Without velocities the work against the necking gradient is summed over frames.
+    judged = _first_and_last(solution) if prepared.graph.has_velocities else solution
+    outcome, complaint, residual = verdict(member, prepared, judged)
+    midpoint = np.full(scene.run.frames, np.nan)
+    midpoint[: len(solution.time)] = _heights(prepared.graph, solution) * rest_length(scene) + 0.0  # no minus zero
+    reached = float(solution.time[-1]) * prepared.scale
+    wall = time.perf_counter() - begun
+    return Record(midpoint, outcome, complaint, reached, residual, solution.steps, wall)
+
+
+def _first_and_last(solution: Solution) -> Solution:
+    ends = [0, -1]
+    return replace(
+        solution,
+        time=solution.time[ends],
+        x=solution.x[:, ends],
+        z=solution.z[:, ends],
+        quad=solution.quad[:, ends],
+    )
+
+
+def _heights(graph: Graph, solution: Solution) -> Floats:
+    """Height of X = 0 over the rest length, shape (frames,)."""
+    middle = int(np.argmin(np.abs(graph.grid.nodes)))
+    for kinds, places, values in (
+        (graph.x_kinds, graph.x_places, solution.x),
+        (graph.z_kinds, graph.z_places, solution.z),
+    ):
+        for kind, place, row in zip(kinds, places, values, strict=True):
+            if kind == "y" and place == middle:
+                return np.asarray(row, dtype=float)
+    raise SoftcatError("the filament has no node at midspan")
