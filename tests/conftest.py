@@ -24,6 +24,7 @@ COMPILING = (
     "acceptance/test_compiled_speed.py",
     "report/test_compare_pictures.py",
     "rivals",
+    "solve/test_backend.py",
     "solve/test_compiled.py",
     "solve/test_external.py",
     "study/test_compare.py",

@@ -32,7 +32,10 @@ def test_every_name_resolves_and_says_what_it_is(name: str) -> None:
     assert not (thing.__doc__ or "").startswith(f"{name}(")
 
 
-@pytest.mark.parametrize("name", ["explain", "fit_flow_curve", "generate", "load_scene", "price_effects", "simulate", "simulate_many"])
+FUNCTIONS = ["explain", "fit_flow_curve", "generate", "load_scene", "price_effects", "simulate", "simulate_many"]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
 def test_every_function_tells_its_parameters_and_annotates_them(name: str) -> None:
     function = getattr(sc, name)
     signature = inspect.signature(function)

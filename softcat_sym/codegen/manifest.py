@@ -26,23 +26,11 @@ def manifest_text(described: Description, name: str, command: str, source: CSour
 
 def manifest(described: Description, name: str, command: str, source: CSource) -> dict[str, Any]:
     """What the manifest says, before it is text."""
-    scene, structure, model = described.scene, described.structure, described.model
-    supports = structure.body.supports
+    scene, model = described.scene, described.model
     return {
         "generated": f"do not edit; written by: {command}",
         "title": described.title,
-        "structure": {
-            "digest": described.digest,
-            "effects": list(described.effects.names),
-            "law": scene.material.law,
-            "section": scene.filament.section,
-            "closure": scene.run.closure,
-            "theory": structure.theory.label.split(" ")[0],
-            "ends": [end.name.lower().replace("symmetry", "plane of symmetry") for end in structure.ends],
-            "supports": {"points_of_path": supports.rows, "parameters": list(supports.parameters)},
-            "profile": structure.body.profile.nodes is not None,
-            "point_mass": structure.body.weighted,
-        },
+        "structure": _structure(described),
         "parameters": [
             {"name": one.name, "unit": one.unit, "bound": one.bound, "value": one.value, "meaning": one.meaning}
             for one in described.parameters
@@ -75,4 +63,22 @@ def manifest(described: Description, name: str, command: str, source: CSource) -
         "prefix": prefix_of(name),
         "versions": dict(VERSIONS),
         "sha256": source.digest,
+    }
+
+
+def _structure(described: Description) -> dict[str, Any]:
+    """What one build cannot change."""
+    scene, structure = described.scene, described.structure
+    supports = structure.body.supports
+    return {
+        "digest": described.digest,
+        "effects": list(described.effects.names),
+        "law": scene.material.law,
+        "section": scene.filament.section,
+        "closure": scene.run.closure,
+        "theory": structure.theory.label.split(" ")[0],
+        "ends": [end.name.lower().replace("symmetry", "plane of symmetry") for end in structure.ends],
+        "supports": {"points_of_path": supports.rows, "parameters": list(supports.parameters)},
+        "profile": structure.body.profile.nodes is not None,
+        "point_mass": structure.body.weighted,
     }

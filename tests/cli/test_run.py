@@ -91,9 +91,9 @@ def test_an_interrupted_run_writes_nothing(tmp_path: Path) -> None:
         "-o",
         str(output),
         "--set",
-        "numerics.cells=300",
+        "numerics.cells=1000",
         "--set",
-        "numerics.rtol=1e-7",
+        "numerics.rtol=1e-10",
     ]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         time.sleep(6)

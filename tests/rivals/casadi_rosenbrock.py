@@ -122,7 +122,7 @@ class Timed:
 
 def compiled_rosenbrock(name: str, physics: Physics, repeats: int = REPEATS) -> tuple[Timed, CompiledRosenbrock]:
     """Time CasADi's generated solver at its loosest tolerances; the steps are those of the interpreted one."""
-    prepared = prepare(name, physics)
+    prepared = prepare(name, physics, numerics={"backend": "interpreted"})
     rtol, atol = LOOSEST[name, physics, "rosenbrock"]
     rival = CompiledRosenbrock(prepared, rtol, atol)
     same = Interpreted(prepared, "rosenbrock", {"reltol": rtol, "abstol": atol}).solve()
@@ -131,7 +131,7 @@ def compiled_rosenbrock(name: str, physics: Physics, repeats: int = REPEATS) -> 
 
 def interpreted_bdf(name: str, physics: Physics, *, loosest: bool, repeats: int = REPEATS) -> Timed:
     """Time CVODES, or IDAS where there are algebraic unknowns: as softcat_sym sets it, or as loosely as will do."""
-    prepared = prepare(name, physics)
+    prepared = prepare(name, physics, numerics={"backend": "interpreted"})
     settings, options = prepared.settings, prepared.settings.options()
     if loosest:
         rtol, atol = LOOSEST[name, physics, settings.solver]

@@ -1,0 +1,142 @@
+"""The generated C of a scene's filament beside the interpreted graph of the same filament."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.codegen.model_text import Model
+from softcat_sym.codegen.sites import Sites, places_of, sites_of
+from softcat_sym.codegen.structure import model_for, structure_of
+from softcat_sym.effects import choose_effects
+from softcat_sym.equations.filament import derive
+from softcat_sym.equations.section import SECTIONS
+from softcat_sym.graph import Graph, assemble
+from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
+from softcat_sym.graph.grid import Floats
+from softcat_sym.graph.parameters import parameter_values
+from softcat_sym.scene import Scene
+from softcat_sym.solve.starting import Start, starting_state
+
+from .c_values import CModel, Values
+
+AMPLITUDES = {"x": 0.002, "y": 0.05, "u": 0.1, "v": 0.1, "psi": 0.05, "omega": 0.1}
+"""Of states beside the straight filament, in rest lengths and time scales; strains move by a thousandth."""
+STRAIN = 1e-3
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A graph and the C of its structure.
+
+    Attributes
+    ----------
+    graph : Graph
+        Interpreted.
+    model : Model
+        The C text.
+    p : ndarray
+        Parameters.
+    places : ndarray, shape (sites, places)
+        Geometry.
+    sites : Sites
+        Where the unknowns of the graph are in the rows of the C.
+    start : Start
+        The filament at rest.
+    """
+
+    graph: Graph
+    model: Model
+    p: Floats
+    places: Floats
+    sites: Sites
+    start: Start
+
+    @cached_property
+    def compiled(self) -> CModel:
+        """The text as machine code."""
+        return CModel(self.model.text)
+
+    def in_c(self, t: float, x: Floats, z: Floats) -> Values:
+        """What the C says; unknowns are the graph's x, then z."""
+        found = self.compiled.at(t, self.sites.state(x, z), self.p, self.places)
+        every = np.concatenate([self.sites.x, self.sites.z])
+        return Values(found.rates[every], found.jacobian[np.ix_(every, every)], found.powers, found.slopes[:, every])
+
+    def interpreted(self, t: float, x: Floats, z: Floats) -> Values:
+        """What the graph says."""
+        rates, jacobian, powers, slopes = (np.asarray(one) for one in self._function(t, x, z, self.p))
+        return Values(rates.ravel(), jacobian, powers.ravel(), slopes)
+
+    @cached_property
+    def _function(self) -> ca.Function:
+        of = self.graph
+        rates, unknowns = ca.vertcat(of.ode, of.alg), ca.vertcat(of.x, of.z)
+        outputs = [rates, ca.jacobian(rates, unknowns), of.quad, ca.jacobian(of.quad, unknowns)]
+        return ca.Function("interpreted", [of.t, of.x, of.z, of.p], outputs)
+
+    def state(self, seed: int) -> tuple[float, Floats, Floats]:
+        """A time and an admissible state: from rest smoothly bent, stretched and set in motion, with a little noise."""
+        of, rng = self.graph, np.random.default_rng(seed)
+        found = []
+        for start, kinds, where in ((self.start.x, of.x_kinds, of.x_where), (self.start.z, of.z_kinds, of.z_where)):
+            at, size = np.array(where), np.array([AMPLITUDES.get(kind, STRAIN) for kind in kinds])
+            bent = size * np.cos(3 * at + rng.uniform(0, 3)) * (1 - 4 * at**2) if len(kinds) else np.zeros(0)
+            found.append(start + bent + rng.normal(size=len(kinds)) * 1e-4 / of.grid.cells)
+        return float(rng.uniform(0.2, 3)), found[0], found[1]
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Kind of each unknown, x and then z."""
+        return (*self.graph.x_kinds, *self.graph.z_kinds)
+
+
+def pair_of(scene: Scene) -> Pair:
+    """Assemble a scene's filament, and make its C."""
+    effects = choose_effects(scene)
+    equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
+    grid = choose_grid(scene, effects)
+    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
+    graph = assemble(equations, grid, effects.names, theory, body)
+    model = model_for(structure_of(scene, effects, graph, equations, theory, body))
+
+    def statics() -> Graph:
+        still = derive(effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
+        return assemble(still, grid, effects.names, choose_theory(scene, still), body)
+
+    places = places_of(graph, body, equations.shape.area_power, model.places)
+    p = np.ascontiguousarray(graph.vector(parameter_values(scene)))
+    start = starting_state(scene, graph, p, statics) or Start(graph.start, graph.straight)
+    return Pair(graph, model, p, places, sites_of(graph, model.slots), start)
+
+
+def differences(pair: Pair, seeds: range, other: Pair | None = None) -> dict[str, float]:
+    """Largest difference of each result, over the largest value of its kind of unknown.
+
+    Parameters
+    ----------
+    other : Pair, optional
+        Whose C is taken in place of that of `pair`.
+    """
+    in_c = (other or pair).in_c
+    worst = dict.fromkeys(("rates", "jacobian", "powers", "slopes"), 0.0)
+    kinds = np.array(pair.kinds)
+    for seed in seeds:
+        at = pair.state(seed)
+        found, wanted = in_c(*at), pair.interpreted(*at)
+        for name in worst:
+            one, exact = getattr(found, name), getattr(wanted, name)
+            assert np.all(np.isfinite(exact)), f"{name} of a state that is not admissible"
+            assert np.all(np.isfinite(one)), name
+            groups = [kinds == kind for kind in dict.fromkeys(pair.kinds)]
+            rows = groups if name in ("rates", "jacobian") else [np.arange(len(one)) == k for k in range(len(one))]
+            worst[name] = max(worst[name], *(_relative(one[row], exact[row]) for row in rows))
+    return worst
+
+
+def _relative(found: Floats, wanted: Floats) -> float:
+    scale = float(np.max(np.abs(wanted)))
+    return float(np.max(np.abs(found - wanted))) / scale if scale else float(np.max(np.abs(found)))
