@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from softcat_sym.graph import Graph
     from softcat_sym.graph.grid import Floats
     from softcat_sym.scene import Scene
+    from softcat_sym.solve.assembled import Assembled
 
 COMMAND = "softcat generate scene.toml -o ."
 
@@ -60,12 +61,17 @@ class Exported:
     ----------
     description : Description
         What C is told.
-    graph : Graph
-        The same filament as CasADi has it.
+    filament : Assembled
+        The same as CasADi has it.
     """
 
     description: Description
-    graph: Graph
+    filament: Assembled
+
+    @property
+    def graph(self) -> Graph:
+        """The graph of the filament."""
+        return self.filament.graph
 
 
 def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
@@ -101,24 +107,16 @@ def export(scene: Scene) -> Exported:
         If it has no compiled form, or names effects that it cannot have.
     """
     from softcat_sym.codegen.description import describe
-    from softcat_sym.codegen.structure import model_for, structure_of
+    from softcat_sym.codegen.structure import model_for
     from softcat_sym.effects import choose_effects
-    from softcat_sym.equations.filament import derive
-    from softcat_sym.equations.section import SECTIONS
-    from softcat_sym.graph import assemble
-    from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
     from softcat_sym.solve import compiled_settings
+    from softcat_sym.solve.assembled import assembled
 
     effects = choose_effects(scene)
     _refuse(scene, effects.names)
-    equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    grid = choose_grid(scene, effects)
-    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
-    graph = assemble(equations, grid, effects.names, theory, body)
-    structure = structure_of(scene, effects, graph, equations, theory, body)
-    settings = compiled_settings(scene, effects)
-    tolerances = settings.rtol, settings.atol
-    return Exported(describe(scene, effects, graph, structure, model_for(structure), tolerances), graph)
+    filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
+    structure, tolerances = filament.structure(), (settings.rtol, settings.atol)
+    return Exported(describe(scene, effects, filament.graph, structure, model_for(structure), tolerances), filament)
 
 
 def _refuse(scene: Scene, effects: tuple[str, ...]) -> None:
@@ -148,25 +146,14 @@ def _start(scene: Scene, exported: Exported) -> Floats:
         If no equilibrium was found.
     """
     from softcat_sym.codegen.sites import sites_of
-    from softcat_sym.effects import choose_effects
-    from softcat_sym.equations.filament import derive
-    from softcat_sym.equations.section import SECTIONS
     from softcat_sym.errors import SoftcatError
-    from softcat_sym.graph import assemble
-    from softcat_sym.graph.choosing import choose_body, choose_theory
     from softcat_sym.graph.parameters import parameter_values
     from softcat_sym.scene import rest_length
     from softcat_sym.solve.starting import starting_state
 
     graph, described = exported.graph, exported.description
-
-    def statics() -> Graph:
-        effects = choose_effects(scene)
-        still = derive(effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
-        return assemble(still, graph.grid, effects.names, choose_theory(scene, still), choose_body(scene, graph.grid))
-
     p = graph.vector(parameter_values(scene))
-    start = starting_state(scene, graph, p, statics)
+    start = starting_state(scene, graph, p, exported.filament.at_rest)
     if start is None:
         raise SoftcatError("at t = 0 s: no shape in balance was found to begin from")
     state = sites_of(graph, described.model.slots).state(start.x, start.z)

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from softcat_sym.clock import Clock
     from softcat_sym.effects import Effects
-    from softcat_sym.graph import Graph
     from softcat_sym.scene import Scene
     from softcat_sym.solve import Prepared, Progress
     from softcat_sym.trajectory import Trajectory
@@ -74,35 +73,18 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepare
     clock : Clock
         Told what the compilation took.
     """
-    from softcat_sym.codegen.structure import structure_of
-    from softcat_sym.equations.filament import derive
-    from softcat_sym.equations.section import SECTIONS
-    from softcat_sym.graph import assemble
-    from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
     from softcat_sym.solve import choose_backend, prepare, settings_for
-    from softcat_sym.solve.compiling import compile_filament
-    from softcat_sym.solve.external import compiled_rhs
+    from softcat_sym.solve.assembled import assembled
 
-    shape, backend = SECTIONS[scene.filament.section], choose_backend(scene, effects)
-    equations = derive(effects.terms(), shape, scene.run.closure)
-    grid = choose_grid(scene, effects)
-    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
-    graph = assemble(equations, grid, effects.names, theory, body)
-
-    def statics() -> Graph:
-        still = derive(effects.at_rest(), shape, scene.run.closure)
-        return assemble(still, grid, effects.names, choose_theory(scene, still), choose_body(scene, grid))
-
+    backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
-    if not backend.compiled:
-        return prepare(scene, graph, settings, statics, (backend, None))
-    if clock is not None:
+    filament = assembled(scene, effects)
+    if clock is not None and backend.compiled:
         clock.lap("build")
-    structure = structure_of(scene, effects, graph, equations, theory, body)
-    code = compile_filament(graph, structure) if settings.solver == "rosenbrock" else compiled_rhs(graph)
-    if clock is not None:
+    code = filament.code(backend, settings)
+    if clock is not None and backend.compiled:
         clock.lap("compile")
-    return prepare(scene, graph, settings, statics, (backend, code))
+    return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
 
 
 def _run(scene: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:

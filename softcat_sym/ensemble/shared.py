@@ -8,19 +8,15 @@ from functools import cached_property
 
 import numpy as np
 
-from softcat_sym.codegen.structure import structure_of
 from softcat_sym.ensemble.members import Member
-from softcat_sym.equations.filament import FilamentEquations, derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import Graph, assemble
+from softcat_sym.graph import Graph
 from softcat_sym.graph.body import Body
-from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
+from softcat_sym.graph.choosing import choose_body, choose_grid
 from softcat_sym.graph.grid import Grid
-from softcat_sym.scene import Scene
 from softcat_sym.solve import Prepared, Settings, prepare, settings_for
+from softcat_sym.solve.assembled import Assembled, assembled
 from softcat_sym.solve.compiled import CompiledFilament
-from softcat_sym.solve.compiling import compile_filament
-from softcat_sym.solve.external import External, compiled_rhs
+from softcat_sym.solve.external import External
 
 _FIRST_AND_LAST = 2
 
@@ -52,9 +48,9 @@ class Workshop:
             key = (member.pattern, effects.names, backend, settings.solver, *_key_of(grid, body))
             shared = self._filaments.get(key)
             if shared is None:
-                own = backend.compiled and settings.solver == "rosenbrock"
-                shared = self._filaments[key] = _share(member, grid, body, own)
-        return prepare(scene, shared.graph, settings, shared.statics, (backend, shared.code))
+                first = assembled(scene, effects)
+                shared = self._filaments[key] = SharedFilament(first, first.code(backend, settings))
+        return prepare(scene, shared.first.graph, settings, shared.statics, (backend, shared.code))
 
 
 def tolerances(member: Member) -> Settings:
@@ -74,23 +70,14 @@ class SharedFilament:
 
     Attributes
     ----------
-    graph : Graph
-        On their grid.
+    first : Assembled
+        One of them, with the graph of all.
     code : CompiledFilament, External or None
         None if interpreted.
-    resting : FilamentEquations
-        The same at rest.
-    scene : Scene
-        The first of them.
-    body : Body
-        Supports, profile, point mass.
     """
 
-    graph: Graph
+    first: Assembled
     code: CompiledFilament | External | None
-    resting: FilamentEquations
-    scene: Scene
-    body: Body
 
     def statics(self) -> Graph:
         """The filament without inertia and viscous stress, for a start that is not straight."""
@@ -98,23 +85,7 @@ class SharedFilament:
 
     @cached_property
     def _statics(self) -> Graph:
-        theory = choose_theory(self.scene, self.resting)
-        return assemble(self.resting, self.graph.grid, self.graph.effects, theory, self.body)
-
-
-def _share(member: Member, grid: Grid, body: Body, own: bool) -> SharedFilament:
-    """What a member has in common; `own` code integrates by itself, other code is the right-hand side for CasADi."""
-    scene, effects = member.scene, member.effects
-    section, closure = SECTIONS[scene.filament.section], scene.run.closure
-    equations, resting = derive(effects.terms(), section, closure), derive(effects.at_rest(), section, closure)
-    theory = choose_theory(scene, equations)
-    graph = assemble(equations, grid, effects.names, theory, body)
-    code: CompiledFilament | External | None = None
-    if own:
-        code = compile_filament(graph, structure_of(scene, effects, graph, equations, theory, body))
-    elif member.backend.compiled:
-        code = compiled_rhs(graph)
-    return SharedFilament(graph, code, resting, scene, body)
+        return self.first.at_rest()
 
 
 def _key_of(grid: Grid, body: Body) -> Key:

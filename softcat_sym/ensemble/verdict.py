@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
-from softcat_sym.effects.necks import neck_length
-from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.ensemble.members import Member
 from softcat_sym.scene import rest_length
 from softcat_sym.solve import Outcome, Prepared, Solution
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
-from softcat_sym.trajectory.localisation import neck_that_the_grid_decides
+from softcat_sym.trajectory.verdict import verdict as trajectory_verdict
 
 
 def verdict(member: Member, prepared: Prepared, solution: Solution) -> tuple[Outcome, str, float]:
@@ -34,20 +28,9 @@ def verdict(member: Member, prepared: Prepared, solution: Solution) -> tuple[Out
     Outcome, str, float
         A neck that the grid decides first, then a failed integration, then an energy balance that does not close.
     """
-    scene, names = member.scene, member.effects.names
+    scene = member.scene
     fields = whole_span_fields(scene, prepared, solution)
     residual = energy_residual(fields, least_energy(scene))
-    neck = ""
-    if VISCOUS_FLOW.name in names:
-        runs_away = {NECKING_GRADIENT.name, YIELDING.name} <= set(names)
-        lengths = np.diff(node_positions(prepared.graph, rest_length(scene))[0])
-        neck = neck_that_the_grid_decides(fields["stretch"][-1], lengths, neck_length(scene) if runs_away else None)
-    if neck:
-        return Outcome.localised, "; ".join(filter(None, [neck, solution.complaint])), residual
-    if not solution.outcome.is_success:
-        return solution.outcome, solution.complaint, residual
-    audited = prepared.graph.conserves_energy and prepared.integration is not None
-    if audited and residual > scene.run.accuracy:
-        complaint = f"energy residual {residual:.2g} against an accuracy of {scene.run.accuracy:g}"
-        return Outcome.energy_drift, complaint, residual
-    return Outcome.solved, "", residual
+    audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
+    nodes = node_positions(prepared.graph, rest_length(scene))[0]
+    return *trajectory_verdict(scene, member.effects, solution, fields, nodes, audited), residual

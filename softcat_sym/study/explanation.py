@@ -12,15 +12,13 @@ from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.theory_limits import theory_limits
-from softcat_sym.equations.filament import derive
 from softcat_sym.equations.in_force import equations_in_force
-from softcat_sym.equations.section import SECTIONS
 from softcat_sym.equations.written import Stated
-from softcat_sym.graph import Graph, assemble
-from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
+from softcat_sym.graph import Graph
 from softcat_sym.graph.parameters import parameter_values
 from softcat_sym.scene import Scene, groups_of
 from softcat_sym.solve import choose_backend, settings_for
+from softcat_sym.solve.assembled import assembled
 
 GROUP_MEANINGS = {
     "delta": "thickness over span, h0/L [3.9]",
@@ -185,9 +183,8 @@ def explain(scene: Scene) -> Explanation:
         If the scene names effects that it cannot have.
     """
     effects = choose_effects(scene)
-    equations = derive(effects.terms(), SECTIONS[scene.filament.section], scene.run.closure)
-    grid = choose_grid(scene, effects)
-    graph = assemble(equations, grid, effects.names, choose_theory(scene, equations), choose_body(scene, grid))
+    filament = assembled(scene, effects)
+    equations, graph = filament.equations, filament.graph
     regime = expected_regime(scene, effects.names)
     decisions = tuple(
         Decided(

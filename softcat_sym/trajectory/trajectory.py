@@ -7,23 +7,16 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from softcat_sym.effects import Effects
-from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
-from softcat_sym.effects.necks import neck_length
-from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Solution
 from softcat_sym.trajectory.checking import measures, overlooked, spared
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
-from softcat_sym.trajectory.localisation import neck_that_the_grid_decides
 from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.seen import seen
 from softcat_sym.trajectory.validity import warnings_of
+from softcat_sym.trajectory.verdict import verdict
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -107,7 +100,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     residual = energy_residual(fields, least_energy(scene))
     # A sequence of equilibria is exact frame by frame: there the imbalance only tells how far apart the frames are.
     audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
-    outcome, complaint = _outcome(scene, effects, solution, fields, places[0], audited)
+    outcome, complaint = verdict(scene, effects, solution, fields, places[0], audited)
     measured = measures(scene, effects, seen(scene, effects, time, places, fields))
     summary = {
         "title": scene.title,
@@ -138,22 +131,3 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     }
     data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}
     return Trajectory(scene, data, summary, outcome, overlooked(scene, effects, measured, outcome))
-
-
-def _outcome(
-    scene: Scene, effects: Effects, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
-) -> tuple[Outcome, str]:
-    """The verdict: a failed integration first, then a localised neck, then an energy balance that does not close."""
-    # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
-    runs_away = {NECKING_GRADIENT.name, YIELDING.name} <= set(effects.names)
-    length = neck_length(scene) if runs_away else None
-    # An elastic filament is as uneven as its load: only flow gathers strain.
-    flows = VISCOUS_FLOW.name in effects.names
-    neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length) if flows else ""
-    if neck:
-        return Outcome.localised, "; ".join(filter(None, [neck, solution.complaint]))
-    if not solution.outcome.is_success:
-        return solution.outcome, solution.complaint
-    if residual > scene.run.accuracy:
-        return Outcome.energy_drift, f"energy residual {residual:.2g} against an accuracy of {scene.run.accuracy:g}"
-    return Outcome.solved, ""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble import shared
 from softcat_sym.ensemble.members import members_of
 from softcat_sym.ensemble.shared import Workshop, tolerances
 from softcat_sym.equations.filament import FilamentEquations
@@ -32,7 +31,7 @@ def test_equations_are_assembled_once_for_each_structure_and_grid(monkeypatch: p
         made.append(grid.cells)
         return assemble(equations, grid, effects, theory, body)
 
-    monkeypatch.setattr(shared, "assemble", counted)
+    monkeypatch.setattr("softcat_sym.solve.assembled.assemble", counted)
     scene = sc.load_scene("arrested-overdamped", {"run.effects": "paper", "numerics.cells": 6})
     workshop = Workshop()
     for member in members_of(scene, [{"filament.span": 0.2 + 0.01 * number} for number in range(5)], "once"):

@@ -228,9 +228,9 @@ def test_an_effect_that_the_user_left_out_is_no_failure(absent: tuple[str, ...])
 
 
 def test_a_neck_is_worse_than_any_other_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
-    from softcat_sym.trajectory import trajectory
+    from softcat_sym.trajectory import verdict
 
-    monkeypatch.setattr(trajectory, "neck_that_the_grid_decides", lambda stretch, length, neck: "a neck at X")
+    monkeypatch.setattr(verdict, "neck_that_the_grid_decides", lambda stretch, length, neck: "a neck at X")
     necked = simulate(scene_of())
     assert necked.outcome is Outcome.localised
     assert "a neck at X" in necked.summary["complaint"]
