@@ -128,13 +128,12 @@ def _refuse(scene: Scene, effects: tuple[str, ...]) -> None:
         With the reason.
     """
     from softcat_sym.errors import Fault, SceneError
+    from softcat_sym.solve.backend import NOTHING_TO_INTEGRATE, ONE_TENSION, integrates
 
     if scene.model == "small-deflection":
-        found = "'small-deflection', whose tension is one number for all cells, not a row of sites"
-        raise SceneError([Fault("model", found, "filament")])
-    if not {"inertia", "viscous-flow", "viscous-stress"} & set(effects):
-        found = "without inertia or flow there is nothing to integrate, only a row of equilibria"
-        raise SceneError([Fault("run.effects", found, "auto, or the effect inertia")])
+        raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
+    if not integrates(effects):
+        raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
 
 
 def _start(scene: Scene, exported: Exported) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from softcat_sym.effects import Effects
@@ -10,6 +11,9 @@ from softcat_sym.native import find_compiler
 from softcat_sym.scene import Scene
 
 _HERE = "numerics.backend"
+
+ONE_TENSION = "the tension of the small-deflection model is one number for all cells, not a row of sites"
+NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, only a row of equilibria"
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,12 +57,17 @@ def choose_backend(scene: Scene, effects: Effects) -> Backend:
     return Backend(False, obstacle)
 
 
+def integrates(effects: Collection[str]) -> bool:
+    """Whether a filament with these effects is carried through time, rather than from equilibrium to equilibrium."""
+    return bool({"inertia", "viscous-flow", "viscous-stress"} & set(effects))
+
+
 def _obstacle(scene: Scene, effects: Effects, asked: str) -> str:
     """Why the filament has no compiled form; empty if it has one."""
     if scene.model == "small-deflection":
-        return "the tension of the small-deflection model is one number for all cells, not a row of sites"
+        return ONE_TENSION
     if scene.numerics.solver in ("cvodes", "idas") and asked == "auto":
         return f"{scene.numerics.solver} is named in numerics.solver, and rarely runs faster on compiled expressions"
-    if not {"inertia", "viscous-flow", "viscous-stress"} & set(effects.names):
-        return "without inertia or flow there is nothing to integrate, only a row of equilibria"
+    if not integrates(effects.names):
+        return NOTHING_TO_INTEGRATE
     return ""

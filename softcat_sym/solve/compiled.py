@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes as ct
-import threading
+from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
 
 import numpy as np
@@ -107,22 +107,24 @@ class CompiledIntegration:
         ------
         KeyboardInterrupt
             If the user stops it.
+        MemoryError
+            If the frames do not fit into memory.
         """
-        stop, answers = ct.c_int(0), []
-        model = self.filament.model
-        worker = threading.Thread(target=lambda: answers.append(model.integrate(run, status, stop)), daemon=True)
-        worker.start()
-        try:
-            while worker.is_alive():
-                worker.join(_LOOK)
-                if worker.is_alive():
-                    paces = status.reached * scale / status.steps if status.steps else None
-                    progress.update(status.reached * scale, paces)
-        finally:
-            stop.value = 1
-            worker.join()
-        progress.update(status.reached * scale, status.reached * scale / status.steps if status.steps else None)
-        return answers[0]
+        stop = ct.c_int(0)
+
+        def tell() -> None:
+            reached = status.reached * scale
+            progress.update(reached, reached / status.steps if status.steps else None)
+
+        with ThreadPoolExecutor(1) as pool:
+            answer = pool.submit(self.filament.model.integrate, run, status, stop)
+            try:
+                while not wait([answer], _LOOK).done:
+                    tell()
+            finally:
+                stop.value = 1
+        tell()
+        return answer.result()
 
     def _complaint(self, status: Status, scale: float) -> str:
         """Time, worst component and what went wrong."""

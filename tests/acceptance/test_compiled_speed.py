@@ -65,8 +65,8 @@ def test_right_hand_side_against_c_by_hand() -> None:
 def test_paper_descent_against_scipy_and_the_rk4_oracle() -> None:
     """Goals: 5 ms, 40 times faster than Radau, 2000 times faster than RK4; to 1e-3 of the converged midpoint.
 
-    Measured once, on a loaded machine: 4.6 ms of the processor, 41 and 2104 times. RK4 has no step control, and cells
-    that are all alike: it ends 7e-3 off.
+    Measured on a quiet machine: 3.0 ms, 28 and 2250 times, so that 40 is missed: on a loaded one the rival, whose
+    vectors are longer, loses more (41). RK4 has no step control, and cells that are all alike: it ends 7e-3 off.
     """
     prepared = compiled(DESCENT)
     bare, whole = Bare(prepared), prepared

@@ -273,3 +273,12 @@ def test_a_run_leaves_what_it_was_given() -> None:
         np.testing.assert_array_equal(one, other)
     np.testing.assert_array_equal(first.x, second.x)
     assert isinstance(whole.filament.model, CModel)
+
+
+def test_what_fails_within_the_thread_is_what_the_caller_gets(monkeypatch: pytest.MonkeyPatch) -> None:
+    def no_memory(*_: object) -> None:
+        raise MemoryError("frames")
+
+    monkeypatch.setattr("softcat_sym.solve.c_model.CModel.integrate", no_memory)
+    with pytest.raises(MemoryError, match="frames"):
+        sc.simulate(sc.load_scene("no-yield", {"numerics.cells": 6, "run.frames": 3}))
