@@ -70,8 +70,6 @@ def _graph_of(
     grid: Grid,
 ) -> Graph:
     rates = rates_of(now)
-    ode, alg = _tidy(state.moving.gather(rates), state.still.gather(balances_of(now, rates)))
-    plastic_powers, load_powers, gradient_powers = _tidy(*powers_of(now))
     return Graph(
         grid=grid,
         effects=effects,
@@ -81,14 +79,11 @@ def _graph_of(
         x=state.moving.vector,
         z=state.still.vector,
         p=given.vector,
-        ode=ode,
-        alg=alg,
-        plastic_powers=plastic_powers,
-        load_powers=load_powers,
-        gradient_powers=gradient_powers,
+        raw_rates=(state.moving.gather(rates), state.still.gather(balances_of(now, rates))),
+        raw_powers=powers_of(now),
         state_names=state.moving.names,
         algebraic_names=state.still.names,
-        observables=_function([time, state.moving.vector, state.still.vector, given.vector], observables_of(now)),
+        raw_observables=observables_of(now),
         start=state.moving.start,
         straight=state.still.start,
         x_kinds=state.moving.kinds,
@@ -107,16 +102,6 @@ def inputs_for(equations: FilamentEquations, theory: Discretisation, body: Body)
     turning = [resolved.rotary_inertia] if resolved is not None else []
     printed = [*theory.expressions(equations), terms.gravity, terms.gravity_rate, *turning]
     return parameter_inputs(printed, equations.law.constants, body.parameters)
-
-
-def _function(inputs: list[ca.SX], outputs: dict[str, ca.SX]) -> ca.Function:
-    names = ["time", "state", "algebraic", "parameters"]
-    return ca.Function("observables", inputs, _tidy(*outputs.values()), names, list(outputs))
-
-
-def _tidy(*expressions: ca.SX) -> list[ca.SX]:
-    """Dense, with common subexpressions shared between them; integrators refuse structural zeros in an output."""
-    return list(ca.cse([ca.densify(expression) for expression in expressions]))
 
 
 def layouts_of(equations: FilamentEquations, unknowns: Unknowns) -> State:

@@ -12,6 +12,11 @@ import numpy as np
 from softcat_sym.graph.grid import Floats, Grid
 
 
+def tidy(*expressions: ca.SX) -> list[ca.SX]:
+    """Dense, with common subexpressions shared between them; integrators refuse structural zeros in an output."""
+    return list(ca.cse([ca.densify(expression) for expression in expressions]))
+
+
 @dataclass(frozen=True)
 class Graph:
     """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures.
@@ -31,15 +36,14 @@ class Graph:
         Names of the inputs `p`, in order.
     t, x, z, p : casadi.SX
         Time, differential states (nx,), algebraic states (nz,), parameters.
-    ode, alg : casadi.SX
-        Right-hand sides.
-    plastic_powers, load_powers, gradient_powers : casadi.SX
-        Plastic power, power of the changing load and of the necking gradient, in ``energy_scale`` times
-        undeformed area and span. Place by place, because their sums would fill a row of every Jacobian.
+    raw_rates : tuple of casadi.SX
+        `ode` and `alg` before common subexpressions are shared.
+    raw_powers : tuple of casadi.SX
+        `powers` before common subexpressions are shared.
     state_names, algebraic_names : tuple of str
         What each component is, for messages.
-    observables : casadi.Function
-        (t, x, z, p) to node and cell fields and energies, in SI per unit undeformed area.
+    raw_observables : mapping of str to casadi.SX
+        What `observables` computes, before common subexpressions are shared.
     start : ndarray, shape (nx,)
         Differential states of the straight, relaxed filament at rest.
     straight : ndarray, shape (nz,)
@@ -62,14 +66,11 @@ class Graph:
     x: ca.SX
     z: ca.SX
     p: ca.SX
-    ode: ca.SX
-    alg: ca.SX
-    plastic_powers: ca.SX
-    load_powers: ca.SX
-    gradient_powers: ca.SX
+    raw_rates: tuple[ca.SX, ca.SX]
+    raw_powers: tuple[ca.SX, ca.SX, ca.SX]
     state_names: tuple[str, ...]
     algebraic_names: tuple[str, ...]
-    observables: ca.Function
+    raw_observables: Mapping[str, ca.SX]
     start: Floats
     straight: Floats
     x_kinds: tuple[str, ...]
@@ -95,10 +96,37 @@ class Graph:
         """Whether the filament is in equilibrium at every instant: without inertia and without a viscous stress."""
         return "y" in self.z_kinds
 
+    @cached_property
+    def rates(self) -> tuple[ca.SX, ca.SX]:
+        """`ode` and `alg`: tidied when first asked for, which a compiled run never does."""
+        ode, alg = tidy(*self.raw_rates)
+        return ode, alg
+
     @property
+    def ode(self) -> ca.SX:
+        """Right-hand side of the differential states, shape (nx,)."""
+        return self.rates[0]
+
+    @property
+    def alg(self) -> ca.SX:
+        """Right-hand side of the algebraic states, shape (nz,)."""
+        return self.rates[1]
+
+    @cached_property
     def powers(self) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """Plastic power, power of the changing load, power of the necking gradient: each place by place."""
-        return self.plastic_powers, self.load_powers, self.gradient_powers
+        """Plastic power, power of the changing load, power of the necking gradient: each place by place.
+
+        In ``energy_scale`` times undeformed area and span. Their sums would fill a row of every Jacobian.
+        """
+        plastic, load, gradient = tidy(*self.raw_powers)
+        return plastic, load, gradient
+
+    @cached_property
+    def observables(self) -> ca.Function:
+        """(t, x, z, p) to node and cell fields and energies, in SI per unit undeformed area."""
+        inputs, outputs = [self.t, self.x, self.z, self.p], self.raw_observables
+        names = ["time", "state", "algebraic", "parameters"]
+        return ca.Function("observables", inputs, tidy(*outputs.values()), names, list(outputs))
 
     @property
     def quad(self) -> ca.SX:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import casadi as ca
@@ -149,6 +150,16 @@ def _whole_power(value: Any, exponent: int) -> Any:
     return half * half if exponent % 2 == 0 else half * half * value
 
 
+_Shared = tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]
+
+
+@lru_cache(maxsize=1024)
+def _common_parts(expressions: tuple[sp.Expr, ...]) -> _Shared:
+    """Common subexpressions, sought once a process: a sweep prints the same cell again and again."""
+    shared, reduced = sp.cse(list(expressions), symbols=sp.numbered_symbols("w_", cls=sp.Dummy))
+    return shared, reduced
+
+
 class CellFunction:
     """Several SymPy expressions of one cell, evaluated together on CasADi values with common parts shared.
 
@@ -171,7 +182,7 @@ class CellFunction:
         missing = set().union(*(sp.sympify(e).free_symbols for e in outputs.values())) - set(self.inputs)
         if missing:
             raise PrintingError(f"no input for {sorted(map(str, missing))} in {list(outputs)}")
-        self._shared, self._reduced = sp.cse(list(outputs.values()), symbols=sp.numbered_symbols("w_", cls=sp.Dummy))
+        self._shared, self._reduced = _common_parts(tuple(sp.sympify(e) for e in outputs.values()))
 
     def __call__(self, values: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
         """Evaluate on scalars or column vectors.

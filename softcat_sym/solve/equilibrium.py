@@ -34,10 +34,12 @@ class Equilibrium:
         self._shape = np.isin(graph.z_kinds, ("x", "y", "psi"))
         self._bends = "bending" in graph.effects
         inputs = [graph.t, graph.x, graph.z, graph.p]
-        jacobian = ca.jacobian(graph.alg, graph.z)
+        # As built: a handful of evaluations is not worth the search for common subexpressions.
+        alg = ca.densify(graph.raw_rates[1])
+        jacobian = ca.jacobian(alg, graph.z)
         # Of a beam that does not stretch: the first whole step ends at the answer, however far that is.
         self._linear = not ca.depends_on(jacobian, graph.z)
-        self._residual = ca.Function("residual", inputs, [graph.alg])
+        self._residual = ca.Function("residual", inputs, [alg])
         self._jacobian = ca.Function("jacobian", inputs, [jacobian])
         # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
         self._stiffness = ca.Linsol("stiffness", "qr", self._jacobian.sparsity_out(0))

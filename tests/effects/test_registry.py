@@ -141,8 +141,8 @@ def test_an_absent_effect_beyond_the_paper_leaves_no_state() -> None:
 
 
 def test_an_absent_gradient_leaves_no_power() -> None:
-    assert graph_of(ALL).gradient_powers.is_zero()
-    assert not graph_of((*ALL, "necking-gradient")).gradient_powers.is_zero()
+    assert graph_of(ALL).powers[2].is_zero()
+    assert not graph_of((*ALL, "necking-gradient")).powers[2].is_zero()
 
 
 @pytest.mark.parametrize(

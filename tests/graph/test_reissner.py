@@ -113,7 +113,7 @@ def test_flow_only_ever_dissipates(variant: str) -> None:
     scene = scene_of()
     for numerics in ({"fibres": 4}, {"order": 3, "fibres": 9}):
         graph = resolved(scene, GRIDS["half"], VARIANTS[variant], **numerics)
-        power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.plastic_powers])
+        power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.powers[0]])
         for seed in range(10):
             x, z = random_state(graph, seed, 0.01 * (seed + 1) / 10)
             (lost,) = value(power, TIME, x, z, parameters(scene, graph))
