@@ -48,6 +48,26 @@ def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
     return max(hinges, bent + ends)
 
 
+def lagging(time: npt.NDArray[np.float64], force: npt.NDArray[np.float64], lag: float) -> npt.NDArray[np.float64]:
+    """Force that a spring beside a dashpot has given way to: lag dF/dt + F = force, from 0 at the first frame.
+
+    Parameters
+    ----------
+    time : ndarray, shape (frames,)
+        [s].
+    force : ndarray, shape (frames, cells)
+        Constant from each frame to the next.
+    lag : float
+        Retardation time [s]; with 0 the spring follows at once.
+    """
+    if lag <= 0:
+        return force
+    felt = np.zeros_like(force)
+    for frame, kept in enumerate(np.exp(-np.diff(time) / lag)):
+        felt[frame + 1] = kept * felt[frame] + (1 - kept) * force[frame]
+    return felt
+
+
 def compliant_sag(scene: Scene, shear_force: npt.NDArray[np.float64], length: npt.NDArray[np.float64]) -> float:
     """Sag over span that the transverse force of a finished run would add elastically: its sum times 1/(kappa mu A).
 

@@ -13,7 +13,7 @@ from softcat_sym.effects.motion import Motion
 from softcat_sym.effects.prediction import effective_viscosity_at, yield_stress_of
 from softcat_sym.effects.quasi_static import retardation
 from softcat_sym.effects.ringing import ringing
-from softcat_sym.effects.shearing import compliant_sag, sheared_share
+from softcat_sym.effects.shearing import compliant_sag, lagging, sheared_share
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, is_held, is_slack
 
@@ -57,7 +57,7 @@ def seen(
         relaxed=max(forecast(scene).relaxed, _relaxed(fields)),
         overstress=_overstress(scene, fields),
         flowing_overstress=flowing_overstress(scene, sag),
-        sheared=max(sheared_share(scene, sag, shared), _compliance(scene, effects, fields, length) / sag),
+        sheared=max(sheared_share(scene, sag, shared), _compliance(scene, effects, time, fields, length) / sag),
         folds=_folds(scene, strain, time, fields),
     )
     return _what_was_left_out(scene, effects, time, midpoint, shown)
@@ -111,11 +111,10 @@ def _relaxed(fields: Mapping[str, Floats]) -> float:
     return lost / (lost + stored) if lost > 0 else 0.0
 
 
-def _compliance(scene: Scene, effects: Effects, fields: Mapping[str, Floats], length: Floats) -> float:
-    """Sag over span by elastic shear; a viscous stress resists shear too, so that the force alone does not tell it."""
-    if "viscous-stress" in effects.names:
-        return 0.0
-    return compliant_sag(scene, fields["shear_force"], length)
+def _compliance(scene: Scene, effects: Effects, time: Floats, fields: Mapping[str, Floats], length: Floats) -> float:
+    """Sag over span by shear that follows the transverse force, behind a viscous stress with its retardation time."""
+    lag = retardation(scene) if "viscous-stress" in effects.names else 0.0
+    return compliant_sag(scene, lagging(time, fields["shear_force"], lag), length)
 
 
 def _overstress(scene: Scene, fields: Mapping[str, Floats]) -> float:

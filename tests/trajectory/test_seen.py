@@ -11,7 +11,7 @@ import pytest
 from softcat_sym import simulate
 from softcat_sym.effects import choose_effects
 from softcat_sym.effects.motion import Motion
-from softcat_sym.effects.shearing import compliant_sag
+from softcat_sym.effects.shearing import compliant_sag, lagging
 from softcat_sym.scene import Scene
 from softcat_sym.trajectory import Trajectory
 from softcat_sym.trajectory.seen import seen
@@ -212,6 +212,34 @@ def test_compliance_is_timoshenkos(ends: tuple[str, str], section: str) -> None:
     print(f"{ends} {section}: {added:.4e} against {exact:.4e}")
     assert added == pytest.approx(exact, rel=0.03)
     assert found.sheared * found.sag * SPAN == pytest.approx(exact, rel=0.07)
+
+
+def test_a_viscous_stress_delays_shear() -> None:
+    """A force that sets in and stays: a Kelvin-Voigt solid follows it as 1 - exp(-t/lag)."""
+    time, lag = np.linspace(0, 3, 31), 0.7
+    force = np.tile([2.0, -1.0], (31, 1))
+    np.testing.assert_allclose(lagging(time, force, lag), force * (1 - np.exp(-time / lag))[:, None], atol=1e-14)
+    assert lagging(time, force, 0.0) is force
+
+
+def test_a_mass_on_a_viscoelastic_string_shears_it() -> None:
+    """Beside the mass, where the string bends, its transverse force shears it; the check sees as much as shear makes."""
+    scene = Scene.model_validate(
+        {
+            "filament": {"span": "0.2 m", "thickness": "4 mm", "density": "1000 kg/m^3"},
+            "material": {"law": "kelvin-voigt", "youngs_modulus": "28 kPa", "viscosity": "29 kPa*s"},
+            "ends": {"left": "pinned", "right": "pinned"},
+            "load": {"ramp": "0.75 s", "point_mass": "1.5 g"},
+            "run": {"duration": "12 s"},
+        }
+    )
+    chosen = simulate(scene)
+    assert [said.split(":")[0] for said in chosen.summary["repeats"]] == ["shear"]
+    less = simulate(scene.replace({"run.effects": [name for name in chosen.summary["effects"] if name != "shear"]}))
+    made = abs(less.data.midpoint.values[-1] / chosen.data.midpoint.values[-1] - 1)
+    found = motion_of_run(less).sheared
+    print(f"shear makes {made:.2e} of the sag, the check finds {found:.2e}")
+    assert 1 < found / made < 4
 
 
 def test_a_run_without_inertia_misses_its_free_fall() -> None:
