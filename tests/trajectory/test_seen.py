@@ -223,7 +223,7 @@ def test_a_viscous_stress_delays_shear() -> None:
 
 
 def test_a_mass_on_a_viscoelastic_string_shears_it() -> None:
-    """Beside the mass, where the string bends, its transverse force shears it; the check sees as much as shear makes."""
+    """Beside the mass, where the string bends, its transverse force shears it; the check sees what shear makes."""
     scene = Scene.model_validate(
         {
             "filament": {"span": "0.2 m", "thickness": "4 mm", "density": "1000 kg/m^3"},
