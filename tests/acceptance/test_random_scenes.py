@@ -26,7 +26,7 @@ WITHIN, IDLE, LEAST = 0.97, 0.10, 1 / 100
 FASTER, FASTER_IN_ALL = 1.0, 1.2
 """Factor of time in the median, and of the sums.
 
-The goal of 2 in the median is missed: 1.2 is measured. In 82 of 221 scenes everything that makes a difference is chosen,
+The goal of 2 in the median is missed: 1.2 is measured. In 82 of 221 scenes all that makes a difference is chosen,
 so that both runs are one; of the others the median is 1.6, and 1.9 where shear can be left out.
 """
 
