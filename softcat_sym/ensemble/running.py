@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
-import threading
 import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -54,14 +54,20 @@ class Record:
 
 
 class Stop:
-    """Ends integrations from outside: as their listener, it raises when told to."""
+    """Ends integrations from outside: as their listener, it raises when told to.
+
+    Attributes
+    ----------
+    flag : ctypes.c_int
+        Not zero from then on.
+    """
 
     def __init__(self) -> None:
-        self._told = threading.Event()
+        self.flag = ctypes.c_int(0)
 
     def tell(self) -> None:
         """Let no integration go on."""
-        self._told.set()
+        self.flag.value = 1
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
         """Look whether to stop.
@@ -72,7 +78,7 @@ class Stop:
             If so.
         """
         del simulated_time, step_size
-        if self._told.is_set():
+        if self.flag.value:
             raise KeyboardInterrupt
 
 

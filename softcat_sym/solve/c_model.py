@@ -63,6 +63,21 @@ class Status(ct.Structure):
     )
 
 
+class CDirections(ct.Structure):
+    """softcat_directions."""
+
+    _fields_ = (
+        ("count", ct.c_int),
+        ("two_sided", ct.c_int),
+        ("size", Doubles),
+        ("parameters", Doubles),
+        ("places", Doubles),
+        ("state", Doubles),
+        ("states", Doubles),
+        ("work", Doubles),
+    )
+
+
 def doubles(array: Floats | None) -> ct._Pointer[ct.c_double] | None:
     """A pointer to an array's memory, which the caller keeps alive; NULL for None."""
     return None if array is None else array.ctypes.data_as(Doubles)
@@ -90,6 +105,8 @@ class Run:
         Times that no step runs over.
     most_steps : int
         Before it gives up.
+    method : int
+        0: Rodas5P, 1: Rodas4, 2: Rodas3P, as softcat_rosenbrock.h numbers them.
     """
 
     parameters: Floats
@@ -101,6 +118,7 @@ class Run:
     work_absolute: float
     kinks: Floats
     most_steps: int
+    method: int = 0
 
 
 @dataclass(frozen=True)
@@ -110,6 +128,26 @@ class Answer:
     states: Floats
     work: Floats
     status: Status
+
+
+@dataclass(frozen=True)
+class Directions:
+    """Numbers q that move a run, in which it is to be differentiated.
+
+    Attributes
+    ----------
+    parameters : ndarray, shape (count, parameters)
+        d parameters/dq.
+    state : ndarray, shape (count, sites, slots)
+        d initial state/dq; algebraic unknowns are made consistent.
+    size : ndarray, shape (count,)
+        Step in each q, positive: the derivative errs by about its square relative to the scale on which the solution
+        bends in q, and by 1e-16 over it.
+    """
+
+    parameters: Floats
+    state: Floats
+    size: Floats
 
 
 class CModel:
@@ -129,28 +167,65 @@ class CModel:
 
     def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None) -> Answer:
         """Integrate; `status` tells the time reached even while it works, and a non-zero `stop` ends it."""
-        frames, (sites, slots) = len(run.times), run.state.shape
-        states, work = np.full((frames, sites, slots), np.nan), np.zeros((frames, max(1, len(self.model.powers))))
+        frames, powers = len(run.times), len(self.model.powers)
+        states, work = np.full((frames, *run.state.shape), np.nan), np.zeros((frames, max(1, powers)))
+        self._call(run, states, work if powers else None, None, status, stop)
+        return Answer(states, work[:, :powers], status)
+
+    def sensitivities(
+        self, run: Run, directions: Directions, status: Status, stop: ct.c_int | None = None
+    ) -> tuple[Floats, Floats]:
+        """Integrate, with two-sided differences of neighbours in lock-step: derivatives of the discrete solution.
+
+        The work is left out; where its error is controlled it still limits the steps.
+
+        Returns
+        -------
+        states : ndarray, shape (frames, sites, slots)
+            NaN where it did not get.
+        slopes : ndarray, shape (count, frames, sites, slots)
+            Their derivatives.
+        """
+        shape = (len(run.times), *run.state.shape)
+        states, slopes = np.full(shape, np.nan), np.full((len(directions.size), *shape), np.nan)
+        moved = [np.ascontiguousarray(part) for part in (directions.size, directions.parameters, directions.state)]
+        given = CDirections(count=len(directions.size), two_sided=1, states=doubles(slopes))
+        given.size, given.parameters, given.state = (doubles(part) for part in moved)
+        # Without room for the work it would not be integrated, and steps would differ from those of `integrate`.
+        work = np.zeros((len(run.times), len(self.model.powers))) if run.work_absolute > 0 else None
+        self._call(run, states, work if self.model.powers else None, given, status, stop)
+        return states, slopes
+
+    def _call(
+        self,
+        run: Run,
+        states: Floats,
+        work: Floats | None,
+        directions: CDirections | None,
+        status: Status,
+        stop: ct.c_int | None,
+    ) -> None:
+        sites, slots = run.state.shape
         state, absolute = run.state.copy(), np.full(slots, run.absolute)
         filament = Filament(sites, doubles(run.parameters), doubles(run.places))
         options = Options(relative=run.relative, absolute=doubles(absolute), most_steps=run.most_steps)
-        options.work_absolute = run.work_absolute
+        options.work_absolute, options.method = run.work_absolute, run.method
         if len(run.kinks):
             options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
         if stop is not None:
             options.stop = ct.pointer(stop)
-        self._runtime.softcat_integrate(
+        self._runtime.softcat_sensitivities(
             self._address,
             ct.byref(filament),
             ct.byref(options),
             doubles(state),
             doubles(run.times),
-            frames,
+            len(run.times),
             doubles(states),
-            doubles(work) if self.model.powers else None,
+            doubles(work),
+            None if directions is None else ct.byref(directions),
             ct.byref(status),
         )
-        return Answer(states, work[:, : len(self.model.powers)], status)
 
     def message(self, code: int) -> str:
         """What a code means."""
@@ -171,14 +246,14 @@ def _headers() -> dict[str, str]:
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
     library = load(compile_library(runtime_sources()))
-    library.softcat_integrate.argtypes = _signature()
+    library.softcat_sensitivities.argtypes = _signature()
     library.softcat_message.restype = ct.c_char_p
     return library
 
 
 def _signature() -> list[Any]:
     given: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
-    return [*given, Doubles, Doubles, ct.POINTER(Status)]
+    return [*given, Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
 
 
 def refuse(code: int, message: str) -> None:

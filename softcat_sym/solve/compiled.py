@@ -14,7 +14,7 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.solve import c_model
 from softcat_sym.solve.c_model import CModel, Run, Status
 from softcat_sym.solve.outcome import Outcome
-from softcat_sym.solve.progress import Progress
+from softcat_sym.solve.progress import Flagged, Progress
 from softcat_sym.solve.settings import Settings
 from softcat_sym.solve.solution import Solution
 from softcat_sym.solve.starting import Start
@@ -101,7 +101,7 @@ class CompiledIntegration:
         return Solution(run.times[:reached], x, z, quad, outcome, complaint, int(status.steps))
 
     def _watched(self, run: Run, status: Status, scale: float, progress: Progress) -> c_model.Answer:
-        """Integrate in a thread, so that Ctrl-C is heard and progress is told meanwhile.
+        """Integrate in a thread, so that Ctrl-C is heard and progress is told meanwhile; a flagged one needs none.
 
         Raises
         ------
@@ -110,12 +110,16 @@ class CompiledIntegration:
         MemoryError
             If the frames do not fit into memory.
         """
-        stop = ct.c_int(0)
 
         def tell() -> None:
             reached = status.reached * scale
             progress.update(reached, reached / status.steps if status.steps else None)
 
+        if isinstance(progress, Flagged):
+            found = self.filament.model.integrate(run, status, progress.flag)
+            tell()
+            return found
+        stop = ct.c_int(0)
         with ThreadPoolExecutor(1) as pool:
             answer = pool.submit(self.filament.model.integrate, run, status, stop)
             try:

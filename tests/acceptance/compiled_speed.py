@@ -91,9 +91,11 @@ class Bare:
     ----------
     prepared : Prepared
         With a compiled integration.
+    method : int
+        Of the runtime, as ``softcat_settings.method`` numbers them.
     """
 
-    def __init__(self, prepared: Prepared) -> None:
+    def __init__(self, prepared: Prepared, method: int = 0) -> None:
         whole = prepared.integration
         if not isinstance(whole, CompiledIntegration) or prepared.start is None:
             raise TypeError("a compiled run that has a start is wanted")
@@ -110,6 +112,7 @@ class Bare:
             work_absolute=0.0,
             kinks=whole.kinks,
             most_steps=MOST_STEPS,
+            method=method,
         )
 
     def solve(self) -> Solved:

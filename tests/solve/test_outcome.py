@@ -16,6 +16,10 @@ from softcat_sym.solve.integrate import worst_component
 from .filaments import graph_of, midpoint, prepared, scene_of, settings_of, without
 
 
+def _with_ode(graph: Graph, ode: ca.SX) -> Graph:
+    return dataclasses.replace(graph, raw_rates=(ode, graph.alg))
+
+
 def test_every_outcome_gives_its_own_advice() -> None:
     advice = [outcome.value for outcome in Outcome]
     assert len(set(advice)) == len(advice) == len(list(Outcome)) == len(Outcome.__members__)
@@ -49,7 +53,7 @@ def test_too_many_steps_is_a_step_limit(solver: str, monkeypatch: pytest.MonkeyP
 def spoiled(graph: Graph, after: float) -> Graph:
     """The same filament, whose right-hand side becomes undefined after a time: log of what is left of it."""
     lost = ca.log(after - graph.t)
-    return dataclasses.replace(graph, ode=graph.ode + 1e-3 * lost * ca.SX.ones(graph.ode.numel()))
+    return _with_ode(graph, graph.ode + 1e-3 * lost * ca.SX.ones(graph.ode.numel()))
 
 
 @pytest.mark.parametrize("solver", ["cvodes", "rosenbrock"])
@@ -76,7 +80,7 @@ def test_a_run_that_breaks_keeps_its_sound_part(solver: str, monkeypatch: pytest
 def test_a_right_hand_side_that_is_undefined_at_once(solver: str) -> None:
     scene = scene_of(frames=4)
     graph = graph_of(scene)
-    nowhere = dataclasses.replace(graph, ode=graph.ode + ca.log(-1 - graph.t) * ca.SX.ones(graph.ode.numel()))
+    nowhere = _with_ode(graph, graph.ode + ca.log(-1 - graph.t) * ca.SX.ones(graph.ode.numel()))
     solution = prepare(scene, nowhere, settings_of(scene, solver=solver)).solve(Silence())
     assert solution.outcome is Outcome.non_finite
     assert len(solution.time) == 1
@@ -92,7 +96,7 @@ def test_the_worst_component_is_named() -> None:
     chosen = 7
     only = ca.SX(graph.x.numel(), 1)
     only[chosen] = -5
-    name = worst_of(dataclasses.replace(graph, ode=only))
+    name = worst_of(_with_ode(graph, only))
     assert name == graph.state_names[chosen]
 
 
@@ -100,7 +104,7 @@ def test_an_undefined_component_is_worse_than_any() -> None:
     graph = graph_of(scene_of())
     rates = ca.SX.ones(graph.x.numel())
     rates[3] = ca.log(graph.t - 1)
-    name = worst_of(dataclasses.replace(graph, ode=rates))
+    name = worst_of(_with_ode(graph, rates))
     assert name == graph.state_names[3]
 
 
