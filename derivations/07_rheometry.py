@@ -339,6 +339,39 @@ ringing = sp.Eq(tau * (R**2 + d_R**2), stiffness.subs(B, 1 / (2 * E_star * tau))
 prove_equal(sp.solve(ringing, E_star)[0], rheometry.MODULUS_FROM_SAG.right)
 
 # %% [markdown]
+# ## The shape follows: the lowest mode of a cable
+#
+# Both inversions hold the parabola's shape while it rings. A cable does not: its tension changes by the same amount
+# everywhere, $h$, and its shape follows (Irvine and Caughey 1974). About the parabola of sag $H$, whose tension is
+# $L^2/8H$ in units of $\rho g A$ times length, a departure $w\,e^{i\omega t}$ with fixed ends obeys
+# $-\omega^2 w = w_{xx}/8H + 8Hh$, $h = -8HE^*\int w\,dx$ (lengths in $L$).
+
+# %%
+omega, k, h, sag = sp.symbols("omega k h sag", positive=True)
+departure_shape = -64 * sag**2 * h / k**2 * (1 - sp.cos(k * x) / sp.cos(k / 2))
+wave = {omega: k / sp.sqrt(8 * sag)}
+assert vanishes(departure_shape.subs(x, half)) and vanishes(departure_shape.subs(x, -half))
+balance = sp.diff(departure_shape, x, 2) / (8 * sag) + 8 * sag * h + omega**2 * departure_shape
+assert vanishes(sp.simplify(balance.subs(wave)))
+stretched = h + 8 * sag * E_star * sp.integrate(departure_shape, (x, -half, half))
+cable = sp.solve(sp.simplify(stretched / h), E_star)
+assert len(cable) == 1
+of_frequency = {k: R * sp.sqrt(8 * sag)}
+held = rheometry.MODULUS_FROM_CABLE.right.subs({H: sag * L})
+prove_equal(sp.simplify(cable[0].subs(of_frequency) - held), 0)
+
+# %% [markdown]
+# In $\lambda^2 = 512 H^3 E^*$ and $x = k/2$ this is Irvine's $\tan x = x - 4x^3/\lambda^2$: from one arch
+# ($\lambda = 0$, $k = \pi$) to $\tan x = x$, $k = 8.99$, where the cable no longer stretches
+# and the frequency says nothing of $E$.
+
+# %%
+arc = sp.Symbol("arc", positive=True)
+number_squared = 512 * sag**3 * cable[0].subs(k, 2 * arc)
+prove_equal(sp.simplify(arc - 4 * arc**3 / number_squared - sp.tan(arc)), 0)
+assert sp.limit(number_squared, arc, sp.pi / 2, "-") == 0
+
+# %% [markdown]
 # Tried on the parabola's own equation of motion (no bending, no other error): let it fall, read the ringing of $\phi''$
 # from three extremes in turn that come next after $t_{high}$, and invert in both ways.
 

@@ -63,7 +63,16 @@ MODULUS_FROM_SAG = Equation(
     (R**2 + d_R**2 - Rational(3, 2) * L / H) * L**2 / (64 * H**2),
     "2.18, before terms are dropped",
 )
-"""With nothing assumed about the past: no t_high, no B, one root, no double root."""
+"""With nothing assumed about the past: no t_high, no B, one root, no double root; but the parabola's shape is held."""
+
+_CABLE_ANGLE = R * sp.sqrt(2 * H / L)
+MODULUS_FROM_CABLE = Equation(
+    "modulus from the lowest symmetric mode of an elastic cable about its sag",
+    E_star,
+    _CABLE_ANGLE**3 / (128 * (H / L) ** 3 * (_CABLE_ANGLE - sp.tan(_CABLE_ANGLE))),
+    "Irvine and Caughey 1974",
+)
+"""The shape follows; R sqrt(2H/L) between pi/2 (taut) and 4.493 (inextensible, where R says nothing of E)."""
 
 MODULUS_BY_GROUPS = Equation("modulus over weight", E_star, 1 / (2 * B * tau_star), "2.17")
 VISCOUS_NUMBER = Equation("viscous number", V, 1 / (2 * B), "2.20")
@@ -182,6 +191,7 @@ EQUATIONS: tuple[Equation, ...] = (
     LARGEST_FREQUENCY_AT_ONSET,
     MODULUS,
     MODULUS_FROM_SAG,
+    MODULUS_FROM_CABLE,
     MODULUS_BY_GROUPS,
     VISCOUS_NUMBER,
     RINGING,
