@@ -1,8 +1,8 @@
 """softcat_sym: slender soft filaments that sag, stretch, yield and stop.
 
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``generate`` writes it as C;
-``simulate_many`` runs a table of them; ``price_effects`` tells what each effect is worth. SymPy, CasADi and matplotlib
-are loaded when they are first used.
+``simulate_many`` runs a table of them; ``price_effects`` tells what each effect is worth; ``fit`` finds the material of
+a filament that was filmed. SymPy, CasADi and matplotlib are loaded when they are first used.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from softcat_sym.ensemble import Ensemble, simulate_many
     from softcat_sym.errors import SceneError, SoftcatError
     from softcat_sym.generating import generate
-    from softcat_sym.inverse import fit_flow_curve
+    from softcat_sym.inverse import Fit, Measurements, fit, fit_flow_curve
     from softcat_sym.scene import Scene, bundled_names, load_scene
     from softcat_sym.solve import Outcome
     from softcat_sym.study.explanation import Explanation, explain
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 _HOMES = {
     "Ensemble": "softcat_sym.ensemble",
     "Explanation": "softcat_sym.study.explanation",
+    "Fit": "softcat_sym.inverse",
+    "Measurements": "softcat_sym.inverse",
     "Outcome": "softcat_sym.solve",
     "Pricing": "softcat_sym.study.pricing",
     "Scene": "softcat_sym.scene",
@@ -35,6 +37,7 @@ _HOMES = {
     "Trajectory": "softcat_sym.trajectory",
     "bundled_names": "softcat_sym.scene",
     "explain": "softcat_sym.study.explanation",
+    "fit": "softcat_sym.inverse",
     "fit_flow_curve": "softcat_sym.inverse",
     "generate": "softcat_sym.generating",
     "load_scene": "softcat_sym.scene",
@@ -45,6 +48,8 @@ _HOMES = {
 __all__ = [
     "Ensemble",
     "Explanation",
+    "Fit",
+    "Measurements",
     "Outcome",
     "Pricing",
     "Scene",
@@ -53,6 +58,7 @@ __all__ = [
     "Trajectory",
     "bundled_names",
     "explain",
+    "fit",
     "fit_flow_curve",
     "generate",
     "load_scene",

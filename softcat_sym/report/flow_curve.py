@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from softcat_sym.files import write_all
-from softcat_sym.inverse.flow_curve import RATE, STRESS, Floats
-from softcat_sym.inverse.flow_curve_fit import CRITERION
+from softcat_sym.inverse.flow_curve.curve import RATE, STRESS, Floats
+from softcat_sym.inverse.flow_curve.curve_fit import CRITERION
 from softcat_sym.report import style
 from softcat_sym.report.canvas import HEADING, axes_in_inches, new_figure, png
 from softcat_sym.report.units import significant
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from softcat_sym.inverse.candidate import Candidate
-    from softcat_sym.inverse.confidence import Estimate
-    from softcat_sym.inverse.flow_curve_fit import FlowCurveFit
+    from softcat_sym.inverse.estimation.confidence import Estimate
+    from softcat_sym.inverse.flow_curve.candidate import Candidate
+    from softcat_sym.inverse.flow_curve.curve_fit import FlowCurveFit
     from softcat_sym.scene import Scene
 
 CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"

@@ -6,24 +6,21 @@ so that an interrupted check goes on where it was.
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 import tomllib
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass
-from functools import cache
 from multiprocessing import get_context
-from pathlib import Path
 
 import numpy as np
 
 import softcat_sym as sc
 from softcat_sym.effects import REGISTRY
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import cache_folder
 from softcat_sym.trajectory import Trajectory
+
+from .kept_answers import fingerprint, kept
 
 ASIDE = "rotary-inertia"
 """In everything only where it is in ``auto``."""
@@ -34,6 +31,8 @@ COARSE = 10
 TIGHTER = 10
 """By how much the time steps are refined there, so that a hundredth of the accuracy is not their noise."""
 
+SOURCES = ("scene", "equations", "effects", "printing", "graph", "codegen", "solve", "trajectory", "simulate.py")
+"""Parts of the package that an answer depends on."""
 
 _QUICK = 0.1  # s of solving
 
@@ -88,30 +87,7 @@ def answers(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Answer]:
 
 
 def _kept(job: tuple[str, str]) -> Answer:
-    key = hashlib.sha256("\n".join((_sources(), *job)).encode()).hexdigest()
-    path = cache_folder() / "answers" / f"{key}.json"
-    if path.is_file():
-        return Answer(**json.loads(path.read_text()))
-    answer = answer_of(*job)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_suffix(f".{os.getpid()}")
-    partial.write_text(json.dumps(asdict(answer)))
-    partial.replace(path)
-    return answer
-
-
-@cache
-def _sources() -> str:
-    """Fingerprint of what an answer depends on."""
-    package = Path(sc.__file__).parent
-    parts = ("scene", "equations", "effects", "printing", "graph", "codegen", "solve", "trajectory", "simulate.py")
-    found = [package / part for part in parts]
-    inside = [file for place in found for file in ([place] if place.is_file() else place.rglob("*"))]
-    files = [file for file in inside if file.suffix in (".py", ".c", ".h")]
-    digest = hashlib.sha256(Path(__file__).read_bytes())
-    for file in sorted(files):
-        digest.update(file.read_bytes())
-    return digest.hexdigest()
+    return Answer(**kept(job, fingerprint(SOURCES, __file__), lambda: asdict(answer_of(*job))))
 
 
 def answer_of(name: str, text: str) -> Answer:

@@ -11,8 +11,8 @@ from scipy.stats import t as student
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.inverse import Candidate, FlowCurve, fit_flow_curve
-from softcat_sym.inverse.confidence import standard_errors, student_quantile
-from softcat_sym.inverse.variable_projection import INDEX_BOUNDS, linear_part
+from softcat_sym.inverse.estimation.confidence import standard_errors, student_quantile
+from softcat_sym.inverse.flow_curve.variable_projection import INDEX_BOUNDS, linear_part
 from tests.inverse.curves import MATERIALS, RATE, curve_of
 
 LAWS = ("bingham", "power-law", "herschel-bulkley")

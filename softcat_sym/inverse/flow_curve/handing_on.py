@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING
 from softcat_sym.errors import SceneError
 
 if TYPE_CHECKING:
-    from softcat_sym.inverse.flow_curve_fit import FlowCurveFit
+    from softcat_sym.inverse.flow_curve.curve_fit import FlowCurveFit
     from softcat_sym.scene import Scene
 
-# Of the scene's own law; the elastic constants stay, a flow curve says nothing about them.
-_REPLACED = (
+REPLACED = (
     "viscosity",
     "yield_stress",
     "index",
@@ -24,6 +23,7 @@ _REPLACED = (
     "shear_yield_stress",
     "shear_consistency",
 )
+"""Constants of a scene's own law that go with it; the elastic ones stay, a flow curve says nothing about them."""
 
 
 def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, overrides: Sequence[str] = ()) -> Scene:
@@ -61,7 +61,7 @@ def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, 
     later = {change.path: change.value for change in own if change.path.startswith("material.")}
     earlier = {change.path: change.value for change in own if change.path not in later}
     base = scene.replace(earlier) if isinstance(scene, Scene) else load_scene(scene, earlier)
-    changes: dict[str, object] = {f"material.{name}": None for name in _REPLACED}
+    changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
     changes |= fit.overrides(law)
     for path, value in later.items():
         # Taken out and put back, so that it comes last and rules out the same constant given the other way.

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.candidate import LAWS, Candidate, ShearLaw
-from softcat_sym.inverse.confidence import Estimate, estimate, standard_errors, student_quantile
-from softcat_sym.inverse.flow_curve import Floats, FlowCurve, read_flow_curve
-from softcat_sym.inverse.variable_projection import INDEX_BOUNDS, best_index, linear_part
+from softcat_sym.inverse.estimation.confidence import Estimate, estimate, standard_errors, student_quantile
+from softcat_sym.inverse.flow_curve.candidate import LAWS, Candidate, ShearLaw
+from softcat_sym.inverse.flow_curve.curve import Floats, FlowCurve, read_flow_curve
+from softcat_sym.inverse.flow_curve.variable_projection import INDEX_BOUNDS, best_index, linear_part
 from softcat_sym.scene.faults import did_you_mean
 
 CRITERION = (

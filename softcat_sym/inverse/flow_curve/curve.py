@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import os
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SoftcatError
+from softcat_sym.inverse.csv_text import cells_of, counted, data_lines, number_in, refusal, text_of
 from softcat_sym.scene.faults import did_you_mean
 from softcat_sym.scene.units import shown
 
@@ -25,8 +25,7 @@ FEWEST = 4
 
 # No rheometer measures beyond these, in 1/s or Pa: whoever writes such a number has another unit in mind.
 _LEAST, _MOST = 1e-12, 1e12
-_LONGEST = 1 << 24
-_FAULTS_SHOWN = 8
+_NAMES_SHOWN = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +71,7 @@ class FlowCurve:
         distinct = len({f"{value:.6g}" for value in rate})
         if not faults and distinct < FEWEST:
             accepted = f"at least {FEWEST}: Herschel-Bulkley alone has three constants"
-            faults = [Fault("", f"{_counted(distinct, 'distinct shear rate')}", accepted)]
+            faults = [Fault("", f"{counted(distinct, 'distinct shear rate')}", accepted)]
         if faults:
             raise _refusal(self.path, faults)
 
@@ -119,12 +118,10 @@ def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
         With every fault and its line.
     """
     file = Path(path)
-    lines = _text_of(file).splitlines()
-    kept = [(k, line) for k, line in enumerate(lines, start=1) if line.strip() and not line.lstrip().startswith("#")]
+    kept = data_lines(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
     if not kept:
         raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
-    # Line by line: no cell of a flow curve goes on to the next line, and a stray quote then spoils one row only.
-    rows = [(number, [cell.strip() for cell in next(csv.reader([line]))]) for number, line in kept]
+    rows = [(number, cells_of(line)) for number, line in kept]
     (header_line, header), body = rows[0], rows[1:]
     places = _places(header, header_line, file)
     faults: list[Fault] = []
@@ -143,30 +140,6 @@ def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
     return FlowCurve(rate, stress, file)
 
 
-def _text_of(file: Path) -> str:
-    accepted = f"a CSV file with the columns {RATE} and {STRESS}"
-    try:
-        with file.open("rb") as stream:
-            content = stream.read(_LONGEST + 1)
-    except FileNotFoundError:
-        raise _refusal(file, [Fault("", "no such file", accepted)]) from None
-    except IsADirectoryError:
-        raise _refusal(file, [Fault("", "a directory, not a file", accepted)]) from None
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else str(error)
-        raise _refusal(file, [Fault("", f"cannot be read: {reason}", accepted)]) from None
-    if len(content) > _LONGEST:
-        raise _refusal(file, [Fault("", "longer than 16 MiB, so not a flow curve", accepted)])
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content[: error.start].count(b"\n") + 1
-        raise _refusal(file, [Fault(f"line {line}", "not UTF-8 text", "CSV in UTF-8")]) from None
-    if "\0" in text:
-        raise _refusal(file, [Fault("", "not text", accepted)])
-    return text
-
-
 def _places(header: list[str], line: int, file: Path) -> dict[str, int]:
     """Where the two columns stand."""
     faults = []
@@ -177,7 +150,7 @@ def _places(header: list[str], line: int, file: Path) -> dict[str, int]:
         elif not count:
             others = [other for other in header if other not in (RATE, STRESS)]
             near = did_you_mean(name, others).replace("did you mean", "is it what is called")
-            found = ", ".join(shown(other) for other in header[:_FAULTS_SHOWN])
+            found = ", ".join(shown(other) for other in header[:_NAMES_SHOWN])
             # A spreadsheet set to a language with decimal commas separates by semicolons.
             hint = "; the cells must be separated by commas" if len(header) == 1 else ""
             faults.append(Fault(f"line {line}", f"no column {name} among {found}{near}", f"that very name{hint}"))
@@ -191,10 +164,8 @@ def _number(text: str) -> tuple[float, tuple[str, str] | None]:
     accepted = "a positive number, such as 0.5"
     if not text:
         return math.nan, ("empty", accepted)
-    try:
-        # Python reads 1_000 as a thousand; in a table it is a slip.
-        value = float(text if "_" not in text else "_")
-    except ValueError:
+    value = number_in(text)
+    if value is None:
         return math.nan, (f"{shown(text)} is not a number", accepted)
     return value, _wrong(value)
 
@@ -209,12 +180,5 @@ def _wrong(value: float) -> tuple[str, str] | None:
     return None
 
 
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
-
-
 def _refusal(path: Path | None, faults: list[Fault]) -> SoftcatError:
-    more = len(faults) - _FAULTS_SHOWN
-    listed = [f"  {fault}" for fault in faults[:_FAULTS_SHOWN]] + ([f"  and {more} more"] if more > 0 else [])
-    head = f"flow curve {path}" if path else "flow curve"
-    return SoftcatError("\n".join([f"{head}: {_counted(len(faults), 'fault')}", *listed]))
+    return refusal("flow curve", path, faults)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from softcat_sym.inverse.confidence import Estimate
-from softcat_sym.inverse.flow_curve import Floats
+from softcat_sym.inverse.estimation.confidence import Estimate
+from softcat_sym.inverse.flow_curve.curve import Floats
 
 
 @dataclass(frozen=True)

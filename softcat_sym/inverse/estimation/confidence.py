@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import statistics
 from dataclasses import dataclass
 from typing import Literal
 
@@ -112,3 +113,45 @@ def _central_probability(t: float, freedom: int) -> float:
     if not odd:
         return math.sin(angle) * series
     return 2 / math.pi * (angle + (math.sin(angle) * math.cos(angle) * series if freedom > 1 else 0.0))
+
+
+NORMAL_QUANTILE = statistics.NormalDist().inv_cdf(0.5 + 0.5 * LEVEL)
+"""The number of standard deviations within which a normal variable lies with probability 95 %."""
+
+
+def two_sided_quantile(freedom: int | None) -> float:
+    """Of Student's t, or of the normal distribution where the noise is known.
+
+    Its square is the 95 % quantile of F with one degree of freedom above `freedom`, or of chi^2 with one.
+
+    Parameters
+    ----------
+    freedom : int or None
+        Degrees of freedom of the estimated noise, at least 1; None: known noise.
+    """
+    return NORMAL_QUANTILE if freedom is None else student_quantile(freedom)
+
+
+def normal_tail(z: float) -> float:
+    """Probability that a normal variable lies further than |z| standard deviations from its mean, on either side."""
+    return math.erfc(abs(z) / math.sqrt(2))
+
+
+def chi_square_tail(x: float, freedom: int) -> float:
+    """Probability that chi^2 exceeds x: the finite series of Abramowitz and Stegun (1964), 26.4.4 and 26.4.5.
+
+    Parameters
+    ----------
+    x : float
+        Not negative.
+    freedom : int
+        Degrees of freedom, at least 1.
+    """
+    if x <= 0:
+        return 1.0
+    half, odd = 0.5 * x, freedom % 2
+    orders = np.arange(0.5 * odd, 0.5 * freedom)
+    # Term j is exp(-x/2) (x/2)^j / Gamma(j + 1); by logarithms, for neither factor need be a number of the machine.
+    logs = orders * math.log(half) - half - np.array([math.lgamma(order + 1) for order in orders])
+    first = math.erfc(math.sqrt(half)) if odd else 0.0
+    return min(first + float(np.exp(logs).sum()), 1.0)

@@ -1,0 +1,133 @@
+"""``softcat fit``: films of falling filaments become a material, with error bars."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    UNTRUSTED,
+    OutputOption,
+    QuietOption,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    scene_of,
+)
+
+if TYPE_CHECKING:
+    from softcat_sym.inverse import Fit, Loss
+
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
+
+_SCALE = 2.0
+"""Standard errors from which on a robust loss takes a reading for an outlier, by default."""
+
+
+DataArgument = Annotated[
+    list[Path], typer.Argument(metavar="DATA...", help="CSV files, one a filament: time_s and midpoint_m.")
+]
+SceneOption = Annotated[
+    str, typer.Option("--scene", metavar="SCENE", help="What is known: a bundled scene, or path of a TOML file.")
+]
+FreeOption = Annotated[
+    list[str], typer.Option("--free", metavar="NAME", help="What is not known: youngs_modulus. Repeatable.")
+]
+BoundsOption = Annotated[
+    list[str] | None, typer.Option("--bounds", metavar="NAME=LOW:HIGH", help="'viscosity=1:1e4 Pa*s'. Repeatable.")
+]
+LossOption = Annotated[
+    str, typer.Option("--loss", metavar="LOSS", help="linear; soft-l1 or cauchy for data with outliers.")
+]
+ScaleOption = Annotated[
+    float | None,
+    typer.Option("--scale", metavar="NUMBER", help="Standard errors from which on it is an outlier; 2 by default."),
+]
+StartsOption = Annotated[int, typer.Option("--starts", min=0, help="Starts besides the scene and the closed form.")]
+NoProfilesOption = Annotated[
+    bool, typer.Option("--no-profiles", help="Intervals from the curvature alone: sooner, and less true.")
+]
+SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
+
+
+@app.command()
+def fit(
+    data: DataArgument,
+    scene: SceneOption,
+    free: FreeOption,
+    output: OutputOption,
+    bounds: BoundsOption = None,
+    loss: LossOption = "linear",
+    scale: ScaleOption = None,
+    starts: StartsOption = 6,
+    no_profiles: NoProfilesOption = False,
+    seed: SeedOption = 0,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Fit a filament to films of its fall: fit.json, fit.html, scene.toml, pictures and a table in DIR.
+
+    Exit status 0 if an optimum was found. What the data do not tell is said, not answered.
+    """
+    check_directory(output)
+    limits, charged = _bounds(bounds or []), _loss(loss, scale)
+    asked = scene_of(scene, changes)
+    from softcat_sym.inverse import fit as fit_filament
+    from softcat_sym.report.fit_progress import FitProgressBar
+
+    how = {"bounds": limits, "loss": charged, "starts": starts, "profiles": not no_profiles, "seed": seed}
+    try:
+        with FitProgressBar(quiet=quiet) as progress:
+            found = fit_filament(data, asked, free, **how, progress=progress)  # type: ignore[arg-type]
+    except KeyboardInterrupt:
+        complain("interrupted; nothing was written")
+        raise typer.Exit(INTERRUPTED) from None
+    _write(found, output, quiet=quiet)
+
+
+def _write(found: Fit, output: Path, *, quiet: bool) -> None:
+    """Write, print, and exit with 1 if there is no optimum."""
+    from softcat_sym.report.fit_files import write_fit
+
+    written = write_fit(found, output, shlex.join(["softcat", *sys.argv[1:]]))
+    if not quiet:
+        from softcat_sym.report.fit_terminal import print_fit
+
+        print_fit(found)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    if not found.outcome.converged:
+        if quiet:
+            complain(f"{found.outcome.word}: {found.outcome.value}")
+        raise typer.Exit(UNTRUSTED)
+
+
+def _loss(kind: str, scale: float | None) -> Loss:
+    from softcat_sym.inverse import Loss
+
+    if scale is not None and kind == "linear":
+        raise typer.BadParameter("least squares have none: name --loss soft-l1 or cauchy", param_hint="--scale")
+    return Loss(kind, _SCALE if scale is None else scale)  # type: ignore[arg-type]
+
+
+def _bounds(texts: list[str]) -> dict[str, tuple[object, object]]:
+    """Read ``name=low:high unit``; a lower bound without a unit has that of the upper one."""
+    found: dict[str, tuple[object, object]] = {}
+    for text in texts:
+        name, _, pair = (part.strip() for part in text.partition("="))
+        ends = [end.strip() for end in pair.split(":")]
+        if not name or len(ends) != 2 or not all(ends):
+            raise typer.BadParameter(f"{text!r} are no bounds: {_FORM}", param_hint="--bounds")
+        if name in found:
+            raise typer.BadParameter(f"{name} is bounded twice", param_hint="--bounds")
+        low, high = ends
+        unit = re.sub(rf"^{_NUMBER}\s*", "", high)
+        found[name] = (f"{low} {unit}".strip() if re.fullmatch(_NUMBER, low) else low, high)
+    return found

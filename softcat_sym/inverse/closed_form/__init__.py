@@ -1,0 +1,1 @@
+"""Modulus and viscosity from what a film shows, without running a model."""

@@ -1,0 +1,160 @@
+"""What an experiment would tell, judged at the rough values and at the corners of how wrong they may be."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from softcat_sym.errors import SceneError
+from softcat_sym.inverse.design.film import Films, exact_information, films_of
+from softcat_sym.inverse.design.precision import Unknowns, relative_errors
+from softcat_sym.inverse.design.trial import Trial
+from softcat_sym.inverse.design.variables import DURATION, FRAME_RATE, SPAN, THICKNESS, Range
+from softcat_sym.inverse.estimation.least_squares import Floats
+from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
+from softcat_sym.inverse.forward.substituting import with_values
+from softcat_sym.scene import Scene
+from softcat_sym.simulate import simulate
+
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Judges experiments.
+
+    Attributes
+    ----------
+    scene : Scene
+        With rough values.
+    names : tuple of str
+        All that is estimated, nuisance included.
+    counted : tuple of bool
+        What of it counts.
+    noise : float
+        Standard deviation of one reading [m].
+    ranges : dict of str to Range
+        Of every design variable.
+    frames_at_most : int or None
+        That the camera keeps.
+    rough : float
+        Factor by which the rough values may be wrong either way; one: not at all.
+    """
+
+    scene: Scene
+    names: tuple[str, ...]
+    counted: tuple[bool, ...]
+    noise: float
+    ranges: dict[str, Range]
+    frames_at_most: int | None
+    rough: float
+
+    def best_film(self, span: float, thickness: float) -> Trial:
+        """The best duration and frame rate of one filament, from one run for each set of rough values."""
+        duration = self.ranges[DURATION]
+        try:
+            scene = self._filament(span, thickness)
+            films = [
+                (films_of(one, free, duration.low, duration.high), unknowns)
+                for one, free, unknowns in self._corners(scene)
+            ]
+        except SceneError as error:
+            return self._nothing(span, thickness, str(error))
+        return self._best_of(span, thickness, films)
+
+    def exactly(self, trial: Trial) -> tuple[Trial, list[Floats]]:
+        """The same design judged by its own frames, with the effects of its own duration; its information, a corner."""
+        if trial.frames < 2:
+            return trial, []
+        try:
+            scene = self.scene.replace(trial.changes)
+            found = [
+                (exact_information(one, free, trial.frames, self.noise), unknowns)
+                for one, free, unknowns in self._corners(scene)
+            ]
+        except SceneError as error:
+            return self._nothing(trial.span, trial.thickness, str(error)), []
+        errors = np.array([relative_errors(matrix, unknowns) for (matrix, _), unknowns in found])
+        note = next((complaint for (_, complaint), _ in found if complaint), "")
+        return self._trial(trial.values, trial.frames, errors, note), [matrix for (matrix, _), _ in found]
+
+    def checked(self, trial: Trial) -> Trial:
+        """The same, or infinite errors if the run is no answer: neither neck nor lost energy shows in the midpoint."""
+        if not math.isfinite(trial.worst):
+            return trial
+        run = simulate(self.scene.replace(trial.changes))
+        if run.outcome.is_success:
+            return trial
+        return self._nothing(trial.span, trial.thickness, f"{run.outcome.name}: {run.outcome.value}")
+
+    def frames(self, durations: Floats) -> Floats:
+        """Frames of films of these durations, shape (m,); NaN where the camera keeps too few for its lowest rate."""
+        rate = self.ranges[FRAME_RATE]
+        frames = np.floor(rate.high * durations * (1 + _ROUNDING)) + 1
+        if self.frames_at_most is not None:
+            frames = np.minimum(frames, self.frames_at_most)
+        # A whole number of frames hits a rate to within one of them.
+        enough = (frames >= 2) & (frames + 1 >= rate.low * durations * (1 - _ROUNDING) + 1)
+        return np.where(enough, frames, np.nan)
+
+    def _best_of(self, span: float, thickness: float, films: list[tuple[Films, Unknowns]]) -> Trial:
+        durations = films[0][0].durations
+        frames = self.frames(durations)
+        errors = np.array([relative_errors(one.information(frames, self.noise), unknowns) for one, unknowns in films])
+        worst = np.array([unknowns.worst(row) for row, (_, unknowns) in zip(errors, films, strict=True)]).max(axis=0)
+        # Where nothing determines everything, the film that is best without the gate would be as good as any.
+        number = int(np.argmin(worst)) if np.isfinite(worst).any() else self._last(films, frames)
+        note = next((one.complaint for one, _ in films if one.complaint), "")
+        if number < 0:
+            return self._nothing(span, thickness, note or "the camera keeps too few frames for its lowest rate")
+        duration, count = float(durations[number]), int(frames[number])
+        rate = (count - 1) / duration
+        values = {SPAN: span, THICKNESS: thickness, FRAME_RATE: rate, DURATION: duration}
+        return self._trial(values, count, errors[:, number], note)
+
+    @staticmethod
+    def _last(films: list[tuple[Films, Unknowns]], frames: Floats) -> int:
+        """Number of the longest film that there is; -1 if there is none."""
+        held = np.isfinite(frames) & np.all([np.isfinite(one.mean).all(axis=(1, 2)) for one, _ in films], axis=0)
+        return int(np.flatnonzero(held)[-1]) if held.any() else -1
+
+    def _trial(self, values: dict[str, float], frames: int, errors: Floats, note: str) -> Trial:
+        largest = errors.max(axis=0)
+        worst = float(largest[np.array(self.counted)].max())
+        return Trial(
+            span=values[SPAN],
+            thickness=values[THICKNESS],
+            frame_rate=values[FRAME_RATE],
+            duration=values[DURATION],
+            frames=frames,
+            worst=worst,
+            errors=dict(zip(self.names, largest.tolist(), strict=True)),
+            note="" if math.isfinite(worst) else note,
+        )
+
+    def _nothing(self, span: float, thickness: float, note: str) -> Trial:
+        rate, duration = self.ranges[FRAME_RATE].high, self.ranges[DURATION].high
+        return Trial(span, thickness, rate, duration, 0, math.inf, dict.fromkeys(self.names, math.inf), note)
+
+    def _filament(self, span: float, thickness: float) -> Scene:
+        return self.scene.replace({SPAN: f"{span!r} m", THICKNESS: f"{thickness!r} m"})
+
+    def _corners(self, scene: Scene) -> list[tuple[Scene, tuple[FreeParameter, ...], Unknowns]]:
+        """The scene with its rough values, and with each of them too small or too large by the factor."""
+        rough = free_parameters(scene, self.names)
+        scenes = [scene]
+        wrong = [one for one in rough if one.logarithmic and not one.of_measurement and self.rough > 1]
+        for signs in product((-1, 1), repeat=len(wrong)) if wrong else ():
+            values = [
+                min(max(one.typical * self.rough**sign, one.bounds[0]), one.bounds[1])
+                for one, sign in zip(wrong, signs, strict=True)
+            ]
+            scenes.append(with_values(scene, wrong, values))
+        found = []
+        for one in scenes:
+            free = free_parameters(one, self.names)
+            found.append((one, free, Unknowns(free, np.array(self.counted))))
+        return found

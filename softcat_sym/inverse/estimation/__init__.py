@@ -1,0 +1,1 @@
+"""Nonlinear least squares: optimum, what is known, and how well; no filament is needed."""

@@ -1,0 +1,1 @@
+"""A rheometer's flow curve becomes a material."""

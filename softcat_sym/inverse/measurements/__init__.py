@@ -1,0 +1,1 @@
+"""Films of falling filaments: read, corrected, held against their scene."""

@@ -1,0 +1,83 @@
+"""Films whose truth is known, and fits of them, as acceptance checks share them."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+import softcat_sym as sc
+from softcat_sym.inverse.filament_problem import FilamentProblem
+from softcat_sym.inverse.fitted import Fit
+from softcat_sym.inverse.measurements.series import Measurements
+from softcat_sym.scene import Scene
+
+Floats = npt.NDArray[np.float64]
+Result = TypeVar("Result")
+
+CONSTANTS = ("youngs_modulus", "viscosity", "yield_stress")
+UNITS = {"youngs_modulus": "Pa", "viscosity": "Pa*s", "yield_stress": "Pa"}
+WRONG = {"youngs_modulus": 1.5, "viscosity": 1 / 1.4, "yield_stress": 1.3}
+"""Factors from the truth to where fits start."""
+
+
+@dataclass(frozen=True)
+class Spent:
+    """Seconds: by the clock on the wall, and of the processor alone."""
+
+    wall: float
+    processor: float
+
+
+def timed(call: Callable[[], Result]) -> tuple[Result, Spent]:
+    """Call, and say what it took."""
+    wall, processor = time.perf_counter(), time.process_time()
+    result = call()
+    return result, Spent(time.perf_counter() - wall, time.process_time() - processor)
+
+
+def constants(scene: Scene, names: Sequence[str] = CONSTANTS) -> dict[str, float]:
+    """What a scene says of its material [SI]."""
+    return {name: float(getattr(scene.material, name)) for name in names}
+
+
+def beside(scene: Scene, factors: Mapping[str, float]) -> Scene:
+    """The scene with constants of its material times factors."""
+    values = constants(scene, tuple(factors))
+    return scene.replace({f"material.{name}": f"{values[name] * factors[name]!r} {UNITS[name]}" for name in factors})
+
+
+def noisy(midpoint: Floats, noise: float, seed: int = 0) -> tuple[Floats, float]:
+    """Heights with white noise, and its standard deviation: a share of the largest height."""
+    std = noise * float(np.max(np.abs(midpoint)))
+    return midpoint + std * np.random.default_rng(seed).standard_normal(midpoint.size), std
+
+
+def film(scene: Scene, frames: int, noise: float, seed: int = 0) -> Measurements:
+    """A run of the scene, seen through noise; the start, which has none of it to tell, is left out."""
+    run = sc.simulate(scene.replace({"run.frames": frames + 1})).data
+    midpoint, std = noisy(run.midpoint.values[1:], noise, seed)
+    return Measurements.of(run.time.values[1:], midpoint, std)
+
+
+def values(problem: FilamentProblem, q: Floats) -> dict[str, float]:
+    """The constants [SI] that unknowns stand for."""
+    return {one.name: one.value(float(x)) for one, x in zip(problem.free, q, strict=True)}
+
+
+def rows_of(title: str, found: Fit, truth: Mapping[str, float]) -> list[list[object]]:
+    """Rows of a table: what a fit says of each constant, beside the truth."""
+    rows: list[list[object]] = []
+    for name, one in found.parameters.items():
+        off = 100 * (one.best / truth[name] - 1)
+        share = "" if one.std is None else f"{100 * one.std / one.best:.3f} %"
+        rows.append([title, name, f"{truth[name]:.6g}", f"{one.best:.6g}", f"{off:+.3f} %", share, one.verdict])
+    return rows
+
+
+FITTED = ("film", "", "truth", "fitted", "off by", "standard error", "verdict")
+"""The header of those rows."""

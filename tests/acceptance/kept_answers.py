@@ -1,0 +1,55 @@
+"""Answers of long studies, kept in the user's cache, so that an interrupted check goes on where it was.
+
+Each has the fingerprint of its question and of all sources that it depends on.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import softcat_sym as sc
+from softcat_sym.native import cache_folder
+
+
+def kept(question: Sequence[str], sources: str, answer: Callable[[], Any]) -> Any:
+    """Look an answer up, or find and keep it.
+
+    Parameters
+    ----------
+    question : sequence of str
+        All that the answer depends on besides the sources.
+    sources : str
+        From `fingerprint`.
+    answer : callable
+        Gives what JSON can hold.
+    """
+    key = hashlib.sha256("\n".join((sources, *question)).encode()).hexdigest()
+    path = cache_folder() / "answers" / f"{key}.json"
+    if path.is_file():
+        return json.loads(path.read_text())
+    text = json.dumps(answer())
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Another process may be writing the same answer.
+    partial = path.with_suffix(f".{os.getpid()}")
+    partial.write_text(text)
+    partial.replace(path)
+    return json.loads(text)
+
+
+@cache
+def fingerprint(parts: tuple[str, ...], study: str) -> str:
+    """Fingerprint of parts of the package, folders or files, and of the study's own file."""
+    package = Path(sc.__file__).parent
+    found = [package / part for part in parts]
+    inside = [file for place in found for file in ([place] if place.is_file() else place.rglob("*"))]
+    files = [file for file in inside if file.suffix in (".py", ".c", ".h")]
+    digest = hashlib.sha256(Path(study).read_bytes())
+    for file in sorted(files):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()

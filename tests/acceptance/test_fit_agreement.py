@@ -1,0 +1,114 @@
+"""Fits of the same film by the compiled and by the interpreted solver, and IPOPT's checker of their derivatives.
+
+``python -m pytest -m slow -s tests/acceptance/test_fit_agreement.py`` prints the tables.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.inverse.estimation.optimise import Optimum, check_derivatives, minimise
+from softcat_sym.inverse.filament_problem import FilamentProblem
+from softcat_sym.inverse.measurements.series import Measurements
+from softcat_sym.scene import Scene
+
+from .fitting import CONSTANTS, beside, film, timed, values
+from .table import show
+
+pytestmark = pytest.mark.slow
+
+BACKENDS = ("compiled", "interpreted")
+AGREE = 1e-6
+
+# Of one-sided differences by IPOPT, relative to each derivative: where one constant moves little, rounding shows.
+STEP, CLEAN = 1e-5, 1e-3
+
+
+@dataclass(frozen=True)
+class Case:
+    """A filament, what is free and from which factors a fit starts, the share of its run, the solvers' tolerance."""
+
+    scene: str
+    start: dict[str, float]
+    share: float
+    rtol: float
+
+
+CASES = {
+    "Maxwell": Case("maxwell-fast", {"youngs_modulus": 1.3, "viscosity": 0.75}, 0.2, 1e-8),
+    "Bingham": Case("continual-descent", dict(zip(CONSTANTS, (1.3, 0.75, 1.2), strict=True)), 0.1, 1e-9),
+}
+
+
+@cache
+def _filmed(name: str) -> tuple[Scene, Measurements]:
+    """The truth, on ten cells, and a film of it."""
+    case = CASES[name]
+    whole = sc.load_scene(case.scene, {"numerics.cells": 10, "run.effects": "paper"})
+    scene = whole.replace({"run.duration": f"{case.share * whole.run.duration!r} s"})
+    return scene, film(scene, 60, 0.01)
+
+
+@cache
+def _problem(name: str, backend: str) -> FilamentProblem:
+    scene, data = _filmed(name)
+    case = CASES[name]
+    return FilamentProblem(beside(scene, case.start), data, tuple(case.start), backend=backend, rtol=case.rtol)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_two_solvers_find_the_same_constants(name: str) -> None:
+    """Goal and assertion: every constant to 1e-6 of its value."""
+    found: dict[str, Optimum] = {}
+    rows = []
+    for backend in BACKENDS:
+        problem = _problem(name, backend)
+        found[backend], spent = timed(lambda problem=problem: minimise(problem, problem.typical))  # type: ignore[misc]
+        one = found[backend]
+        numbers = [f"{value:.9g}" for value in values(problem, one.q).values()]
+        ended = [f"{2 * one.value:.9g}", one.evaluations, f"{one.offset:.0e}", f"{spent.processor:.1f}"]
+        rows.append([backend, *numbers, *ended])
+    apart = np.abs(np.expm1(found["compiled"].q - found["interpreted"].q))
+    rows.append(["apart", *(f"{value:.0e}" for value in apart), "", "", "", ""])
+    header = ("", *CASES[name].start, "sum of squares", "evaluations", "offset", "s of processor")
+    show(f"{name}, 60 points, 1 % noise, rtol {CASES[name].rtol:g}", header, rows)
+    assert all(one.converged for one in found.values())
+    assert np.all(apart < AGREE)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("name", CASES)
+def test_derivative_checker_of_ipopt_finds_no_error(name: str, backend: str) -> None:
+    """One-sided differences against gradients, each to a thousandth."""
+    problem = _problem(name, backend)
+    check = check_derivatives(problem, problem.typical + 0.01, step=STEP, tolerance=CLEAN)
+    print(f"\n{name}, {backend}, rtol {CASES[name].rtol:g}\n{check.text}")
+    assert check.clean
+
+
+def test_derivative_checker_finds_an_error() -> None:
+    """What it is worth: of derivatives by one unknown that are a hundredth too large it says so."""
+    problem = _problem("Maxwell", "compiled")
+    check = check_derivatives(_Wrong(problem), problem.typical + 0.01, step=STEP, tolerance=CLEAN)
+    assert not check.clean
+
+
+class _Wrong:
+    """A problem with derivatives that are wrong by a hundredth in the last unknown."""
+
+    def __init__(self, problem: FilamentProblem) -> None:
+        self._problem = problem
+        self.names, self.lower, self.upper = problem.names, problem.lower, problem.upper
+
+    def residuals(self, q: np.ndarray) -> np.ndarray:
+        return self._problem.residuals(q)
+
+    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        residuals, jacobian = self._problem.linearised(q)
+        jacobian[:, -1] *= 1.01
+        return residuals, jacobian

@@ -1,0 +1,121 @@
+"""Derivatives of the midpoint by what is unknown: Taylor's test, forward, adjoint and finite differences, both solvers.
+
+``python -m pytest -m slow -s tests/acceptance/test_gradients.py`` prints the tables.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.effects import choose_effects
+from softcat_sym.inverse.forward.free import free_parameters
+from softcat_sym.inverse.forward.model import ForwardModel
+
+from .table import show
+
+pytestmark = pytest.mark.slow
+
+_CAMERA = ("time_offset", "initial_sag")
+_STEPS = 0.1 * 0.5 ** np.arange(5)
+
+
+@dataclass(frozen=True)
+class Case:
+    """A filament, what is free, and how much of its run is looked at."""
+
+    scene: str
+    free: tuple[str, ...]
+    share: float
+    rtol: float
+    physics: str = "paper"
+    changes: dict[str, object] = field(default_factory=dict)
+
+
+CASES = {
+    "Maxwell": Case("maxwell-fast", ("youngs_modulus", "viscosity", "thickness", "density", *_CAMERA), 0.2, 1e-8),
+    "Bingham": Case(
+        "continual-descent",
+        ("youngs_modulus", "viscosity", "yield_stress", "thickness", "density", *_CAMERA),
+        1.0,
+        1e-8,
+    ),
+    "Herschel-Bulkley": Case("toothpaste", ("youngs_modulus", "viscosity", "yield_stress", "index"), 0.3, 1e-8),
+    "with shear, fibres": Case(
+        "continual-descent", ("youngs_modulus", "viscosity", "yield_stress", *_CAMERA), 1.0, 1e-8, "fibres"
+    ),
+}
+
+
+@lru_cache(maxsize=16)
+def _model(name: str, backend: str) -> ForwardModel:
+    case = CASES[name]
+    over: dict[str, object] = {"numerics.cells": 10, "run.effects": "paper", **case.changes}
+    if case.physics == "fibres":
+        published = choose_effects(sc.load_scene(case.scene, over)).names
+        over |= {"run.effects": [*published, "shear", "fibres"], "numerics.fibres": 4}
+    scene = sc.load_scene(case.scene, over)
+    free = free_parameters(scene, case.free)
+    # None at the instant of the start, where the clock's derivative has a corner.
+    times = np.linspace(0.02, 1.0, 30) * case.share * scene.run.duration
+    return ForwardModel(scene, free, times, backend, case.rtol)
+
+
+def _point(model: ForwardModel) -> np.ndarray:
+    """Somewhere near the typical values, but not there; the camera's clock before the first of its times."""
+    return model.typical + 0.01 * np.cos(np.arange(len(model.names)))
+
+
+def _size(model: ForwardModel) -> float:
+    return float(np.max(np.abs(model.midpoints(_point(model)))))
+
+
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("backend", ["compiled", "interpreted"])
+def test_taylor(name: str, backend: str) -> None:
+    """What is left of f(q + h d) - f(q) - h J d falls as h^2."""
+    model = _model(name, backend)
+    q = _point(model)
+    direction = np.cos(1.0 + np.arange(len(q))) / np.sqrt(len(q))
+    midpoint, derivatives = model.with_derivatives(q)
+    steps = _STEPS * (0.2 if name in ("Maxwell", "Herschel-Bulkley") else 1.0)
+    left = [np.max(np.abs(model.midpoints(q + h * direction) - midpoint - h * derivatives @ direction)) for h in steps]
+    slopes = np.log2(np.array(left[:-1]) / np.array(left[1:]))
+    rows = [[f"{h:.2e}", f"{r / _size(model):.2e}"] for h, r in zip(steps, left, strict=True)]
+    show(f"Taylor's test, {name}, {backend}: slopes {np.round(slopes, 3)}", ("h", "left over largest sag"), rows)
+    np.testing.assert_allclose(slopes[-3:], 2.0, atol=0.1)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_forward_adjoint_and_differences(name: str) -> None:
+    """Each derivative four ways, over the largest: forward compiled and interpreted, adjoint, differences."""
+    compiled, interpreted = _model(name, "compiled"), _model(name, "interpreted")
+    q = _point(compiled)
+    slopes, exact = compiled.with_derivatives(q)[1], interpreted.with_derivatives(q)[1]
+    weights = np.cos(3.0 * np.arange(len(exact)))
+    adjoint, forward = interpreted.gradient(q, weights), weights @ exact
+    differences = np.stack([_richardson(compiled, q, unit) for unit in np.eye(len(q))], axis=1)
+    largest = np.max(np.abs(exact), axis=0)
+    between = np.max(np.abs(slopes - exact), axis=0) / largest
+    against = np.max(np.abs(slopes - differences), axis=0) / largest
+    both_ways = np.abs(adjoint - forward) / (np.abs(weights) @ np.abs(exact))
+    rows = [
+        [one, *(f"{value:.1e}" for value in (size / _size(compiled), *errors))]
+        for one, size, *errors in zip(compiled.names, largest, between, against, both_ways, strict=True)
+    ]
+    header = ("unknown", "derivative / sag", "compiled - interpreted", "compiled - differences", "adjoint - forward")
+    show(f"{name}, rtol {CASES[name].rtol:g}", header, rows)
+    assert np.all(both_ways < 1e-9)
+    # Of the largest sag: the modulus of a filament that flows down hardly matters, and fibres yield at kinks.
+    assert np.all(between * largest < 1e-5 * _size(compiled))
+    assert np.all(against * largest < 1e-5 * _size(compiled))
+
+
+def _richardson(model: ForwardModel, q: np.ndarray, unit: np.ndarray) -> np.ndarray:
+    """Central differences extrapolated from two steps."""
+    coarse, fine = ((model.midpoints(q + h * unit) - model.midpoints(q - h * unit)) / (2 * h) for h in (2e-3, 1e-3))
+    return np.asarray((4 * fine - coarse) / 3)

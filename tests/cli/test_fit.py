@@ -1,0 +1,195 @@
+"""``softcat fit`` as a user meets it: files, table, page, refusals."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import io
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.inverse import filament_fit
+from tests.cli.in_process import Softcat, sets
+from tests.inverse.filmed import CHEAP, TRUTH, write_film
+
+PICTURES = {"fit.png", "profiles.png", "correlation.png", "starts.png", "features.png"}
+FILES = {"fit.json", "scene.toml", "fit.csv", "fit.html", *PICTURES}
+FREE = ("--free", "yield_stress", "--free", "viscosity")
+SCENE = ("--scene", "continual-descent", *sets(*CHEAP))
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    return Softcat(monkeypatch, capsys)
+
+
+class Page(HTMLParser):
+    """Tags that are not closed, and what the page would load from elsewhere."""
+
+    EMPTY = frozenset({"meta", "img", "br", "hr", "link"})
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.foreign: list[str] = []
+        self.pictures: list[bytes] = []
+        self.words: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in self.EMPTY:
+            self.open.append(tag)
+        for name, value in attrs:
+            if name in ("src", "href", "data", "srcset", "action"):
+                kind, _, content = (value or "").partition("base64,")
+                if kind == "data:image/png;":
+                    self.pictures.append(base64.b64decode(content, validate=True))
+                else:
+                    self.foreign.append(value or "")
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.words.append(data)
+
+
+def test_files_table_and_page(softcat: Softcat, tmp_path: Path) -> None:
+    film, output = write_film(tmp_path / "film & co.csv"), tmp_path / "deep" / "out"
+    done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output), "--starts", "0")
+    assert done.status == 0, done.err
+    assert {path.name for path in output.iterdir()} == FILES
+    assert not re.search(r"nan|inf\b|None", done.out)
+    found = json.loads((output / "fit.json").read_text())
+    assert set(found["parameters"]) == set(TRUTH) and found["outcome"] == "solved"
+    for name, truth in TRUTH.items():
+        one = found["parameters"][name]
+        assert one["ci95"][0] < truth < one["ci95"][1]
+        assert one["verdict"] == "identified" and abs(one["value"] - truth) < 3 * one["std"]
+        assert name in done.out
+    assert found["correlation"][0][1] == pytest.approx(found["correlation"][1][0])
+    assert found["starts"]["count"] >= 1 and found["evaluations"] > 2 and found["advice"]
+    assert found["noise_m"] == pytest.approx(5e-4, rel=0.3) and found["noise_known"] is False
+    scene = sc.load_scene(str(output / "scene.toml"))
+    assert scene.material.viscosity == pytest.approx(found["parameters"]["viscosity"]["value"], rel=1e-9)
+    assert scene.material.yield_stress == pytest.approx(found["parameters"]["yield_stress"]["value"], rel=1e-9)
+    rows = list(csv.DictReader(io.StringIO((output / "fit.csv").read_text())))
+    residual = (np.array([float(row["model_m"]) - float(row["measured_m"]) for row in rows])) / found["noise_m"]
+    np.testing.assert_allclose([float(row["residual"]) for row in rows], residual, rtol=1e-9, atol=1e-12)
+    assert {row["film"] for row in rows} == {"film & co.csv"}
+    page = Page()
+    page.feed((output / "fit.html").read_text(encoding="utf-8"))
+    page.close()
+    words = " ".join(page.words)
+    assert not page.open and not page.foreign
+    assert {*page.pictures} == {(output / name).read_bytes() for name in PICTURES}
+    assert "film & co.csv" in words and "--free yield_stress" in words and "identified" in words
+    # The page repeats what the terminal says.
+    assert all(cell in words for cell in re.findall(r"[\d.]+ ± [\d.]+", done.out))
+
+
+def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Softcat, tmp_path: Path) -> None:
+    film = write_film(tmp_path / "film.csv", std=True)
+    (tmp_path / "out").mkdir()
+    for name in ("profiles.png", "features_2.png", "mine.png"):
+        (tmp_path / "out" / name).write_bytes(b"old")
+    words = ("--starts", "0", "--no-profiles", "-q", "--bounds", "viscosity=5:50 kPa*s", "--loss", "soft-l1")
+    done = softcat("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(tmp_path / "out"), *words)
+    assert (done.status, done.out, done.err) == (0, "", "")
+    left = {path.name for path in (tmp_path / "out").iterdir()}
+    assert left == {*FILES, "mine.png"} - {"profiles.png", "correlation.png"}
+    found = json.loads((tmp_path / "out" / "fit.json").read_text())
+    assert found["profiles"] == {} and found["noise_known"] is True
+    assert found["parameters"]["viscosity"]["bounds"] == pytest.approx([5e3, 50e3])
+
+
+def test_a_fit_that_does_not_converge_is_not_trusted(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    outcome = filament_fit.FitOutcome.not_converged
+    monkeypatch.setattr(filament_fit, "_outcome", lambda *_: outcome)
+    film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
+    words = ("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(output), "--starts", "0", "--no-profiles")
+    done = softcat(*words, "-q")
+    assert done.status == 1 and "not converged" in done.err
+    assert json.loads((output / "fit.json").read_text())["outcome"] == "not converged"
+    assert softcat(*words).status == 1
+
+
+def test_an_interrupted_fit_writes_nothing(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(filament_fit, "multi_start", stopped)
+    film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
+    done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output))
+    assert done.status == 130 and "nothing was written" in done.err
+    assert not output.exists()
+
+
+BAD = {
+    "no file": (("nowhere.csv", *SCENE, *FREE), "no such file"),
+    "no column": (("WRONG", *SCENE, *FREE), "midpoint"),
+    "unknown name": (("FILM", *SCENE, "--free", "viscsity"), "did you mean"),
+    "free twice": (("FILM", *SCENE, "--free", "viscosity", "--free", "viscosity"), "named twice"),
+    "nothing free": (("FILM", *SCENE), "--free"),
+    "reversed": (("FILM", *SCENE, *FREE, "--bounds", "viscosity=1e5:1e3 Pa*s"), "the lower one first"),
+    "no unit": (("FILM", *SCENE, *FREE, "--bounds", "viscosity=1:1e5"), "bounds of viscosity"),
+    "no pair": (("FILM", *SCENE, *FREE, "--bounds", "viscosity=1"), "write a name, two values"),
+    "bounded twice": (
+        ("FILM", *SCENE, *FREE, "--bounds", "viscosity=1:1e5 Pa*s", "--bounds", "viscosity=1:1e6 Pa*s"),
+        "bounded twice",
+    ),
+    "bounds of what is not free": (("FILM", *SCENE, *FREE, "--bounds", "density=1:1e4 kg/m^3"), "not free"),
+    "scene": (("FILM", "--scene", "continual-decent", *FREE), "continual-decent"),
+    "metres": (("METRES", *SCENE, *FREE), "0.2 m"),
+    "NaN": (("NAN", *SCENE, *FREE), "at least two thirds of the rows"),
+    "two points": (("TWO", *SCENE, *FREE), "at least 5"),
+    "constant": (("CONSTANT", *SCENE, *FREE), "nothing moves"),
+    "same film twice": (("FILM", "FILM", *SCENE, *FREE), "named twice"),
+    "shapes": (("SHAPES", *SCENE, *FREE), "counted from halfway between the supports"),
+    "loss": (("FILM", *SCENE, *FREE, "--loss", "huber"), "soft-l1"),
+    "scale of nothing": (("FILM", *SCENE, *FREE, "--scale", "2"), "--scale"),
+    "scale": (("FILM", *SCENE, *FREE, "--loss", "cauchy", "--scale", "-1"), "positive"),
+    "starts": (("FILM", *SCENE, *FREE, "--starts", "-1"), "--starts"),
+    "set": (("FILM", *SCENE, *FREE, *sets("material.visosity=1 Pa*s")), "material.visosity"),
+}
+
+
+@pytest.mark.parametrize(("arguments", "complaint"), BAD.values(), ids=BAD)
+def test_bad_input_is_one_message_and_leaves_nothing(
+    arguments: tuple[str, ...], complaint: str, softcat: Softcat, tmp_path: Path
+) -> None:
+    film = write_film(tmp_path / "film.csv").read_text().splitlines()
+    header, first = film[0], film[1]
+    times = [line.partition(",")[0] for line in film[1:]]
+    files = {
+        "FILM": film,
+        "WRONG": ["time_s,height", *film[1:]],
+        "METRES": [header, *(f"{t},{-5 * k / 60}" for k, t in enumerate(times, start=1))],
+        "NAN": [header, *(f"{t},nan" for t in times)],
+        "TWO": [header, first, film[2]],
+        "CONSTANT": [header, *(f"{t},-0.01" for t in times)],
+        "SHAPES": ["time_s,x_m,y_m", *(f"0.5,{x},{-0.02 + 2 * x * x}" for x in np.linspace(0.01, 0.19, 9))],
+    }
+    for name, lines in files.items():
+        (tmp_path / f"{name}.csv").write_text("\n".join(lines) + "\n")
+    words = [str(tmp_path / f"{word}.csv") if word in files else word for word in arguments]
+    output = tmp_path / "out"
+    done = softcat("fit", *words, "-o", str(output))
+    assert done.status == 2 and done.out == ""
+    assert complaint in done.err.replace("\n", " ")
+    assert not output.exists()
+
+
+def test_a_file_where_the_folder_should_be_is_refused_before_the_fit(softcat: Softcat, tmp_path: Path) -> None:
+    film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
+    output.write_text("mine")
+    done = softcat("fit", str(film), *SCENE, *FREE, "-o", str(output))
+    assert done.status == 2 and "is not a directory" in done.err
+    assert output.read_text() == "mine"

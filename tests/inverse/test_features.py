@@ -1,0 +1,167 @@
+"""Features of a film against films whose features are known, against noise alone, and against their own errors."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.errors import SoftcatError
+from softcat_sym.inverse.features import Features, read_features
+from softcat_sym.report.canvas import png
+from softcat_sym.report.features import features_figure
+from tests.inverse.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
+
+TRUE_B = 64 / 9 * SLOPE * UNIT / SPAN**3
+
+
+def read(time: np.ndarray, midpoint: np.ndarray, std: float | None = None) -> Features:
+    errors = None if std is None else np.full_like(midpoint, std)
+    return read_features(time, midpoint, errors, GRAVITY, SPAN)
+
+
+def test_a_film_without_noise_gives_back_its_formula() -> None:
+    found = read(*film(401, 0.0, 0, rings=True))
+    assert found.ringing is not None
+    middle = found.ringing.middle
+    assert found.frequency.value == pytest.approx(frequency_at(middle), rel=2e-3)
+    assert found.decay.value == pytest.approx(DECAY, rel=0.02)
+    assert found.sag.value == pytest.approx(third_law(np.array([middle]))[0], rel=2e-3)
+    assert found.prefactor.value == pytest.approx(TRUE_B, rel=0.02)
+
+
+def test_noise_on_a_smooth_descent_is_no_oscillation() -> None:
+    alarms = sum(read(*film(80, 0.01, seed, rings=False)).ringing is not None for seed in range(200))
+    # One in a thousand is promised; three or more of 200 would have a chance of 1e-3.
+    assert alarms <= 2
+
+
+@pytest.mark.parametrize(
+    "curve",
+    [
+        lambda t: np.cbrt(t),
+        lambda t: 1 - np.exp(-2 * t),
+        lambda t: t / (0.3 + t),
+        lambda t: t,
+        lambda t: np.log1p(5 * t),
+    ],
+)
+def test_a_smooth_descent_without_noise_is_no_oscillation(curve: object) -> None:
+    time = np.linspace(0, 3, 301)
+    found = read(time, -5e-3 * curve(time))  # type: ignore[operator]
+    assert found.frequency.value is None
+    assert found.frequency.reason
+
+
+@pytest.mark.slow
+def test_the_errors_are_what_the_scatter_of_many_films_says() -> None:
+    off: dict[str, list[float]] = {"R": [], "d": [], "H": [], "B": []}
+    for seed in range(150):
+        found = read(*film(200, 0.01, 1000 + seed, rings=True))
+        assert found.ringing is not None, found.frequency.reason
+        middle = found.ringing.middle
+        true = {"R": frequency_at(middle), "d": DECAY, "H": third_law(np.array([middle]))[0], "B": TRUE_B}
+        readings = {"R": found.frequency, "d": found.decay, "H": found.sag, "B": found.prefactor}
+        for name, one in readings.items():
+            if one.value is not None and one.error is not None:
+                off[name].append((one.value - true[name]) / one.error)
+    for name, values in off.items():
+        print(name, len(values), np.mean(values), np.sqrt(np.mean(np.square(values))))
+        assert len(values) > 140, name
+        assert abs(np.mean(values)) < 0.4, name
+        assert 0.75 < np.sqrt(np.mean(np.square(values))) < 1.25, name
+
+
+@pytest.mark.parametrize("noise", [0.01, 0.03])
+def test_the_ringing_of_the_slow_maxwell_scene_is_found_under_noise(noise: float) -> None:
+    changes = {"model": "small-deflection", "groups.duration": 4, "run.frames": 201}
+    run = sc.simulate(sc.load_scene("maxwell-slow", changes))
+    time, midpoint = run.data.time.values, run.data.midpoint.values
+    scale = float(np.abs(midpoint).max())
+    clean = read(time, midpoint, 1e-3 * scale)
+    assert clean.ringing is not None
+    for seed in range(2):
+        scatter = np.random.default_rng(seed).standard_normal(len(time))
+        found = read(time, midpoint + noise * scale * scatter)
+        assert found.ringing is not None, found.frequency.reason
+        there = found.ringing.middle / clean.ringing.middle
+        expected = clean.ringing.frequency * there**clean.ringing.stiffening
+        assert found.ringing.frequency == pytest.approx(expected, rel=0.05)
+        assert found.decay.value is None or found.decay.value * UNIT * 2 * 0.35 == pytest.approx(1.0, rel=1.0)
+
+
+@pytest.mark.parametrize("power", [5, 6])
+def test_free_fall_ends_where_the_acceleration_says(power: int) -> None:
+    low, share = 0.05, 1 / 16
+    time = np.linspace(0, 0.3, 301)
+    fall = GRAVITY * time**2 * (0.5 - share * (time / low) ** power / (power + 1) / (power + 2))
+    peak = int(np.argmax(fall))
+    fall[peak:] = fall[peak]
+    found = read(time, -fall)
+    assert found.t_low.value == pytest.approx(low, rel=0.06)
+
+
+def test_the_start_of_the_third_law_is_where_a_closely_filmed_descent_has_slowed_down() -> None:
+    time = np.linspace(0, 0.5, 2001)
+    early, late = 0.5 * GRAVITY * time[1:] ** 2, third_law(time[1:])
+    sag = np.concatenate([[0.0], (early**-8 + late**-8) ** (-1 / 8)])
+    slowing = -np.gradient(np.gradient(sag, time), time)
+    beyond = np.flatnonzero((slowing < GRAVITY / 15) & (time > time[np.argmax(slowing)]))[0]
+    found = read(time, -sag, 1e-7)
+    assert found.t_high.value == pytest.approx(time[beyond], rel=0.05)
+    noisy = read(time, -sag + 1e-4 * np.random.default_rng(0).standard_normal(len(time)))
+    assert noisy.t_high.value is None
+    assert noisy.t_high.reason
+
+
+def test_a_beam_that_flows_has_no_third_law() -> None:
+    time = np.linspace(0, 3, 120)
+    scatter = 1e-5 * np.random.default_rng(2).standard_normal(len(time))
+    found = read(time, -1e-3 * time + scatter)
+    assert found.prefactor.value is None
+    assert "t^1.0" in found.prefactor.reason
+
+
+def test_an_oscillation_that_does_not_fade_has_no_decay_rate() -> None:
+    time = np.linspace(0, 2, 200)
+    sag = 5e-3 + 5e-4 * np.cos(40 * time)
+    sag[time < 0.05] = np.minimum(0.5 * GRAVITY * time**2, sag)[time < 0.05]
+    found = read(time, -sag + 1e-4 * np.random.default_rng(4).standard_normal(len(time)))
+    assert found.frequency.value == pytest.approx(40, rel=0.01)
+    assert found.decay.value is None
+    assert "slower than" in found.decay.reason
+    assert math.isnan(found.ringing_covariance[1, 1])
+
+
+@pytest.mark.parametrize(
+    ("time", "midpoint", "said"),
+    [
+        (np.linspace(0, 1, 5), np.zeros(5), "at least 8"),
+        (np.linspace(1, 0, 20), np.zeros(20), "does not increase"),
+        (np.linspace(0, 1, 20), np.full(20, np.nan), "not finite"),
+        (np.linspace(0, 1, 20), np.zeros(19), "one number a frame"),
+    ],
+)
+def test_what_is_no_film_is_refused(time: np.ndarray, midpoint: np.ndarray, said: str) -> None:
+    with pytest.raises(SoftcatError, match=said):
+        read(time, midpoint)
+
+
+def test_a_midpoint_that_never_moves_has_no_features_and_says_why() -> None:
+    found = read(np.linspace(0, 1, 50), np.zeros(50))
+    for one in (found.t_low, found.t_high, found.frequency, found.decay, found.sag, found.prefactor):
+        assert one.value is None
+        assert one.reason
+
+
+@pytest.mark.parametrize("rings", [True, False])
+def test_features_are_drawn_on_the_film_and_named_below(rings: bool) -> None:
+    time, midpoint = film(200, 0.01, 7, rings=rings)
+    found = read(time, midpoint)
+    picture = features_figure(time, midpoint, found, "a film")
+    said = " ".join(text.get_text() for text in picture.texts)
+    assert ("rad/s" in said) == rings
+    assert rings or found.frequency.reason in said
+    assert png(picture).startswith(b"\x89PNG")

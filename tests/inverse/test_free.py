@@ -1,0 +1,162 @@
+"""Free parameters: what may be free, its bounds, and values put into a scene as `Scene.replace` puts them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
+from softcat_sym.inverse.forward.free_candidates import candidates
+from softcat_sym.inverse.forward.substituting import with_values
+
+
+def _all(scene: sc.Scene) -> tuple[FreeParameter, ...]:
+    return tuple(one for name in _names(scene) for one in free_parameters(scene, [name]))
+
+
+def _names(scene: sc.Scene) -> list[str]:
+    return [one.path for one in candidates(scene) if not one.trouble]
+
+
+@pytest.mark.parametrize("name", sc.bundled_names())
+def test_values_are_put_as_replace_puts_them(name: str) -> None:
+    """Every number that may be free, one at a time, against the scene validated anew."""
+    scene = sc.load_scene(name)
+    for one in _all(scene):
+        if one.of_measurement or one.path == "material.index":
+            continue
+        value = one.typical * (1.0 + 1e-3) if one.typical else 1e-3
+        quick = with_values(scene, [one], [value])
+        assert _close(quick, scene.replace(_changes(scene, one, value))), one.path
+        # What follows still follows after further changes.
+        again = {"filament.thickness": f"{1.01 * scene.filament.thickness!r} m"}
+        assert quick.replace(again).filament.width == scene.replace(_changes(scene, one, value) | again).filament.width
+
+
+def _changes(scene: sc.Scene, one: FreeParameter, value: float) -> dict[str, object]:
+    text: object = value if one.unit == "1" else f"{value!r} {one.unit}"
+    if not one.name.startswith("mode_"):
+        return {one.path: text}
+    _, number, key = one.name.split("_", 2)
+    modes: Any = scene.given()["material"]
+    rows = [dict(mode) for mode in modes["modes"]]
+    rows[int(number) - 1][key] = text
+    return {"material.modes": rows}
+
+
+def _close(one: sc.Scene, other: sc.Scene) -> bool:
+    return all(
+        _same(getattr(one, table).physics(), getattr(other, table).physics())
+        for table in ("filament", "material", "ends", "load", "initial", "run")
+    )
+
+
+def _same(one: object, other: object) -> bool:
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(_same(one[key], other[key]) for key in one)
+    if isinstance(one, float) and isinstance(other, float):
+        return math.isclose(one, other, rel_tol=1e-15)
+    return one == other
+
+
+def test_an_index_takes_shear_data_with_it() -> None:
+    """K = 3^((n+1)/2) k, whichever of the two is free."""
+    scene = sc.load_scene(
+        "toothpaste",
+        {
+            "material.viscosity": None,
+            "material.yield_stress": None,
+            "material.shear_consistency": "50 Pa*s^0.5",
+            "material.shear_yield_stress": "100 Pa",
+            "material.index": 0.5,
+        },
+    )
+    free = free_parameters(scene, ["index", "shear_consistency", "shear_yield_stress"])
+    assert [one.typical for one in free] == pytest.approx([0.5, 50.0, 100.0])
+    changed = with_values(scene, free, [0.4, 60.0, 110.0])
+    assert changed.material.viscosity == pytest.approx(3**0.7 * 60.0, rel=1e-14)
+    assert changed.material.yield_stress == pytest.approx(math.sqrt(3) * 110.0, rel=1e-14)
+    only_index = with_values(scene, free[:1], [0.4])
+    assert only_index.material.viscosity == pytest.approx(3**0.7 * 50.0, rel=1e-14)
+    assert sc.Scene.model_validate(changed.given()) == changed
+
+
+def test_shear_viscosity_is_a_third() -> None:
+    scene = sc.load_scene("continual-descent")
+    (free,) = free_parameters(scene, ["shear_viscosity"])
+    assert free.typical == pytest.approx(scene.material.viscosity / 3, rel=1e-14)
+    changed = with_values(scene, [free], [1000.0])
+    assert changed.material.viscosity == pytest.approx(3000.0, rel=1e-14)
+    assert changed.replace({}) == changed
+
+
+@pytest.mark.parametrize(
+    ("scene", "names", "said"),
+    [
+        ("continual-descent", ["youngs_modulu"], "did you mean 'youngs_modulus'"),
+        ("continual-descent", ["viscosity", "viscosity"], "named twice"),
+        ("continual-descent", ["viscosity", "material.viscosity"], "named twice"),
+        ("continual-descent", ["viscosity", "shear_viscosity"], "the same constant as viscosity"),
+        ("continual-descent", ["index"], "the law 'bingham' has no index"),
+        ("maxwell-slow", ["yield_stress"], "the law 'maxwell' has no yield_stress"),
+        ("continual-descent", ["shear_consistency"], "did you mean 'shear_viscosity'"),
+        ("continual-descent", ["numerics.cells"], "no number that the motion"),
+        ("continual-descent", ["section"], "no number that the motion"),
+        ("continual-descent", ["rest_length"], "a rough filament.rest_length"),
+        ("continual-descent", ["drop"], "zero in the scene"),
+        ("maxwell-slow", ["ramp"], "zero in the scene"),
+        ("continual-descent", [], "nothing is free"),
+    ],
+)
+def test_what_cannot_be_free_is_said(scene: str, names: list[str], said: str) -> None:
+    with pytest.raises(sc.SceneError) as error:
+        free_parameters(sc.load_scene(scene), names)
+    assert said in str(error.value)
+    assert len(error.value.faults) == 1
+
+
+@pytest.mark.parametrize(
+    ("bounds", "said"),
+    [
+        ({"viscosity": ("1 kPa", "1 MPa*s")}, "not in Pa*s"),
+        ({"viscosity": (2e4, 1e4)}, "not below"),
+        ({"viscosity": (0.0, 1e5)}, "is positive"),
+        ({"viscosity": (1.0, 2.0)}, "does not hold the scene's own"),
+        ({"viscosity": (float("nan"), 2.0)}, "not finite"),
+        ({"density": (1.0, 2.0)}, "not free"),
+        ({"thickness": ("1 mm", "30 cm")}, "within"),
+    ],
+)
+def test_bounds_that_make_no_sense_are_said(bounds: dict[str, tuple[object, object]], said: str) -> None:
+    with pytest.raises(sc.SceneError, match=r"bounds of") as error:
+        free_parameters(sc.load_scene("continual-descent"), ["viscosity", "thickness"], bounds)
+    assert said in str(error.value)
+
+
+def test_bounds_are_read_with_units() -> None:
+    scene = sc.load_scene("toothpaste")
+    unit = free_parameters(scene, ["viscosity"])[0].unit
+    low, high = 0.5 * scene.material.viscosity, 2 * scene.material.viscosity
+    bounds = {"viscosity": (f"{low!r} {unit}", high), "time_offset": ("-20 ms", "0.1 s")}
+    consistency, offset = free_parameters(scene, ["viscosity", "time_offset"], bounds)
+    assert consistency.bounds == pytest.approx((low, high))
+    assert offset.bounds == (-0.02, 0.1)
+    assert consistency.lower == pytest.approx(-math.log(2))
+    assert offset.upper * offset.scale == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("name", sc.bundled_names())
+def test_scaling_goes_there_and_back(name: str) -> None:
+    """Bounds hold the typical value; q of it is zero for positive numbers; the slope is that of the value."""
+    for one in _all(sc.load_scene(name)):
+        assert one.bounds[0] <= one.typical <= one.bounds[1], one.path
+        assert np.isfinite([one.lower, one.upper]).all()
+        for value in (one.typical, one.bounds[0], one.bounds[1]):
+            assert one.value(one.scaled(value)) == pytest.approx(value, rel=1e-12)
+        q, step = one.scaled(one.typical) + 0.1, 1e-6
+        slope = (one.value(q + step) - one.value(q - step)) / (2 * step)
+        assert one.slope(q) == pytest.approx(slope, rel=1e-8)

@@ -1,0 +1,214 @@
+"""Giving a scene another law, and comparing several: every pair of laws, what is refused, what is said."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.effects import choose_effects
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.inverse import FitOutcome, Loss, Measurements, Series, Shapes
+from softcat_sym.inverse.estimation.model_choice import FittedLaw, choose_model
+from softcat_sym.inverse.forward.free import free_parameters
+from softcat_sym.inverse.laws import FITTED, LawComparison, fit_laws, scene_of_law
+from softcat_sym.inverse.rough_constants import rough_constants
+from softcat_sym.scene.laws import CONSTANTS
+
+PLAIN = {"run.effects": "paper", "numerics.cells": 6}
+TIME = np.linspace(0.05, 2.0, 40)
+FILM = Measurements.of(TIME, -0.012 * np.cbrt(TIME))
+
+
+def _scene(law: str, **more: object) -> sc.Scene:
+    own = {"youngs_modulus": "4 MPa", "second_modulus": "1 MPa", "viscosity": "9 kPa*s", "yield_stress": "8 kPa"}
+    changes: dict[str, object] = {f"material.{name}": None for name in own} | {"material.law": law}
+    changes |= {f"material.{name}": own[name] for name in CONSTANTS[law]}
+    if law in ("power-law", "herschel-bulkley"):
+        changes |= {"material.index": 0.6, "material.viscosity": "9 kPa*s^0.6"}
+    return sc.load_scene("continual-descent", PLAIN).replace({**changes, **more})
+
+
+@pytest.mark.parametrize("law", FITTED)
+@pytest.mark.parametrize("former", FITTED)
+def test_every_law_can_take_the_place_of_every_other(former: str, law: str) -> None:
+    before = _scene(former)
+    after = scene_of_law(before, law, FILM)
+    assert after.material.law == law
+    assert (after.filament, after.load, after.ends, after.run) == (
+        before.filament,
+        before.load,
+        before.ends,
+        before.run,
+    )
+    names = [*CONSTANTS[law], *(["index"] if law in ("power-law", "herschel-bulkley") else [])]
+    # What a fit frees exists, and is positive; what the law does not use is gone.
+    assert [one.name for one in free_parameters(after, names)] == names
+    unused = {"youngs_modulus", "second_modulus", "viscosity", "yield_stress"} - {*CONSTANTS[law]}
+    assert all(getattr(after.material, name) is None for name in unused)
+    for name in CONSTANTS[law]:
+        own = getattr(before.material, name)
+        if own is not None and (name != "viscosity" or before.material.index == after.material.index):
+            assert getattr(after.material, name) == pytest.approx(own)
+
+
+@pytest.mark.parametrize("law", FITTED)
+def test_shear_data_modes_and_formulas_go(law: str) -> None:
+    for name in ("polyethylene-melt", "transient-gel", "cold-honey", "toothpaste"):
+        after = scene_of_law(sc.load_scene(name), law, FILM)
+        assert after.material.law == law
+        assert after.material.modes == ()
+        assert after.material.flow == ""
+
+
+def test_rough_constants_are_of_the_right_order() -> None:
+    """Of scenes whose constants are known, from what their own runs show: within the factor of the default bounds."""
+    for name, law in (("maxwell-slow", "maxwell"), ("maxwell-fast", "maxwell"), ("continual-descent", "bingham")):
+        scene = sc.load_scene(name, PLAIN | {"run.frames": 41})
+        run = sc.simulate(scene).data
+        film = Measurements.of(run.time.values[1:], run.midpoint.values[1:])
+        rough = rough_constants(scene, film, law)
+        for constant in CONSTANTS[law]:
+            assert 1 / 100 < rough[constant] / getattr(scene.material, constant) < 100, (name, constant)
+    # The viscosity of what nothing else holds is within a factor of two.
+    assert 0.5 < rough_constants(scene, film, "newtonian")["viscosity"] / scene.material.viscosity < 2
+
+
+def test_rough_constants_of_a_string_and_of_a_beam() -> None:
+    """Both limits by hand."""
+    slender, stout = _scene("newtonian", **{"filament.thickness": "1 um"}), _scene("newtonian")
+    film = Measurements.of(TIME, -1e-3 * TIME)
+    span, weight = 0.2, 1900 * 9.81 * 0.2
+    string = 3 / 64 * weight * (span / 2e-3) ** 3
+    beam = weight * span**3 / (32 * 0.006**2 * 2e-3)
+    assert rough_constants(slender, film, "elastic")["youngs_modulus"] == pytest.approx(string, rel=1e-3)
+    both = rough_constants(stout, film, "elastic")["youngs_modulus"]
+    assert both == pytest.approx(1 / (1 / string + 1 / beam), rel=1e-3)
+    assert rough_constants(stout, film, "newtonian")["viscosity"] == pytest.approx(2 * both, rel=1e-12)
+
+
+def test_without_weight_or_midpoints_there_are_rough_constants_too() -> None:
+    shapes = Shapes(TIME, np.linspace(-0.1, 0.1, 40), -0.01 * TIME)
+    only_shapes = Measurements((Series(np.empty(0), np.empty(0), None, shapes, {}),))
+    weightless = _scene("maxwell", **{"load.gravity": "0 m/s^2"})
+    for law in FITTED:
+        assert all(0 < value < math.inf for value in rough_constants(weightless, only_shapes, law).values())
+    midpoints = Measurements.of(TIME, -0.01 * TIME)
+    assert rough_constants(weightless, only_shapes, "bingham") == rough_constants(weightless, midpoints, "bingham")
+
+
+@pytest.mark.parametrize(
+    ("laws", "said"),
+    [
+        ([], "nothing to compare"),
+        (["maxwell"], "nothing to compare"),
+        (["maxwell", "maxwell"], "one is named twice"),
+        (["maxwell", "maxwel"], "law maxwel: none that can be fitted.*did you mean 'maxwell'"),
+        (["maxwell", "custom"], "law custom: none that can be fitted"),
+        (["maxwell", "multimode-maxwell"], "law multimode-maxwell: none that can be fitted"),
+        (["Bingham"], "(?s)2 faults.*law Bingham.*nothing to compare"),
+    ],
+)
+def test_laws_that_cannot_be_compared(laws: list[str], said: str) -> None:
+    with pytest.raises(SceneError, match=said):
+        fit_laws(FILM, _scene("bingham"), laws)
+
+
+def test_what_is_wrong_with_the_films_is_said_once() -> None:
+    far = Measurements.of(TIME, 1e3 * FILM.series[0].midpoint)
+    with pytest.raises(SoftcatError, match="wrong unit") as caught:
+        fit_laws(far, _scene("bingham"), ["newtonian", "maxwell"])
+    assert str(caught.value).count("wrong unit") == 1
+
+
+def test_what_also_is_free_must_be_a_name() -> None:
+    with pytest.raises(SoftcatError, match=r"(?s)none of the laws.*newtonian: .*free tmie_offset: unknown.*maxwell: "):
+        fit_laws(FILM, _scene("bingham"), ["newtonian", "maxwell"], also_free=["tmie_offset"])
+
+
+def test_the_sentence() -> None:
+    def said(*rows: FittedLaw, points: int = 50) -> str:
+        failures = {row.name: row.failure for row in rows if row.failure}
+        fits = {
+            row.name: SimpleNamespace(checks=SimpleNamespace(verdict="white"), outcome=FitOutcome.solved)
+            for row in rows
+            if not row.failure
+        }
+        choice = choose_model(rows, points, noise_known=False)
+        return LawComparison(fits, failures, choice).sentence  # type: ignore[arg-type]
+
+    maxwell, newtonian = FittedLaw("maxwell", 2, 1.0), FittedLaw("newtonian", 1, 1.0)
+    assert said(maxwell, replace(newtonian, squares=2.0)) == "the films speak for maxwell"
+    assert said(maxwell, replace(newtonian, squares=1.04)) == "cannot tell: newtonian, maxwell fit about equally well"
+    assert "too few readings" in said(maxwell, newtonian, points=3)
+    assert said(maxwell, replace(newtonian, failure="no")) == "only maxwell could be fitted; no fit of newtonian"
+
+
+@pytest.mark.parametrize("law", FITTED)
+@pytest.mark.parametrize("former", FITTED)
+def test_a_list_of_effects_follows_the_law(former: str, law: str) -> None:
+    """Of published theory without inertia: what the one law has of its own goes, what the other has comes."""
+    effects = [name for name in choose_effects(_scene(former)).names if name != "inertia"]
+    listed = _scene(former, **{"run.effects": effects})
+    found = choose_effects(scene_of_law(listed, law, FILM)).names
+    assert {*found} == {*choose_effects(_scene(law)).names} - {"inertia"}
+
+
+def _fallen(law: str, noise: float, outliers: int = 0) -> tuple[sc.Scene, Measurements]:
+    scene = _scene(law, **{"run.frames": 61})
+    # The overdamped limit is quick to follow.
+    effects = [name for name in choose_effects(scene).names if name != "inertia"]
+    scene = scene.replace({"run.effects": effects})
+    run, random = sc.simulate(scene).data, np.random.default_rng(3)
+    height = run.midpoint.values[1:]
+    height = height + noise * np.max(np.abs(height)) * random.standard_normal(height.size)
+    height[random.choice(height.size, outliers, replace=False)] *= 0.6
+    return scene, Measurements.of(run.time.values[1:], height)
+
+
+def test_a_film_of_a_bingham_filament() -> None:
+    scene, film = _fallen("bingham", 0.01)
+    found = fit_laws(film, scene, ["newtonian", "bingham"], starts=0)
+    assert found.choice.verdict == "bingham"
+    assert found.sentence.startswith("the films speak for bingham")
+    assert not found.failures
+    # The criterion by hand, from the residuals in units of the largest height.
+    best = found.choice.table[0]
+    unit = float(np.max(np.abs(film.series[0].midpoint)))
+    residuals = (found.fits["bingham"].films[0].model - film.series[0].midpoint) / unit
+    aic = 60 * math.log(float(residuals @ residuals) / 60) + 2 * 4
+    assert best.aic == pytest.approx(aic, rel=1e-9)
+    assert best.aicc == pytest.approx(aic + 2 * 4 * 5 / 55, rel=1e-9)
+
+
+def test_a_law_with_too_many_constants_for_the_film_is_not_ruled_out() -> None:
+    """With five readings the criterion of three constants is infinite, whatever their squares."""
+    scene, film = _fallen("newtonian", 0.001)
+    few = Measurements.of(film.series[0].time[::14], film.series[0].midpoint[::14])
+    found = fit_laws(few, scene, ["newtonian", "kelvin-voigt"], also_free=["initial_sag"], starts=0)
+    assert not found.failures
+    assert math.isinf(found.choice.table[1].aicc)
+    assert found.choice.verdict == "cannot tell"
+    assert found.sentence == "cannot tell: too few readings to weigh newtonian, kelvin-voigt against each other"
+
+
+def test_a_robust_comparison_does_not_follow_outliers() -> None:
+    scene, film = _fallen("newtonian", 0.01, outliers=6)
+    robust = fit_laws(film, scene, ["newtonian", "kelvin-voigt"], starts=0, loss=Loss("cauchy", 2.0))
+    assert "newtonian" in robust.choice.close
+    plain = robust.fits["newtonian"]
+    # Charged alike: by the least of the scales, and not by the squares that the outliers make.
+    assert robust.choice.table[0].law.squares < 0.5 * plain.squares
+
+
+def test_corrections_are_noted_once() -> None:
+    scene, film = _fallen("newtonian", 0.01)
+    turned = Measurements.of(film.series[0].time, -film.series[0].midpoint)
+    found = fit_laws(turned, scene, ["newtonian", "kelvin-voigt"], starts=0)
+    for one in found.fits.values():
+        assert len(one.notes) == 1
+        assert "Turned the sign" in one.notes[0]
