@@ -21,6 +21,7 @@ from softcat_sym.cli.application import (
     complain,
     scene_of,
 )
+from softcat_sym.inverse.defaults import STARTS
 
 if TYPE_CHECKING:
     from softcat_sym.inverse import Fit, Loss
@@ -67,7 +68,7 @@ def fit(
     bounds: BoundsOption = None,
     loss: LossOption = "linear",
     scale: ScaleOption = None,
-    starts: StartsOption = 6,
+    starts: StartsOption = STARTS,
     no_profiles: NoProfilesOption = False,
     seed: SeedOption = 0,
     changes: SetOption = None,

@@ -128,6 +128,11 @@ class Graph:
         names = ["time", "state", "algebraic", "parameters"]
         return ca.Function("observables", inputs, tidy(*outputs.values()), names, list(outputs))
 
+    @cached_property
+    def _mapped(self) -> dict[int, ca.Function]:
+        """`observables` for several times at once, by their number: filaments of one ensemble share it."""
+        return {}
+
     @property
     def quad(self) -> ca.SX:
         """The powers of the whole filament, shape (3,)."""
@@ -166,6 +171,8 @@ class Graph:
             Whatever `observables` computes, a row for each time.
         """
         frames = len(time)
-        mapped = self.observables.map(frames)
+        if frames not in self._mapped:
+            self._mapped[frames] = self.observables.map(frames)
+        mapped = self._mapped[frames]
         out = mapped(time=time.reshape(1, -1), state=x, algebraic=z, parameters=np.repeat(p[:, None], frames, axis=1))
         return {name: np.asarray(value, dtype=float).reshape(-1, frames, order="F").T for name, value in out.items()}

@@ -13,6 +13,7 @@ import numpy as np
 from softcat_sym.effects import REGISTRY, choose_effects
 from softcat_sym.errors import SceneError
 from softcat_sym.inverse.closed_form.inversion import closed_form
+from softcat_sym.inverse.defaults import STARTS
 from softcat_sym.inverse.estimation.inference import infer
 from softcat_sym.inverse.estimation.least_squares import LINEAR, Floats, Loss
 from softcat_sym.inverse.estimation.multi_start import multi_start
@@ -32,9 +33,6 @@ from softcat_sym.scene import Scene, rest_length
 
 ASIDE = "rotary-inertia"
 """What "everything" leaves aside: followed through hinges it takes many times as long."""
-
-STARTS = 4
-"""Starts beside the scene's own values and the closed form."""
 
 # Of a normal distribution, over the median of magnitudes; the floor is for data that are met exactly.
 _MEDIAN_TO_DEVIATION, _LEAST_NOISE = 1.4826, 1e-9

@@ -11,9 +11,10 @@ import numpy as np
 
 from softcat_sym.effects import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.inverse.defaults import STARTS
 from softcat_sym.inverse.estimation.least_squares import LINEAR, Loss
 from softcat_sym.inverse.estimation.model_choice import FittedLaw, ModelChoice, choose_model
-from softcat_sym.inverse.filament_fit import STARTS, FitProgress, NoProgress, fit
+from softcat_sym.inverse.filament_fit import FitProgress, NoProgress, fit
 from softcat_sym.inverse.fitted import Fit
 from softcat_sym.inverse.flow_curve.handing_on import REPLACED
 from softcat_sym.inverse.measurements.films import Films

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from softcat_sym.ensemble.running import workers_of
 from softcat_sym.graph.grid import Floats
 from softcat_sym.inverse.forward.path import Begin, Path
 from softcat_sym.solve import Settings, c_model
@@ -53,7 +54,7 @@ class CompiledForward:
     def run(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
         """Integrate; parameters as :class:`softcat_sym.inverse.forward.path.Integrator`."""
         run, status = self._run(begin, most_steps), Status()
-        answer = _watched(lambda stop: self.filament.model.integrate(run, status, stop))
+        (answer,) = _watched(lambda stop: self.filament.model.integrate(run, status, stop))
         return self._path(answer.states, None, seen, status)
 
     def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
@@ -84,13 +85,26 @@ class CompiledForward:
         return replace(path, slopes=slopes)
 
     def _with_slopes(self, run: Run, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
-        status = Status()
+        """One integration for each core, with its share of the neighbours beside it: all take the same steps."""
         count, sites = len(begin.d_parameters), self.filament.sites
         moved = np.zeros((count, sites.shape[0] * sites.shape[1]))
         moved[:, sites.x], moved[:, sites.z] = begin.d_x, begin.d_z
-        directions = Directions(begin.d_parameters, moved.reshape(count, *sites.shape), np.full(count, _SIZE))
-        states, slopes = _watched(lambda stop: self.filament.model.sensitivities(run, directions, status, stop))
-        return self._path(states, slopes, seen, status), int(status.code)
+        shares = np.array_split(np.arange(count), max(1, min(workers_of(None), count)))
+        statuses = [Status() for _ in shares]
+
+        def part(number: int) -> Callable[[ct.c_int], tuple[Floats, Floats]]:
+            own, status = shares[number], statuses[number]
+            directions = Directions(
+                begin.d_parameters[own], moved[own].reshape(len(own), *sites.shape), np.full(len(own), _SIZE)
+            )
+            return lambda stop: self.filament.model.sensitivities(run, directions, status, stop)
+
+        answers = _watched(*(part(number) for number in range(len(shares))))
+        # A share whose neighbours were lost speaks for all.
+        worst = next((status for status in statuses if status.code != c_model.SOLVED), statuses[0])
+        slopes = np.concatenate([slopes for _, slopes in answers])
+        states = answers[statuses.index(worst)][0]
+        return self._path(states, slopes, seen, worst), int(worst.code)
 
     def _run(self, begin: Begin, most_steps: int, tightening: float = 1.0) -> Run:
         return Run(
@@ -116,8 +130,8 @@ class CompiledForward:
         return Path(values, slopes, int(status.steps), complaint)
 
 
-def _watched(work: Callable[[ct.c_int], Result]) -> Result:
-    """Work in a thread, so that Ctrl-C is heard meanwhile, and stops it.
+def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
+    """Work in threads, side by side, so that Ctrl-C is heard meanwhile, and stops it.
 
     Raises
     ------
@@ -125,11 +139,11 @@ def _watched(work: Callable[[ct.c_int], Result]) -> Result:
         If the user stops it.
     """
     stop = ct.c_int(0)
-    with ThreadPoolExecutor(1) as pool:
-        answer = pool.submit(work, stop)
+    with ThreadPoolExecutor(len(works)) as pool:
+        answers = [pool.submit(work, stop) for work in works]
         try:
-            while not wait([answer], _LOOK).done:
+            while wait(answers, _LOOK).not_done:
                 pass
         finally:
             stop.value = 1
-    return answer.result()
+    return [answer.result() for answer in answers]
