@@ -42,9 +42,9 @@ Fitted = tuple[Floats, int]
 def test_three_constants_from_two_hundred_points() -> None:
     """Goals: under 1 s after compiling, 20 times faster than the rival, at no worse optimum; three films.
 
-    Measured: 0.3 s, and 13 times, 11 if the rival need not be as exact: 20 is missed. A run of ours costs a fifteenth of
-    one of the rival's, but derivatives by neighbours on both sides cost ours two to four more at each point (two cores
-    or one), and its rtol is a tenth of the rival's where that is loose.
+    Measured: 0.3 s, and 13 times, 11 if the rival need not be as exact: 20 is missed. A run of ours costs a fifteenth
+    of one of the rival's, but derivatives by neighbours on both sides cost ours two to four more at each point (two
+    cores or one), and its rtol is a tenth of the rival's where that is loose.
 
     Both have the same scheme on the same 40 cells, the same data, start and unknowns. Sums of squares are all of one
     model, ours with a relative tolerance of 1e-7.
