@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 import shlex
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypedDict
 
 import typer
 
@@ -21,12 +20,14 @@ from softcat_sym.cli.application import (
     complain,
     scene_of,
 )
+from softcat_sym.cli.pairs import read_pair
 from softcat_sym.inverse.defaults import STARTS
 
 if TYPE_CHECKING:
-    from softcat_sym.inverse import Fit, Loss
+    from softcat_sym.inverse import Fit, LawComparison, Loss
+    from softcat_sym.inverse.filament_fit import FitProgress
+    from softcat_sym.scene import Scene
 
-_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
 _SCALE = 2.0
@@ -40,7 +41,15 @@ SceneOption = Annotated[
     str, typer.Option("--scene", metavar="SCENE", help="What is known: a bundled scene, or path of a TOML file.")
 ]
 FreeOption = Annotated[
-    list[str], typer.Option("--free", metavar="NAME", help="What is not known: youngs_modulus. Repeatable.")
+    list[str] | None, typer.Option("--free", metavar="NAME", help="What is not known: youngs_modulus. Repeatable.")
+]
+LawOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--law",
+        metavar="LAW",
+        help="Fit every constant of this law; two laws or more are compared. Repeatable; --free then adds to them.",
+    ),
 ]
 BoundsOption = Annotated[
     list[str] | None, typer.Option("--bounds", metavar="NAME=LOW:HIGH", help="'viscosity=1:1e4 Pa*s'. Repeatable.")
@@ -63,8 +72,9 @@ SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")
 def fit(
     data: DataArgument,
     scene: SceneOption,
-    free: FreeOption,
     output: OutputOption,
+    free: FreeOption = None,
+    law: LawOption = None,
     bounds: BoundsOption = None,
     loss: LossOption = "linear",
     scale: ScaleOption = None,
@@ -76,32 +86,63 @@ def fit(
 ) -> None:
     """Fit a filament to films of its fall: fit.json, fit.html, scene.toml, pictures and a table in DIR.
 
-    Exit status 0 if an optimum was found. What the data do not tell is said, not answered.
+    With several --law the best is written as the fit; laws.csv, laws.png, fit.json and fit.html rank them all. Exit
+    status 0 if an optimum was found. What the data do not tell is said, not answered.
     """
     check_directory(output)
+    names, several = free or [], law or []
+    if not names and not several:
+        raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
     limits, charged = _bounds(bounds or []), _loss(loss, scale)
     asked = scene_of(scene, changes)
-    from softcat_sym.inverse import fit as fit_filament
     from softcat_sym.report.fit_progress import FitProgressBar
 
-    how = {"bounds": limits, "loss": charged, "starts": starts, "profiles": not no_profiles, "seed": seed}
+    how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
     try:
         with FitProgressBar(quiet=quiet) as progress:
-            found = fit_filament(data, asked, free, **how, progress=progress)  # type: ignore[arg-type]
+            found = _found(data, asked, names, several, how, progress)
     except KeyboardInterrupt:
         complain("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
-    _write(found, output, quiet=quiet)
+    _write(*found, output, quiet=quiet)
 
 
-def _write(found: Fit, output: Path, *, quiet: bool) -> None:
+class _How(TypedDict):
+    """What all kinds of fits take."""
+
+    bounds: dict[str, tuple[object, object]]
+    loss: Loss
+    starts: int
+    profiles: bool
+    seed: int
+
+
+def _found(
+    data: list[Path], scene: Scene, free: list[str], laws: list[str], how: _How, progress: FitProgress
+) -> tuple[Fit, LawComparison | None]:
+    """Fit what is free, all constants of a law, or those of several laws, of which the best comes first."""
+    from softcat_sym.inverse import fit as fit_filament
+    from softcat_sym.inverse import fit_laws
+    from softcat_sym.inverse.laws import fit_law
+
+    if not laws:
+        return fit_filament(data, scene, free, **how, progress=progress), None
+    if len(laws) == 1:
+        return fit_law(data, scene, laws[0], also_free=free, **how, progress=progress), None
+    compared = fit_laws(data, scene, laws, also_free=free, **how, progress=progress)
+    return compared.best, compared
+
+
+def _write(found: Fit, laws: LawComparison | None, output: Path, *, quiet: bool) -> None:
     """Write, print, and exit with 1 if there is no optimum."""
     from softcat_sym.report.fit_files import write_fit
 
-    written = write_fit(found, output, shlex.join(["softcat", *sys.argv[1:]]))
+    written = write_fit(found, output, shlex.join(["softcat", *sys.argv[1:]]), laws)
     if not quiet:
-        from softcat_sym.report.fit_terminal import print_fit
+        from softcat_sym.report.fit_terminal import print_fit, print_laws
 
+        if laws is not None:
+            print_laws(laws)
         print_fit(found)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     if not found.outcome.converged:
@@ -119,16 +160,14 @@ def _loss(kind: str, scale: float | None) -> Loss:
 
 
 def _bounds(texts: list[str]) -> dict[str, tuple[object, object]]:
-    """Read ``name=low:high unit``; a lower bound without a unit has that of the upper one."""
+    """Read ``name=low:high unit``."""
     found: dict[str, tuple[object, object]] = {}
     for text in texts:
         name, _, pair = (part.strip() for part in text.partition("="))
-        ends = [end.strip() for end in pair.split(":")]
-        if not name or len(ends) != 2 or not all(ends):
+        ends = read_pair(pair)
+        if not name or ends is None:
             raise typer.BadParameter(f"{text!r} are no bounds: {_FORM}", param_hint="--bounds")
         if name in found:
             raise typer.BadParameter(f"{name} is bounded twice", param_hint="--bounds")
-        low, high = ends
-        unit = re.sub(rf"^{_NUMBER}\s*", "", high)
-        found[name] = (f"{low} {unit}".strip() if re.fullmatch(_NUMBER, low) else low, high)
+        found[name] = ends
     return found

@@ -25,11 +25,13 @@ from softcat_sym.inverse.features.features import FEWEST
 from softcat_sym.inverse.filament_problem import FilamentProblem
 from softcat_sym.inverse.fit_outcome import FitOutcome
 from softcat_sym.inverse.fitted import Fit, FittedFilm, fitted_parameter, told
+from softcat_sym.inverse.fitted_run import judged_runs
 from softcat_sym.inverse.forward.substituting import with_values
 from softcat_sym.inverse.measurements.films import Films, taken
 from softcat_sym.inverse.measurements.plausibility import own_scene
 from softcat_sym.inverse.measurements.series import Measurements, Series
 from softcat_sym.scene import Scene, rest_length
+from softcat_sym.solve import Outcome
 
 ASIDE = "rotary-inertia"
 """What "everything" leaves aside: followed through hinges it takes many times as long."""
@@ -86,7 +88,7 @@ def fit(
     """Find the parameters with which a filament falls as it was filmed, by weighted least squares of its midpoint.
 
     With ``run.effects = "auto"`` the physics is chosen for the scene's values, and the fit is repeated where the fitted
-    values call for more.
+    values call for more. In the end the filament that fits best is run once and judged as any run is.
 
     Parameters
     ----------
@@ -125,10 +127,24 @@ def _with_all_effects(scene: Scene, seen: Measurements, asked: _Asked) -> Fit:
     found = _fit(scene, scene, seen, features, asked)
     more = _called_for(found) if scene.run.effects == "auto" else []
     if not more:
-        return found
+        return _trusted(found)
     wider = _with_effects(scene, sorted({*found.effects, *more}))
     again = _fit(wider, scene, seen, features, asked)
-    return replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
+    return _trusted(replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats)))
+
+
+def _trusted(found: Fit) -> Fit:
+    """The fit, with another outcome where the run of what fits best is no answer."""
+    if not found.outcome.converged:
+        return found
+    ended, complaint = judged_runs(found.problem, found.starts.best.q)
+    if ended.is_success:
+        return found
+    outcome = FitOutcome.localised if ended is Outcome.localised else FitOutcome.run_in_doubt
+    if ended is Outcome.energy_drift and found.outcome is not FitOutcome.solved:
+        # The lesser doubt: of one run's arithmetic, not of the filament.
+        outcome = found.outcome
+    return replace(found, outcome=outcome, complaint=f"{ended.name.replace('_', ' ')}: {complaint or ended.value}")
 
 
 def _fit(scene: Scene, given: Scene, seen: Measurements, features: Sequence[Features | None], asked: _Asked) -> Fit:
@@ -141,7 +157,8 @@ def _fit(scene: Scene, given: Scene, seen: Measurements, features: Sequence[Feat
     falls = multi_start(problem, first, count=asked.starts, seed=asked.seed, loss=loss, told=of_starts)
     inferred = infer(problem, falls, loss, profiles=asked.profiles, told=of_profiles)
     best, known = inferred.starts.best, inferred.information
-    parts = [part / known.noise if known.noise > 0 else part for part in problem.by_film(best.residuals)]
+    reading = known.spread.reading
+    parts = [part / reading if reading > 0 else part for part in problem.by_film(best.residuals)]
     checks = check_residuals(parts, len(problem.names), noise_known=problem.noise_known)
     films = _films(problem, best, parts, features)
     spent = time.perf_counter() - begin
@@ -154,7 +171,7 @@ def _fit(scene: Scene, given: Scene, seen: Measurements, features: Sequence[Feat
         parameters={one.name: fitted_parameter(one, v) for one, v in zip(problem.free, inferred.verdicts, strict=True)},
         correlation=known.correlation,
         combinations=tuple(told(one, problem) for one in known.combinations),
-        noise=known.noise * problem.unit,
+        noise=reading * problem.unit,
         noise_known=problem.noise_known,
         outcome=_outcome(best, inferred.verdicts, checks),
         films=films,

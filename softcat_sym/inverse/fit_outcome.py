@@ -16,6 +16,14 @@ class FitOutcome(Enum):
         "the residuals are not white noise: the model misses something that the data show, so that the intervals, "
         "which know of noise only, are too narrow; try another law, more effects, or free time_offset and initial_sag"
     )
+    localised = (
+        "in the filament that fits best strain gathers in one cell, and the midpoint that was fitted changes with the "
+        "grid: do not use the numbers; take the effect necking-gradient in, or film a shorter or thicker filament"
+    )
+    run_in_doubt = (
+        "a run of the filament that fits best is not to be trusted: do not use the numbers before `softcat run` of the "
+        "fitted scene ends as solved; its advice says what to change"
+    )
     not_converged = (
         "IPOPT did not reach an optimum: do not use the numbers; give nearer starting values in the scene, or bounds"
     )

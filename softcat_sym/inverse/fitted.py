@@ -158,7 +158,9 @@ class Fit:
     repeats : tuple of str
         Why the fit was repeated with more effects.
     seconds : float
-        What it took after compiling.
+        What it took after compiling, without the run that judges it.
+    complaint : str
+        What speaks against a run of the fitted filament; empty if nothing does.
     """
 
     scene: Scene
@@ -180,6 +182,7 @@ class Fit:
     backend: str
     repeats: tuple[str, ...]
     seconds: float
+    complaint: str = ""
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from softcat_sym.files import write_all
 from softcat_sym.inverse.design import Experiment, Trial
 from softcat_sym.inverse.design.variables import DURATION, FRAME_RATE, SPAN, THICKNESS
 from softcat_sym.report import style
-from softcat_sym.report.canvas import HEADING, axes_in_inches, new_figure, png
+from softcat_sym.report.canvas import HEADING, axes_in_inches, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,7 +33,7 @@ def experiment_figure(experiment: Experiment) -> Figure:
     """Draw the trials over two design variables, those that were open to choice first; colour is the worst error."""
     text = [fill(sentence, 112) for sentence in experiment.text]
     lines = sum(paragraph.count("\n") + 1 for paragraph in text)
-    bottom = 0.75 + _LINE * lines
+    bottom = 0.6 + _LINE * lines
     height = HEADING + _TALL + bottom
     with style.styled():
         figure = new_figure(style.WIDTH, height)
@@ -96,34 +94,3 @@ def _open_to_choice(tried: tuple[Trial, ...]) -> tuple[str, str]:
     varied = [path for path in order if len({one.values[path] for one in tried}) > 1]
     both = [*varied, *(path for path in order if path not in varied)]
     return both[0], both[1]
-
-
-def experiment_csv(experiment: Experiment) -> bytes:
-    """One row a trial in SI, the best and the scene as given first; errors are relative, of the camera's own in SI."""
-    names = list(experiment.best.errors)
-    head = ["what", "span_m", "thickness_m", "frame_rate_1_s", "duration_s", "frames", "worst"]
-    lines = [",".join([*head, *(f"error_{name.rpartition('.')[2]}" for name in names), "note"]) + "\n"]
-    rows = [("best", experiment.best), ("as given", experiment.as_given)]
-    for what, one in [*rows, *(("tried", one) for one in experiment.tried)]:
-        numbers = [one.span, one.thickness, one.frame_rate, one.duration, one.frames, one.worst]
-        numbers += [one.errors[name] for name in names]
-        written = ["" if math.isinf(number) else repr(number) for number in numbers]
-        note = " ".join(one.note.split()).replace('"', "'")
-        lines.append(",".join([what, *written, f'"{note}"']) + "\n")
-    return "".join(lines).encode()
-
-
-def write_experiment(experiment: Experiment, directory: str | Path) -> list[Path]:
-    """Write ``experiment.png``, ``experiment.csv`` and the scene, ``experiment.toml``.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
-    """
-    contents = {
-        "experiment.png": png(experiment_figure(experiment)),
-        "experiment.csv": experiment_csv(experiment),
-        "experiment.toml": experiment.scene.to_toml().encode(),
-    }
-    return write_all(directory, contents)

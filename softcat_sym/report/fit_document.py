@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from softcat_sym.report.fit_words import FEATURES, corrections, reading_of, warnings
@@ -32,7 +33,7 @@ def fit_document(fit: Fit) -> dict[str, Any]:
     found: dict[str, Any] = {
         "outcome": fit.outcome.word,
         "advice": fit.outcome.value,
-        "parameters": {name: _parameter(one) for name, one in fit.parameters.items()},
+        "parameters": {name: parameter_document(one) for name, one in fit.parameters.items()},
         "correlation": fit.correlation.tolist(),
         "combinations": list(fit.combinations),
         "noise_m": fit.noise,
@@ -62,9 +63,10 @@ def fit_document(fit: Fit) -> dict[str, Any]:
     return plain
 
 
-def fit_json(fit: Fit) -> bytes:
-    """Write the document."""
-    return (json.dumps(fit_document(fit), indent=2, allow_nan=False, ensure_ascii=False) + "\n").encode()
+def fit_json(fit: Fit, more: Mapping[str, Any] | None = None) -> bytes:
+    """Write the document, with further entries behind its own."""
+    document = {**fit_document(fit), **_plain(dict(more or {}))}
+    return (json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False) + "\n").encode()
 
 
 def fit_csv(fit: Fit) -> bytes:
@@ -81,7 +83,8 @@ def fit_csv(fit: Fit) -> bytes:
     return text.getvalue().encode()
 
 
-def _parameter(one: FittedParameter) -> dict[str, Any]:
+def parameter_document(one: FittedParameter) -> dict[str, Any]:
+    """One parameter with its interval and verdict, in SI."""
     return {
         "value": one.value,
         "std": one.std,

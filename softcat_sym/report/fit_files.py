@@ -15,16 +15,19 @@ from softcat_sym.report.fit_document import fit_csv, fit_json
 from softcat_sym.report.fit_page import fit_page
 from softcat_sym.report.fit_profiles import profiles_figure
 from softcat_sym.report.fit_starts import starts_figure
+from softcat_sym.report.laws_figure import laws_figure
+from softcat_sym.report.laws_table import laws_csv, laws_document
 
 if TYPE_CHECKING:
     from softcat_sym.inverse.fitted import Fit
+    from softcat_sym.inverse.laws import LawComparison
 
-# Pictures that not every fit has: those of an earlier fit in the same folder would belong to no document there.
-_SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation)\.png")
+# Files that not every fit has: those of an earlier fit in the same folder would belong to no document there.
+_SOMETIMES = re.compile(r"(features(_\d+)?|profiles|correlation|laws)\.png|laws\.csv")
 
 
-def write_fit(fit: Fit, directory: str | Path, command: str = "") -> list[Path]:
-    """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``.
+def write_fit(fit: Fit, directory: str | Path, command: str = "", laws: LawComparison | None = None) -> list[Path]:
+    """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``, and ``laws.csv`` of several.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
 
@@ -36,6 +39,8 @@ def write_fit(fit: Fit, directory: str | Path, command: str = "") -> list[Path]:
         Where the files go; made if missing.
     command : str
         That makes the same fit again, for the page.
+    laws : LawComparison, optional
+        From which the fit comes: an entry of ``fit.json``, a section of the page, a table and a picture.
 
     Returns
     -------
@@ -48,12 +53,17 @@ def write_fit(fit: Fit, directory: str | Path, command: str = "") -> list[Path]:
         If the directory cannot be made or written.
     """
     pictures = fit_pictures(fit)
+    more = {}
+    if laws is not None:
+        pictures["laws.png"] = ("what every law leaves unexplained, the best law first", png(laws_figure(laws)))
+        more["laws"] = laws_document(laws)
     contents = {
-        "fit.json": fit_json(fit),
+        "fit.json": fit_json(fit, more),
         "scene.toml": fitted_toml(fit),
         "fit.csv": fit_csv(fit),
+        **({} if laws is None else {"laws.csv": laws_csv(laws)}),
         **{name: content for name, (_, content) in pictures.items()},
-        "fit.html": fit_page(fit, pictures, command),
+        "fit.html": fit_page(fit, pictures, command, laws),
     }
     written = write_all(directory, contents)
     for path in Path(directory).iterdir():

@@ -20,15 +20,20 @@ from softcat_sym.report.fit_words import (
     starts_text,
     warnings,
 )
+from softcat_sym.report.laws_table import HEADINGS as LAW_HEADINGS
+from softcat_sym.report.laws_table import law_texts, remarks
 
 if TYPE_CHECKING:
     from softcat_sym.inverse.fitted import Fit
+    from softcat_sym.inverse.laws import LawComparison
 
 _NUMBERS = (1, 2, 4)
 """Columns of the table of parameters that are numbers."""
 
 
-def fit_page(fit: Fit, pictures: Mapping[str, tuple[str, bytes]], command: str = "") -> bytes:
+def fit_page(
+    fit: Fit, pictures: Mapping[str, tuple[str, bytes]], command: str = "", laws: LawComparison | None = None
+) -> bytes:
     """Write a page that needs no other file.
 
     Parameters
@@ -39,6 +44,8 @@ def fit_page(fit: Fit, pictures: Mapping[str, tuple[str, bytes]], command: str =
         By file name: what each shows, and its PNG.
     command : str
         That makes the same fit again; empty if there is none.
+    laws : LawComparison, optional
+        From which the fit comes.
 
     Returns
     -------
@@ -54,8 +61,9 @@ def fit_page(fit: Fit, pictures: Mapping[str, tuple[str, bytes]], command: str =
         title=escape(f"{fit.scene.title or 'Filament'}: fit"),
         subtitle=escape(f"{films} · {readings} readings of the midpoint"),
         doubtful="" if fit.outcome is FitOutcome.solved else " doubtful",
-        outcome=escape(outcome[0].upper() + outcome[1:]),
-        advice=escape(f"{fit.outcome.value[0].upper()}{fit.outcome.value[1:]}."),
+        outcome=escape(_capital(outcome)),
+        advice=escape(f"{_capital(fit.outcome.value)}."),
+        laws="" if laws is None else _laws(laws),
         parameters=_parameters(fit),
         remarks=_listed([*fit.combinations, *(f"Warning: {text}" for text in warnings(fit))]),
         basis=_rows(_basis(fit)),
@@ -74,6 +82,21 @@ def _parameters(fit: Fit) -> str:
         lines.append(row if one.verdict == "identified" else row.replace("<tr>", '<tr class="doubtful">', 1))
     reasons = [f"{one.name}: {one.reason}" for one in fit.parameters.values() if one.reason]
     return "\n".join([*lines, "</table>", _listed(reasons)])
+
+
+def _laws(found: LawComparison) -> str:
+    marks = [' class="number"' if 0 < k < 6 or k == 7 else "" for k in range(len(LAW_HEADINGS))]
+    lines = ["<h2>Which law</h2>", f"<p><strong>{escape(_capital(found.sentence))}.</strong></p>"]
+    lines += ["<table>", _line("th", LAW_HEADINGS, marks)]
+    for row in found.choice.table:
+        line = _line("td", law_texts(found, row), marks)
+        close = row.law.name in found.choice.close
+        lines.append(line if close else line.replace("<tr>", '<tr class="doubtful">', 1))
+    return "\n".join([*lines, "</table>", _listed(remarks(found))])
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _line(tag: str, texts: Sequence[str], marks: Sequence[str]) -> str:

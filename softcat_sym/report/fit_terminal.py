@@ -13,12 +13,15 @@ from softcat_sym.report.fit_words import (
     starts_text,
     warnings,
 )
+from softcat_sym.report.laws_table import HEADINGS as LAW_HEADINGS
+from softcat_sym.report.laws_table import law_texts, remarks
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
     from softcat_sym.inverse.fitted import Fit
+    from softcat_sym.inverse.laws import LawComparison
 
 HEADINGS = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
 """Of the columns of :func:`softcat_sym.report.fit_words.parameter_texts`."""
@@ -64,6 +67,43 @@ def parameter_table(fit: Fit) -> Table:
         style = "" if one.verdict == "identified" else "yellow"
         table.add_row(*(Text(text, style=style) for text in parameter_texts(one)))
     return table
+
+
+def laws_table(found: LawComparison) -> Table:
+    """Lay several laws out as a table, the best first, those that are out of the question dim."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    title = Text(f"Which law: {found.sentence}", style="bold")
+    table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    for k, name in enumerate(LAW_HEADINGS):
+        table.add_column(Text(name), justify="left" if k in (0, 6) else "right", overflow="fold")
+    for row in found.choice.table:
+        style = "" if row.law.name in found.choice.close else "dim"
+        table.add_row(*(Text(text, style=style) for text in law_texts(found, row)))
+    return table
+
+
+def print_laws(found: LawComparison, console: Console | None = None) -> None:
+    """Print the ranking of several laws, the verdict, and what each law's constants are.
+
+    Parameters
+    ----------
+    found : LawComparison
+        As from :func:`softcat_sym.inverse.fit_laws`.
+    console : rich.console.Console or None
+        Where to; standard output by default.
+    """
+    from rich.console import Console
+    from rich.padding import Padding
+    from rich.text import Text
+
+    screen = console or Console()
+    screen.print(laws_table(found))
+    for text in remarks(found):
+        screen.print(Padding(Text(text), (0, 0, 0, 1)))
+    screen.print()
 
 
 def print_fit(fit: Fit, console: Console | None = None) -> None:

@@ -12,12 +12,13 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.inverse.design.experiment import Experiment, design_experiment
-from softcat_sym.inverse.design.film import exact_information, film_times, films_of
+from softcat_sym.inverse.design.film import exact_film, film_times, films_of
+from softcat_sym.inverse.design.noise import Noise
 from softcat_sym.inverse.design.precision import Unknowns, relative_errors
 from softcat_sym.inverse.design.search import pattern_search
 from softcat_sym.inverse.design.trial import Trial
 from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.report.experiment import write_experiment
+from softcat_sym.report.experiment_files import write_experiment
 
 _NOISE = 1e-5
 
@@ -30,7 +31,7 @@ def _maxwell(name: str = "maxwell-fast", duration: float = 6) -> sc.Scene:
 def _errors(scene: sc.Scene, names: list[str], frames: int, noise: float = _NOISE) -> np.ndarray:
     free = free_parameters(scene, names)
     unknowns = Unknowns(free, np.ones(len(free), dtype=bool))
-    return relative_errors(exact_information(scene, free, frames, noise)[0], unknowns)
+    return relative_errors(exact_film(scene, free, frames, Noise(noise)).information, unknowns)
 
 
 def test_errors_go_as_noise_and_as_the_root_of_frames() -> None:
@@ -133,7 +134,7 @@ def test_pictures_and_tables_are_written(tmp_path: Path) -> None:
     found = _filmed()
     written = {path.name: path for path in write_experiment(found, tmp_path)}
     assert written["experiment.png"].read_bytes().startswith(b"\x89PNG")
-    assert sc.load_scene(written["experiment.toml"]) == found.scene
+    assert sc.load_scene(written["scene.toml"]) == found.scene
     rows = list(csv.DictReader(written["experiment.csv"].read_text().splitlines()))
     assert [row["what"] for row in rows] == ["best", "as given", *["tried"] * len(found.tried)]
     assert float(rows[0]["worst"]) == found.best.worst

@@ -87,15 +87,21 @@ def test_combinations_are_named_where_a_direction_is_unknown_though_no_single_er
     assert "a^1 * b^-1" in found.verdicts[1].reason
 
 
-def test_a_robust_loss_is_taken_at_its_weights() -> None:
+def test_a_robust_loss_has_intervals_of_its_own() -> None:
     p = judged(problem("A k", decay, [0.3, -0.2], 0.02))
     p.data[10] += 2.0
     loss = Loss("cauchy", 2.0)
     found = infer(p, multi_start(p, [np.zeros(2)], loss=loss), loss)
     plain = infer(p, multi_start(p, [np.zeros(2)]), LINEAR)
-    residuals, jacobian = p.linearised(found.starts.best.q)
-    weighted = jacobian.T @ (loss.weights(residuals)[:, None] * jacobian)
-    np.testing.assert_allclose(found.information.matrix, weighted, rtol=1e-9)
+    jacobian = p.linearised(found.starts.best.q)[1]
+    tau = found.information.noise
+    np.testing.assert_allclose(found.information.matrix, jacobian.T @ jacobian / tau**2, rtol=1e-9)
+    assert tau == pytest.approx(1.0, abs=0.15)
+    assert plain.information.noise == 1.0
+    for one, error in zip(found.profiles, found.information.standard_errors, strict=True):
+        assert one.lower.flag == one.upper.flag == "crosses"
+        half = 0.5 * (one.upper.crossing - one.lower.crossing)
+        assert half == pytest.approx(found.information.quantile * error, rel=0.15)
     truth = np.array([0.3, -0.2])
     ends = [(one.lower, one.upper) for one in found.verdicts]
     assert all(low < value < high for (low, high), value in zip(ends, truth, strict=True))  # type: ignore[operator]

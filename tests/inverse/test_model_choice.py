@@ -50,10 +50,18 @@ def test_failures_come_last_with_their_reason() -> None:
         choose_model([], 50, noise_known=True)
 
 
-def test_too_few_data_cannot_tell() -> None:
-    choice = choose_model([FittedLaw("a", 3, 1.0), FittedLaw("b", 2, 2.0)], 4, noise_known=False)
-    assert choice.verdict == "cannot tell"
-    assert choice.close == ("b", "a")
+def test_too_few_data_for_aicc_are_ranked_by_bic_and_cannot_tell() -> None:
+    """Five data: AICc of three constants and the noise is infinite, whatever their fit."""
+    laws = [FittedLaw("poor", 1, 300.0), FittedLaw("good", 3, 1.0)]
+    choice = choose_model(laws, 5, noise_known=False)
+    assert [row.law.name for row in choice.table] == ["good", "poor"]
+    assert math.isinf(choice.table[0].aicc) and math.isfinite(choice.table[1].aicc)
+    assert choice.table[1].difference == pytest.approx(5 * math.log(300) - 2 * math.log(5))
+    assert sum(row.weight for row in choice.table) == pytest.approx(1)
+    assert (choice.verdict, choice.criterion, choice.close) == ("cannot tell", "BIC", ("good", "poor"))
+    assert choice.reason.startswith("5 data are too few to weigh good by AICc")
+    enough = choose_model(laws, 50, noise_known=False)
+    assert (enough.verdict, enough.criterion, enough.reason) == ("good", "AICc", "")
 
 
 def test_exact_data_choose_the_fewest_constants() -> None:

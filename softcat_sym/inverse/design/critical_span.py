@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from numbers import Real
 
 import numpy as np
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.inverse.design.bracketing import crossings, illinois
-from softcat_sym.inverse.design.polishing import Limit, polished
+from softcat_sym.inverse.design.polishing import LIMITS, Limit, polished, read_limit
 from softcat_sym.inverse.design.sag import FrozenSag, Sag, sag_of_run, with_span
 from softcat_sym.inverse.design.variables import SPAN, read_positive
 from softcat_sym.inverse.design.wording import length_text
@@ -86,7 +85,7 @@ def critical_span(
     scene : Scene
         All but the span.
     limit : str or float
-        A length with its unit, or a number: a fraction of the span.
+        A length with its unit, or a fraction of the span: a number, or ``"5 %"``.
     time : str or float, optional
         At which the sag is meant [s]; by default the largest until the end of the run.
     within : (low, high), optional
@@ -150,13 +149,11 @@ def _read(
     scene: Scene, limit: object, time: object, within: tuple[object, object] | None
 ) -> tuple[Scene, Limit, tuple[float, float]]:
     faults = []
-    of_span = isinstance(limit, (int, float, Real))
-    allowed, bounds = Limit(math.nan, of_span), (math.nan, math.nan)
+    allowed, bounds = Limit(math.nan, of_span=False), (math.nan, math.nan)
     try:
-        allowed = Limit(read_positive(limit, "length", "m"), of_span)
+        allowed = read_limit(limit)
     except NotAQuantity as found:
-        accepted = 'a positive length such as "2 mm", or a number, a fraction of the span'
-        faults.append(Fault("limit", str(found), accepted))
+        faults.append(Fault("limit", str(found), LIMITS))
     if time is not None:
         try:
             scene = scene.replace({"run.duration": f"{read_positive(time, 'time', 's')!r} s"})

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.inverse.design.judging import Judge
+from softcat_sym.inverse.design.noise import Noise, read_noise
+from softcat_sym.inverse.design.polishing import LIMITS, Limit, read_limit
 from softcat_sym.inverse.design.precision import Unknowns, strongest
 from softcat_sym.inverse.design.search import pattern_search
 from softcat_sym.inverse.design.trial import Trial
@@ -19,7 +21,6 @@ from softcat_sym.inverse.design.variables import (
     THICKNESS,
     Within,
     as_given,
-    read_positive,
     read_ranges,
 )
 from softcat_sym.inverse.design.wording import sentences
@@ -48,8 +49,8 @@ class Experiment:
         The scene as it is, with as many frames as the camera keeps.
     at_bounds : dict of str to str
         Design variables whose bound binds, ``"lower"`` or ``"upper"``.
-    noise : float
-        Standard deviation of one reading [m].
+    noise : Noise
+        Of one reading.
     counted : tuple of str
         The parameters whose worst error counts.
     rough : float
@@ -59,16 +60,19 @@ class Experiment:
         frames and by a whole run, the others by the mean information of their film.
     scene : Scene
         The best experiment, to be run.
+    sag_at_most : Limit or None
+        That the filament was allowed to sag.
     """
 
     best: Trial
     as_given: Trial
     at_bounds: Mapping[str, str]
-    noise: float
+    noise: Noise
     counted: tuple[str, ...]
     rough: float
     tried: tuple[Trial, ...]
     scene: Scene
+    sag_at_most: Limit | None = None
 
     @property
     def gain(self) -> float:
@@ -78,7 +82,9 @@ class Experiment:
     @property
     def text(self) -> tuple[str, ...]:
         """Plain sentences."""
-        return sentences(self.best, self.as_given, self.at_bounds, self.noise, self.counted, self.rough)
+        return sentences(
+            self.best, self.as_given, self.at_bounds, self.noise, self.counted, self.rough, self.sag_at_most
+        )
 
 
 def design_experiment(
@@ -90,15 +96,15 @@ def design_experiment(
     nuisance: Sequence[str] = (),
     frames_at_most: int | None = None,
     rough: float = 1.0,
+    sag_at_most: object = None,
     told: Told | None = None,
 ) -> Experiment:
     """Choose the experiment whose film determines the free parameters best.
 
     The standard errors are those of the Cramer-Rao bound with white noise: the inverse of the Fisher information
     sum s s^T/noise^2, s = d midpoint/dq over all frames and q the logarithms of the parameters (Atkinson, Donev and
-    Tobias 2007). The worst of them is minimised over span and thickness by a grid and a pattern search; one run of each
-    filament serves all its films. Where `frames_at_most` does not limit the camera, the highest frame rate is taken: a
-    frame more never tells less.
+    Tobias 2007). The worst is minimised over span and thickness by a grid and a pattern search; one run of each
+    filament serves all its films, at the highest frame rate unless `frames_at_most` binds.
 
     Parameters
     ----------
@@ -107,7 +113,7 @@ def design_experiment(
     free : sequence of str
         Names as in a fit. Those of the camera (``time_offset``, ``initial_sag``) are estimated, but do not count.
     noise : str or float
-        Standard deviation of one reading: a length with its unit, or a number in m.
+        Standard deviation of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film.
     within : mapping
         ``{"filament.span": ("2 mm", "50 mm"), "frame_rate": ("25 Hz", "1 kHz"), "run.duration": "5 s"}``; of
         ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``. What is left out stays.
@@ -116,8 +122,9 @@ def design_experiment(
     frames_at_most : int, optional
         That the camera keeps.
     rough : float
-        Factor by which the rough values may be wrong either way: the worst error over all corners is minimised, two for
-        each logarithmic parameter.
+        Factor by which rough values may be wrong: the worst error over all corners, two a parameter, is minimised.
+    sag_at_most : str or float, optional
+        How far the filament may sag: a length with its unit, or a fraction of the span, ``"5 %"``.
     told : callable, optional
         Told every trial.
 
@@ -128,7 +135,7 @@ def design_experiment(
     SoftcatError
         If no experiment within the bounds determines the parameters, with the combination that is determined.
     """
-    judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, frames_at_most, rough)
+    judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, frames_at_most, rough, sag_at_most)
     return _chosen(scene, judge, _searched(judge, told), frames_at_most)
 
 
@@ -172,6 +179,7 @@ def _chosen(scene: Scene, judge: Judge, tried: list[Trial], frames_at_most: int 
         rough=judge.rough,
         tried=tuple(tried),
         scene=scene.replace(best.changes),
+        sag_at_most=judge.sag_at_most,
     )
 
 
@@ -193,17 +201,22 @@ def _judge(
     within: Within,
     frames_at_most: int | None,
     rough: float,
+    sag_at_most: object,
 ) -> Judge:
-    ranges, faults, reading = read_ranges(scene, within), [], math.nan
+    ranges, faults, reading, allowed = read_ranges(scene, within), [], Noise(math.nan), None
     unknowns = free_parameters(scene, [*free, *nuisance])
     counted = tuple(k < len(free) and not one.of_measurement for k, one in enumerate(unknowns))
     if not any(counted):
         found = "nothing that counts is free: the camera's own and nuisance do not"
         faults.append(Fault("free", found, "one name or more, such as youngs_modulus"))
     try:
-        reading = read_positive(noise, "length", "m")
+        reading = read_noise(noise)
     except NotAQuantity as error:
-        faults.append(Fault("noise", str(error), 'a positive length, the error of one reading, such as "10 um"'))
+        faults.append(Fault("noise", str(error), 'the error of one reading, such as "10 um", or "1 %" of the sag'))
+    try:
+        allowed = None if sag_at_most is None else read_limit(sag_at_most)
+    except NotAQuantity as error:
+        faults.append(Fault("sag_at_most", str(error), LIMITS))
     if frames_at_most is not None and frames_at_most < 2:
         faults.append(Fault("frames_at_most", shown(frames_at_most), "two frames or more"))
     if not 1 <= rough < math.inf:
@@ -215,7 +228,7 @@ def _judge(
     if faults:
         raise SceneError(faults)
     names = tuple(one.path for one in unknowns)
-    return Judge(scene, names, counted, reading, ranges, frames_at_most, float(rough))
+    return Judge(scene, names, counted, reading, ranges, frames_at_most, float(rough), allowed)
 
 
 def _as_given(judge: Judge) -> Trial:
@@ -225,7 +238,7 @@ def _as_given(judge: Judge) -> Trial:
     rate, duration = (frames - 1) / scene.run.duration, scene.run.duration
     errors = dict.fromkeys(judge.names, math.inf)
     start = Trial(values[SPAN], values[THICKNESS], rate, duration, frames, math.inf, errors)
-    return judge.exactly(start)[0]
+    return replace(judge, sag_at_most=None).exactly(start)[0]
 
 
 def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:

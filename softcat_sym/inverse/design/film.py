@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from softcat_sym.inverse.design.noise import Noise
 from softcat_sym.inverse.estimation.least_squares import Floats
 from softcat_sym.inverse.forward.free import FreeParameter
 from softcat_sym.inverse.forward.model import ForwardModel
@@ -32,16 +33,22 @@ class Films:
         Increasing [s].
     mean : ndarray, shape (m, k, k)
         Mean of s s^T over each film [m^2], s = d midpoint/dq; NaN where the filament does not hold so long.
+    sag : ndarray, shape (m,)
+        Largest within each film [m]; NaN where there is none.
     complaint : str
         Why it does not; empty if it does.
     """
 
     durations: Floats
     mean: Floats
+    sag: Floats
     complaint: str
 
-    def information(self, frames: Floats, noise: float) -> Floats:
-        """Fisher information of q, shape (m, k, k), for so many frames, shape (m,), spread evenly over each film."""
+    def information(self, frames: Floats, noise: float | Floats) -> Floats:
+        """Fisher information of q, shape (m, k, k), for so many frames, shape (m,), spread evenly over each film.
+
+        The noise [m] is one for all, or one for each film, shape (m,).
+        """
         return self.mean * (frames / noise**2)[:, None, None]
 
 
@@ -75,15 +82,35 @@ def films_of(scene: Scene, free: tuple[FreeParameter, ...], shortest: float, lon
     # What yields has slopes that scatter enough at its own tolerances.
     smooth = scene.material.yield_stress is None
     model = ForwardModel(scene, free, times, rtol=max(_ROUGH_RTOL, scene.numerics.rtol or 0.0) if smooth else None)
-    slopes = _slopes(model)
+    depth, slopes = _seen(model)
     density = slopes[:, :, None] * slopes[:, None, :]
     steps = np.diff(times)[:, None, None]
     area = np.cumsum(0.5 * steps * (density[1:] + density[:-1]), axis=0)
-    return Films(durations, area[-len(durations) :] / durations[:, None, None], model.complaint)
+    sag = np.maximum.accumulate(depth)[-len(durations) :]
+    return Films(durations, area[-len(durations) :] / durations[:, None, None], sag, model.complaint)
 
 
-def exact_information(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: float) -> tuple[Floats, str]:
-    """Fisher information of q by the frames themselves, shape (k, k), and why the filament does not hold, or nothing.
+@dataclass(frozen=True, eq=False)
+class ExactFilm:
+    """One film by its own frames.
+
+    Attributes
+    ----------
+    information : ndarray, shape (k, k)
+        Fisher's, of q.
+    sag : float
+        Largest within the film [m].
+    complaint : str
+        Why the filament does not hold; empty if it does.
+    """
+
+    information: Floats
+    sag: float
+    complaint: str
+
+
+def exact_film(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: Noise) -> ExactFilm:
+    """Follow a filament through the frames of one film.
 
     Parameters
     ----------
@@ -97,15 +124,20 @@ def exact_information(scene: Scene, free: tuple[FreeParameter, ...], frames: int
     """
     integrated = min(frames, _MOST_FRAMES)
     model = ForwardModel(scene, free, np.linspace(0.0, scene.run.duration, integrated))
-    slopes = _slopes(model)
-    return slopes.T @ slopes * (frames / integrated / noise**2), model.complaint
+    depth, slopes = _seen(model)
+    sag = float(np.max(depth))
+    information = slopes.T @ slopes * (frames / integrated / noise.of(sag) ** 2)
+    return ExactFilm(information, sag, model.complaint)
 
 
-def _slopes(model: ForwardModel) -> Floats:
-    """Slopes d midpoint/dq, shape (n, k); where things yield, the median over three neighbouring filaments.
+def _seen(model: ForwardModel) -> tuple[Floats, Floats]:
+    """Depths [m], shape (n,), and slopes d midpoint/dq, shape (n, k).
+
+    Where things yield, both are the median over three neighbouring filaments.
 
     Differences across the instant at which a fibre yields are no derivatives, and would pass for information.
     """
     beside = (0.0, -_BESIDE, _BESIDE) if "yielding" in model.effects else (0.0,)
-    found = [model.with_derivatives(model.typical + step)[1] for step in beside]
-    return np.asarray(np.median(found, axis=0), dtype=float)
+    found = [model.with_derivatives(model.typical + step) for step in beside]
+    heights, slopes = (np.asarray(np.median([one[k] for one in found], axis=0), dtype=float) for k in (0, 1))
+    return np.abs(heights), slopes

@@ -9,10 +9,13 @@ from itertools import product
 import numpy as np
 
 from softcat_sym.errors import SceneError
-from softcat_sym.inverse.design.film import Films, exact_information, films_of
+from softcat_sym.inverse.design.film import Films, exact_film, films_of
+from softcat_sym.inverse.design.noise import Noise
+from softcat_sym.inverse.design.polishing import Limit
 from softcat_sym.inverse.design.precision import Unknowns, relative_errors
 from softcat_sym.inverse.design.trial import Trial
 from softcat_sym.inverse.design.variables import DURATION, FRAME_RATE, SPAN, THICKNESS, Range
+from softcat_sym.inverse.design.wording import length_text
 from softcat_sym.inverse.estimation.least_squares import Floats
 from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
 from softcat_sym.inverse.forward.substituting import with_values
@@ -20,6 +23,7 @@ from softcat_sym.scene import Scene
 from softcat_sym.simulate import simulate
 
 _ROUNDING = 1e-9
+_MARGIN = 0.01
 
 
 @dataclass(frozen=True)
@@ -34,23 +38,26 @@ class Judge:
         All that is estimated, nuisance included.
     counted : tuple of bool
         What of it counts.
-    noise : float
-        Standard deviation of one reading [m].
+    noise : Noise
+        Of one reading.
     ranges : dict of str to Range
         Of every design variable.
     frames_at_most : int or None
         That the camera keeps.
     rough : float
         Factor by which the rough values may be wrong either way; one: not at all.
+    sag_at_most : Limit or None
+        That no film may show more than, at any of the rough values.
     """
 
     scene: Scene
     names: tuple[str, ...]
     counted: tuple[bool, ...]
-    noise: float
+    noise: Noise
     ranges: dict[str, Range]
     frames_at_most: int | None
     rough: float
+    sag_at_most: Limit | None = None
 
     def best_film(self, span: float, thickness: float) -> Trial:
         """The best duration and frame rate of one filament, from one run for each set of rough values."""
@@ -72,14 +79,17 @@ class Judge:
         try:
             scene = self.scene.replace(trial.changes)
             found = [
-                (exact_information(one, free, trial.frames, self.noise), unknowns)
+                (exact_film(one, free, trial.frames, self.noise), unknowns)
                 for one, free, unknowns in self._corners(scene)
             ]
         except SceneError as error:
             return self._nothing(trial.span, trial.thickness, str(error)), []
-        errors = np.array([relative_errors(matrix, unknowns) for (matrix, _), unknowns in found])
-        note = next((complaint for (_, complaint), _ in found if complaint), "")
-        return self._trial(trial.values, trial.frames, errors, note), [matrix for (matrix, _), _ in found]
+        sag = max(film.sag for film, _ in found)
+        if sag > self._allowed(trial.span):
+            return self._nothing(trial.span, trial.thickness, self._too_deep(trial.span)), []
+        errors = np.array([relative_errors(film.information, unknowns) for film, unknowns in found])
+        note = next((film.complaint for film, _ in found if film.complaint), "")
+        return self._trial(trial.values, trial.frames, errors, sag, note), [film.information for film, _ in found]
 
     def checked(self, trial: Trial) -> Trial:
         """The same, or infinite errors if the run is no answer: neither neck nor lost energy shows in the midpoint."""
@@ -103,17 +113,26 @@ class Judge:
     def _best_of(self, span: float, thickness: float, films: list[tuple[Films, Unknowns]]) -> Trial:
         durations = films[0][0].durations
         frames = self.frames(durations)
-        errors = np.array([relative_errors(one.information(frames, self.noise), unknowns) for one, unknowns in films])
+        rows = [(one.information(frames, self.noise.of_each(one.sag)), unknowns) for one, unknowns in films]
+        errors = np.array([relative_errors(information, unknowns) for information, unknowns in rows])
+        sag = np.max([one.sag for one, _ in films], axis=0)
+        # An experiment is judged again by its own frames and tolerances, which must not find it too deep.
+        shallow = ~(sag > (1 - _MARGIN) * self._allowed(span))
         worst = np.array([unknowns.worst(row) for row, (_, unknowns) in zip(errors, films, strict=True)]).max(axis=0)
+        worst = np.where(shallow, worst, np.inf)
         # Where nothing determines everything, the film that is best without the gate would be as good as any.
-        number = int(np.argmin(worst)) if np.isfinite(worst).any() else self._last(films, frames)
+        number = (
+            int(np.argmin(worst)) if np.isfinite(worst).any() else self._last(films, np.where(shallow, frames, np.nan))
+        )
         note = next((one.complaint for one, _ in films if one.complaint), "")
+        if number < 0 and not shallow.any():
+            return self._nothing(span, thickness, self._too_deep(span))
         if number < 0:
             return self._nothing(span, thickness, note or "the camera keeps too few frames for its lowest rate")
         duration, count = float(durations[number]), int(frames[number])
         rate = (count - 1) / duration
         values = {SPAN: span, THICKNESS: thickness, FRAME_RATE: rate, DURATION: duration}
-        return self._trial(values, count, errors[:, number], note)
+        return self._trial(values, count, errors[:, number], float(sag[number]), note)
 
     @staticmethod
     def _last(films: list[tuple[Films, Unknowns]], frames: Floats) -> int:
@@ -121,7 +140,14 @@ class Judge:
         held = np.isfinite(frames) & np.all([np.isfinite(one.mean).all(axis=(1, 2)) for one, _ in films], axis=0)
         return int(np.flatnonzero(held)[-1]) if held.any() else -1
 
-    def _trial(self, values: dict[str, float], frames: int, errors: Floats, note: str) -> Trial:
+    def _allowed(self, span: float) -> float:
+        """Largest sag [m] of a film of this span."""
+        return math.inf if self.sag_at_most is None else self.sag_at_most.at(span)
+
+    def _too_deep(self, span: float) -> str:
+        return f"even the shortest film sags more than {length_text(self._allowed(span))}"
+
+    def _trial(self, values: dict[str, float], frames: int, errors: Floats, sag: float, note: str) -> Trial:
         largest = errors.max(axis=0)
         worst = float(largest[np.array(self.counted)].max())
         return Trial(
@@ -132,12 +158,13 @@ class Judge:
             frames=frames,
             worst=worst,
             errors=dict(zip(self.names, largest.tolist(), strict=True)),
+            sag=sag,
             note="" if math.isfinite(worst) else note,
         )
 
     def _nothing(self, span: float, thickness: float, note: str) -> Trial:
         rate, duration = self.ranges[FRAME_RATE].high, self.ranges[DURATION].high
-        return Trial(span, thickness, rate, duration, 0, math.inf, dict.fromkeys(self.names, math.inf), note)
+        return Trial(span, thickness, rate, duration, 0, math.inf, dict.fromkeys(self.names, math.inf), note=note)
 
     def _filament(self, span: float, thickness: float) -> Scene:
         return self.scene.replace({SPAN: f"{span!r} m", THICKNESS: f"{thickness!r} m"})

@@ -5,15 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from numbers import Real
 from typing import Protocol
 
 import numpy as np
+
+from softcat_sym.inverse.design.variables import read_positive, read_share
 
 _STEPS = 8
 _FINE, _GOOD = 1e-9, 1e-4  # of log sag over the limit
 _NEAR = 0.1  # of log span, in which effects chosen at one span hold for another
 _BESIDE = 1e-3  # of log span: slopes that differ over so little are no derivatives of something smooth
 _SCATTER = 0.02
+
+
+LIMITS = 'a positive length such as "2 mm", or a fraction of the span such as "5 %"'
+"""Limits of the sag that are accepted."""
 
 
 class SagWithSlopes(Protocol):
@@ -52,6 +59,20 @@ class Limit:
     def slope(self, by_span: float) -> float:
         """Slope of the excess by log span, from that of log sag."""
         return by_span - 1.0 if self.of_span else by_span
+
+
+def read_limit(value: object) -> Limit:
+    """Read a length with its unit, or a fraction of the span: a number, or text such as ``"5 %"``.
+
+    Raises
+    ------
+    NotAQuantity
+        Its text says what was found.
+    """
+    share = read_share(value)
+    if share is not None:
+        return Limit(share, of_span=True)
+    return Limit(read_positive(value, "length", "m"), of_span=isinstance(value, (int, float, Real)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -26,6 +27,8 @@ class Trial:
         Largest relative standard error of what counts, over all rough values; infinite if the film leaves it open.
     errors : mapping of str to float
         Relative standard error of each unknown, of the camera's own in SI: each the largest over all rough values.
+    sag : float
+        Largest within the film [m], over all rough values; NaN where there is none.
     note : str
         Why there is no answer; empty if there is.
     """
@@ -37,6 +40,7 @@ class Trial:
     frames: int
     worst: float
     errors: Mapping[str, float]
+    sag: float = math.nan
     note: str = ""
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from numbers import Real
@@ -124,6 +125,26 @@ def read_positive(value: object, kind: str, unit: str) -> float:
     if number <= 0:
         raise NotAQuantity(f"{shown(value)} is not positive")
     return number
+
+
+def read_share(value: object) -> float | None:
+    """Read a percentage such as ``"1 %"`` as a fraction; None if it is none.
+
+    Raises
+    ------
+    NotAQuantity
+        If it is no positive one. Its text says what was found.
+    """
+    found = re.fullmatch(r"\s*([^%]*?)\s*%\s*", value) if isinstance(value, str) else None
+    if found is None:
+        return None
+    try:
+        share = float(found[1]) / 100
+    except ValueError:
+        raise NotAQuantity(f"{shown(value)} is no percentage") from None
+    if not 0 < share < math.inf:
+        raise NotAQuantity(f"{shown(value)} is not positive and finite")
+    return share
 
 
 def _range(path: str, bounds: object) -> Range:

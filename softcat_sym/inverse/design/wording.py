@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from softcat_sym.inverse.design.noise import Noise
+from softcat_sym.inverse.design.polishing import Limit
 from softcat_sym.inverse.design.trial import Trial
 from softcat_sym.inverse.design.variables import DURATION, FRAME_RATE, SPAN, THICKNESS
 
@@ -28,9 +30,10 @@ def sentences(
     best: Trial,
     given: Trial,
     at_bounds: Mapping[str, str],
-    noise: float,
+    noise: Noise,
     counted: tuple[str, ...],
     rough: float,
+    sag_at_most: Limit | None,
 ) -> tuple[str, ...]:
     """Say what to film, what it will tell, what the scene as given would, and which bounds bind."""
     film = (
@@ -38,10 +41,15 @@ def sentences(
         f"{best.frame_rate:.4g} frames a second: {best.frames} frames."
     )
     listed = ", ".join(f"{name.rpartition('.')[2]} {percent(best.errors[name])}" for name in counted)
-    found = [film, f"Relative standard errors to expect with {length_text(noise)} of noise a reading: {listed}."]
+    found = [film, f"Relative standard errors to expect with {_noise_text(noise, best)} of noise a reading: {listed}."]
     if rough > 1:
         found.append(f"Each is the largest for rough values that are wrong by a factor of {rough:g} either way.")
+    allowed = math.inf if sag_at_most is None else sag_at_most.at(best.span)
+    limited = "" if math.isinf(allowed) else f", of {length_text(allowed)} that are allowed"
+    found.append(f"It sags {length_text(best.sag)} while it is filmed{limited}.")
     found.append(_compared(best, given))
+    if given.sag > allowed:
+        found.append(f"The scene as given sags {length_text(given.sag)}, which is more than allowed.")
     bound = [f"{_CALLED[path]} at its {edge} bound" for path, edge in at_bounds.items() if path in _CALLED]
     if "frames_at_most" in at_bounds:
         bound.append("as many frames as the camera keeps")
@@ -49,6 +57,11 @@ def sentences(
         found.append(f"What limits it: {', '.join(bound)}.")
     found.append("These are the least errors that any fit can have, if the law is right and the noise is white.")
     return tuple(found)
+
+
+def _noise_text(noise: Noise, best: Trial) -> str:
+    amount = length_text(noise.of(best.sag))
+    return f"{amount} ({100 * noise.value:.3g} % of the sag)" if noise.of_sag else amount
 
 
 def _compared(best: Trial, given: Trial) -> str:

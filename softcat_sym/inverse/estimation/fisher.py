@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from softcat_sym.errors import SoftcatError
 from softcat_sym.inverse.estimation.combinations import Combination, combinations
 from softcat_sym.inverse.estimation.confidence import two_sided_quantile
-from softcat_sym.inverse.estimation.least_squares import Floats
+from softcat_sym.inverse.estimation.least_squares import LINEAR, Floats, Loss
+from softcat_sym.inverse.estimation.noise import Noise, noise_of
 
 LARGEST_ERROR = 1.0
 """Standard error of q from which on the data do not determine it: a factor e, or the whole of a typical value."""
 
 DERIVATIVE_ACCURACY = 1e-6
 """Of the largest singular value: a smaller one is what the derivatives' own errors leave of zero."""
-
-# To which the model is evaluated, relative to what a unit of q changes: less cannot be the noise of data.
-_MODEL_ACCURACY = 1e-7
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +31,10 @@ class Information:
     ----------
     names : tuple of str
         The k unknowns.
-    noise : float
-        Standard deviation s of the residuals: one if it is known, sqrt(RSS/(m - k)) otherwise.
-    freedom : int or None
-        m - k; None where the noise is known.
+    spread : Noise
+        Of the residuals.
     matrix : ndarray, shape (k, k)
-        J^T J/s^2.
+        J^T J/s^2, s being `noise`.
     covariance : ndarray, shape (k, k)
         Its inverse, with the errors of undetermined directions cut as above.
     standard_errors : ndarray, shape (k,)
@@ -56,8 +50,7 @@ class Information:
     """
 
     names: tuple[str, ...]
-    noise: float
-    freedom: int | None
+    spread: Noise
     matrix: Floats
     covariance: Floats
     standard_errors: Floats
@@ -65,6 +58,16 @@ class Information:
     directions: Floats
     determined: NDArray[np.bool_]
     combinations: tuple[Combination, ...]
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation s of the residuals, one if it is known; of a robust loss that of its M-estimator, tau."""
+        return self.spread.deviation
+
+    @property
+    def freedom(self) -> int | None:
+        """Degrees m - k; None where the noise is known."""
+        return self.spread.freedom
 
     @property
     def correlation(self) -> Floats:
@@ -89,34 +92,6 @@ class Information:
         return two_sided_quantile(self.freedom)
 
 
-def noise_of(residuals: Floats, jacobian: Floats, *, noise_known: bool) -> tuple[float, int | None]:
-    """Standard deviation of the residuals and its degrees of freedom.
-
-    Returns
-    -------
-    noise : float
-        One if it is known; otherwise sqrt(RSS/(m - k)), and for data that are met exactly the model's own accuracy.
-    freedom : int or None
-        m - k; None if the noise is known.
-
-    Raises
-    ------
-    SoftcatError
-        If the noise is to be estimated from no more residuals than unknowns.
-    """
-    if noise_known:
-        return 1.0, None
-    unknowns = jacobian.shape[1]
-    freedom = residuals.size - unknowns
-    if freedom < 1:
-        raise SoftcatError(
-            f"{residuals.size} data for {unknowns} unknowns leave nothing to tell the noise by; accepted: at least "
-            f"{unknowns + 1} data, or their standard errors"
-        )
-    accuracy = _MODEL_ACCURACY * float(np.sqrt(np.mean(jacobian**2)))
-    return max(math.sqrt(float(residuals @ residuals) / freedom), accuracy, np.finfo(float).tiny), freedom
-
-
 def information(
     names: tuple[str, ...],
     q: Floats,
@@ -126,6 +101,7 @@ def information(
     *,
     noise_known: bool,
     logarithmic: tuple[bool, ...] | None = None,
+    loss: Loss = LINEAR,
 ) -> Information:
     """Judge an optimum by its Jacobian.
 
@@ -141,22 +117,23 @@ def information(
         Whether the residuals are in standard errors that were measured.
     logarithmic : tuple of bool or None
         Which unknowns are logarithms; None: all.
+    loss : Loss
+        What was minimised.
 
     Raises
     ------
     SoftcatError
         If the noise has to be estimated and there are no more data than unknowns.
     """
-    noise, freedom = noise_of(residuals, jacobian, noise_known=noise_known)
+    spread = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss)
+    noise, freedom = spread.deviation, spread.freedom
     directions, singular, errors, determined = _spectrum(jacobian / noise, box)
-    root = directions * errors
+    root, flags = directions * errors, logarithmic or (True,) * len(names)
     standard = np.linalg.norm(root, axis=1)
-    flags = logarithmic or (True,) * len(names)
     found = combinations(names, q, root, directions[:, determined], two_sided_quantile(freedom), flags)
     return Information(
         names=names,
-        noise=noise,
-        freedom=freedom,
+        spread=spread,
         matrix=jacobian.T @ jacobian / noise**2,
         covariance=root @ root.T,
         standard_errors=standard,

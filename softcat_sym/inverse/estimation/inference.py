@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from softcat_sym.inverse.estimation.fisher import Information, information
-from softcat_sym.inverse.estimation.least_squares import Floats, LeastSquares, Loss, Weighted
+from softcat_sym.inverse.estimation.least_squares import Floats, LeastSquares, Loss
 from softcat_sym.inverse.estimation.multi_start import Fall, Waterfall, multi_start
 from softcat_sym.inverse.estimation.optimise import Optimum
 from softcat_sym.inverse.estimation.profiles import Profile, profile
@@ -17,6 +17,9 @@ from softcat_sym.inverse.estimation.verdicts import Verdict, verdicts
 
 MOST_RESTARTS = 2
 """Better optima that are followed; beyond them the waterfall tells how rugged the problem is."""
+
+# Where directions are undetermined: a profile may take as many evaluations as the starts did together, at least these.
+_FEWEST_EVALUATIONS = 100
 
 # Of the residuals' root mean square, as the waterfall tells fits apart.
 _SAME = 0.1
@@ -76,7 +79,7 @@ def infer(
     starts : Waterfall
         With this loss.
     loss : Loss
-        A robust one is taken for the weights that it gives at the optimum.
+        What was minimised, and what profiles minimise.
     profiles : bool
         Whether intervals come from profiles; otherwise from the curvature.
     told : callable
@@ -90,21 +93,27 @@ def infer(
     restarts = 0
     while True:
         best = starts.best
-        weighted = problem if loss.kind == "linear" else Weighted(problem, loss.weights(best.residuals))
-        known = _information(problem, weighted, best)
-        traced = []
+        known = _information(problem, best, loss)
+        most, traced = _most(starts, known), list[Profile]()
         for k in range(len(problem.names) if profiles and best.converged else 0):
             told(k, len(problem.names))
-            traced.append(profile(weighted, best.q, k, noise_known=problem.noise_known))
+            traced.append(profile(problem, best.q, k, noise_known=problem.noise_known, loss=loss, most=most))
         better = _improved(problem, starts, traced, loss) if restarts < MOST_RESTARTS else None
         if better is None:
-            judged = verdicts(weighted, best, known, traced or None)
+            judged = verdicts(problem, best, known, traced or None, loss)
             return Inference(starts, known, tuple(traced), judged, restarts)
         starts, restarts = better, restarts + 1
 
 
-def _information(problem: Judged, weighted: LeastSquares, best: Optimum) -> Information:
-    residuals, jacobian = weighted.linearised(best.q)
+def _most(starts: Waterfall, known: Information) -> int | None:
+    """Evaluations for a profile; no limit where every direction and unknown is determined, where few are needed."""
+    if known.determined.all() and known.identified.all():
+        return None
+    return max(_FEWEST_EVALUATIONS, sum(fall.optimum.evaluations for fall in starts.falls))
+
+
+def _information(problem: Judged, best: Optimum, loss: Loss) -> Information:
+    residuals, jacobian = problem.linearised(best.q)
     return information(
         problem.names,
         best.q,
@@ -113,6 +122,7 @@ def _information(problem: Judged, weighted: LeastSquares, best: Optimum) -> Info
         (problem.lower, problem.upper),
         noise_known=problem.noise_known,
         logarithmic=problem.logarithmic,
+        loss=loss,
     )
 
 

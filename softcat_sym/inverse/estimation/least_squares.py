@@ -90,15 +90,20 @@ class Loss:
         z = (residuals / self.scale) ** 2
         return {"linear": np.ones_like(z), "soft-l1": 1 / np.sqrt(1 + z), "cauchy": 1 / (1 + z)}[self.kind]
 
-    def curvatures(self, residuals: Floats) -> Floats:
-        """Weight rho' + 2 r^2 rho'' of each squared derivative in the Gauss-Newton Hessian, shape (m,).
-
-        Cut at zero, where the loss of an outlier curves downwards and would make the Hessian indefinite.
-        """
+    def slopes(self, residuals: Floats) -> Floats:
+        """Derivative rho' + 2 r^2 rho'' of psi(r) = rho'(r^2) r, shape (m,); of Cauchy's outliers negative."""
         z = (residuals / self.scale) ** 2
         if self.kind == "cauchy":
-            return np.maximum(1 - z, 0) / (1 + z) ** 2
-        return (1 + z) ** -1.5 if self.kind == "soft-l1" else np.ones_like(z)
+            return np.asarray((1 - z) / (1 + z) ** 2, dtype=np.float64)
+        return np.asarray((1 + z) ** -1.5 if self.kind == "soft-l1" else np.ones_like(z), dtype=np.float64)
+
+    def curvatures(self, residuals: Floats) -> Floats:
+        """Weight of each squared derivative in the Gauss-Newton Hessian, shape (m,).
+
+        The slopes of psi, cut at zero where the loss of an outlier curves downwards and would make the Hessian
+        indefinite.
+        """
+        return np.maximum(self.slopes(residuals), 0.0)
 
 
 LINEAR = Loss()
@@ -149,48 +154,3 @@ class Fixed:
         """As of the whole problem, without the column of the unknown that is held."""
         residuals, jacobian = self.whole.linearised(self.filled(q))
         return residuals, np.delete(jacobian, self.index, axis=1)
-
-
-@dataclass(frozen=True, eq=False)
-class Weighted:
-    """A problem whose squared residuals have weights.
-
-    With the weights rho' of a robust optimum its least squares lie at that optimum, and what holds for least squares
-    (covariance, profile likelihood) holds for it to first order: iteratively reweighted least squares (Holland and
-    Welsch 1977) at the last of its iterations.
-
-    Attributes
-    ----------
-    whole : LeastSquares
-        The problem.
-    weights : ndarray, shape (m,)
-        Of the squared residuals, not negative.
-    """
-
-    whole: LeastSquares
-    weights: Floats
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The same unknowns."""
-        return self.whole.names
-
-    @property
-    def lower(self) -> Floats:
-        """The same bounds."""
-        return self.whole.lower
-
-    @property
-    def upper(self) -> Floats:
-        """The same bounds."""
-        return self.whole.upper
-
-    def residuals(self, q: Floats) -> Floats:
-        """sqrt(weight) times the residual."""
-        return np.sqrt(self.weights) * self.whole.residuals(q)
-
-    def linearised(self, q: Floats) -> tuple[Floats, Floats]:
-        """Likewise, with the derivatives."""
-        residuals, jacobian = self.whole.linearised(q)
-        root = np.sqrt(self.weights)
-        return root * residuals, root[:, None] * jacobian

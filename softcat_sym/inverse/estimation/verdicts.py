@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from softcat_sym.inverse.estimation.fisher import LARGEST_ERROR, Information
-from softcat_sym.inverse.estimation.least_squares import Floats, LeastSquares
+from softcat_sym.inverse.estimation.least_squares import LINEAR, Floats, LeastSquares, Loss
 from softcat_sym.inverse.estimation.optimise import Optimum
-from softcat_sym.inverse.estimation.profiles import Profile
+from softcat_sym.inverse.estimation.profiles import TOO_MANY, Profile
 
 Word = Literal["identified", "one-sided", "not identified", "at a bound"]
 
@@ -54,7 +54,11 @@ class Verdict:
 
 
 def verdicts(
-    problem: LeastSquares, optimum: Optimum, information: Information, profiles: Sequence[Profile] | None = None
+    problem: LeastSquares,
+    optimum: Optimum,
+    information: Information,
+    profiles: Sequence[Profile] | None = None,
+    loss: Loss = LINEAR,
 ) -> tuple[Verdict, ...]:
     """Judge every unknown.
 
@@ -68,6 +72,8 @@ def verdicts(
         There.
     profiles : sequence of Profile or None
         Of the unknowns in their order; without them the intervals are those of the linear theory.
+    loss : Loss
+        What was minimised.
 
     Returns
     -------
@@ -78,7 +84,7 @@ def verdicts(
         last = zip(information.names, optimum.q.tolist(), strict=True)
         return tuple(Verdict(name, "not identified", None, q, None, None, None, reason) for name, q in last)
     found = []
-    pulls = _pulls(optimum, information.noise)
+    pulls = _pulls(optimum, information, loss)
     for k, name in enumerate(information.names):
         bounds = float(problem.lower[k]), float(problem.upper[k])
         error = float(information.standard_errors[k])
@@ -88,8 +94,18 @@ def verdicts(
         else:
             ends = _profile_ends(profiles[k], identified=bool(information.identified[k]))
         pulled = bool(optimum.at_bound[k]) and pulls[k] > information.quantile
-        found.append(_judged(name, float(optimum.q[k]), error, ends, information, pulled=pulled, index=k))
+        one = _judged(name, float(optimum.q[k]), error, ends, information, pulled=pulled, index=k)
+        found.append(one if profiles is None else _as_far_as_followed(one, profiles[k]))
     return tuple(found)
+
+
+def _as_far_as_followed(verdict: Verdict, profile: Profile) -> Verdict:
+    """The verdict with what was not looked at said: an end that is not known may lie beyond."""
+    sides = (profile.lower, profile.upper)
+    if verdict.word == "identified" or all(side.certain and side.flag != TOO_MANY for side in sides):
+        return verdict
+    unseen = "; its profile was not followed to its end, which would have taken too long"
+    return replace(verdict, reason=verdict.reason + unseen)
 
 
 def _judged(
@@ -124,9 +140,10 @@ def _judged(
 
 
 def _profile_ends(profile: Profile, *, identified: bool) -> tuple[float | None, float | None]:
-    """Crossings; of an undetermined direction, not those that only the bounds of other unknowns make."""
+    """Crossings; of an undetermined direction, not those that only bounds of other unknowns or haste make."""
     lower, upper = (
-        None if side.held_back and not identified else side.crossing for side in (profile.lower, profile.upper)
+        None if (side.held_back or not side.certain) and not identified else side.crossing
+        for side in (profile.lower, profile.upper)
     )
     return lower, upper
 
@@ -141,12 +158,13 @@ def _linear_ends(best: float, half: float, bounds: tuple[float, float]) -> tuple
     return (lower if lower > bounds[0] else None), (upper if upper < bounds[1] else None)
 
 
-def _pulls(optimum: Optimum, noise: float) -> Floats:
-    """Score statistic of each unknown, shape (k,): the residuals along its column, those of the free others removed.
+def _pulls(optimum: Optimum, information: Information, loss: Loss) -> Floats:
+    """Score statistic of each unknown, shape (k,): charged residuals along its column, without the free others.
 
     Near zero where the optimum lies inside the box; large where a bound holds the unknown back (Rao 1948).
     """
     free = ~optimum.at_bound
+    charged = optimum.residuals if loss.kind == "linear" else loss.weights(optimum.residuals) * optimum.residuals
     pulls = np.zeros(optimum.q.size)
     for k in np.flatnonzero(optimum.at_bound):
         others = optimum.jacobian[:, free]
@@ -154,6 +172,6 @@ def _pulls(optimum: Optimum, noise: float) -> Floats:
         alone = column - others @ np.linalg.lstsq(others, column, rcond=1e-8)[0]
         length = float(np.linalg.norm(alone))
         # Where the data hardly see the unknown, a pull is that of a single datum and moves nothing.
-        if length * LARGEST_ERROR > noise:
-            pulls[k] = abs(float(alone @ optimum.residuals)) / (length * noise)
+        if length * LARGEST_ERROR > information.noise:
+            pulls[k] = abs(float(alone @ charged)) / (length * information.spread.score)
     return pulls

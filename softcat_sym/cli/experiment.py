@@ -1,0 +1,122 @@
+"""``softcat experiment``: what to film, before it is filmed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    OutputOption,
+    QuietOption,
+    SceneArgument,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    scene_of,
+)
+from softcat_sym.cli.pairs import read_pair
+
+if TYPE_CHECKING:
+    from softcat_sym.inverse import CriticalSpan
+    from softcat_sym.inverse.filament_fit import FitProgress
+    from softcat_sym.scene import Scene
+
+_RANGE = "LOW:HIGH"
+
+FreeOption = Annotated[
+    list[str], typer.Option("--free", metavar="NAME", help="What the film is to tell: viscosity. Repeatable.")
+]
+NoiseOption = Annotated[
+    str, typer.Option("--noise", metavar="LENGTH", help="Error of one reading: '10 um', or '1 %' of the largest sag.")
+]
+SpanOption = Annotated[
+    str | None, typer.Option("--span", metavar=_RANGE, help="Between which to choose: 5:50 mm. The scene's by default.")
+]
+ThicknessOption = Annotated[str | None, typer.Option("--thickness", metavar=_RANGE, help="Likewise: 1:4 mm.")]
+RateOption = Annotated[str | None, typer.Option("--frame-rate", metavar=_RANGE, help="Of the camera: 25:1000 Hz.")]
+DurationOption = Annotated[str | None, typer.Option("--duration", metavar=_RANGE, help="Of the film: 1:60 s.")]
+NuisanceOption = Annotated[
+    list[str] | None,
+    typer.Option("--nuisance", metavar="NAME", help="Not known either, but not wanted: time_offset. Repeatable."),
+]
+FramesOption = Annotated[
+    int | None, typer.Option("--frames-at-most", metavar="NUMBER", min=2, help="That the camera keeps.")
+]
+RoughOption = Annotated[
+    float, typer.Option("--rough", metavar="FACTOR", help="By which the scene's values may be wrong either way.")
+]
+DepthOption = Annotated[
+    str | None,
+    typer.Option("--sag-at-most", metavar="LENGTH", help="What the designed filament may sag: '5 mm', '5 %' of span."),
+]
+SagOption = Annotated[
+    str | None,
+    typer.Option("--sag", metavar="LENGTH", help="Also find the largest span of the scene that sags less: '1 mm'."),
+]
+
+
+@app.command()
+def experiment(
+    scene: SceneArgument,
+    free: FreeOption,
+    noise: NoiseOption,
+    output: OutputOption,
+    span: SpanOption = None,
+    thickness: ThicknessOption = None,
+    frame_rate: RateOption = None,
+    duration: DurationOption = None,
+    nuisance: NuisanceOption = None,
+    frames_at_most: FramesOption = None,
+    rough: RoughOption = 1.0,
+    sag_at_most: DepthOption = None,
+    sag: SagOption = None,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Design the film that tells a material best: experiment.json, scene.toml, picture and table in DIR.
+
+    The scene holds rough values. Among what is allowed, the least worst relative error is chosen; the rest stays.
+    """
+    check_directory(output)
+    asked = scene_of(scene, changes)
+    within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
+    from softcat_sym.inverse import design_experiment
+    from softcat_sym.report.experiment_files import write_experiment
+    from softcat_sym.report.fit_progress import FitProgressBar as Bar
+
+    try:
+        with Bar(quiet=quiet) as progress:
+            # The quicker of the two first.
+            critical = None if sag is None else _critical(asked, sag, progress)
+            design = design_experiment(
+                asked,
+                free,
+                noise,
+                within,
+                nuisance=nuisance or [],
+                frames_at_most=frames_at_most,
+                rough=rough,
+                sag_at_most=sag_at_most,
+                told=lambda trial: progress.stage(f"tried a span of {trial.span:.3g} m", 0, 1),
+            )
+    except KeyboardInterrupt:
+        complain("interrupted; nothing was written")
+        raise typer.Exit(INTERRUPTED) from None
+    written = write_experiment(design, output, critical)
+    if not quiet:
+        typer.echo("\n".join((*design.text, *(() if critical is None else critical.text))))
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+
+
+def _within(given: dict[str, str | None]) -> dict[str, object]:
+    """Read what may be chosen; what is no pair of values is one, or refused by the design."""
+    return {name: read_pair(text) or text for name, text in given.items() if text is not None}
+
+
+def _critical(scene: Scene, limit: str, progress: FitProgress) -> CriticalSpan:
+    from softcat_sym.inverse import critical_span
+
+    return critical_span(scene, limit, told=lambda span, _: progress.stage(f"sag of a span of {span:.3g} m", 0, 1))
