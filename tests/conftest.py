@@ -34,6 +34,18 @@ COMPILING = (
     "acceptance/test_against_elements.py",
     "acceptance/test_slenderness.py",
     "acceptance/test_necking.py",
+    "acceptance/test_calculix.py",
+    "acceptance/test_figures.py",
+    "acceptance/test_phase_diagram.py",
+    "acceptance/test_where_theory_ends.py",
+    "cli/test_compare_calculix.py",
+    "cli/test_compare_vary.py",
+    "cli/test_figures.py",
+    "report/test_figure_elements.py",
+    "report/test_figure_phase.py",
+    "report/test_vtk.py",
+    "study/test_phase_",
+    "study/test_theory_end.py",
 )
 
 

@@ -15,7 +15,9 @@ from softcat_sym.cli import effects as effects  # isort: skip
 from softcat_sym.cli import generate as generate  # isort: skip
 from softcat_sym.cli import compare as compare  # isort: skip
 from softcat_sym.cli import figures as figures  # isort: skip
+from softcat_sym.cli import phase as phase  # isort: skip
 from softcat_sym.cli import fit as fit  # isort: skip
+from softcat_sym.cli import experiment as experiment  # isort: skip
 from softcat_sym.cli import flow_curve as flow_curve  # isort: skip
 from softcat_sym.cli import scenes as scenes  # isort: skip
 from softcat_sym.cli import cache as cache  # isort: skip

@@ -8,70 +8,87 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
     check_directory,
-    complain,
-    judge,
     scene_of,
 )
+from softcat_sym.cli.compare_calculix import Engine, compare_in_calculix
+from softcat_sym.cli.compare_elements import compare_with_elements
 
 if TYPE_CHECKING:
     from softcat_sym.reference import Mesh
+
+
+MeshOption = Annotated[
+    str | None,
+    typer.Option(
+        "--mesh",
+        metavar="ALONGxTHROUGH",
+        help="Elements over half the span, and the thickness.",
+        show_default="64x4; with --vary 32x4",
+    ),
+]
+VaryOption = Annotated[
+    str | None,
+    typer.Option(
+        "--vary",
+        metavar="KEY=VALUE,VALUE,...",
+        help="Measure the theories at several values of one variable, or KEY=FIRST:LAST:NUMBER[:log].",
+    ),
+]
+FaceOption = Annotated[
+    bool, typer.Option("--fixed-face", help="Hold every point of the clamped face, which then cannot thin.")
+]
+EngineOption = Annotated[
+    Engine, typer.Option("--engine", help="Our own elements, CalculiX (Debian: calculix-ccx), or both.")
+]
+DeckOption = Annotated[
+    bool, typer.Option("--deck-only", help="Write CalculiX's input deck into DIR/calculix, and run nothing.")
+]
 
 
 @app.command()
 def compare(
     scene: SceneArgument,
     output: OutputOption,
-    mesh: Annotated[
-        str, typer.Option("--mesh", metavar="ALONGxTHROUGH", help="Elements over half the span, and the thickness.")
-    ] = "64x4",
-    fixed_face: Annotated[
-        bool, typer.Option("--fixed-face", help="Hold every point of the clamped face, which then cannot thin.")
-    ] = False,
+    mesh: MeshOption = None,
+    vary: VaryOption = None,
+    fixed_face: FaceOption = False,
+    engine: EngineOption = Engine.ELEMENTS,
+    deck_only: DeckOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Compare the filament with finite elements: compare.json, pictures and tables in DIR.
 
     Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
-    their state in DIR/elements.npz: after Ctrl-C the same command goes on from there.
+    their state in DIR/elements.npz: after Ctrl-C the same command goes on from there. Where meshio is installed, meshes
+    and fields go to DIR/vtk for ParaView. With --engine calculix a solver that is not ours takes the elements' place.
+
+    With --vary the errors of the theories stand against one variable, beside those of half as many elements and what
+    each run costs; where the filament gets thinner, the slender limit is extrapolated.
     """
+    from softcat_sym.reference import Clamp
+
+    face = Clamp.FIXED if fixed_face else Clamp.THINNING
+    if vary is not None:
+        from softcat_sym.cli.compare_vary import compare_varied
+
+        if deck_only or engine is not Engine.ELEMENTS:
+            raise typer.BadParameter("it varies the runs of our own elements only", param_hint="--vary")
+        compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, quiet=quiet)
+        return
     asked = scene_of(scene, changes)
     check_directory(output)
-    from softcat_sym.reference import Clamp
-    from softcat_sym.report.compare_files import write_comparison
-    from softcat_sym.report.progress import IntegrationProgress
-    from softcat_sym.study.compare import compare as against_elements
-
-    checkpoint, size = output / "elements.npz", _mesh(mesh)
-    if checkpoint.is_file() and not quiet:
-        typer.echo(f"the elements go on from {checkpoint}")
-    try:
-        comparison = against_elements(
-            asked,
-            size,
-            clamp=Clamp.FIXED if fixed_face else Clamp.THINNING,
-            checkpoint=checkpoint,
-            progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
-        )
-    except KeyboardInterrupt:
-        kept = f"the same command goes on from {checkpoint}" if checkpoint.is_file() else "nothing was written"
-        complain(f"interrupted; {kept}")
-        raise typer.Exit(INTERRUPTED) from None
-    written = write_comparison(comparison, output)
-    if not quiet:
-        from softcat_sym.report.compare_terminal import print_comparison
-
-        print_comparison(comparison)
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
-    own = comparison.filament.trajectory
-    judge(own.outcome, own.summary["complaint"], quiet=quiet)
+    size = _mesh(mesh or "64x4")
+    if deck_only or engine is not Engine.ELEMENTS:
+        compare_in_calculix(asked, output, size, face, engine=engine, deck_only=deck_only, quiet=quiet)
+    else:
+        compare_with_elements(asked, output, size, face, quiet=quiet)
 
 
 def _mesh(text: str) -> Mesh:

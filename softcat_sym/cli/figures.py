@@ -2,33 +2,137 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import OutputOption, QuietOption, app, check_directory
+from softcat_sym.cli.application import INTERRUPTED, OutputOption, QuietOption, app, check_directory, complain
+
+if TYPE_CHECKING:
+    from softcat_sym.study.figure_scenes import FigureScene, FilmedScene
+
+_NUMBERS = ("2", "3a", "3b", "4")
 
 
 @app.command()
 def figures(
     output: OutputOption,
     only: Annotated[
-        list[int] | None, typer.Option("--only", metavar="NUMBER", help="Only this figure of the paper. Repeatable.")
+        list[str] | None,
+        typer.Option("--only", metavar="NUMBER", help=f"Only this figure: {', '.join(_NUMBERS)}. Repeatable."),
     ] = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Draw the paper's figures: PNG, data as CSV, facts and caption as JSON. Now there is figure 2."""
-    asked = only or [2]
-    if set(asked) != {2}:
-        raise typer.BadParameter("figure 2 is the one there is; the others are not yet available", param_hint="--only")
+    """Draw the paper's figures 2, 3(a), 3(b) and 4: PNG and PDF, data as CSV, facts and caption as JSON.
+
+    Figure 3(a) runs a thousand filaments, a minute or two. Figures 3(b) and 4 run finite elements, a minute or so a
+    scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command goes on from there, and finished
+    ones are not run again.
+    """
+    asked = only or list(_NUMBERS)
+    unknown = [number for number in asked if number not in _NUMBERS]
+    if unknown:
+        raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
     check_directory(output)
-    from softcat_sym.report.maxwell_descent import caption, write_maxwell_descent
+    from softcat_sym.files import write_all
+
+    filmed: dict[str, FilmedScene] = {}
+    try:
+        for number in _NUMBERS:
+            if number not in asked:
+                continue
+            with _kept(output):
+                contents, said = _MADE[number](output, filmed, quiet)
+                written = write_all(output, contents)
+            if not quiet:
+                typer.echo(said)
+                typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    except KeyboardInterrupt:
+        kept = any(output.glob("elements-*.npz"))
+        complain(f"interrupted; the same command goes on from {output}" if kept else "interrupted")
+        raise typer.Exit(INTERRUPTED) from None
+
+
+_Made = tuple[dict[str, bytes], str]
+
+
+def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
+    """Figure 2."""
+    del output, filmed
+    from softcat_sym.report.maxwell_descent import caption, maxwell_descent_files
     from softcat_sym.report.progress import StepProgress
     from softcat_sym.study.maxwell_descent import RELAXATION, SLENDERNESS, maxwell_descents
 
     with StepProgress(2 * len(RELAXATION) * len(SLENDERNESS), "figure 2", quiet=quiet) as progress:
         panels = maxwell_descents(progress.step)
-    written = write_maxwell_descent(panels, output)
-    if not quiet:
-        typer.echo(caption(panels))
-        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    return maxwell_descent_files(panels), caption(panels)
+
+
+def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
+    """Figure 3(a)."""
+    del output, filmed
+    from softcat_sym.ensemble.progress import MembersBar, NobodyListens
+    from softcat_sym.report.figure_phase import caption, phase_files
+    from softcat_sym.scene import load_scene
+    from softcat_sym.study.phase_diagram import SETTINGS, phase_diagram
+
+    scene = load_scene("arrested-overdamped", list(SETTINGS))
+    with nullcontext(NobodyListens()) if quiet else MembersBar("figure 3(a)") as progress:
+        diagram = phase_diagram(scene, progress=progress)
+    return phase_files(diagram), caption(diagram)
+
+
+def _midpoints(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
+    """Figure 3(b)."""
+    from softcat_sym.report.figure_midpoints import caption, midpoint_files
+    from softcat_sym.study.figure_facts import scene_facts
+    from softcat_sym.study.figure_scenes import SCENES
+
+    scenes = [_film(of, output, filmed, quiet) for of in SCENES]
+    return midpoint_files(scenes), caption({each.of.name: scene_facts(each) for each in scenes})
+
+
+def _snapshots(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
+    """Figure 4."""
+    from softcat_sym.report.figure_snapshots import caption, snapshot_files
+    from softcat_sym.study.figure_scenes import SCENES, SNAPSHOTS
+
+    scenes = [_film(of, output, filmed, quiet) for of in SCENES if of.name in SNAPSHOTS]
+    return snapshot_files(scenes), caption({each.of.name: each for each in scenes})
+
+
+def _film(of: FigureScene, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> FilmedScene:
+    """Run a scene, once for all figures."""
+    from softcat_sym.report.progress import IntegrationProgress
+    from softcat_sym.study.figure_scenes import film_scene
+
+    if of.name not in filmed:
+        filmed[of.name] = film_scene(
+            of, output, lambda what, duration: IntegrationProgress(duration, what, quiet=quiet)
+        )
+    return filmed[of.name]
+
+
+_MADE: dict[str, Callable[[Path, dict[str, FilmedScene], bool], _Made]] = {
+    "2": _descent_of_maxwell,
+    "3a": _phases,
+    "3b": _midpoints,
+    "4": _snapshots,
+}
+
+
+@contextmanager
+def _kept(folder: Path) -> Iterator[None]:
+    """Make a folder; if what follows fails and leaves it empty, it is taken away again."""
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        yield
+    except BaseException:
+        for path in made:
+            if not any(path.iterdir()):
+                path.rmdir()
+        raise

@@ -16,7 +16,7 @@ from softcat_sym.reference.mesh import Strip
 from softcat_sym.reference.point_code import PointCode
 from softcat_sym.reference.supports import Supports
 
-_POINT_STATE = 3
+POINT_STATE = 3
 _UNSTRAINED = (1.0, 0.0, 1.0)
 _ARRAYS = ("displacement", "velocity", "acceleration", "point", "rate")
 _SCALARS = ("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -46,6 +47,10 @@ class ElementRun:
         Output times at which a rate field is kept, the last one included.
     rate : ndarray, shape (fields, elements, 4)
         Equivalent tensile plastic rate [1/s] at the Gauss points; the plastic shear rate is sqrt(3) times it.
+    displacement : ndarray, shape (fields, nodes, 2)
+        Displacement of every node at the same instants [m].
+    flow : ndarray, shape (fields, elements, 4, 3)
+        Cp^-1 in the plane, 11, 12, 22, at the Gauss points at the same instants.
     point : ndarray, shape (elements, 4, 2)
         Reference positions X, Y of the Gauss points.
     dofs : int
@@ -78,6 +83,8 @@ class ElementRun:
     work: float
     rate_time: Floats
     rate: Floats
+    displacement: Floats
+    flow: Floats
     point: Floats
     dofs: int
     steps: int
@@ -112,8 +119,7 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
     span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     # Two halves, as wide as the filament.
-    joule = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width
-    stored = kept["kinetic"] + kept["elastic"] + kept["dissipated"]
+    joule, stored = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width, _stored(kept)
     return ElementRun(
         time=time,
         elastic_time=scale,
@@ -133,6 +139,8 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
         work=float(joule * np.abs(kept["gravity_work"]).max()),
         rate_time=time[records.frame_of_field],
         rate=kept["rate"] / scale,
+        displacement=span * kept["displacement"],
+        flow=kept["flow"],
         point=span * strip.points,
         dofs=dofs,
         steps=int(kept["steps"][-1]),
@@ -140,3 +148,8 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
         mesh=strip.mesh,
         clamp=clamp,
     )
+
+
+def _stored(kept: Mapping[str, Floats]) -> Floats:
+    """Kinetic, elastic and dissipated energy."""
+    return kept["kinetic"] + kept["elastic"] + kept["dissipated"]

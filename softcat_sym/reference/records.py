@@ -8,12 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.reference.element import POINTS, Floats
-from softcat_sym.reference.element_loop import ElementLoop
+from softcat_sym.reference.element_loop import POINT_STATE, ElementLoop
 from softcat_sym.reference.mesh import Strip
 from softcat_sym.reference.problem import Problem
 
-# Rate fields kept, evenly spaced; the last output time is always among them.
+# Fields kept, evenly spaced; the last output time is always among them.
 _FIELDS = 21
+_LATER = ("displacement", "flow")
 ENERGIES = ("kinetic", "elastic", "dissipated", "gravity_work", "potential")
 
 
@@ -31,13 +32,16 @@ class Records:
     def __init__(self, problem: Problem, strip: Strip) -> None:
         frames = problem.frames
         self.frame_of_field = np.unique(np.linspace(0, frames - 1, min(_FIELDS, frames)).round().astype(int))
+        fields = len(self.frame_of_field)
         self.arrays: dict[str, Floats] = {
             "centreline": np.full((frames, len(strip.centreline), 2), np.nan),
             "thinning": np.full(frames, np.nan),
             "clamp_strain_mean": np.full(frames, np.nan),
             "clamp_strain_largest": np.full(frames, np.nan),
             "steps": np.full(frames, np.nan),
-            "rate": np.full((len(self.frame_of_field), len(strip.corner), len(POINTS)), np.nan),
+            "rate": np.full((fields, len(strip.corner), len(POINTS)), np.nan),
+            "displacement": np.full((fields, *strip.position.shape), np.nan),
+            "flow": np.full((fields, len(strip.corner), len(POINTS), POINT_STATE), np.nan),
             **{name: np.full(frames, np.nan) for name in ENERGIES},
         }
 
@@ -71,12 +75,18 @@ class Records:
         field = np.searchsorted(self.frame_of_field, frame)
         if field < len(self.frame_of_field) and self.frame_of_field[field] == frame:
             arrays["rate"][field] = loop.rate
+            arrays["displacement"][field] = loop.displacement
+            arrays["flow"][field] = loop.point
 
     def state(self) -> dict[str, Floats]:
         """The arrays, for a checkpoint."""
         return {f"record_{name}": array for name, array in self.arrays.items()}
 
     def restore(self, state: Mapping[str, npt.NDArray[np.generic]]) -> None:
-        """Take the arrays of a :meth:`state`."""
+        """Take the arrays of a :meth:`state`.
+
+        A checkpoint from before displacements and flow were kept lacks them: those instants stay NaN.
+        """
         for name, array in self.arrays.items():
-            array[...] = state[f"record_{name}"]
+            if name not in _LATER or f"record_{name}" in state:
+                array[...] = state[f"record_{name}"]

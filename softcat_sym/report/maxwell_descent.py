@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from softcat_sym.files import replace_atomically
 from softcat_sym.report import style
-from softcat_sym.report.canvas import axes_in_inches, new_figure, png
+from softcat_sym.report.canvas import axes_in_inches, new_figure
+from softcat_sym.report.figure_files import printed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -101,14 +100,8 @@ def _draw(axes: Axes, panel: Panel, *, first: bool, last: bool) -> None:
         axes.tick_params(labelleft=False)
 
 
-def write_maxwell_descent(panels: Sequence[Panel], directory: Path) -> list[Path]:
-    """Write ``figure2.png``, ``figure2.csv`` and ``figure2.json``.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be written.
-    """
+def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
+    """Picture, data and facts of figure 2, by file name."""
     lines = ["delta,tau_star,curve,time_star,sag_over_span\n"]
     for panel in panels:
         for curve in panel.curves:
@@ -129,10 +122,8 @@ def write_maxwell_descent(panels: Sequence[Panel], directory: Path) -> list[Path
             for panel in panels
         ],
     }
-    contents = {
-        "figure2.png": png(maxwell_descent_figure(panels)),
+    return {
+        **printed("figure2", maxwell_descent_figure(panels)),
         "figure2.csv": "".join(lines).encode(),
         "figure2.json": (json.dumps(facts, indent=2) + "\n").encode(),
     }
-    directory.mkdir(parents=True, exist_ok=True)
-    return [replace_atomically(directory / name, content) for name, content in contents.items()]
