@@ -1,10 +1,17 @@
-"""Writing a file whole or not at all."""
+"""Writing files whole or not at all, one by one or all together."""
 
 from __future__ import annotations
 
+import errno
+import os
 import secrets
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from pathlib import Path
+
+_waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", default=None)
+"""Files that are written but not in their place yet, and their places; None where each goes there at once."""
 
 
 def replace_atomically(path: Path, content: bytes) -> Path:
@@ -36,20 +43,67 @@ def replace_atomically(path: Path, content: bytes) -> Path:
 
 
 def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
-    """Write several files into a folder, which is made if missing, each as :func:`replace_atomically` does.
+    """Write several files into a folder, which is made if missing, :func:`written_together`.
 
     Raises
     ------
     OSError
-        If the folder cannot be made or written.
+        If the folder cannot be made or written. Then none of them is.
+    """
+    with made(directory) as folder, written_together():
+        return [replace_atomically(folder / name, content) for name, content in contents.items()]
+
+
+@contextmanager
+def made(directory: str | Path) -> Iterator[Path]:
+    """Make a folder and those above it, if they are missing; if then nothing comes into them, they go again.
+
+    Raises
+    ------
+    OSError
+        If it cannot be made.
     """
     folder = Path(directory)
-    folder.mkdir(parents=True, exist_ok=True)
-    return [replace_atomically(folder / name, content) for name, content in contents.items()]
+    missing = [place for place in (folder, *folder.parents) if not place.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        yield folder
+    except BaseException:
+        for place in missing:
+            with suppress(OSError):  # there is something in it, or it was never made
+                place.rmdir()
+        raise
+
+
+@contextmanager
+def written_together() -> Iterator[None]:
+    """Move what is written meanwhile into place only when all of it is: a full disk then leaves the old files alone.
+
+    Raises
+    ------
+    OSError
+        If the place of a file is taken by a folder.
+    """
+    if _waiting.get() is not None:
+        yield
+        return
+    waiting: list[tuple[Path, Path]] = []
+    before = _waiting.set(waiting)
+    try:
+        yield
+        for _, path in waiting:
+            if path.is_dir():
+                raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+        for passing, path in waiting:
+            passing.replace(path)
+    finally:
+        _waiting.reset(before)
+        for passing, _ in waiting:
+            passing.unlink(missing_ok=True)
 
 
 def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
-    """Let `fill` write a file next to its place, then move it there.
+    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later.
 
     Parameters
     ----------
@@ -65,9 +119,19 @@ def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
     """
     # A name of its own keeps two runs into one folder apart. Not tempfile: its files are readable by their owner only.
     passing = path.with_name(f".{path.stem}.{secrets.token_hex(4)}.part{path.suffix}")
+    waiting, kept = _waiting.get(), False
     try:
         fill(passing)
-        passing.replace(path)
+        if waiting is None:
+            passing.replace(path)
+        else:
+            waiting.append((passing, path))
+            kept = True
+    except OSError as error:
+        if error.errno is not None and error.filename is None:  # as when a disk is full
+            error.filename = str(path)
+        raise
     finally:
-        passing.unlink(missing_ok=True)
+        if not kept:
+            passing.unlink(missing_ok=True)
     return path

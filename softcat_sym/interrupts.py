@@ -1,4 +1,4 @@
-"""Ctrl-C handled in one's own way for a while."""
+"""Ctrl-C handled in one's own way for a while, and the signals that end a program going the same way."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
+
+_SHELL = 128
+"""What a shell adds to the number of the signal that ended a program."""
 
 
 @contextmanager
@@ -21,3 +24,77 @@ def interrupts_go_to(note: Callable[[int, FrameType | None], None]) -> Iterator[
         yield
     finally:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+class Ending:
+    """Which signal has ended the program, if one has.
+
+    Attributes
+    ----------
+    number : int or None
+        SIGTERM, or SIGHUP; None if none has come, and of Ctrl-C.
+    """
+
+    def __init__(self) -> None:
+        self.number: int | None = None
+
+    @property
+    def status(self) -> int:
+        """Exit status of the interrupted program, as a shell gives it: 130, 143 or 129."""
+        return _SHELL + (self.number or signal.SIGINT)
+
+    def note(self, number: int, frame: FrameType | None) -> None:
+        """Handle the signal: do what Ctrl-C does at this moment.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            Unless whoever handles Ctrl-C puts it off.
+        """
+        self.number = number
+        handler = signal.getsignal(signal.SIGINT)
+        if not callable(handler):
+            raise KeyboardInterrupt
+        handler(signal.SIGINT, frame)
+
+
+@contextmanager
+def ended_like_ctrl_c() -> Iterator[Ending]:
+    """Let SIGTERM and SIGHUP end the program as Ctrl-C does: children are ended, temporary files removed.
+
+    For a program's entry: a library must not do so behind its user's back. A signal that is ignored or handled in
+    another way stays so, and nothing is done outside the main thread.
+    """
+    ending = Ending()
+    if threading.current_thread() is not threading.main_thread():
+        yield ending
+        return
+    wanted = [signal.SIGTERM, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else [])]
+    ours = [number for number in wanted if signal.getsignal(number) is signal.SIG_DFL]
+    with _ignored_by_mask():
+        for number in ours:
+            signal.signal(number, ending.note)
+        try:
+            yield ending
+        finally:
+            for number in ours:
+                signal.signal(number, signal.SIG_DFL)
+
+
+@contextmanager
+def _ignored_by_mask() -> Iterator[None]:
+    """Where Ctrl-C is ignored, as in the background of a script, block it instead: a handler can then be installed.
+
+    Only with a handler does a call into C notice that it is to end, whichever signal says so.
+    """
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN or not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        # Ignored first: a Ctrl-C that waits is then dropped.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from softcat_sym.clock import Clock
-    from softcat_sym.effects import Effects
     from softcat_sym.scene import Scene
-    from softcat_sym.solve import Prepared, Progress
+    from softcat_sym.solve import Progress
     from softcat_sym.trajectory import Trajectory
 
 _REPEATS = 2
@@ -18,7 +16,8 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     """Run a filament.
 
     Where the program chooses the effects, the finished run is asked whether what was left out mattered; if it did, the
-    run is repeated with that in.
+    run is repeated with that in. Then its error is estimated from runs beside it, on a coarser grid above all, and it
+    is refined until the estimate is below ``run.accuracy``; ``numerics.estimate = false`` goes without.
 
     Parameters
     ----------
@@ -41,58 +40,43 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
         If the user stops it, wherever in CasADi that happens.
     """
     # Imported here, so that `import softcat_sym` stays light.
-    from softcat_sym.clock import Clock
-    from softcat_sym.effects import choose_effects
     from softcat_sym.solve import Silence, watched
 
-    clock, listener = Clock(), progress or Silence()
-    shown: dict[str, str] = {}
-    repeats: list[str] = []
     with watched() as interrupts:
         try:
-            trajectory = _run(scene, choose_effects(scene), clock, listener)
-            while trajectory.overlooked and len(repeats) < _REPEATS:
-                clock.set_aside()
-                shown |= trajectory.overlooked
-                repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.overlooked.items()))
-                trajectory = _run(scene, choose_effects(scene, shown), clock, listener)
+            return _with_all_that_matters(scene, progress or Silence())
         finally:
             interrupts.check()
-    return trajectory.repeated(repeats)
 
 
-def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepared:
-    """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready.
+def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
+    """Run, estimate, and repeat with what the finished run calls for."""
+    from softcat_sym.accuracy import as_accurate_as_asked
+    from softcat_sym.clock import Clock
+    from softcat_sym.effects import choose_effects
+    from softcat_sym.single_run import run_once
+
+    clock, shown = Clock(), dict[str, str]()
+    repeats: list[str] = []
+    while True:
+        effects = choose_effects(scene, shown)
+        trajectory = run_once(scene, scene, effects, clock, listener)
+        last = len(repeats) == _REPEATS
+        if scene.numerics.estimate and (last or not trajectory.overlooked):
+            trajectory = as_accurate_as_asked(trajectory, effects, clock, listener)
+        if last or not trajectory.overlooked:
+            return trajectory.repeated(repeats)
+        clock.set_aside()
+        shown |= trajectory.overlooked
+        repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.overlooked.items()))
+
+
+def without_estimate(scene: Scene) -> Scene:
+    """The same scene, run once and at the program's first guess: for runs whose error something else bounds.
 
     Parameters
     ----------
     scene : Scene
-        What is asked.
-    effects : Effects
-        From :func:`softcat_sym.effects.choose_effects`.
-    clock : Clock
-        Told what the compilation took.
+        Any.
     """
-    from softcat_sym.solve import choose_backend, prepare, settings_for
-    from softcat_sym.solve.assembled import assembled
-
-    backend = choose_backend(scene, effects)
-    settings = settings_for(scene, effects, compiled=backend.compiled)
-    filament = assembled(scene, effects)
-    if clock is not None and backend.compiled:
-        clock.lap("build")
-    code = filament.code(backend, settings)
-    if clock is not None and backend.compiled:
-        clock.lap("compile")
-    return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
-
-
-def _run(scene: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
-    """Integrate once with these effects, and judge the answer."""
-    from softcat_sym.trajectory import judge
-
-    prepared = build(scene, effects, clock)
-    clock.lap("build")
-    solution = prepared.solve(progress)
-    clock.lap("solve")
-    return judge(scene, effects, prepared, solution, clock.laps())
+    return scene.replace({"numerics.estimate": False})

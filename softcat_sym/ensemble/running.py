@@ -16,10 +16,10 @@ from softcat_sym.ensemble.progress import MembersProgress
 from softcat_sym.ensemble.shared import Workshop
 from softcat_sym.ensemble.verdict import verdict
 from softcat_sym.errors import SoftcatError
-from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import rest_length
 from softcat_sym.solve import Outcome, Solution
+from softcat_sym.trajectory.midpoint import midpoint_heights
 
 
 @dataclass(frozen=True)
@@ -136,7 +136,8 @@ def _run(member: Member, workshop: Workshop, stop: Stop) -> Record:
     judged = _first_and_last(solution) if prepared.graph.has_velocities else solution
     outcome, complaint, residual = verdict(member, prepared, judged)
     midpoint = np.full(scene.run.frames, np.nan)
-    midpoint[: len(solution.time)] = _heights(prepared.graph, solution) * rest_length(scene) + 0.0  # no minus zero
+    heights = midpoint_heights(prepared.graph, solution) * rest_length(scene)
+    midpoint[: len(solution.time)] = heights + 0.0  # no minus zero
     reached = float(solution.time[-1]) * prepared.scale
     wall = time.perf_counter() - begun
     return Record(midpoint, outcome, complaint, reached, residual, solution.steps, wall)
@@ -151,16 +152,3 @@ def _first_and_last(solution: Solution) -> Solution:
         z=solution.z[:, ends],
         quad=solution.quad[:, ends],
     )
-
-
-def _heights(graph: Graph, solution: Solution) -> Floats:
-    """Height of X = 0 over the rest length, shape (frames,)."""
-    middle = int(np.argmin(np.abs(graph.grid.nodes)))
-    for kinds, places, values in (
-        (graph.x_kinds, graph.x_places, solution.x),
-        (graph.z_kinds, graph.z_places, solution.z),
-    ):
-        for kind, place, row in zip(kinds, places, values, strict=True):
-            if kind == "y" and place == middle:
-                return np.asarray(row, dtype=float)
-    raise SoftcatError("the filament has no node at midspan")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -204,10 +205,12 @@ def _complaint(folder: Path, code: int) -> str:
     """What the log says went wrong, and when."""
     log = (folder / "log").read_text("ascii", "replace")
     found = re.findall(r"\*ERROR[^\n]*(?:\n +\S[^\n]*)*", log)
-    words = " ".join(found[-1].split()) if found else f"exit status {code}"
+    ended = f"exit status {code}" if code > 0 else f"killed by signal {-code}: {signal.strsignal(-code) or 'unknown'}"
+    words = " ".join(found[-1].split()) if found else ended
     status = folder / f"{_JOB}.sta"
     _, reached, _ = read_status(status.read_text("ascii", "replace") if status.is_file() else "")
-    return f"{words} (after {reached:.6g} s of simulated time); refine the mesh, or shorten the increments"
+    advice = "refine the mesh, or shorten the increments" if code > 0 else "if memory ran out, coarsen the mesh"
+    return f"{words} (after {reached:.6g} s of simulated time); {advice}"
 
 
 def _centreline(deck: Deck, printed: str) -> tuple[Floats, Floats]:

@@ -47,6 +47,7 @@ def summary_rows(summary: Summary, scene: PicturedScene) -> list[tuple[str, str]
     if summary.get("left_out"):
         rows.append(("left out", _left_out(summary)))
     rows.extend(("repeated", str(text)) for text in summary.get("repeats") or ())
+    rows.extend(("refined", str(text)) for text in summary.get("refinements") or ())
     parts = [str(summary[key]) for key in ("solver", "backend") if summary.get(key)]
     if summary.get("cells") is not None:
         parts.append(f"{summary['cells']} cells a half span")
@@ -116,9 +117,13 @@ def _estimate(estimate: Mapping[str, Any] | None) -> str:
     """The total and its parts, or that nothing has estimated it."""
     if estimate is None:
         return "not estimated"
-    parts = [f"{name} {_value(value)}" for name, value in estimate.items() if name != "total" and value is not None]
-    total = _value(estimate.get("total"))
-    return f"{total} ({', '.join(parts)})" if parts else total
+    named = ("space", "time", "section")
+    parts = [f"{name} {_value(estimate[name])}" for name in named if estimate.get(name) is not None]
+    total = estimate.get("total")
+    text = f"{_value(total)} of the largest midpoint" if total is not None else "not estimated in full"
+    omitted = estimate.get("effects")
+    beside = f"; effects left out may be worth {_value(omitted)}" if omitted else ""
+    return f"{text} ({', '.join(parts)}){beside}" if parts else f"{text}{beside}"
 
 
 def _listed(reasons: Mapping[str, Any] | None) -> str:

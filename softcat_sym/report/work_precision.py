@@ -21,9 +21,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_COLOURS = (style.BLUE, style.VERMILLION, style.ORANGE, style.GREEN, style.PURPLE)
-_MARKS = ("o", "s", "^", "D", "v")
+_COLOURS = (
+    *(style.BLUE, style.VERMILLION, style.ORANGE, style.GREEN, style.PURPLE),
+    *(style.SKY, style.BLACK, style.GREY),
+)
+_MARKS = ("o", "s", "^", "D", "v", "P", "X")
 _LEFT, _RIGHT, _ACROSS, _DOWN, _PANEL, _BOTTOM, _LINE = 0.72, 0.15, 0.55, 0.72, 2.0, 0.5, 0.145
+_ALONE, _IN_A_ROW, _LEGEND = 3.4, 4, 0.16
+_USELESS = 0.3
+"""A relative error that no axis is stretched for."""
+
 _COLUMNS, _LETTERS = 2, 122
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -49,10 +56,11 @@ class WorkPoint:
 
 @dataclass(frozen=True, slots=True)
 class WorkCurve:
-    """All runs of one program."""
+    """All runs of one program; that of a rival is dashed."""
 
     name: str
     points: tuple[WorkPoint, ...]
+    is_rival: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +85,9 @@ def seconds_for(points: Sequence[WorkPoint], error: float) -> float | None:
     return min((point.seconds for point in points if point.error <= error), default=None)
 
 
-def work_precision_figure(panels: Sequence[WorkPanel], title: str, caption: str = "") -> Figure:
+def work_precision_figure(
+    panels: Sequence[WorkPanel], title: str, caption: str = "", floor: float | None = None
+) -> Figure:
     """Draw one panel a problem, two in a row, all on the same axes.
 
     Parameters
@@ -88,6 +98,8 @@ def work_precision_figure(panels: Sequence[WorkPanel], title: str, caption: str 
         Along the top.
     caption : str, optional
         Below.
+    floor : float, optional
+        How well the answer is known that errors are measured against; below it nothing can be read off.
 
     Raises
     ------
@@ -101,28 +113,37 @@ def work_precision_figure(panels: Sequence[WorkPanel], title: str, caption: str 
     rows = -(-len(panels) // columns)
     lines = wrap(caption, _LETTERS)
     foot = _BOTTOM + 0.12 + _LINE * len(lines)
-    height = HEADING + 0.18 + rows * _PANEL + (rows - 1) * _DOWN + foot
+    panel_height = _ALONE if len(panels) == 1 and floor else _PANEL
     width = (style.WIDTH - _LEFT - _RIGHT - (columns - 1) * _ACROSS) / columns
     names = list(dict.fromkeys(curve.name for panel in panels for curve in panel.curves))
-    limits = _limits([p.seconds for p in drawn]), _limits([p.error for p in drawn])
+    legend = _LEGEND * ((len(names) - 1) // _IN_A_ROW)
+    height = HEADING + 0.18 + legend + rows * panel_height + (rows - 1) * _DOWN + foot
+    errors = [p.error for p in drawn if p.error <= _USELESS] or [p.error for p in drawn]
+    limits = _limits([p.seconds for p in drawn]), _limits(errors + ([floor] if floor else []))
     with style.styled():
         figure = new_figure(style.WIDTH, height)
-        left = 0.2 / style.WIDTH
-        head = style.printable(title, 90)
-        figure.text(left, 1 - 0.12 / height, head, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
         for number, panel in enumerate(panels):
             row, column = divmod(number, columns)
-            bottom = foot + (rows - 1 - row) * (_PANEL + _DOWN)
-            axes = axes_in_inches(figure, _LEFT + column * (width + _ACROSS), bottom, width, _PANEL)
+            bottom = foot + (rows - 1 - row) * (panel_height + _DOWN)
+            axes = axes_in_inches(figure, _LEFT + column * (width + _ACROSS), bottom, width, panel_height)
             _draw_panel(axes, panel, names, limits)
+            if floor:
+                axes.axhspan(limits[1][0], floor, color=style.FILAMENT, lw=0, zorder=0)
             axes.set_ylabel("relative error" if column == 0 else "")
             axes.set_xlabel("seconds")
-        first = figure.axes[0]
-        handles = first.get_legend_handles_labels()
-        place = (left, 1 - 0.3 / height)
-        figure.legend(*handles, loc="upper left", bbox_to_anchor=place, ncols=len(names), borderaxespad=0.0)
-        figure.text(left, 0.1 / height, "\n".join(lines), va="bottom", fontsize=7.5, parse_math=False)
+        _write_around(figure, title, lines, len(names))
     return figure
+
+
+def _write_around(figure: Figure, title: str, caption: Sequence[str], names: int) -> None:
+    """Title and legend along the top, caption below."""
+    height, left = figure.get_size_inches()[1], 0.2 / style.WIDTH
+    head = style.printable(title, 90)
+    figure.text(left, 1 - 0.12 / height, head, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
+    handles, place = figure.axes[0].get_legend_handles_labels(), (left, 1 - 0.3 / height)
+    across = min(names, _IN_A_ROW)
+    figure.legend(*handles, loc="upper left", bbox_to_anchor=place, ncols=across, borderaxespad=0.0)
+    figure.text(left, 0.1 / height, "\n".join(caption), va="bottom", fontsize=7.5, parse_math=False)
 
 
 def work_precision_csv(panels: Sequence[WorkPanel]) -> bytes:
@@ -180,7 +201,9 @@ def _draw_panel(
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(power_of_ten)
     for name in names:
-        points = [point for curve in panel.curves if curve.name == name for point in curve.points]
+        named = [curve for curve in panel.curves if curve.name == name]
+        points = [point for curve in named for point in curve.points]
+        line = "--" if any(curve.is_rival for curve in named) else "-"
         number = names.index(name)
         colour, mark = _COLOURS[number % len(_COLOURS)], _MARKS[number % len(_MARKS)]
         shown = [point for point in points if isfinite(point.error)]
@@ -191,7 +214,7 @@ def _draw_panel(
         axes.plot(
             [p.seconds for p in best],
             [p.error for p in best],
-            f"-{mark}",
+            f"{line}{mark}",
             color=colour,
             markersize=4,
             label=style.printable(name, 50),

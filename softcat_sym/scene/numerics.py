@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar, Literal
 
-from softcat_sym.scene.kinds import Choice, Number, Whole
+from softcat_sym.scene.kinds import Choice, Flag, Number, Whole
 from softcat_sym.scene.part import Part
 
 Solver = Literal["cvodes", "idas", "rosenbrock"]
@@ -30,6 +30,9 @@ class Numerics(Part):
         Its relative tolerance.
     backend : str
         ``"auto"``, ``"interpreted"`` or ``"compiled"``.
+    estimate : bool
+        Whether the error is estimated, by companions of the run on a coarser grid, and the run refined until it is
+        below ``run.accuracy``.
     """
 
     table_name: ClassVar[str] = "numerics"
@@ -41,3 +44,4 @@ class Numerics(Part):
     solver: Annotated[Solver | None, Choice(("cvodes", "idas", "rosenbrock"))] = None
     rtol: Annotated[float | None, Number(above=0, below=1)] = None
     backend: Annotated[Backend, Choice(("auto", "interpreted", "compiled"))] = "auto"
+    estimate: Annotated[bool, Flag()] = True

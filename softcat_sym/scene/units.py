@@ -63,6 +63,13 @@ def registry() -> UnitRegistry[float]:
     return pint.UnitRegistry()
 
 
+# What pint leaks of its tokeniser and its arithmetic for malformed units; a lone sign fails an assertion of its parser.
+_LEAKED = (
+    *(ValueError, TypeError, AttributeError, LookupError, ArithmeticError),
+    *(SyntaxError, TokenError, AssertionError, RecursionError),
+)
+
+
 @lru_cache(maxsize=1024)
 def _measured(unit: str, wanted: str = "one of mass, length and time") -> tuple[float, Dimension]:
     """SI value of one `unit`, so that a file already in SI keeps its numbers to the last bit, and its dimension."""
@@ -73,8 +80,7 @@ def _measured(unit: str, wanted: str = "one of mass, length and time") -> tuple[
         one = ureg.Quantity(1.0, ureg.parse_units(unit))
         exponents = {str(name): float(str(power)) for name, power in one.dimensionality.items()}
         factor = _tidied(float(one.to_base_units().magnitude))
-    # Pint leaks its tokeniser's and its arithmetic's errors for malformed units.
-    except (PintError, ValueError, TypeError, AttributeError, KeyError, ArithmeticError, SyntaxError, TokenError):
+    except (PintError, *_LEAKED):
         raise NotAQuantity(f"unknown unit '{unit}'") from None
     dimension = (exponents.pop(_BASE[0], 0.0), exponents.pop(_BASE[1], 0.0), exponents.pop(_BASE[2], 0.0))
     if exponents:

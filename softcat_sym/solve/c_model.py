@@ -98,7 +98,7 @@ class Run:
     times : ndarray, shape (frames,)
         Increasing; the first is where it begins.
     relative, absolute : float
-        Tolerances.
+        Tolerances; the absolute one may have a number for each slot, shape (slots,).
     work_absolute : float
         Absolute tolerance of the work; 0 where its error is not controlled.
     kinks : ndarray
@@ -114,7 +114,7 @@ class Run:
     state: Floats
     times: Floats
     relative: float
-    absolute: float
+    absolute: float | Floats
     work_absolute: float
     kinks: Floats
     most_steps: int
@@ -165,12 +165,19 @@ class CModel:
         self._library = load(compile_library({"filament.c": model.text, **_headers()}, versions=_VERSIONS))
         self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, "softcat_filament_model")))
 
-    def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None) -> Answer:
-        """Integrate; `status` tells the time reached even while it works, and a non-zero `stop` ends it."""
-        frames, powers = len(run.times), len(self.model.powers)
-        states, work = np.full((frames, *run.state.shape), np.nan), np.zeros((frames, max(1, powers)))
-        self._call(run, states, work if powers else None, None, status, stop)
-        return Answer(states, work[:, :powers], status)
+    def room(self, run: Run, status: Status) -> Answer:
+        """Where the frames of a run go: NaN until they do."""
+        frames = len(run.times)
+        return Answer(np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers))), status)
+
+    def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None, room: Answer | None = None) -> Answer:
+        """Integrate; `status` tells the time reached even while it works, and a non-zero `stop` ends it.
+
+        Frames up to the time reached are in the `room`, if it was given, already then.
+        """
+        answer = room or self.room(run, status)
+        self._call(run, answer.states, answer.work if self.model.powers else None, None, status, stop)
+        return answer
 
     def sensitivities(
         self, run: Run, directions: Directions, status: Status, stop: ct.c_int | None = None

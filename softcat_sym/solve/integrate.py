@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import io
 import itertools
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from functools import partial
+from importlib.metadata import version
 from typing import Any
 
 import casadi as ca
@@ -13,25 +15,18 @@ import numpy as np
 
 from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
+from softcat_sym.solve.checkpoint import checkpoint_of
 from softcat_sym.solve.external import External
 from softcat_sym.solve.interrupts import watched
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress
+from softcat_sym.solve.record import Record, State, at_start
 from softcat_sym.solve.settings import Settings
 from softcat_sym.solve.solution import Solution
 from softcat_sym.solve.starting import Start
 
 _LARGE = 1000
 _BESIDE = 8 * float(np.finfo(float).eps)
-
-
-@dataclass(frozen=True)
-class _State:
-    """Where an integration stands at one output time."""
-
-    x: Floats
-    z: Floats
-    quad: Floats
 
 
 class FrameIntegrator:
@@ -94,7 +89,7 @@ class FrameIntegrator:
         for name, result in self._results.items():
             self._buffer.set_res(call.index_out(name), memoryview(result.data))  # type: ignore[call-arg]
 
-    def advance(self, state: _State, p: Floats, start: float, interval: float) -> tuple[Floats, Floats, Floats, int]:
+    def advance(self, state: State, p: Floats, start: float, interval: float) -> tuple[Floats, Floats, Floats, int]:
         """States and quadratures at the end of each interval (as columns), and the steps taken.
 
         Raises
@@ -164,21 +159,50 @@ class Integration:
             Told after every chunk.
         """
         interval = duration / (self._frames - 1)
+        checkpoint = checkpoint_of(progress, lambda: self._identity(start, p, duration))
+        known = checkpoint.before if checkpoint is not None else None
+        record = Record(known or at_start(start.x, start.z))
+
+        def tell(simulated: float) -> None:
+            """After every chunk of that many seconds."""
+            done = min(record.reached, self._frames - 1) * interval * scale
+            progress.update(done, simulated / record.last_steps if record.last_steps else None)
+            if checkpoint is not None:
+                checkpoint.offer(partial(record.so_far, self._frames))
+
+        try:
+            solution = self._through(record, p, interval, scale, tell)
+        except KeyboardInterrupt:
+            if checkpoint is not None:
+                checkpoint.leave(partial(record.so_far, self._frames))
+            raise
+        if checkpoint is not None and solution.outcome.is_success:
+            checkpoint.finish(partial(record.so_far, self._frames))
+        return solution
+
+    def _identity(self, start: Start, p: Floats, duration: float) -> Iterator[bytes]:
+        """All that decides the numbers."""
+        graph = self._graph
+        ends = [graph.ode, graph.alg, graph.quad]
+        yield ca.Function("filament", [graph.t, graph.x, graph.z, graph.p], ends).serialize().encode()
+        chosen = (version("casadi"), self._settings, self._frames, self._chunk.intervals, self._external is None)
+        yield repr(chosen).encode()
+        yield from (part.tobytes() for part in (p, start.x, start.z, self._kinks, np.array(duration)))
+
+    def _through(
+        self, record: Record, p: Floats, interval: float, scale: float, tell: Callable[[float], None]
+    ) -> Solution:
+        """Integrate from where a record stands to the end, or to where it fails."""
         if len(self._kinks):
-            return self._by_pieces(start, p, interval, scale, progress)
-        record = _Record(_State(start.x, start.z, np.zeros(3)))
+            return self._by_pieces(record, p, interval, scale, tell)
         while record.reached < self._frames - 1:
             complaint = self._attempt(self._chunk, record, p, interval)
             if complaint:
                 return self._to_the_bitter_end(record, p, interval, scale, complaint)
-            done = min(record.reached, self._frames - 1)
-            steps = record.last_steps
-            progress.update(
-                done * interval * scale, self._chunk.intervals * interval * scale / steps if steps else None
-            )
+            tell(self._chunk.intervals * interval * scale)
         return record.solution(interval, self._frames, Outcome.solved, "")
 
-    def _attempt(self, integrator: FrameIntegrator, record: _Record, p: Floats, interval: float) -> str:
+    def _attempt(self, integrator: FrameIntegrator, record: Record, p: Floats, interval: float) -> str:
         """Advance by one call; what went wrong, or an empty text."""
         try:
             x, z, quad, steps = integrator.advance(record.last, p, record.reached * interval, interval)
@@ -189,9 +213,10 @@ class Integration:
         record.extend(x, z, quad, steps)
         return ""
 
-    def _by_pieces(self, start: Start, p: Floats, interval: float, scale: float, progress: Progress) -> Solution:
+    def _by_pieces(
+        self, record: Record, p: Floats, interval: float, scale: float, tell: Callable[[float], None]
+    ) -> Solution:
         """Frame by frame, and within a frame from kink to kink."""
-        record = _Record(_State(start.x, start.z, np.zeros(3)))
         while record.reached < self._frames - 1:
             begin, end = record.reached * interval, (record.reached + 1) * interval
             inside = self._kinks[(self._kinks > begin) & (self._kinks < end)]
@@ -205,12 +230,12 @@ class Integration:
                     return self._broken(record, p, interval, scale, str(error) or "the integrator gave up")
                 if not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
                     return self._broken(record, p, interval, scale, "non-finite state")
-                state, steps = _State(x[:, -1], z[:, -1], quad[:, -1]), steps + taken
+                state, steps = State(x[:, -1], z[:, -1], quad[:, -1]), steps + taken
             record.extend(state.x[:, None], state.z[:, None], state.quad[:, None], steps)
-            progress.update(end * scale, interval * scale / steps if steps else None)
+            tell(interval * scale)
         return record.solution(interval, self._frames, Outcome.solved, "")
 
-    def _to_the_bitter_end(self, record: _Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
+    def _to_the_bitter_end(self, record: Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
         """Go on frame by frame to where it fails, so that the part that is sound is kept."""
         single = FrameIntegrator(self._graph, self._settings, 1, self._external)
         while record.reached < self._frames - 1:
@@ -222,7 +247,7 @@ class Integration:
             return record.solution(interval, self._frames, Outcome.solved, "")
         return self._broken(record, p, interval, scale, complaint)
 
-    def _broken(self, record: _Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
+    def _broken(self, record: Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
         """What was reached before it failed, and why it did."""
         worst = worst_component(self._graph, record.reached * interval, record.last.x, record.last.z, p)
         text = f"stopped after t = {record.reached * interval * scale:.6g} s; fastest: {worst}; {_digest(complaint)}"
@@ -234,31 +259,6 @@ def _chunks(graph: Graph, settings: Settings) -> int:
     if graph.x.numel() > _LARGE:
         return 40
     return 8 if settings.solver == "rosenbrock" else 1
-
-
-class _Record:
-    """Frames gathered so far."""
-
-    def __init__(self, first: _State) -> None:
-        self._x, self._z, self._quad = [first.x[:, None]], [first.z[:, None]], [first.quad[:, None]]
-        self.reached, self.steps, self.last_steps = 0, 0, 0
-
-    @property
-    def last(self) -> _State:
-        return _State(self._x[-1][:, -1], self._z[-1][:, -1], self._quad[-1][:, -1])
-
-    def extend(self, x: Floats, z: Floats, quad: Floats, steps: int) -> None:
-        self._x.append(x)
-        self._z.append(z)
-        self._quad.append(quad)
-        self.reached += x.shape[1]
-        self.steps += steps
-        self.last_steps = steps
-
-    def solution(self, interval: float, frames: int, outcome: Outcome, complaint: str) -> Solution:
-        # The last chunk may overshoot the run: whatever lies beyond it is dropped.
-        x, z, quad = (np.concatenate(parts, axis=1)[:, :frames] for parts in (self._x, self._z, self._quad))
-        return Solution(np.arange(x.shape[1], dtype=float) * interval, x, z, quad, outcome, complaint, self.steps)
 
 
 def worst_component(graph: Graph, time: float, x: Floats, z: Floats, p: Floats) -> str:

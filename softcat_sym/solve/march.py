@@ -13,10 +13,14 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.solve.equilibrium import Equilibrium
 from softcat_sym.solve.outcome import Outcome
 from softcat_sym.solve.progress import Progress
+from softcat_sym.solve.settling import snapped
 from softcat_sym.solve.solution import Solution
 
 # Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
 _GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
+
+_SMALLEST_STEP = 1 / 1024  # of the time from one instant to the next
+_GROWTH = 1.5
 
 
 def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
@@ -37,14 +41,13 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     progress : Progress
         Told after every frame.
     """
-    equilibrium, power = Equilibrium(graph), _power_of_load(graph)
-    empty = np.zeros(0)
+    path, power = _Path(graph, p, float(times[0]), z0), _power_of_load(graph)
     shapes, work = [z0], [0.0]
     for before, time in itertools.pairwise(times):
         instants = [float(before + share * (time - before)) for share in (*_GAUSS, 1.0)]
         passed: list[Floats] = []
         for instant in instants:
-            z = equilibrium.search(instant, empty, p, [passed[-1] if passed else shapes[-1]])
+            z = path.to(instant)
             if z is None:
                 text = f"no equilibrium at t = {instant * scale:.6g} s"
                 return _solution(times[: len(shapes)], shapes, work, Outcome.no_equilibrium, text)
@@ -54,6 +57,50 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
         shapes.append(passed[-1])
         progress.update(float(time) * scale, None)
     return _solution(times, shapes, work, Outcome.solved, "")
+
+
+class _Path:
+    """Equilibria one after another, in smaller steps than asked where a support goes far."""
+
+    def __init__(self, graph: Graph, p: Floats, time: float, z: Floats) -> None:
+        self._graph, self._p, self._equilibrium = graph, p, Equilibrium(graph)
+        self._known = [(time, z)]
+        self._step = np.inf
+
+    def to(self, until: float) -> Floats | None:
+        """Equilibrium at a later time; None without.
+
+        Where even the smallest step leads nowhere the branch has ended: a filament that bends snaps into what lies
+        below.
+        """
+        whole = until - self._known[-1][0]
+        falls = "bending" in self._graph.effects and self._graph.conserves_energy
+        while (left := until - self._known[-1][0]) > 0:
+            step = min(left, self._step)
+            at = until if step == left else self._known[-1][0] + step
+            further = self._search(at, self._guess(at))
+            if further is None and step > _SMALLEST_STEP * whole:
+                self._step = step / 2
+                continue
+            if further is None and falls:
+                start = snapped(self._graph, at, np.zeros(0), self._p, self._known[-1][1])
+                further = self._search(at, start)
+            if further is None:
+                return None
+            self._known = [self._known[-1], (at, further)]
+            self._step *= _GROWTH
+        return self._known[-1][1]
+
+    def _search(self, at: float, guess: Floats) -> Floats | None:
+        return self._equilibrium.search(at, np.zeros(0), self._p, [guess])
+
+    def _guess(self, at: float) -> Floats:
+        """The equilibrium before; along a path of small steps, carried on."""
+        last, z = self._known[-1]
+        if not np.isfinite(self._step) or len(self._known) < 2:
+            return z
+        first, before = self._known[0]
+        return np.asarray(z + (at - last) / (last - first) * (z - before))
 
 
 def _power_of_load(graph: Graph) -> Callable[[float, Floats, Floats], float]:

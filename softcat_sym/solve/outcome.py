@@ -12,9 +12,21 @@ class Outcome(Enum):
         "stops a neck, and with it the filament is near rupture; do not trust the sag: take the effect in, or lower "
         "gravity, thicken the filament or raise the yield stress"
     )
+    ruptured = (
+        "the filament is drawn out beyond what its material can bear: the run ends there; it is too heavy or too weak, "
+        "or its supports go too far: lower gravity, shorten run.duration, thicken the filament or stiffen the material"
+    )
+    compressed = (
+        "a string that does not bend is pushed together: it would fold at every length, and the answer changes with "
+        "the grid; take in the effect bending, or keep the supports apart"
+    )
     energy_drift = (
         "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, or ask for a smaller "
         "run.accuracy"
+    )
+    inaccurate = (
+        "the estimated error stayed above the accuracy asked after several refinements: ask for a larger run.accuracy, "
+        "or shorten the run"
     )
     overlooked = (
         "an effect that was left out matters more than the accuracy asked, and the run was not repeated once more: "

@@ -45,6 +45,21 @@ def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> 
     return min((low, other), key=slope.energy)
 
 
+def snapped(graph: Graph, time: float, x: Floats, p: Floats, z: Floats) -> Floats:
+    """The minimum of the energy that a shape out of balance, nudged, creeps into: beyond a fold of its equilibria.
+
+    Parameters
+    ----------
+    graph : Graph
+        With algebraic positions, whose forces derive from its energy.
+    time : float
+        In units of the time scale: where the supports are.
+    x, p, z : ndarray
+        Differential states, parameters and the shape.
+    """
+    return _Slope(graph, x, p, time).descended(z - _nudge(graph))
+
+
 def _nudge(graph: Graph) -> Floats:
     """Downwards, and a little more on one side."""
     weight = np.abs(graph.z_where) / 0.5
@@ -61,8 +76,8 @@ def _turned_over(graph: Graph, z: Floats, straight: Floats) -> Floats:
 class _Slope:
     """Energy of the filament, and implicit steps down its slope."""
 
-    def __init__(self, graph: Graph, x: Floats, p: Floats) -> None:
-        self._x, self._p, self._observables = x, p, graph.observables
+    def __init__(self, graph: Graph, x: Floats, p: Floats, time: float = 0.0) -> None:
+        self._x, self._p, self._time, self._observables = x, p, time, graph.observables
         inputs = [graph.t, graph.x, graph.z, graph.p]
         pace = ca.SX.sym("pace")
         matrix = ca.SX.eye(graph.z.numel()) / pace - ca.jacobian(graph.alg, graph.z)
@@ -71,7 +86,7 @@ class _Slope:
 
     def energy(self, z: Floats) -> float:
         """Elastic and potential energy per undeformed area."""
-        seen = self._observables(time=0.0, state=self._x, algebraic=z, parameters=self._p)
+        seen = self._observables(time=self._time, state=self._x, algebraic=z, parameters=self._p)
         return float(seen["energy_elastic"]) + float(seen["energy_potential"])
 
     def descended(self, start: Floats) -> Floats:
@@ -80,7 +95,7 @@ class _Slope:
         The first step is as short as that of an explicit method: what is stiff comes to rest before the steps are so
         long that they would end on a saddle.
         """
-        _, matrix = self._system(0.0, self._x, start, self._p, 1.0)
+        _, matrix = self._system(self._time, self._x, start, self._p, 1.0)
         pace = 1 / float(np.max(np.abs(np.diag(np.asarray(matrix)))))
         best, lowest = start, self.energy(start)
         for _ in range(_ITERATIONS):
@@ -100,7 +115,7 @@ class _Slope:
 
     def step(self, z: Floats, pace: float) -> Floats | None:
         """One linearly implicit step; None where it cannot be computed."""
-        force, matrix = self._system(0.0, self._x, z, self._p, pace)
+        force, matrix = self._system(self._time, self._x, z, self._p, pace)
         try:
             self._solver.sfact(matrix)
             self._solver.nfact(matrix)

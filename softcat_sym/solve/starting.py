@@ -19,7 +19,7 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.graph.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
 from softcat_sym.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
 from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
-from softcat_sym.solve.settling import settled
+from softcat_sym.solve.settling import settled, snapped
 
 _LARGEST_STEP, _SMALLEST_STEP = 0.25, 1 / 512
 _POSITIONS = ("x", "y", "psi")
@@ -119,10 +119,15 @@ def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floa
         further = stage.search(equilibrium, min(1.0, reached + step), [z])
         if further is not None:
             z, reached, step = further, min(1.0, reached + step), min(2 * step, _LARGEST_STEP)
-        elif step < _SMALLEST_STEP:
-            return None
-        else:
+        elif step >= _SMALLEST_STEP:
             step /= 2
+        elif stage.falls:
+            # The branch ends at a fold, as of an arch too heavy to stand: the filament snaps into what lies below.
+            reached, step = min(1.0, reached + _SMALLEST_STEP), _LARGEST_STEP
+            x, constants = stage.at(reached)
+            z = stage.search(equilibrium, reached, [snapped(stage.graph, 0.0, x, constants, z)])
+        else:
+            return None
     return z
 
 
@@ -134,6 +139,11 @@ class _Stage:
     graph: Graph
     p: Floats
     weightless: bool
+
+    @property
+    def falls(self) -> bool:
+        """Whether what loses its balance creeps down to another one."""
+        return "bending" in self.graph.effects and self.graph.conserves_energy
 
     @property
     def _apart(self) -> float:

@@ -92,6 +92,7 @@ def _point(delta: float, load: float, tau_star: float, told: Callable[[str], Non
         "groups.duration": _DURATION,
         "run.frames": _FRAMES,
         "run.effects": "paper",
+        "numerics.estimate": False,
     }
     run = simulate(load_scene("maxwell-slow", changes))
     scene = run.scene

@@ -97,6 +97,7 @@ def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
             "run.frames": _FRAMES,
             "run.effects": "paper",
             "model": model,
+            "numerics.estimate": False,
         }
         runs[model] = simulate(load_scene("maxwell-slow", changes))
     scene = runs["filament"].scene

@@ -11,7 +11,8 @@ import numpy as np
 
 from softcat_sym.effects import choose_effects
 from softcat_sym.graph.grid import Floats
-from softcat_sym.simulate import build, simulate
+from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.single_run import build
 from softcat_sym.solve import watched
 
 if TYPE_CHECKING:
@@ -94,7 +95,7 @@ def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None
 
 
 def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> PricedRun:
-    run = first or simulate(scene, progress)
+    run = first or simulate(without_estimate(scene), progress)
     prepared = build(scene, choose_effects(scene))
     graph = prepared.graph
     seconds = [float(run.summary["wall_s"]["solve"])]

@@ -12,7 +12,7 @@ import numpy as np
 from softcat_sym.effects import REGISTRY, Decision, Estimate, choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.graph.grading import choose_grading
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulate, without_estimate
 from softcat_sym.solve import Progress, Silence
 from softcat_sym.study.priced_run import PricedRun, priced_run
 from softcat_sym.study.variants import Names, dependants, everything, obstacle, ordered, requirements, with_effects
@@ -186,9 +186,10 @@ def price_effects(
         raise SceneError([Fault("", f"no effect {one!r} to price", f"one of {', '.join(known)}") for one in unknown])
     told = listening or _nobody
     with told("the scene itself") as listener:
-        first = simulate(scene, listener)
+        once = without_estimate(scene)
+        first = simulate(once, listener)
         names, cells = tuple(first.summary["effects"]), int(first.summary["cells"])
-        listed = with_effects(scene.replace({"numerics.cells": cells}), names)
+        listed = with_effects(once.replace({"numerics.cells": cells}), names)
         # Theories grade their grids differently: on one grid only physics differs.
         grading = scene.numerics.grading or choose_grading(listed, cells)
         listed = listed.replace({"numerics.grading": grading})

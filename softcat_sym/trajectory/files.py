@@ -8,15 +8,17 @@ from typing import Any
 
 import xarray as xr
 
-from softcat_sym.files import fill_atomically, replace_atomically
+from softcat_sym.files import replace_atomically
 
 
 def write_trajectory(data: xr.Dataset, directory: Path) -> Path:
-    """Write ``trajectory.nc``."""
+    """Write ``trajectory.nc``.
+
+    It is made in memory: where the disk is full, HDF5 would not only fail, but end the program as it closes the file.
+    """
     encoding = {name: {"zlib": True, "complevel": 1} for name in data.data_vars if data[name].ndim > 1}
-    return fill_atomically(
-        directory / "trajectory.nc", lambda path: data.to_netcdf(path, engine="h5netcdf", encoding=encoding)
-    )
+    content = data.to_netcdf(engine="h5netcdf", encoding=encoding)
+    return replace_atomically(directory / "trajectory.nc", bytes(content))
 
 
 def write_summary(summary: dict[str, Any], directory: Path) -> Path:

@@ -21,6 +21,9 @@ stress the paper's ringing filament stops at 0.18 for G = 0.25 and at 0.33 for G
 elements stop too; for G = 0.4 it ruptures on every grid (tests/acceptance/test_necking.py).
 """
 
+_SMOOTH = 0.3
+"""Of the neighbours' strain: what a cell much longer than a neck may exceed them by without one."""
+
 _NEGLIGIBLE_ELONGATION = 1e-9
 _RUPTURED = 10.0  # strain beyond which only a thread is left: no number is worth telling
 
@@ -76,7 +79,10 @@ def neck_strain(stretch: Floats, length: Floats, neck: float) -> float:
         gain = np.interp(start + window, edges, elongation) - np.interp(start, edges, elongation)
         return np.where(inside, gain / window, -np.inf)
 
-    excess = mean(left) - np.maximum(mean(left - window), mean(left + window))
+    beside = np.maximum(mean(left - window), mean(left + window))
+    # Over a cell longer than a neck strain also varies smoothly, and by more than a short neck holds.
+    smooth = _SMOOTH * (1 - neck / window) * np.maximum(np.where(np.isfinite(beside), beside, 0.0), 0.0)
+    excess = mean(left) - beside - smooth
     return float(np.max(np.where(np.isfinite(excess), excess, 0.0) * window / neck))
 
 

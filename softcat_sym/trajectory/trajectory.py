@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from softcat_sym.trajectory.checking import measures, overlooked, spared
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
 from softcat_sym.trajectory.regime import regime_of
+from softcat_sym.trajectory.rupture import rupture_frame
 from softcat_sym.trajectory.seen import seen
 from softcat_sym.trajectory.validity import warnings_of
 from softcat_sym.trajectory.verdict import verdict
@@ -63,6 +65,26 @@ class Trajectory:
         self.data.attrs["outcome"] = outcome.name
         return replace(self, summary=self.summary | changed, outcome=outcome)
 
+    def estimated(self, told: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Trajectory:
+        """The same run with what its companions tell about its error.
+
+        Parameters
+        ----------
+        told : mapping
+            ``error_estimate``, ``resolution``, ``refinements`` and ``wall_s`` of the summary.
+        warnings : sequence of str
+            What could not be estimated, and what the user fixed that misses the accuracy.
+        missed : str
+            By how much the accuracy was missed although everything was tried; empty if it was not.
+        """
+        outcome = Outcome.inaccurate if missed and self.outcome.is_success else self.outcome
+        changed: dict[str, Any] = {**told, "outcome": outcome.name, "advice": outcome.value}
+        changed["warnings"] = [*self.summary["warnings"], *warnings]
+        if outcome is not self.outcome:
+            changed |= {"complaint": missed, "regime": None}
+        self.data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(told["wall_s"])}
+        return replace(self, summary=self.summary | changed, outcome=outcome)
+
     def save(self, directory: str | Path) -> list[Path]:
         """Write ``trajectory.nc``, ``summary.json`` and ``scene.toml``; files of the same name are replaced whole.
 
@@ -95,12 +117,16 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     fields = whole_span_fields(scene, prepared, solution)
     places = node_positions(prepared.graph, rest_length(scene))
     time = solution.time * prepared.scale
-    data = dataset_of(scene, effects, time, places, fields)
-    midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     residual = energy_residual(fields, least_energy(scene))
     # A sequence of equilibria is exact frame by frame: there the imbalance only tells how far apart the frames are.
     audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
     outcome, complaint = verdict(scene, effects, solution, fields, places[0], audited)
+    if outcome is Outcome.ruptured:
+        # The run ends there: what follows is no filament.
+        sound = max(1, rupture_frame(scene, fields["stretch"]) or 0)
+        time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
+    data = dataset_of(scene, effects, time, places, fields)
+    midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     measured = measures(scene, effects, seen(scene, effects, time, places, fields))
     summary = {
         "title": scene.title,
@@ -112,22 +138,32 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "midpoint_final_m": float(midpoint[-1]),
         "time_final_s": float(time[-1]),
         "error_estimate": None,
+        "resolution": None,
+        "refinements": [],
         "energy_residual": residual,
         "effects": dict(effects.reasons),
         "left_out": dict(effects.left_out),
         "checked": {name: measure.value for name, measure in measured.items()},
         "repeats": [],
         "closure": scene.run.closure,
-        "cells": prepared.graph.grid.cells if prepared.graph.grid.is_half else prepared.graph.grid.cells // 2,
-        "solver": prepared.settings.solver,
-        "solver_reason": prepared.settings.reason,
-        "rtol": prepared.settings.rtol,
-        "steps": solution.steps,
-        "backend": "compiled" if prepared.backend.compiled else "interpreted",
-        "backend_reason": prepared.backend.reason,
+        **_numerics(prepared, solution),
         "converted": list(scene.material.notes),
         "warnings": [*warnings_of(scene, time, midpoint), *spared(scene, effects, measured)],
         "wall_s": wall,
     }
     data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}
     return Trajectory(scene, data, summary, outcome, overlooked(scene, effects, measured, outcome))
+
+
+def _numerics(prepared: Prepared, solution: Solution) -> dict[str, Any]:
+    """What the summary tells of grid and integrator."""
+    grid, settings = prepared.graph.grid, prepared.settings
+    return {
+        "cells": grid.cells if grid.is_half else grid.cells // 2,
+        "solver": settings.solver,
+        "solver_reason": settings.reason,
+        "rtol": settings.rtol,
+        "steps": solution.steps,
+        "backend": "compiled" if prepared.backend.compiled else "interpreted",
+        "backend_reason": prepared.backend.reason,
+    }

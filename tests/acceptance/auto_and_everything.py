@@ -18,6 +18,7 @@ import numpy as np
 import softcat_sym as sc
 from softcat_sym.effects import REGISTRY
 from softcat_sym.errors import SoftcatError
+from softcat_sym.simulate import without_estimate
 from softcat_sym.trajectory import Trajectory
 
 from .kept_answers import fingerprint, kept
@@ -184,6 +185,6 @@ def difference(run: Trajectory, reference: Trajectory) -> float:
 
 def _run(scene: sc.Scene) -> Trajectory | str:
     try:
-        return sc.simulate(scene)
+        return sc.simulate(without_estimate(scene))
     except SoftcatError as error:
         return str(error)

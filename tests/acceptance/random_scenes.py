@@ -38,7 +38,7 @@ FRAMES = 101
 
 _SPAN, _DENSITY, _GRAVITY = 0.2, 1000.0, 9.81
 _STRESS, _TIME = _DENSITY * _GRAVITY * _SPAN, math.sqrt(_SPAN / _GRAVITY)
-_LAWS = (
+LAWS = (
     "elastic",
     "newtonian",
     "kelvin-voigt",
@@ -83,7 +83,7 @@ def _scene(generator: np.random.Generator) -> sc.Scene:
         return float(np.exp(generator.uniform(math.log(low), math.log(high))))
 
     drawn = Draw(
-        law=str(generator.choice(_LAWS)),
+        law=str(generator.choice(LAWS)),
         section=str(generator.choice(("rectangle", "circle", "sheet"))),
         delta=log(1e-3, 0.1),
         modulus=log(10, 1e5),
@@ -97,8 +97,8 @@ def _scene(generator: np.random.Generator) -> sc.Scene:
     )
     pace, retardation, ramp = log(3, 1e4), log(0.01, 10), log(1, 30)
     accuracy, ramped, extra, much = (float(u) for u in generator.uniform(size=4))
-    duration = _not_too_long(drawn, retardation)
-    material = _material(drawn, duration, pace, retardation)
+    duration = not_too_long(drawn, retardation)
+    material = material_of(drawn, duration, pace, retardation)
     filament: dict[str, Any] = {"span": _SPAN, "density": _DENSITY, "thickness": drawn.delta * _SPAN}
     filament["section"] = drawn.section
     load: dict[str, Any] = {"gravity": _GRAVITY, "ramp": min(ramp, duration / 2) * _TIME if ramped < 0.5 else 0.0}
@@ -126,8 +126,8 @@ def _scene(generator: np.random.Generator) -> sc.Scene:
     ).replace({"numerics.cells": None, "numerics.grading": None})
 
 
-def _not_too_long(drawn: Draw, retardation: float) -> float:
-    """Duration over sqrt(L/g): ten periods of what rings on."""
+def not_too_long(drawn: Draw, retardation: float, periods: float = _PERIODS) -> float:
+    """Duration over sqrt(L/g): so many periods of what rings on."""
     if drawn.law == "newtonian":
         return drawn.duration
     beam, cable = 1 / (32 * drawn.delta**2 * drawn.modulus), (3 / (64 * drawn.modulus)) ** (1 / 3)
@@ -135,28 +135,31 @@ def _not_too_long(drawn: Draw, retardation: float) -> float:
     damped = {"kelvin-voigt": retardation > 0.1 * period, "standard-linear": False}.get(
         drawn.law, drawn.law in ("maxwell", "power-law", "multimode-maxwell") and drawn.relaxation < 0.01
     )
-    return drawn.duration if damped else min(drawn.duration, _PERIODS * period)
+    return drawn.duration if damped else min(drawn.duration, periods * period)
 
 
-def _material(drawn: Draw, duration: float, pace: float, retardation: float) -> dict[str, Any]:
-    modulus = drawn.modulus * _STRESS
-    viscosity = modulus * drawn.relaxation * duration * _TIME
+def material_of(
+    drawn: Draw, duration: float, pace: float, retardation: float, stress: float = _STRESS, time: float = _TIME
+) -> dict[str, Any]:
+    """Table ``[material]`` in SI numbers; `stress` is rho g L, `time` sqrt(L/g)."""
+    modulus = drawn.modulus * stress
+    viscosity = modulus * drawn.relaxation * duration * time
     elastic = {"law": drawn.law, "youngs_modulus": modulus}
-    consistency = drawn.viscous * _STRESS * _TIME**drawn.index
-    yields = {"yield_stress": _STRESS / drawn.G}
+    consistency = drawn.viscous * stress * time**drawn.index
+    yields = {"yield_stress": stress / drawn.G}
     modes = [
-        {"youngs_modulus": modulus / 3, "viscosity": modulus / 3 * drawn.relaxation * duration * _TIME * factor}
+        {"youngs_modulus": modulus / 3, "viscosity": modulus / 3 * drawn.relaxation * duration * time * factor}
         for factor in _MODES
     ]
     return {
         "elastic": elastic,
-        "newtonian": {"law": "newtonian", "viscosity": drawn.viscous * _STRESS * _TIME},
-        "kelvin-voigt": elastic | {"viscosity": modulus * retardation * _TIME},
+        "newtonian": {"law": "newtonian", "viscosity": drawn.viscous * stress * time},
+        "kelvin-voigt": elastic | {"viscosity": modulus * retardation * time},
         "standard-linear": elastic
-        | {"second_modulus": modulus * drawn.share, "viscosity": modulus * drawn.share * retardation * _TIME},
+        | {"second_modulus": modulus * drawn.share, "viscosity": modulus * drawn.share * retardation * time},
         "maxwell": elastic | {"viscosity": viscosity},
         "multimode-maxwell": {"law": drawn.law, "modes": modes},
-        "bingham": elastic | yields | {"viscosity": pace * _STRESS * _TIME},
+        "bingham": elastic | yields | {"viscosity": pace * stress * time},
         "power-law": elastic | {"viscosity": consistency, "index": drawn.index},
-        "herschel-bulkley": elastic | yields | {"viscosity": pace * _STRESS * _TIME**drawn.index, "index": drawn.index},
+        "herschel-bulkley": elastic | yields | {"viscosity": pace * stress * time**drawn.index, "index": drawn.index},
     }[drawn.law]

@@ -9,7 +9,7 @@ import numpy as np
 import softcat_sym as sc
 from softcat_sym.effects import choose_effects
 from softcat_sym.report.work_precision import WorkCurve, WorkPoint
-from softcat_sym.simulate import build
+from softcat_sym.single_run import build
 from softcat_sym.solve import Silence
 
 from .pyelastica_rod import DENSITY, GRAVITY, POISSON, RADIUS, SPAN, TIMES, Array, Fall, Rod, fall, set_up

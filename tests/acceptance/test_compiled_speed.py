@@ -202,7 +202,7 @@ import softcat_sym as sc
 scene = sc.load_scene("continual-descent", json.loads(sys.argv[1])); mark("scene")
 import casadi; mark("import casadi")
 import sympy; mark("import sympy")
-from softcat_sym.simulate import build
+from softcat_sym.single_run import build
 from softcat_sym.codegen.structure import structure_of, model_for
 from softcat_sym.solve.compiling import compile_filament
 from softcat_sym.solve import compiled_settings, choose_backend, prepare

@@ -14,7 +14,7 @@ import softcat_sym as sc
 from softcat_sym.effects import choose_effects
 from softcat_sym.inverse.estimation.optimise import minimise
 from softcat_sym.inverse.filament_problem import FilamentProblem
-from softcat_sym.simulate import build
+from softcat_sym.single_run import build
 
 from .fitting import CONSTANTS, WRONG, Floats, beside, film, timed
 from .radau_fit import RadauFit, Tolerances

@@ -14,7 +14,10 @@ import pytest
 from softcat_sym.cli import main
 from softcat_sym.report.progress import IntegrationProgress
 
-SHORT = ("--set", "groups.duration=10", "--set", "run.frames=11", "--set", "numerics.cells=10", "--mesh", "8x2")
+SHORT = (
+    *("--set", "groups.duration=10", "--set", "run.frames=11"),
+    *("--set", "numerics.cells=10", "--set", "numerics.estimate=false", "--mesh", "8x2"),
+)
 FILES = {
     "compare.json",
     "scene.toml",

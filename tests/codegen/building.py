@@ -15,7 +15,7 @@ from softcat_sym.effects import choose_effects
 from softcat_sym.graph.grid import Floats
 from softcat_sym.native import find_compiler
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import build
+from softcat_sym.single_run import build
 from softcat_sym.solve import Silence
 
 PROGRAMS = Path(__file__).parent / "programs"

@@ -128,7 +128,15 @@ def test_summary_says_what_a_user_asks(summary, scene):
 def test_an_error_estimate_is_given_with_its_parts(summary, scene):
     summary["error_estimate"] = {"total": 8e-4, "space": 6e-4, "time": 1e-4, "section": None, "effects": 1e-4}
     words = dict(summary_rows(summary, scene))
-    assert words["error estimate"] == "8.00e-04 (space 6.00e-04, time 1.00e-04, effects 1.00e-04)"
+    found = "8.00e-04 of the largest midpoint (space 6.00e-04, time 1.00e-04); effects left out may be worth 1.00e-04"
+    assert words["error estimate"] == found
+    summary["error_estimate"] = {"total": None, "space": 6e-4, "time": None, "section": None, "effects": 0.0}
+    assert dict(summary_rows(summary, scene))["error estimate"] == "not estimated in full (space 6.00e-04)"
+
+
+def test_what_was_refined_is_said(summary, scene):
+    summary["refinements"] = ["40 -> 96 cells: estimated error 0.004 against 0.001"]
+    assert ("refined", summary["refinements"][0]) in summary_rows(summary, scene)
 
 
 def test_a_summary_of_a_failed_run_is_still_a_table(scene):

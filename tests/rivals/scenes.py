@@ -11,7 +11,7 @@ import numpy as np
 import softcat_sym as sc
 from softcat_sym.effects import choose_effects
 from softcat_sym.graph.choosing import choose_grid
-from softcat_sym.simulate import build
+from softcat_sym.single_run import build
 from softcat_sym.solve import Prepared, Silence
 
 Physics = Literal["paper", "fibres"]

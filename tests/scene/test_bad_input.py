@@ -49,6 +49,7 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.span": "20 degC"}, "filament.span", "'degC' is of dimension"),
     ({"filament.span": "5 metrs"}, "filament.span", "unknown unit 'metrs'"),
     ({"filament.span": "5 m)"}, "filament.span", "unknown unit 'm)'"),
+    ({"filament.span": "5 -"}, "filament.span", "unknown unit '-'"),
     ({"filament.span": "1,5 m"}, "filament.span", "unknown unit ',5 m'"),
     ({"filament.span": "1 000 m"}, "filament.span", "unknown unit '000 m'"),
     ({"filament.span": "0 m"}, "filament.span", "is zero"),

@@ -96,6 +96,7 @@ def test_looser_tolerances_take_fewer_steps_and_err_more() -> None:
 def test_too_many_steps_is_a_step_limit_that_keeps_the_sound_part(monkeypatch: pytest.MonkeyPatch) -> None:
     run = prepared(scene_of(frames=11))
     whole = run.solve(Silence())
+    monkeypatch.setattr(compiled, "_MOST_STEPS", 1)
     monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", whole.steps // 22)
     cut = run.solve(Silence())
     assert cut.outcome is Outcome.step_limit
@@ -125,14 +126,13 @@ class Failing:
     """A model whose integration ends with a code, after one frame."""
 
     def __init__(self, of: CModel, code: int) -> None:
-        self.model, self.message, self._code = of.model, of.message, code
+        self.model, self.message, self.room, self._code = of.model, of.message, of.room, code
 
-    def integrate(self, run: Run, status: Status, stop: object = None) -> Answer:
+    def integrate(self, run: Run, status: Status, stop: object, room: Answer) -> Answer:
         del stop
         status.code, status.reached, status.worst_slot = self._code, run.times[1] * 1.5, -1
-        states = np.full((len(run.times), *run.state.shape), np.nan)
-        states[:2] = run.state
-        return Answer(states, np.zeros((len(run.times), 3)), status)
+        room.states[:2] = run.state
+        return room
 
 
 def failing(code: int) -> Prepared:

@@ -14,7 +14,8 @@ from softcat_sym.effects import choose_effects
 from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
-from softcat_sym.simulate import build, simulate
+from softcat_sym.simulate import simulate
+from softcat_sym.single_run import build
 from softcat_sym.solve import starting
 from softcat_sym.solve.equilibrium import Equilibrium
 from softcat_sym.solve.settling import settled

@@ -9,7 +9,7 @@ import numpy as np
 import softcat_sym as sc
 from softcat_sym.effects import choose_effects
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import build
+from softcat_sym.single_run import build
 from softcat_sym.solve import Prepared, Solution
 
 from .filaments import scene_of, without

@@ -26,7 +26,7 @@ from tests.acceptance.table import show
 from tests.reference.strips import shortened
 
 COARSE = Mesh(8, 2)
-QUICK = {"numerics.cells": 10, "filament.width": "0.3 mm"}
+QUICK = {"numerics.cells": 10, "numerics.estimate": False, "filament.width": "0.3 mm"}
 YIELDING = shortened(sc.load_scene("continual-descent", QUICK), 10.0, 11)
 THICK = shortened(
     sc.load_scene("no-yield", {**QUICK, "groups.delta": 0.06, "load.ramp": "0 s", "numerics.cells": 20}), 12.0, 49

@@ -24,7 +24,7 @@ def scene_of(law: str = "bingham", **tables: dict[str, Any]) -> Scene:
         "material": dict(_MATERIALS[law]),
         "load": {"ramp": "0.04 s"},
         "run": {"duration": "0.12 s", "frames": 13},
-        "numerics": {"cells": 6},
+        "numerics": {"cells": 6, "estimate": False},
     }
     for name, values in tables.items():
         table.setdefault(name, {}).update(values)

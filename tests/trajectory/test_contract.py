@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import math
+import os
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 import pint
@@ -184,13 +186,17 @@ def test_a_failure_while_writing_leaves_what_was_there(tmp_path: Path, monkeypat
     target = tmp_path / "trajectory.nc"
     target.write_text("old")
 
-    def half(data: xr.Dataset, path: Path, **options: object) -> None:
-        Path(path).write_text("new, but not all of it")
-        raise RuntimeError("disk full")
+    def half(self: Path, mode: str) -> NoReturn:
+        handle = os.open(self, os.O_CREAT | os.O_WRONLY)
+        os.write(handle, b"new, but not all of it")
+        os.close(handle)
+        raise OSError(errno.ENOSPC, "disk full")
 
-    monkeypatch.setattr(xr.Dataset, "to_netcdf", half)
-    with pytest.raises(RuntimeError, match="disk full"):
-        run().save(tmp_path)
+    finished = run()
+    with monkeypatch.context() as full:
+        full.setattr(Path, "open", half)
+        with pytest.raises(OSError, match="disk full"):
+            finished.save(tmp_path)
     assert target.read_text() == "old"
     assert [path.name for path in tmp_path.iterdir()] == ["trajectory.nc"]
 

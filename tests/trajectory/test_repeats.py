@@ -33,7 +33,7 @@ def beam(thickness: float, sag: float, law: str = "elastic", effects: Any = "aut
             "material": {"law": law, "youngs_modulus": f"{E!r} Pa", **viscosity},
             "load": {"gravity": "10 m/s^2", "ramp": "0.5 s"},
             "run": {"duration": "1 s", "frames": 5, "effects": effects, "accuracy": ACCURACY},
-            "numerics": {"cells": 20},
+            "numerics": {"cells": 20, "estimate": False},
         }
     )
 

@@ -14,7 +14,7 @@ from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
 from softcat_sym.inverse.forward.model import ForwardModel
 from softcat_sym.inverse.forward.substituting import with_values
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulate, without_estimate
 
 # Between which the largest sag is found by a parabola.
 _LEAST_FRAMES = 2001
@@ -49,7 +49,7 @@ def with_span(scene: Scene, span: float) -> Scene:
 def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     """Run a filament as the program chooses to, and measure its sag."""
     try:
-        run = simulate(scene)
+        run = simulate(without_estimate(scene))
     except SceneError as error:
         return Sag(np.inf, (), str(error))
     names = tuple(run.summary["effects"])

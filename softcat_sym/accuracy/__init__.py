@@ -1,0 +1,7 @@
+"""How accurate an answer is, found on the run itself, and what makes it as accurate as was asked."""
+
+from softcat_sym.accuracy.error_estimate import ErrorEstimate
+from softcat_sym.accuracy.estimating import as_accurate_as_asked
+from softcat_sym.accuracy.resolution import Resolution, resolution_of
+
+__all__ = ["ErrorEstimate", "Resolution", "as_accurate_as_asked", "resolution_of"]

@@ -1,0 +1,119 @@
+"""A finished run is asked how accurate it is, and run again on what it needs."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, replace
+
+import numpy as np
+
+from softcat_sym.accuracy.companions import Differences
+from softcat_sym.accuracy.control import Controlled, controlled
+from softcat_sym.accuracy.error_estimate import ErrorEstimate
+from softcat_sym.accuracy.resolution import Resolution, resolution_of
+from softcat_sym.clock import Clock
+from softcat_sym.effects import Effects
+from softcat_sym.graph.grid import Floats
+from softcat_sym.scene import Scene, rest_length
+from softcat_sym.single_run import build, run_once
+from softcat_sym.solve import Progress, Silence
+from softcat_sym.trajectory import Trajectory
+from softcat_sym.trajectory.midpoint import midpoint_heights
+
+
+def as_accurate_as_asked(
+    first: Trajectory, effects: Effects, clock: Clock, progress: Progress | None = None
+) -> Trajectory:
+    """Estimate the error of a run, and run it on a finer grid, more fibres or shorter steps until it is small enough.
+
+    Parameters
+    ----------
+    first : Trajectory
+        With these effects, at the program's first guess. Returned as it is where it is not to be trusted anyway.
+    effects : Effects
+        In force.
+    clock : Clock
+        Told of every stage; whatever is not the answer's own integration counts as ``estimate``.
+    progress : Progress
+        Told about simulated time.
+
+    Returns
+    -------
+    Trajectory
+        With ``error_estimate``, and with the outcome ``inaccurate`` where the accuracy could not be reached.
+    """
+    runs = _Runs(first, effects, clock, progress or Silence())
+    guess = resolution_of(first.scene, effects, compiled=first.summary["backend"] == "compiled")
+    start = replace(guess, rtol=first.summary["rtol"])
+    found = controlled(first.scene, start, runs.answer, runs.companion)
+    clock.lap("estimate")
+    return _told(runs.last, found, clock)
+
+
+class _Runs:
+    """The answer so far, and runs beside it."""
+
+    def __init__(self, first: Trajectory, effects: Effects, clock: Clock, progress: Progress) -> None:
+        self.last, self._waiting = first, True
+        self._effects, self._clock, self._progress = effects, clock, progress
+
+    def answer(self, at: Resolution) -> Floats | None:
+        """Run for good; the first answer is there already."""
+        if self._waiting:
+            self._waiting = False
+        else:
+            self._clock.lap("estimate")
+            self._clock.set_aside()
+            scene = self.last.scene
+            self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress)
+        return np.asarray(self.last.data["midpoint"]) if self.last.outcome.is_success else None
+
+    def companion(self, at: Resolution) -> Floats | None:
+        """Run for the midpoint only, in the same units."""
+        scene = at.of(self.last.scene)
+        prepared = build(scene, self._effects)
+        solution = prepared.solve(self._progress)
+        if not solution.outcome.is_success:
+            return None
+        return midpoint_heights(prepared.graph, solution) * rest_length(scene)
+
+
+def _told(answer: Trajectory, found: Controlled, clock: Clock) -> Trajectory:
+    """Put the estimate into the summary, and decide whether it will do."""
+    accuracy, parts = answer.scene.run.accuracy, found.found
+    told: dict[str, object] = {
+        "resolution": asdict(found.resolution),
+        "refinements": list(found.refinements),
+        "wall_s": clock.laps(),
+    }
+    if parts is None:
+        return answer.estimated(told, (), "")
+    errors = ErrorEstimate(parts.space, parts.time, parts.section, sum(answer.summary["checked"].values()))
+    told["error_estimate"] = errors.as_table()
+    warnings = [f"the error is not fully estimated: the run with {what} has no answer" for what in parts.failed]
+    missed, fixed = _missed(answer.scene, parts)
+    if fixed:
+        warnings.append(fixed)
+    text = f"estimated error {errors.total or 0:.2g} against an accuracy of {accuracy:g}" if missed else ""
+    return answer.estimated(told, warnings, text)
+
+
+def _missed(scene: Scene, parts: Differences) -> tuple[bool, str]:
+    """Whether the program has missed the accuracy, and what to say where a number of the user's misses it."""
+    numerics, accuracy = scene.numerics, scene.run.accuracy
+    fixed = {
+        "space": "numerics.cells" if numerics.cells is not None else "",
+        "time": "numerics.rtol" if numerics.rtol is not None else "",
+        "section": "numerics.fibres or numerics.order" if numerics.fibres or numerics.order else "",
+    }
+    errors = {"space": parts.space or 0.0, "time": parts.time or 0.0, "section": parts.section or 0.0}
+    free = sum(error for name, error in errors.items() if not fixed[name])
+    total = sum(errors.values())
+    if free > accuracy:
+        return True, ""
+    if total <= accuracy:
+        return False, ""
+    named = [fixed[name] for name, error in errors.items() if fixed[name] and error > 0]
+    return False, (
+        f"the estimated error, {total:.2g}, exceeds the accuracy of {accuracy:g}: leave out {' and '.join(named)}, "
+        "and the program chooses"
+    )

@@ -1,0 +1,117 @@
+"""``softcat accuracy``: what accuracy costs in time, on this machine."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    OutputOption,
+    QuietOption,
+    SceneArgument,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    scene_of,
+)
+
+if TYPE_CHECKING:
+    from softcat_sym.study.work_precision import Plan
+
+_POINTS = "accuracy-points.json"
+
+LimitOption = Annotated[
+    float, typer.Option("--limit", metavar="SECONDS", min=0.01, help="An integration that takes longer is stopped.")
+]
+ResumeOption = Annotated[bool, typer.Option("--resume", help="Go on from what an interrupted command kept in DIR.")]
+CellsOption = Annotated[
+    str | None,
+    typer.Option("--cells", metavar="N,N,...", help="Cells per half span.", show_default="10,20,40,60,100,200"),
+]
+ToleranceOption = Annotated[
+    str | None,
+    typer.Option("--rtol", metavar="X,X,...", help="Tolerances, loose to tight.", show_default="1e-2,...,1e-6"),
+]
+ProgramOption = Annotated[
+    list[str] | None, typer.Option("--program", metavar="KEY", help="Only this program. Repeatable.")
+]
+WarmOption = Annotated[bool, typer.Option("--warm-only", help="Leave out cold starts.")]
+
+
+@app.command()
+def accuracy(
+    scene: SceneArgument,
+    output: OutputOption,
+    limit: LimitOption = 10.0,
+    cells: CellsOption = None,
+    rtol: ToleranceOption = None,
+    program: ProgramOption = None,
+    warm_only: WarmOption = False,
+    resume: ResumeOption = False,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Measure error against time for every integrator: accuracy.csv, .json and .png in DIR.
+
+    The error is of space and time together, against a converged answer in which two families of methods agree. What
+    takes longer than the limit, or cannot solve the scene, is listed. It takes minutes; after Ctrl-C --resume goes on.
+    """
+    from softcat_sym.report.accuracy import print_accuracy, write_accuracy
+    from softcat_sym.report.progress import StepProgress
+    from softcat_sym.study.work_precision import kept_points, study
+
+    plan = _plan(cells, rtol, program, limit, cold=not warm_only)
+    asked = scene_of(scene, changes)
+    check_directory(output)
+    points = output / _POINTS
+    kept = kept_points(asked, limit, points)
+    if resume:
+        kept.read()
+    try:
+        with StepProgress(plan.most_steps, "accuracy", quiet=quiet) as progress:
+            found = study(scene, asked, plan, kept, progress.step)
+    except KeyboardInterrupt:
+        complain(f"interrupted; {len(kept.points)} points are kept in {points}: go on with --resume")
+        raise typer.Exit(INTERRUPTED) from None
+    written = write_accuracy(found, output)
+    points.unlink(missing_ok=True)
+    if not quiet:
+        print_accuracy(found)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+
+
+def _plan(cells: str | None, rtol: str | None, program: list[str] | None, limit: float, *, cold: bool) -> Plan:
+    """What the options ask for; what they leave out is as in the study."""
+    from softcat_sym.study.work_precision import CELLS, TOLERANCES, Plan
+    from softcat_sym.study.work_precision_programs import PROGRAMS
+
+    keys = tuple(one.key for one in PROGRAMS)
+    unknown = [key for key in program or () if key not in keys]
+    if unknown:
+        raise typer.BadParameter(f"{unknown[0]!r}; accepted: {', '.join(keys)}", param_hint="--program")
+    grids = tuple(int(n) for n in _numbers(cells, "--cells", 4, 2000)) if cells else CELLS
+    tolerances = _numbers(rtol, "--rtol", 1e-12, 0.5) if rtol else TOLERANCES
+    return Plan(
+        cells=tuple(sorted(set(grids))),
+        tolerances=tuple(sorted(set(tolerances), reverse=True)),
+        programs=tuple(key for key in keys if not program or key in program),
+        limit=limit,
+        cold=cold,
+    )
+
+
+def _numbers(text: str, name: str, least: float, most: float) -> tuple[float, ...]:
+    try:
+        values = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        values = ()
+    whole = name != "--cells" or all(value == round(value) for value in values)
+    if not values or not whole or not all(least <= value <= most for value in values):
+        what = "whole numbers" if name == "--cells" else "numbers"
+        raise typer.BadParameter(
+            f"{text!r}; accepted: {what} from {least:g} to {most:g}, with commas between", param_hint=name
+        )
+    return values

@@ -1,0 +1,69 @@
+"""One run: Equations -> Graph -> Solver -> Trajectory, with given effects at a given resolution."""
+
+from __future__ import annotations
+
+from softcat_sym.clock import Clock
+from softcat_sym.effects import Effects
+from softcat_sym.scene import Scene
+from softcat_sym.solve import Outcome, Prepared, Progress, choose_backend, prepare, settings_for
+from softcat_sym.solve.assembled import assembled
+from softcat_sym.trajectory import Trajectory, judge
+
+_TRIES, _TIGHTER = 3, 30.0
+"""Runs that end by a step too long for them, and how much tighter each is than the one before."""
+
+_OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
+
+
+def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepared:
+    """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+    effects : Effects
+        From :func:`softcat_sym.effects.choose_effects`.
+    clock : Clock
+        Told what the compilation took.
+    """
+    backend = choose_backend(scene, effects)
+    settings = settings_for(scene, effects, compiled=backend.compiled)
+    filament = assembled(scene, effects)
+    if clock is not None and backend.compiled:
+        clock.lap("build")
+    code = filament.code(backend, settings)
+    if clock is not None and backend.compiled:
+        clock.lap("compile")
+    return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
+
+
+def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
+    """Integrate once, and judge the answer.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked, which the trajectory carries.
+    resolved : Scene
+        The same at the resolution that is run.
+    effects : Effects
+        In force.
+    clock : Clock
+        Told of every stage.
+    progress : Progress
+        Told about simulated time.
+    """
+    tried = resolved
+    for left in reversed(range(_TRIES)):
+        prepared = build(tried, effects, clock)
+        clock.lap("build")
+        solution = prepared.solve(progress)
+        clock.lap("solve")
+        trajectory = judge(scene, effects, prepared, solution, clock.laps())
+        if trajectory.outcome not in _OF_A_STEP_TOO_LONG or scene.numerics.rtol is not None or not left:
+            break
+        # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
+        # elastic may be undefined, where the step is too long: both ask for shorter ones.
+        tried = resolved.replace({"numerics.rtol": prepared.settings.rtol / _TIGHTER})
+    return trajectory

@@ -1,0 +1,122 @@
+"""The looking itself: what is broken is seen, whether in an answer, by an exception, by a hang or by a dead process."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import softcat_sym as sc
+from softcat_sym.scene import Scene
+from softcat_sym.trajectory import Trajectory
+
+from . import scene_runs
+from .invariants import complaints
+from .limited import Worker
+
+TABLE: dict[str, Any] = {
+    "filament": {"span": "0.2 m", "thickness": "8 mm", "density": "1900 kg/m^3"},
+    "material": {"law": "maxwell", "youngs_modulus": "2 MPa", "viscosity": "0.2 MPa*s"},
+    "ends": {"motion": [["0 s", "0 m", "0 m"]]},
+    "run": {"duration": "0.3 s", "frames": 4, "accuracy": 0.01},
+    "numerics": {"cells": 8, "backend": "interpreted", "estimate": False},
+}
+
+
+@pytest.fixture(scope="module")
+def run() -> Trajectory:
+    return sc.simulate(Scene.model_validate(TABLE))
+
+
+def test_a_good_run_has_no_complaints(run: Trajectory) -> None:
+    assert run.outcome.is_success
+    assert complaints(run) == []
+
+
+def infinite(data: xr.Dataset) -> None:
+    data["moment"][2, 3] = np.nan
+
+
+def late(data: xr.Dataset) -> None:
+    data["time"] = data["time"] * 1.01
+
+
+def collapsed(data: xr.Dataset) -> None:
+    data["stretch"][1, 0] = 0.0
+
+
+def off_the_left(data: xr.Dataset) -> None:
+    data["y"][3, 0] += 1e-6
+
+
+def off_the_right(data: xr.Dataset) -> None:
+    data["x"][2, -1] -= 1e-6
+
+
+def created(data: xr.Dataset) -> None:
+    data["energy_elastic"][2] += 0.02 * float(abs(data["energy_potential"]).max())
+
+
+def undissipated(data: xr.Dataset) -> None:
+    data["energy_dissipated"][3] = data["energy_dissipated"][2] * (1 - 1e-3)
+
+
+def leaning(data: xr.Dataset) -> None:
+    data["y"][3, 4] *= 1.05
+
+
+@pytest.mark.parametrize(
+    ("spoil", "says"),
+    [
+        (infinite, "moment is not finite"),
+        (late, "frames at"),
+        (collapsed, "a stretch of 0"),
+        (off_the_left, "the left support is off"),
+        (off_the_right, "the right support is off"),
+        (created, "an energy residual of"),
+        (undissipated, "dissipation falls"),
+        (leaning, "left and right differ"),
+    ],
+)
+def test_what_is_broken_is_seen(run: Trajectory, spoil: Callable[[xr.Dataset], None], says: str) -> None:
+    data = run.data.copy(deep=True)
+    spoil(data)
+    assert any(says in text for text in complaints(dataclasses.replace(run, data=data)))
+
+
+def test_a_foreign_exception_and_an_untrue_file_are_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(scene: Scene) -> Trajectory:
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.setattr(scene_runs.sc, "simulate", fails)
+    assert scene_runs.answer(TABLE, str(tmp_path)).broken == ("ZeroDivisionError: by zero",)
+    other = Scene.model_validate({**TABLE, "title": "other"})
+    monkeypatch.setattr(scene_runs.sc, "load_scene", lambda path: other)
+    assert scene_runs._there_and_back(Scene.model_validate(TABLE), str(tmp_path))
+
+
+def test_a_refusal_is_no_fault(tmp_path: Path) -> None:
+    table = {**TABLE, "run": {"duration": "1 s", "effects": ["yielding"]}}
+    found = scene_runs.answer(table, str(tmp_path))
+    assert (found.outcome, found.broken) == (scene_runs.REFUSED, ())
+    assert "run.effects" in found.reason
+
+
+def test_a_hang_and_a_death_are_seen_and_the_next_scene_is_answered() -> None:
+    worker = Worker(limit=60.0)
+    try:
+        worker._limit = 0.01
+        assert worker.answer(TABLE).broken == ("no answer within 0.01 s",)
+        worker._limit = 60.0
+        worker._process.kill()
+        worker._process.join()
+        assert worker.answer(TABLE).broken == ("the process died with -9",)
+        found = worker.answer(TABLE)
+        assert (found.outcome, found.broken) == ("solved", ())
+    finally:
+        worker.close()
