@@ -22,12 +22,28 @@ SHORT = ("--set", "groups.duration=10", "--set", "run.frames=11", "--set", "nume
 
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGINT, 130)])
 def test_a_signal_is_heard_as_ctrl_c(number: signal.Signals, status: int) -> None:
-    before = signal.getsignal(number)
-    with ended_like_ctrl_c() as ending:
-        with pytest.raises(KeyboardInterrupt):
-            signal.raise_signal(number)
-        assert ending.status == status
-    assert signal.getsignal(number) is before
+    found = signal.getsignal(number)
+    # As in a terminal: a session without one, or nohup, ignores SIGHUP, and so would all that begins in it.
+    before = signal.default_int_handler if number is signal.SIGINT else signal.SIG_DFL
+    signal.signal(number, before)
+    try:
+        with ended_like_ctrl_c() as ending:
+            with pytest.raises(KeyboardInterrupt):
+                signal.raise_signal(number)
+            assert ending.status == status
+        assert signal.getsignal(number) is before
+    finally:
+        signal.signal(number, found)
+
+
+def test_a_signal_that_is_ignored_stays_so() -> None:
+    found = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        with ended_like_ctrl_c() as ending:
+            signal.raise_signal(signal.SIGHUP)
+        assert ending.number is None
+    finally:
+        signal.signal(signal.SIGHUP, found)
 
 
 def test_whoever_puts_ctrl_c_off_puts_sigterm_off() -> None:
