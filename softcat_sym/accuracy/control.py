@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from softcat_sym.accuracy.companions import Differences, Runner, differences
@@ -32,7 +33,9 @@ class Controlled:
     refinements: tuple[str, ...]
 
 
-def controlled(scene: Scene, first: Resolution, answer: Runner, companion: Runner) -> Controlled:
+def controlled(
+    scene: Scene, first: Resolution, answer: Runner, companion: Runner, grading: Callable[[int], float]
+) -> Controlled:
     """Run until the estimated error is below the accuracy asked, or nothing that may be chosen would help.
 
     Parameters
@@ -45,6 +48,8 @@ def controlled(scene: Scene, first: Resolution, answer: Runner, companion: Runne
         Runs for good; the last call is the answer. None if a run is not to be trusted for another reason.
     companion : Runner
         Runs for the estimate.
+    grading : callable
+        Of grids of so many cells.
     """
     at, said = first, list[str]()
     for left in reversed(range(ROUNDS)):
@@ -53,7 +58,7 @@ def controlled(scene: Scene, first: Resolution, answer: Runner, companion: Runne
             return Controlled(at, None, tuple(said))
         found = differences(midpoint, at, companion)
         total = sum(part for part in (found.space, found.time, found.section) if part is not None)
-        following = refined(at, found, scene)
+        following = refined(at, found, scene, grading)
         if total <= scene.run.accuracy or following == at or not left:
             break
         said.append(f"{_worded(at, following)}: estimated error {total:.2g} against {scene.run.accuracy:g}")

@@ -12,6 +12,7 @@ from softcat_sym.accuracy.error_estimate import ErrorEstimate
 from softcat_sym.accuracy.resolution import Resolution, resolution_of
 from softcat_sym.clock import Clock
 from softcat_sym.effects import Effects
+from softcat_sym.graph.grading import choose_grading
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.single_run import build, run_once
@@ -44,7 +45,12 @@ def as_accurate_as_asked(
     runs = _Runs(first, effects, clock, progress or Silence())
     guess = resolution_of(first.scene, effects, compiled=first.summary["backend"] == "compiled")
     start = replace(guess, rtol=first.summary["rtol"])
-    found = controlled(first.scene, start, runs.answer, runs.companion)
+    scene = first.scene
+
+    def grading(cells: int) -> float:
+        return scene.numerics.grading or choose_grading(scene, cells, effects)
+
+    found = controlled(scene, start, runs.answer, runs.companion, grading)
     clock.lap("estimate")
     return _told(runs.last, found, clock)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 from softcat_sym.accuracy.companions import LOOSER, ORDER, SECTION_ORDER, Differences, with_more_fibres
@@ -26,7 +27,7 @@ _LEAP = 8.0
 _LEAST_GAIN = 1.25  # of the number of fibres, which come in pairs
 
 
-def refined(at: Resolution, found: Differences, scene: Scene) -> Resolution:
+def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[[int], float]) -> Resolution:
     """What to run next; the same resolution where nothing that the program may choose would help.
 
     Parameters
@@ -37,6 +38,9 @@ def refined(at: Resolution, found: Differences, scene: Scene) -> Resolution:
         Its errors.
     scene : Scene
         What it fixes (``numerics.cells``, ``numerics.fibres``, ``numerics.order``, ``numerics.rtol``) stays.
+    grading : callable
+        Ratio of the longest cell to the shortest for so many cells: at a hinge no cell may become much shorter than the
+        thickness, below which a sheared section has no resistance left to necking.
     """
     accuracy, fixed, now = scene.run.accuracy, scene.numerics, at
     space, time, section = (
@@ -54,7 +58,7 @@ def refined(at: Resolution, found: Differences, scene: Scene) -> Resolution:
         now = replace(now, fibres=max(at.fibres, min(MOST_FIBRES, more or MOST_FIBRES)))
     if now.fibres is not None:
         now = replace(now, cells=max(at.cells, min(now.cells, MOST_POINTS // now.fibres)))
-    return now
+    return now if now.cells == at.cells else replace(now, grading=grading(now.cells))
 
 
 def _excess(error: float | None, share: float) -> float:

@@ -21,7 +21,7 @@ class Resolution:
     cells : int
         N, cells per half span.
     grading : float
-        Ratio of the longest cell to the shortest; the same on all grids that are compared, so that they lie on one map.
+        Ratio of the longest cell to the shortest; the same on both grids of an estimate, so that they lie on one map.
     fibres : int or None
         Fibres through the thickness; None where no fibre yields by itself.
     order : int or None

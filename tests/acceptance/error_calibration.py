@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
+from softcat_sym.effects import choose_effects
 from softcat_sym.errors import SoftcatError
+from softcat_sym.graph.grading import choose_grading
 from softcat_sym.simulate import without_estimate
 
 from .kept_answers import fingerprint, kept
@@ -94,12 +96,19 @@ def calibrated(name: str, scene: sc.Scene) -> Calibrated:
     return Calibrated(name, scene.run.accuracy, run.outcome.name, "", true, *common)
 
 
+def _grading(scene: sc.Scene, effects: tuple[str, ...], at: dict[str, Any], cells: int) -> float:
+    """That of the run, but for cells at a hinge, which may not become much shorter than the thickness."""
+    named = without_estimate(scene.replace({"run.effects": list(effects)})) if scene.run.effects == "auto" else scene
+    return min(at["grading"], choose_grading(named, cells, choose_effects(named)))
+
+
 def _finer(scene: sc.Scene, told: dict[str, Any]) -> sc.Scene:
     """The reference of a run: the physics that was in force, resolved further in every direction."""
     at = told["resolution"]
+    cells = FINER * at["cells"]
     changes: dict[str, object] = {
-        "numerics.cells": FINER * at["cells"],
-        "numerics.grading": at["grading"],
+        "numerics.cells": cells,
+        "numerics.grading": _grading(scene, tuple(told["effects"]), at, cells),
         "numerics.rtol": at["rtol"] / TIGHTER,
     }
     if scene.run.effects == "auto":

@@ -58,3 +58,8 @@ def scene_of(accuracy: float = 1e-3, **numerics: object) -> Scene:
 
 FIRST = Resolution(cells=40, grading=10.0, fibres=8, order=None, rtol=1e-4)
 LINEAR = Resolution(cells=40, grading=10.0, fibres=None, order=None, rtol=1e-4)
+
+
+def graded(cells: int) -> float:
+    """One grading for all grids."""
+    return FIRST.grading
