@@ -22,7 +22,8 @@
 # The names on the left of each comparison are derived here; those on the right are the very objects the solver runs.
 #
 # Effects derived here: `inertia` (`motion.MOTION`), `bending` (`balance.internal_force`), `large-rotation`
-# (`kinematics.LARGE_ROTATION`), `gravity-ramp` (`loading.ramped_gravity`, `loading.ramp_rate`).
+# (`kinematics.LARGE_ROTATION`), `gravity-ramp` (`loading.ramped_gravity`, `loading.ramp_rate`),
+# `gravity-shaking` (`loading.shaking`, `loading.shaking_rate`).
 
 # %%
 import math
@@ -35,7 +36,8 @@ from proving import Erratum, prove_equal, record_errata
 from softcat_sym.equations import balance, kinematics, loading, motion
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.symbols import A0, M_X, Q, X, g, g_on, rho, s, t, x_X, x_X_before, y_X, y_X_before
+from softcat_sym.equations.filament import Terms
+from softcat_sym.equations.symbols import A0, M_X, Q, X, a_g, f_g, g, g_on, rho, s, t, x_X, x_X_before, y_X, y_X_before
 
 x, y, S, theta = motion.x, motion.y, motion.stretch, motion.angle
 axial, shear, moment = motion.axial_force, motion.transverse_force, motion.moment
@@ -391,9 +393,34 @@ def during(expression: sp.Expr) -> sp.Expr:
 ramp = g * step.subs(u, t / g_on)
 prove_equal(ramp, during(loading.ramped_gravity()))
 prove_equal(sp.diff(ramp, t), during(loading.ramp_rate()))
-assert [e.right for e in loading.EQUATIONS] == [loading.ramped_gravity(), loading.ramp_rate()]
+assert [e.right for e in loading.EQUATIONS][:2] == [loading.ramped_gravity(), loading.ramp_rate()]
 for outside in (-g_on, 2 * g_on):
     assert loading.ramp_rate().subs(t, outside) == 0
+
+# %% [markdown]
+# ## Gravity shaken
+#
+# In a frame at the height $b(t)$ above the laboratory a body of mass $m$ that gravity $g$ pulls obeys
+# $m(\ddot y + \ddot b) = F - mg$: it feels $g + \ddot b$. A table that moves by $b = -(ag/\omega^2)\sin\omega t$,
+# $\omega = 2\pi f$, makes of it $g(1 + a\sin\omega t)$ (Rayleigh 1877, section 46). Filament and supports move along
+# with the table, so that nothing else changes. The changing weight does the work
+# $-\dot g\int\lambda_0 y\,dX$ per time on the potential energy; the rate of a weight that is switched on and shaken
+# follows from the product rule.
+
+# %%
+table_height = -a_g * g / (2 * sp.pi * f_g) ** 2 * sp.sin(2 * sp.pi * f_g * t)
+prove_equal(g + sp.diff(table_height, t, 2), g * loading.shaking())
+prove_equal(sp.diff(loading.shaking(), t), loading.shaking_rate())
+assert [e.right for e in loading.EQUATIONS][2:] == [loading.shaking(), loading.shaking_rate()]
+shaken = Terms(
+    gravity=loading.ramped_gravity(),
+    gravity_rate=loading.ramp_rate(),
+    shaking=loading.shaking(),
+    shaking_rate=loading.shaking_rate(),
+)
+prove_equal(during(shaken.load), ramp * loading.shaking())
+prove_equal(during(shaken.load_rate), sp.diff(ramp * loading.shaking(), t))
+assert (shaken.load.subs(t, 0), Terms().load, Terms().load_rate) == (0, g, 0)
 
 # %% [markdown]
 # ## What is left behind

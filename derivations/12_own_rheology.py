@@ -23,9 +23,6 @@ import tomllib
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -168,7 +165,7 @@ figure.tight_layout()
 # the scene's own. This paste is weaker than the toothpaste of the scene: even a gap of 5 mm is too wide for it to hold.
 
 # %%
-changes = ["filament.span=5 mm", "filament.thickness=2 mm", "material.youngs_modulus=1 kPa", "numerics.cells=20"]
+changes = ["filament.span=5 mm", "filament.thickness=2 mm", "material.youngs_modulus=1 kPa", "run.accuracy=0.01"]
 scene = fitted_scene(fit, "toothpaste", overrides=[*changes, "run.duration=0.2 s"])
 print("\n".join(scene.material.notes))
 done = sc.simulate(scene)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
@@ -59,8 +60,13 @@ class Product:
         )
 
 
-def bundled() -> dict[str, Description]:
+def bundled(told: Callable[[str], None] = lambda _: None) -> dict[str, Description]:
     """Each bundled scene, described for C.
+
+    Parameters
+    ----------
+    told : callable, optional
+        Given the name of each scene before its turn.
 
     Raises
     ------
@@ -69,7 +75,11 @@ def bundled() -> dict[str, Description]:
     """
     from softcat_sym.scene import bundled_names, load_scene
 
-    return {name: export(load_scene(name)).description for name in bundled_names()}
+    described = {}
+    for name in bundled_names():
+        told(name)
+        described[name] = export(load_scene(name)).description
+    return described
 
 
 def chosen(described: dict[str, Description]) -> list[Product]:
@@ -109,21 +119,29 @@ def contents(described: dict[str, Description]) -> dict[str, str]:
     return files
 
 
-def write(directory: str | Path) -> list[Path]:
-    """Write the products; folders of structures that are no longer among them are left alone.
+def write(directory: str | Path, told: Callable[[str], None] = lambda _: None) -> list[Path]:
+    """Write the products, all or none; folders of structures that are no longer among them are left alone.
+
+    Parameters
+    ----------
+    directory : str or pathlib.Path
+        Made if missing.
+    told : callable, optional
+        Given the name of each scene before its turn.
 
     Raises
     ------
     OSError
         If the directory cannot be written.
     """
-    from softcat_sym.files import write_all
+    from softcat_sym.files import write_all, written_together
 
-    root, files = Path(directory), contents(bundled())
+    root, files = Path(directory), contents(bundled(told))
     written: list[Path] = []
-    for folder in sorted({Path(path).parent for path in files}):
-        inside = {Path(path).name: text.encode() for path, text in files.items() if Path(path).parent == folder}
-        written += write_all(root / folder, inside)
+    with written_together():
+        for folder in sorted({Path(path).parent for path in files}):
+            inside = {Path(path).name: text.encode() for path, text in files.items() if Path(path).parent == folder}
+            written += write_all(root / folder, inside)
     return written
 
 

@@ -12,7 +12,8 @@ from softcat_sym.trajectory import Trajectory, judge
 _TRIES, _TIGHTER = 3, 30.0
 """Runs that end by a step too long for them, and how much tighter each is than the one before."""
 
-_OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
+OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
+"""Outcomes that shorter steps may cure."""
 
 
 def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepared:
@@ -61,7 +62,7 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         solution = prepared.solve(progress)
         clock.lap("solve")
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
-        if trajectory.outcome not in _OF_A_STEP_TOO_LONG or scene.numerics.rtol is not None or not left:
+        if trajectory.outcome not in OF_A_STEP_TOO_LONG or scene.numerics.rtol is not None or not left:
             break
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
         # elastic may be undefined, where the step is too long: both ask for shorter ones.

@@ -34,6 +34,8 @@ _MEANINGS = {
     "thickness": "of the section; the diameter of a circle",
     "gravity": "acceleration",
     "ramp": "time within which gravity comes on, 0 at once",
+    "shake": "amplitude with which gravity oscillates, over g",
+    "shake_frequency": "cycles in a second",
     "viscosity": "extensional",
     "yield_stress": "in tension",
     "index": "exponent n of the flow",
@@ -197,5 +199,5 @@ def _bound(scene: Scene, name: str) -> str:
     free = ("curvature", "drop", "left_angle", "right_angle")
     if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
         return "any"
-    zero = ("gravity", "ramp", "point_mass_per_area", "time_scale")
+    zero = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale")
     return "not-negative" if name in zero or name.startswith("motion_") else "positive"

@@ -56,7 +56,7 @@ def structure_of(
         What it became.
     """
     ends = graph.grid.first, graph.grid.last
-    parts = (
+    parts: tuple[object, ...] = (
         effects.terms(),
         equations.shape.name,
         scene.run.closure,
@@ -66,6 +66,8 @@ def structure_of(
         body.profile.nodes is not None,
         body.weighted,
     )
+    if effects.terms().shaking != 1:
+        parts = (*parts, effects.terms().shaking)
     return Structure(_digest(parts), effects.names, equations, theory, ends, body)
 
 

@@ -9,18 +9,23 @@ from softcat_sym.effects.effect import Effect, Estimate
 from softcat_sym.effects.extensibility import implied_extensibility
 from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.forecast import forecast
+from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.law import law_in
 from softcat_sym.effects.outrunning import outrunning_faults
 from softcat_sym.effects.refusing import refuse, refuse_closure, refuse_law, refuse_without, why_not
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
+from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
+from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.equations.filament import Terms
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene import Scene
 
 SHARE = 1 / 3
 """Share of the accuracy asked above which an effect is called for: several that are left out add up."""
+
+BY_ESTIMATE = "called for by its estimate"
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +107,8 @@ class Effects:
             viscous=False,
             gravity=bare.gravity,
             gravity_rate=bare.gravity_rate,
+            shaking=bare.shaking,
+            shaking_rate=bare.shaking_rate,
         )
 
 
@@ -172,6 +179,7 @@ def _reasons(scene: Scene, shown: Mapping[str, str]) -> dict[str, str]:
         return dict.fromkeys(asked, "named in run.effects") | implied
     if _is_published(scene):
         reasons = {e.name: "in the paper's list" for e in REGISTRY if e.in_paper and e.applies(scene)}
+        reasons |= {e.name: why for e in (GRAVITY_SHAKING,) if e.applies(scene) and (why := e.indispensable(scene))}
         return _implied(scene, reasons) | reasons
     return _completed(scene, _called_for(scene) | dict(shown) | _implied(scene, ()))
 
@@ -190,7 +198,7 @@ def _called_for(scene: Scene) -> dict[str, str]:
         if needed:
             reasons[effect.name] = needed
         elif not effect.spared(scene) and effect.estimate(scene, forecast(scene)).value > SHARE * scene.run.accuracy:
-            reasons[effect.name] = "called for by its estimate"
+            reasons[effect.name] = BY_ESTIMATE
     return reasons
 
 
@@ -206,6 +214,9 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
         if effect.name in complete:
             for need in effect.needs:
                 complete.setdefault(need, f"{effect.name} needs it")
+    flow = complete.get(VISCOUS_FLOW.name, BY_ESTIMATE)
+    if flow != BY_ESTIMATE and YIELDING.applies(scene):
+        complete.setdefault(YIELDING.name, "what is not expected to flow is held by its yield stress")
     return complete
 
 

@@ -21,6 +21,7 @@ from softcat_sym.effects.prediction import (
     weight_stress,
     yield_stress_of,
 )
+from softcat_sym.effects.resonance import shaken_share
 from softcat_sym.equations import regimes
 from softcat_sym.equations.fibres import SHEAR_CORRECTION
 from softcat_sym.equations.section import SECTIONS
@@ -139,9 +140,9 @@ def worst_gravity_number(scene: Scene) -> float | None:
 
 
 def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
-    """G from which a fibre yields: static (3.11) over what the weight overshoots by, less what is stressed already."""
+    """G from which a fibre yields: static (3.11) over what weight and shaking overshoot by, less what is stressed."""
     ringing = ringing_share(_first_frequency(scene), _ramp(scene, effects)) if "inertia" in effects else 0.0
-    overshot = 1 + (float(beam_of(scene).overshoot_bound) - 1) * ringing
+    overshot = 1 + (float(beam_of(scene).overshoot_bound) - 1) * ringing + shaken_share(scene)
     limit, modulus, initial = yield_stress_of(scene) or 0.0, instant_modulus(scene) or 0.0, scene.initial
     there = max(map(abs, initial.P), default=0.0) + max(map(abs, initial.C), default=0.0)
     there += 0.0 if initial.relaxed else abs(math.log(initial.stretch))
@@ -174,6 +175,8 @@ def _with_yield_stress(scene: Scene, effects: Collection[str], gravity_number: f
         return found("descending", f"{what}: G = {gravity_number:.3g} is beyond {exact:.4g}")
     if scene.ends.motion and scene.ends.motion[-1][0] > 0.9 * scene.run.duration:
         return found("descending", "its support still moves when the run ends")
+    if scene.load.shake > 0:
+        return found("shaken", "gravity is shaken: it yields again and again, or swings about where it was left")
     return _arrested(scene, effects, blank, found)
 
 

@@ -16,6 +16,7 @@ from softcat_sym.effects.prediction import (
     duration_star,
     effective_viscosity_at,
     instant_modulus,
+    static_modulus,
     weight_stress,
     yield_stress_of,
 )
@@ -29,6 +30,7 @@ from softcat_sym.effects.quasi_static import (
     slackness,
     start_sag,
 )
+from softcat_sym.effects.resonance import shaken_peak, shaken_phase, shaken_share
 from softcat_sym.effects.ringing import Ringing, ringing
 from softcat_sym.effects.shearing import sheared_share
 from softcat_sym.scene import Scene, distance, groups_of, is_held, is_slack
@@ -52,7 +54,7 @@ def forecast(scene: Scene) -> Motion:
     """
     history, rings = quasi_static_history(scene), ringing(scene)
     span, first = scene.filament.span, float(history.time[1])
-    sag = max(float(np.max(history.sag)), 1e-12)
+    sag = max(float(np.max(history.sag)), _shaken_sag(scene), 1e-12)
     scale = max(sag, abs(sag + scene.ends.drop / span / 2))
     amplitude = min(1.0, rings.lasting(first) / scale)
     missed, overstress = missed_by(scene, history.time, history.sag * span), _overstress(scene, rings)
@@ -65,8 +67,8 @@ def forecast(scene: Scene) -> Motion:
         strain=strain_of(scene, sag),
         slope=slope_of(scene, sag),
         tension_share=tension_share(scene, sag),
-        swings=amplitude * rings.phase(scene.run.duration),
-        missed=1.0 if sudden else max(amplitude, missed * sag / scale),
+        swings=amplitude * rings.phase(scene.run.duration) + shaken_phase(scene),
+        missed=1.0 if sudden else max(amplitude, missed * sag / scale, min(1.0, shaken_share(scene))),
         risen=_risen(scene, history, amplitude),
         relaxed=_relaxed(scene, rings),
         overstress=overstress,
@@ -75,6 +77,14 @@ def forecast(scene: Scene) -> Motion:
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=neck_folds(scene, strain_of(scene, sag)),
     )
+
+
+def _shaken_sag(scene: Scene) -> float:
+    """Largest elastic sag over span of a filament whose weight oscillates; 0 without shaking."""
+    weight = weight_stress(scene) * load_factor(scene)
+    if scene.load.shake == 0 or weight == 0:
+        return 0.0
+    return elastic_sag_under(scene, weight * shaken_peak(scene), static_modulus(scene))
 
 
 def expected_sag(scene: Scene) -> float:
@@ -172,7 +182,7 @@ def _overstress(scene: Scene, rings: Ringing) -> float:
 
 def largest_strain(scene: Scene, rings: Ringing) -> float:
     """Largest strain of an elastic fibre of the overshooting filament: mean strain, and bending where it is clamped."""
-    weight, delta = weight_stress(scene) * load_factor(scene), groups_of(scene).delta
+    weight, delta = weight_stress(scene) * load_factor(scene) * shaken_peak(scene), groups_of(scene).delta
     deep = (elastic_sag_under(scene, weight, instant_modulus(scene)) if weight else 0.0) + rings.amplitude
     ends = {scene.ends.left, scene.ends.right}
     # A string that falls at once is bent where its kinks run, between pins too.

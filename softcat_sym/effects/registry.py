@@ -8,6 +8,7 @@ from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.finite_stretch import FINITE_STRETCH
 from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
+from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.large_rotation import LARGE_ROTATION
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
@@ -33,4 +34,5 @@ REGISTRY: tuple[Effect, ...] = (
     FIBRES,
     NECKING_GRADIENT,
     ROTARY_INERTIA,
+    GRAVITY_SHAKING,
 )

@@ -5,9 +5,10 @@ from __future__ import annotations
 import ctypes
 import os
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -20,6 +21,9 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import rest_length
 from softcat_sym.solve import Outcome, Solution
 from softcat_sym.trajectory.midpoint import midpoint_heights
+
+Item = TypeVar("Item")
+Done = TypeVar("Done")
 
 
 @dataclass(frozen=True)
@@ -112,14 +116,48 @@ def run_all(members: Sequence[Member], workshop: Workshop, workers: int, progres
     SoftcatError
         If the compiler refuses or memory is short.
     """
-    stop, begun = Stop(), time.monotonic()
+    begun, stop = time.monotonic(), Stop()
+
+    def told(done: int) -> None:
+        progress.update(done, len(members), (time.monotonic() - begun) / done * (len(members) - done))
+
+    return side_by_side(lambda member: _run(member, workshop, stop), members, workers, stop, told)
+
+
+def side_by_side(
+    work: Callable[[Item], Done], items: Sequence[Item], workers: int, stop: Stop, told: Callable[[int], None]
+) -> list[Done]:
+    """Work on items in threads.
+
+    Parameters
+    ----------
+    work : callable
+        Its integrations listen to `stop`.
+    items : sequence
+        What is worked on.
+    workers : int
+        How many at a time.
+    stop : Stop
+        Told if this ends before all are done.
+    told : callable
+        Given the number of items done, after each.
+
+    Returns
+    -------
+    list
+        What `work` returns, in the order of the items.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user stops it: no thread goes on. What `work` raises is raised too.
+    """
     with ThreadPoolExecutor(workers, thread_name_prefix="softcat-member") as pool:
         try:
-            futures = [pool.submit(_run, member, workshop, stop) for member in members]
+            futures = [pool.submit(work, item) for item in items]
             for done, future in enumerate(as_completed(futures), start=1):
                 future.result()
-                spent = time.monotonic() - begun
-                progress.update(done, len(members), spent / done * (len(members) - done))
+                told(done)
         finally:
             stop.tell()
             pool.shutdown(cancel_futures=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -24,11 +25,22 @@ Key = tuple[object, ...]
 
 
 class Workshop:
-    """Prepares members for integration; what several of them share is made by the first that needs it."""
+    """Prepares members for integration; what several of them share is made by the first that needs it.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    most : int, optional
+        How many sorts of filament are remembered: beyond it the one made first is forgotten. All, if not given.
+    """
+
+    def __init__(self, most: int | None = None) -> None:
         self._filaments: dict[Key, SharedFilament] = {}
+        self._most = most
         self._lock = threading.RLock()
+
+    def alone(self) -> AbstractContextManager[object]:
+        """While this is held no other thread makes equations, graphs or code here."""
+        return self._lock
 
     def prepare(self, member: Member) -> Prepared:
         """A member with its parameters, start and integrator, as :func:`softcat_sym.simulate.build` makes it.
@@ -48,6 +60,8 @@ class Workshop:
             key = (member.pattern, effects.names, backend, settings.solver, *_key_of(grid, body))
             shared = self._filaments.get(key)
             if shared is None:
+                if self._most is not None and len(self._filaments) >= self._most:
+                    del self._filaments[next(iter(self._filaments))]
                 first = assembled(scene, effects)
                 shared = self._filaments[key] = SharedFilament(first, first.code(backend, settings))
         return prepare(scene, shared.first.graph, settings, shared.statics, (backend, shared.code))

@@ -7,7 +7,7 @@ turns the terms into the expressions of one cell; the graph prints these same ob
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import sympy as sp
@@ -50,7 +50,9 @@ class Terms:
     necking_gradient : bool
         Whether a neck's slope stiffens it.
     gravity, gravity_rate : sympy.Expr
-        g(t) and dg/dt.
+        Gravity and its rate where it does not shake.
+    shaking, shaking_rate : sympy.Expr
+        Factor by which it shakes, and the rate of that.
     """
 
     centreline: kinematics.Kinematics = kinematics.SMALL_SLOPE
@@ -70,6 +72,19 @@ class Terms:
     necking_gradient: bool = False
     gravity: sp.Expr = g
     gravity_rate: sp.Expr = sp.S.Zero
+    # Not in its representation, from which a structure has its name: one that does not shake keeps it.
+    shaking: sp.Expr = field(default=sp.S.One, repr=False)
+    shaking_rate: sp.Expr = field(default=sp.S.Zero, repr=False)
+
+    @property
+    def load(self) -> sp.Expr:
+        """g(t): as it comes on, times its shaking."""
+        return self.gravity * self.shaking
+
+    @property
+    def load_rate(self) -> sp.Expr:
+        """dg/dt by the product rule."""
+        return self.gravity_rate * self.shaking + self.gravity * self.shaking_rate
 
     def law_in_force(self) -> Law:
         """The law with the flow rules and the viscous stress that the effects have left."""

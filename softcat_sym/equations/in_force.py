@@ -132,7 +132,7 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
         mass = sp.Integer(0)
     if along:
         yield stated("balance of momentum, horizontal", mass * Rate(x_place, t, 2), Rate(F_x, X, 1), source)
-    falling = rho * A0 * (weight if _is_ramped(equations) else terms.gravity)
+    falling = rho * A0 * (weight if _changes(equations) else terms.load)
     yield stated("balance of momentum, vertical", mass * Rate(y_place, t, 2), Rate(F_y, X, 1) - falling, source)
     if along:
         yield stated("tangent, horizontal", x_X, Rate(x_place, X, 1), "2.5")
@@ -140,13 +140,18 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
 
 
 def _gravity(equations: FilamentEquations) -> Iterator[Stated]:
-    if not _is_ramped(equations):
+    if not _changes(equations):
         return
-    gravity = equations.terms.gravity
-    (share,) = {part for part in gravity.atoms(sp.Min) if part.has(t)}
-    yield stated("gravity, switched on smoothly", weight, gravity.subs(share, progress), "section 3")
-    yield stated("time of switching on", progress, share, "section 3")
+    terms = equations.terms
+    names = {"switched on smoothly": terms.gravity.has(t), "shaken": terms.shaking.has(t)}
+    sources = {"section 3": terms.gravity.has(t), "Rayleigh 1877": terms.shaking.has(t)}
+    how, source = ([what for what, there in found.items() if there] for found in (names, sources))
+    shares = {part for part in terms.gravity.atoms(sp.Min) if part.has(t)}
+    load = terms.load.subs(dict.fromkeys(shares, progress))
+    yield stated(f"gravity, {' and '.join(how)}", weight, load, "; ".join(source))
+    for share in shares:
+        yield stated("time of switching on", progress, share, "section 3")
 
 
-def _is_ramped(equations: FilamentEquations) -> bool:
-    return bool(equations.terms.gravity.has(t))
+def _changes(equations: FilamentEquations) -> bool:
+    return bool(equations.terms.load.has(t))

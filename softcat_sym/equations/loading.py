@@ -1,13 +1,14 @@
-"""Gravity as a function of time: at once, or by the paper's smooth ramp (section 3)."""
+"""Gravity as a function of time: at once, or by the paper's smooth ramp (section 3), steady or shaken."""
 
 from __future__ import annotations
 
 import sympy as sp
 
 from softcat_sym.equations.equation import Equation
-from softcat_sym.equations.symbols import ACCELERATION, enter_field, g, g_on, t
+from softcat_sym.equations.symbols import ACCELERATION, ONE, a_g, enter_field, f_g, g, g_on, t
 
 gravity = enter_field("gravity", "g(t)", ACCELERATION, "gravity while it is switched on", "section 3")(t)
+shake = enter_field("shake", "S(t)", ONE, "oscillating gravity over what it would be at rest", "Rayleigh 1877")(t)
 
 
 def quintic_step(u: sp.Expr) -> sp.Expr:
@@ -27,7 +28,22 @@ def ramp_rate() -> sp.Expr:
     return g * 30 * v**2 * (1 - v) ** 2 / g_on
 
 
+def shaking() -> sp.Expr:
+    """Factor 1 + a sin(2 pi f t) of the gravity in a frame that is shaken up and down (Rayleigh 1877, section 46).
+
+    At t = 0 it is one; an amplitude a > 1 turns gravity round once in every period.
+    """
+    return 1 + a_g * sp.sin(2 * sp.pi * f_g * t)
+
+
+def shaking_rate() -> sp.Expr:
+    """Derivative in time of :func:`shaking`."""
+    return 2 * sp.pi * f_g * a_g * sp.cos(2 * sp.pi * f_g * t)
+
+
 EQUATIONS: tuple[Equation, ...] = (
     Equation("gravity ramp", gravity, ramped_gravity(), "section 3"),
     Equation("rate of the gravity ramp", sp.Derivative(gravity, t), ramp_rate(), "section 3"),
+    Equation("shaking of gravity", shake, shaking(), "Rayleigh 1877"),
+    Equation("rate of the shaking", sp.Derivative(shake, t), shaking_rate(), "Rayleigh 1877"),
 )

@@ -102,6 +102,8 @@ rho = enter("rho", r"\rho", DENSITY, "density", "2.1", positive=True)
 # load
 g = enter("g", "g", ACCELERATION, "acceleration of gravity", "2.1", positive=True)
 g_on = enter("g_on", r"g_{on}", TIME, "time over which gravity is switched on", "section 3", positive=True)
+a_g = enter("a_g", "a_g", ONE, "amplitude with which gravity oscillates, over g", "Rayleigh 1877", positive=True)
+f_g = enter("f_g", "f_g", RATE, "frequency with which gravity oscillates", "Rayleigh 1877", positive=True)
 
 # stress and plastic state
 sigma = enter("sigma", r"\sigma", STRESS, "axial stress of a fibre", "2.8")

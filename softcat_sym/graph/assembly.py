@@ -100,7 +100,7 @@ def inputs_for(equations: FilamentEquations, theory: Discretisation, body: Body)
     """The parameters that occur in a filament's equations, loads and supports."""
     terms, resolved = equations.terms, equations.resolved
     turning = [resolved.rotary_inertia] if resolved is not None else []
-    printed = [*theory.expressions(equations), terms.gravity, terms.gravity_rate, *turning]
+    printed = [*theory.expressions(equations), terms.load, terms.load_rate, *turning]
     return parameter_inputs(printed, equations.law.constants, body.parameters)
 
 

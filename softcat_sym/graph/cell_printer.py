@@ -103,7 +103,7 @@ class CellPrinter:
 
 def gravity_at(terms: Terms, values: Mapping[sy.Symbol, Any], time: ca.SX) -> Pair:
     """g(t) and its rate."""
-    load = CellFunction({"g": terms.gravity, "rate": terms.gravity_rate}, (sy.t, *_INPUTS))
+    load = CellFunction({"g": terms.load, "rate": terms.load_rate}, (sy.t, *_INPUTS))
     out = load({**values, sy.t: time})
     return ca.SX(out["g"]), ca.SX(out["rate"])
 

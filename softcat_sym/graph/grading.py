@@ -11,6 +11,7 @@ import numpy as np
 
 from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.prediction import beam_of, first_yield_gravity_number, gravity_number_of
+from softcat_sym.effects.resonance import shaken_share
 from softcat_sym.scene import Scene, groups_of
 
 LEAST = 3.0
@@ -58,9 +59,9 @@ def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> 
 
 
 def _may_yield(scene: Scene) -> bool:
-    """Whether a fibre yields if the load comes on at once, which it exceeds the static moment by at most twofold."""
+    """Whether a fibre yields under a load at once, with at most twice the static moment, and what shaking adds."""
     gravity_number = gravity_number_of(scene)
-    bound = float(beam_of(scene).overshoot_bound)
+    bound = float(beam_of(scene).overshoot_bound) + shaken_share(scene)
     return gravity_number is not None and gravity_number * bound > first_yield_gravity_number(scene)
 
 

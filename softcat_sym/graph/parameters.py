@@ -36,6 +36,8 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("poisson", nu, "1"),
     Parameter("curvature", symbols.kappa_0, "1/m"),
     Parameter("aspect", aspect, "1"),
+    Parameter("shake", symbols.a_g, "1"),
+    Parameter("shake_frequency", symbols.f_g, "Hz"),
 )
 
 
@@ -61,6 +63,8 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "density": filament.density,
         "gravity": scene.load.gravity,
         "ramp": scene.load.ramp,
+        "shake": scene.load.shake,
+        "shake_frequency": scene.load.shake_frequency,
         "aspect": filament.width / filament.thickness,
         "curvature": filament.curvature,
         POINT_MASS: scene.load.point_mass / undeformed_area(scene),

@@ -100,16 +100,18 @@ def fit(
     bounds : mapping of str to (low, high), optional
         In SI, or text with units; by default a factor of a thousand to either side.
     loss : Loss
-        ``Loss("soft-l1", scale)`` or ``Loss("cauchy", scale)`` for outliers; the scale is in standard errors, which
-        are estimated from the median of the residuals where they are not stated.
+        Such as ``Loss("soft-l1", scale)`` or ``"cauchy"``, for outliers; the scale in standard errors, stated or found.
     starts, seed : int
         Of a Latin hypercube of the bounds, beside the scene's own values and those of the closed form.
-    profiles : bool
-        Whether intervals come from profile likelihoods, or from the curvature alone.
     backend, rtol : str, float, optional
         ``"auto"``, ``"compiled"`` or ``"interpreted"``; the integrator's relative tolerance.
-    progress : FitProgress, optional
-        Told how far it is.
+    profiles, progress : bool, FitProgress, optional
+        Whether intervals come from profile likelihoods, or from the curvature alone; told how far it is.
+
+    Returns
+    -------
+    Fit
+        With intervals, verdicts, what the residuals say and an outcome.
 
     Raises
     ------
@@ -225,7 +227,8 @@ def _scaled(loss: Loss, problem: FilamentProblem, given: Sequence[Floats]) -> Lo
 
 
 def _features(series: Series, scene: Scene) -> Features | None:
-    if np.count_nonzero(series.time > 0) < FEWEST or not scene.load.gravity > 0:
+    # The closed form and its features are those of a steady weight.
+    if np.count_nonzero(series.time > 0) < FEWEST or not scene.load.gravity > 0 or scene.load.shake > 0:
         return None
     return read_features(series.time, series.midpoint, series.std, scene.load.gravity, rest_length(scene))
 

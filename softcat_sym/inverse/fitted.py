@@ -90,7 +90,7 @@ class FittedFilm:
     residuals : ndarray, shape (n,)
         (model - measured) over the noise.
     features : Features or None
-        What it shows without a model; None of a film that is too short.
+        What it shows without a model; None of a film that is too short, or under shaken gravity.
     name : str
         File or number.
     """

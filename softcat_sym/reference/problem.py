@@ -23,6 +23,7 @@ _ONLY: tuple[tuple[str, object], ...] = (
     ("ends.right_angle", 0.0),
     ("ends.motion", ()),
     ("load.point_mass", 0.0),
+    ("load.shake", 0.0),
     ("initial.stretch", 1.0),
     ("initial.P", ()),
     ("initial.C", ()),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from softcat_sym.scene.bundled import bundled_names, bundled_text, bundled_title
+from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_text, bundled_title
 from softcat_sym.scene.constituents import Mode, Parameter
 from softcat_sym.scene.ends import Ends
 from softcat_sym.scene.filament import Filament
@@ -41,6 +41,7 @@ __all__ = [
     "Run",
     "Scene",
     "Surroundings",
+    "bundled_lesson",
     "bundled_names",
     "bundled_text",
     "bundled_title",

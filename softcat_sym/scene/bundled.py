@@ -8,6 +8,7 @@ from importlib.resources import files
 from importlib.resources.abc import Traversable
 
 _FOLDER = "bundled"
+_LESSON = "# Lesson: "
 
 
 @cache
@@ -53,6 +54,23 @@ def bundled_title(name: str) -> str:
         One line.
     """
     return str(tomllib.loads(bundled_text(name))["title"])
+
+
+def bundled_lesson(name: str) -> str:
+    """Return what a bundled scene teaches, from the comment that begins with ``# Lesson:``.
+
+    Parameters
+    ----------
+    name : str
+        One of `bundled_names`.
+
+    Returns
+    -------
+    str
+        One line of at most a hundred characters.
+    """
+    lines = bundled_text(name).splitlines()
+    return next((line.removeprefix(_LESSON) for line in lines if line.startswith(_LESSON)), "")
 
 
 def _folder() -> Traversable:

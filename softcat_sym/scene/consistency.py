@@ -34,7 +34,10 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     list of Fault
         Empty for a scene that makes sense.
     """
-    checks = (_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection)
+    checks = (
+        *(_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection),
+        _of_shaking,
+    )
     return [fault for check in checks for fault in check(scene)]
 
 
@@ -50,6 +53,16 @@ def _of_ends(scene: Scene) -> Iterator[Fault]:
         yield Fault("ends.drop", "given, but one end is free", "leaving it out, or two ends that are held")
     if ends.motion and ends.right == "free":
         yield Fault("ends.motion", "given, but the right end is free", "leaving it out, or a right end that is held")
+
+
+def _of_shaking(scene: Scene) -> Iterator[Fault]:
+    load = scene.load
+    if load.shake > 0 and load.shake_frequency == 0:
+        found = f"zero or missing, but load.shake is {load.shake:g}"
+        yield Fault("load.shake_frequency", found, 'a positive frequency, such as "5 Hz", or no load.shake')
+    if load.shake_frequency > 0 and load.shake == 0:
+        found = f"zero or missing, but load.shake_frequency is {load.shake_frequency:g} Hz"
+        yield Fault("load.shake", found, "a positive number without a unit, such as 0.3, or no load.shake_frequency")
 
 
 def _of_reach(scene: Scene) -> Iterator[Fault]:

@@ -23,6 +23,8 @@ RESERVED = frozenset(
         "density",
         "gravity",
         "ramp",
+        "shake",
+        "shake_frequency",
         "youngs_modulus",
         "viscosity",
         "yield_stress",

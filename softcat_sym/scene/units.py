@@ -24,6 +24,7 @@ SI_UNITS = {
     "surface tension": "N/m",
     "curvature": "1/m",
     "angle": "rad",
+    "frequency": "Hz",
 }
 
 # Exponents of kg, m and s.
@@ -155,7 +156,15 @@ def to_si(value: object, dimension: str, unit: str = "") -> float:
         raise NotAQuantity(f"'{name}' is {_dimension_of(found)}, not {wanted}")
     if not math.isfinite(si):
         raise NotAQuantity(f"{shown(value)} is not finite")
+    if dimension == "frequency" and _is_angular(name):
+        raise NotAQuantity(f"'{name}' measures an angle, not cycles: a frequency is in Hz, 2 pi rad/s each")
     return si
+
+
+def _is_angular(unit: str) -> bool:
+    """Tell whether pint counts radians in it, which it takes for pure numbers: 1 rad/s would be read as 1 Hz."""
+    ureg = registry()
+    return "radian" in str(ureg.get_root_units(ureg.parse_units(unit))[1])
 
 
 def to_si_of_any(value: object) -> tuple[float, Dimension]:

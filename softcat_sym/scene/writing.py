@@ -6,6 +6,7 @@ import json
 from typing import TYPE_CHECKING
 
 from softcat_sym.scene.filament import Filament
+from softcat_sym.scene.load import Load
 from softcat_sym.scene.material import Material
 from softcat_sym.scene.part import Part
 from softcat_sym.scene.shear_data import INDEXED
@@ -55,9 +56,11 @@ def _table_lines(part: Part) -> list[str]:
 
 
 def _is_idle(part: Part, name: str, value: object) -> bool:
-    """Tell whether a key says nothing: a list that is empty unless given, the index of a law that has none."""
+    """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
     if isinstance(part, Material) and name == "index":
         return part.law not in INDEXED
+    if isinstance(part, Load) and name in ("shake", "shake_frequency"):
+        return value == 0
     return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
 
 

@@ -21,12 +21,12 @@ class Outcome(Enum):
         "the grid; take in the effect bending, or keep the supports apart"
     )
     energy_drift = (
-        "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, or ask for a smaller "
-        "run.accuracy"
+        "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, take more numerics.cells, "
+        "or ask for a smaller run.accuracy"
     )
     inaccurate = (
-        "the estimated error stayed above the accuracy asked after several refinements: ask for a larger run.accuracy, "
-        "or shorten the run"
+        "the estimated error stayed above the accuracy asked after whatever refinement the scene allows: leave out the "
+        "numerics set by hand, ask for a larger run.accuracy, or shorten the run"
     )
     overlooked = (
         "an effect that was left out matters more than the accuracy asked, and the run was not repeated once more: "

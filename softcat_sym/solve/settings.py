@@ -223,6 +223,8 @@ def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
     gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
     if "yielding" not in effects.names or gravity_number is None or viscous is None:
         return False
+    if scene.load.shake > 0:
+        return False
     throughout = _THROUGHOUT * first_yield_gravity_number(scene) < gravity_number <= math.sqrt(2)
     return throughout and viscous > _OVERDAMPED
 
@@ -230,7 +232,7 @@ def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
 def _is_slow(scene: Scene) -> bool:
     """Whether the load comes on so slowly, compared with the period of the elastic filament, that nothing rings."""
     sag = elastic_sag(scene)
-    if sag == 0:
+    if sag == 0 or scene.load.shake > 0:
         return False
     period = 2 * math.pi * math.sqrt(sag) * gravity_time(scene)
     return scene.load.ramp > _SLOW_PERIODS * period

@@ -114,16 +114,17 @@ def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floa
     """Equilibrium at the end of a continuation, or None where it breaks off."""
     guesses = sagging_guesses(stage.graph, stage.straight(straight), elastic_sag(stage.scene))
     z = stage.search(equilibrium, 0.0, guesses[::-1] if stage.weightless else guesses)
-    reached, step = 0.0, _LARGEST_STEP
+    reached, step, slope = 0.0, _LARGEST_STEP, np.zeros_like(straight)
     while z is not None and reached < 1.0:
-        further = stage.search(equilibrium, min(1.0, reached + step), [z])
+        further = stage.search(equilibrium, min(1.0, reached + step), [z + step * slope, z])
         if further is not None:
-            z, reached, step = further, min(1.0, reached + step), min(2 * step, _LARGEST_STEP)
+            now = min(1.0, reached + step)
+            z, slope, reached, step = further, (further - z) / (now - reached), now, min(2 * step, _LARGEST_STEP)
         elif step >= _SMALLEST_STEP:
             step /= 2
         elif stage.falls:
             # The branch ends at a fold, as of an arch too heavy to stand: the filament snaps into what lies below.
-            reached, step = min(1.0, reached + _SMALLEST_STEP), _LARGEST_STEP
+            reached, step, slope = min(1.0, reached + _SMALLEST_STEP), _LARGEST_STEP, np.zeros_like(z)
             x, constants = stage.at(reached)
             z = stage.search(equilibrium, reached, [snapped(stage.graph, 0.0, x, constants, z)])
         else:

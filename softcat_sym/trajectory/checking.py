@@ -5,6 +5,7 @@ from __future__ import annotations
 from softcat_sym.effects import Effects, Estimate
 from softcat_sym.effects.motion import Motion
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
+from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.scene import Scene
 from softcat_sym.solve import Outcome
 
@@ -41,7 +42,10 @@ def overlooked(scene: Scene, effects: Effects, measured: dict[str, Estimate], ou
     if outcome is Outcome.localised:
         return {e.name: "without it a neck has no width" for e in omitted if e is NECKING_GRADIENT}
     if not outcome.is_success and outcome is not Outcome.energy_drift:
-        return {e.name: "the run without it failed" for e in omitted if e.in_paper}
+        # Without rotary inertia the angles of sheared sections are algebraic: a stiff pull may leave them no solution.
+        turning = set(ROTARY_INERTIA.needs) <= set(effects.names)
+        wanted = [e for e in omitted if e.in_paper or (turning and e is ROTARY_INERTIA)]
+        return {e.name: "the run without it failed" for e in wanted}
     return {
         effect.name: f"called for by the finished run without it; there {measured[effect.name]}"
         for effect in omitted

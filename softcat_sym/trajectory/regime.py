@@ -13,7 +13,9 @@ from softcat_sym.effects.prediction import effective_viscosity, yield_stress_of
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
 
-Regime = Literal["no-yield", "arrested-overdamped", "arrested-underdamped", "descending", "viscous", "elastic"]
+Regime = Literal[
+    "no-yield", "arrested-overdamped", "arrested-underdamped", "descending", "viscous", "elastic", "shaken"
+]
 
 ARREST_RATE = 0.5
 """Arrested: the plastic rate stays below this fraction of sigma_Y/eta, in every fibre ...
@@ -31,6 +33,9 @@ TURNED_BACK = 0.05
 
 def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midpoint: Floats) -> Regime:
     """Name the regime.
+
+    Under shaken gravity a filament that has yielded never comes to rest: it is "descending" where it flows on in the
+    last tenth and the last period, and otherwise "shaken", of which nothing more is claimed.
 
     Parameters
     ----------
@@ -52,6 +57,8 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
         return "no-yield"
     if not is_arrested(scene, fields["plastic_rate"]):
         return "descending"
+    if scene.load.shake > 0:
+        return "shaken"
     return "arrested-underdamped" if turned_back(midpoint) > TURNED_BACK else "arrested-overdamped"
 
 
@@ -60,8 +67,10 @@ def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
     pace = _pace(scene)
     if not pace:
         return False
-    frames = len(plastic_rate)
-    last = plastic_rate[min(frames - 1, int((1 - ARREST_TIME) * (frames - 1))) :]
+    frames, share = len(plastic_rate), ARREST_TIME
+    if scene.load.shake > 0:
+        share = min(1.0, max(share, 1 / (scene.load.shake_frequency * scene.run.duration)))
+    last = plastic_rate[min(frames - 1, int((1 - share) * (frames - 1))) :]
     return bool(np.max(last) < ARREST_RATE * pace)
 
 

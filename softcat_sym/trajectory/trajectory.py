@@ -148,7 +148,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "closure": scene.run.closure,
         **_numerics(prepared, solution),
         "converted": list(scene.material.notes),
-        "warnings": [*warnings_of(scene, time, midpoint), *spared(scene, effects, measured)],
+        "warnings": [*warnings_of(scene, effects, time, places[0], fields), *spared(scene, effects, measured)],
         "wall_s": wall,
     }
     data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}

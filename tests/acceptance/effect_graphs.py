@@ -10,11 +10,13 @@ from softcat_sym.equations.filament import derive
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.graph import Graph, assemble
 from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
-from softcat_sym.scene import load_scene
+from softcat_sym.scene import Scene, load_scene
 
 CELLS = 6
 BESIDE = {"shear": ("fibres",)}
 """Effects that hide another one: a resolved section keeps its shear, made stiff."""
+STEADY = {"load.shake": 0.0, "load.shake_frequency": "0 Hz"}
+"""What a scene must no longer ask for where an effect is left out that it could not do without."""
 
 
 def dependents(name: str) -> set[str]:
@@ -38,6 +40,18 @@ def lists(effect: Effect) -> tuple[tuple[str, ...], tuple[str, ...]]:
     return listed, tuple(name for name in listed if name != effect.name)
 
 
+def with_effects(scene: Scene, names: Iterable[str]) -> Scene:
+    """The scene with these effects and no other; under steady gravity where its shaking is not among them."""
+    named = list(names)
+    return scene.replace({"run.effects": named, **({} if "gravity-shaking" in named else STEADY)})
+
+
+def dispensing(effect: Effect) -> Scene:
+    """The effect's scene, as it may do without the effect."""
+    scene = load_scene(effect.example)
+    return scene.replace(STEADY) if effect.name == "gravity-shaking" else scene
+
+
 @cache
 def graph_of(scene_name: str, names: tuple[str, ...]) -> Graph:
     """The scene's graph on few cells, with these effects and no other.
@@ -47,7 +61,7 @@ def graph_of(scene_name: str, names: tuple[str, ...]) -> Graph:
     ValueError
         If the scene takes in others.
     """
-    asked = load_scene(scene_name, {"run.effects": list(names), "numerics.cells": CELLS, "numerics.grading": 1.0})
+    asked = with_effects(load_scene(scene_name), names).replace({"numerics.cells": CELLS, "numerics.grading": 1.0})
     effects = choose_effects(asked)
     if effects.names != names:
         raise ValueError(f"asked for {names}, got {effects.names}")

@@ -228,5 +228,16 @@ LIMITS: tuple[Limit, ...] = (
         fading.rayleigh_share,
         0.04,
     ),
+    Limit(
+        "gravity-shaking",
+        "swinging clamped beam",
+        "a",
+        (0.4, 0.2, 0.1),
+        1,
+        0.01,
+        fading.shaking_of_a_beam,
+        fading.duhamel_share,
+        0.01,
+    ),
 )
 """Every limit; each effect has one or more."""

@@ -14,7 +14,7 @@ from pathlib import Path
 from softcat_sym.effects import Effect, choose_effects
 from softcat_sym.scene import bundled_names, load_scene
 
-from .effect_graphs import lists
+from .effect_graphs import dispensing, lists
 from .effect_limits import Limit
 
 NOTEBOOKS = Path(__file__).parents[2] / "derivations"
@@ -48,7 +48,7 @@ def _without_scene(effect: Effect) -> list[str]:
     scene = load_scene(effect.example)
     if not effect.applies(scene):
         return [f"scene: {effect.example} cannot have it"]
-    if reason := effect.indispensable(scene):
+    if reason := effect.indispensable(dispensing(effect)):
         return [f"scene: {effect.example} cannot do without it, so that nothing shows: {reason}"]
     asked = scene if not effect.spared(scene) else scene.replace({"run.effects": list(lists(effect)[0])})
     if effect.name not in choose_effects(asked).names:

@@ -11,7 +11,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.effects import REGISTRY, Effect
 
-from .effect_graphs import lists
+from .effect_graphs import lists, with_effects
 from .effect_limits import LIMITS
 from .effect_walk import derived_in, lacking
 from .table import show
@@ -72,7 +72,7 @@ def test_what_a_notebook_says_may_run_over_lines() -> None:
 def test_it_matters_in_its_scene(effect: Effect) -> None:
     """Leaving it out changes the midpoint by more than the accuracy asked, or the run cannot be finished."""
     scene = sc.load_scene(effect.example, COARSE if "fibres" in lists(effect)[1] else {"numerics.cells": 10})
-    runs = [sc.simulate(scene.replace({"run.effects": list(names)})) for names in lists(effect)]
+    runs = [sc.simulate(with_effects(scene, names)) for names in lists(effect)]
     assert runs[0].outcome is sc.Outcome.solved
     change = float("inf")
     if runs[1].outcome is sc.Outcome.solved:

@@ -76,6 +76,14 @@ def test_what_the_user_fixed_is_kept_and_told() -> None:
     assert any("numerics.cells" in warning for warning in run.summary["warnings"])
 
 
+@pytest.mark.slow
+def test_a_hinge_that_necks_as_the_grid_lets_it_is_no_success() -> None:
+    by_hand = {"numerics.cells": 80, "numerics.grading": 10, "numerics.fibres": 8}
+    run = simulate(load_scene("arrested-underdamped", by_hand))
+    assert run.outcome.name == "inaccurate"
+    assert "numerics.grading" in run.summary["complaint"]
+
+
 def test_what_cannot_be_reached_is_inaccurate(monkeypatch: pytest.MonkeyPatch) -> None:
     from softcat_sym.accuracy import refining
 

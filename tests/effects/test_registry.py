@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from softcat_sym.effects import REGISTRY, choose_effects
+from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.equations.filament import Terms, derive
 from softcat_sym.equations.laws import law_of
 from softcat_sym.equations.section import SECTIONS
@@ -36,7 +37,7 @@ ALL = (
     "gravity-ramp",
 )
 """The published list."""
-BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia")
+BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking")
 
 
 @cache
@@ -72,6 +73,7 @@ def test_one_that_does_not_always_apply_says_why(effect: object) -> None:
     laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
     scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
     scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
+    scenes.append(scenes[0].replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
     applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
     assert any(applies)
     assert bool(effect.without_it) is not all(applies)  # type: ignore[attr-defined]
@@ -117,10 +119,12 @@ def test_contributing_twice_is_contributing_once(effect: object) -> None:
         (("gravity-ramp",), "ramp"),
         (("shear", "rotary-inertia"), "poisson"),
         (("necking-gradient",), "aspect"),
+        (("gravity-shaking",), "shake"),
+        (("gravity-shaking",), "shake_frequency"),
     ],
 )
 def test_an_absent_effect_leaves_no_parameter(absent: tuple[str, ...], parameter: str) -> None:
-    everything = (*ALL, *({"shear", "rotary-inertia", "necking-gradient"} & {*absent}))
+    everything = (*ALL, *({"shear", "rotary-inertia", "necking-gradient", "gravity-shaking"} & {*absent}))
     assert parameter in graph_of(everything).parameters
     assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
 
@@ -138,6 +142,12 @@ def test_an_absent_effect_beyond_the_paper_leaves_no_state() -> None:
     assert not turning.is_dae
     assert any(name.startswith("omega[") for name in turning.state_names)
     assert len(both.state_names) + 2 * len(both.algebraic_names) == len(turning.state_names)
+
+
+def test_absent_shaking_leaves_no_instruction() -> None:
+    shaken = graph_of((*ALL, "gravity-shaking"))
+    assert graph_of(ALL).instructions < shaken.instructions
+    assert graph_of(ALL).state_names == shaken.state_names
 
 
 def test_an_absent_gradient_leaves_no_power() -> None:
@@ -193,8 +203,8 @@ def test_the_barest_filament_is_a_string_at_rest() -> None:
 def test_paper_takes_the_published_effects_that_apply(name: str) -> None:
     scene = load_scene(name, {"run.effects": "paper"})
     effects = choose_effects(scene)
-    assert effects.names == tuple(e.name for e in REGISTRY if e.applies(scene) and e.in_paper)
-    assert set(effects.left_out) == {e.name for e in REGISTRY if e.applies(scene) and not e.in_paper}
+    assert effects.names == tuple(e.name for e in REGISTRY if e.applies(scene) and (e.in_paper or e is GRAVITY_SHAKING))
+    assert set(effects.left_out) == {e.name for e in REGISTRY if e.applies(scene)} - set(effects.names)
     assert set(effects.reasons) == set(effects.names)
 
 
@@ -251,6 +261,15 @@ def test_the_printed_closure_is_the_published_theory() -> None:
         choose_effects(scene_of(run={"closure": "printed"}, numerics={"order": 2}))
 
 
+def test_fibres_that_are_asked_for_do_not_make_a_solid_flow() -> None:
+    """A strand too short to yield calls for neither flow nor yielding; with fibres it has both, or would run away."""
+    short = {"filament.span": "3 mm", "material.shear_yield_stress": "1 kPa"}
+    assert not {"viscous-flow", "yielding"} & set(choose_effects(load_scene("ink-bridge", short)).names)
+    with_fibres = choose_effects(load_scene("ink-bridge", short | {"numerics.fibres": 6}))
+    assert {"fibres", "viscous-flow", "yielding"} <= set(with_fibres.names)
+    assert "held by its yield stress" in with_fibres.reasons["yielding"]
+
+
 @pytest.mark.parametrize("numerics", [{"fibres": 4}, {"order": 2}])
 def test_numbers_of_fibres_ask_for_them(numerics: dict[str, int]) -> None:
     effects = choose_effects(scene_of("maxwell", run={"effects": "paper"}, numerics=numerics))
@@ -264,7 +283,7 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
     scene = scene_of(run={"effects": ["bending", "inertia", "viscous-flow"]})
     effects = choose_effects(scene)
     assert effects.names == ("inertia", "bending", "viscous-flow")
-    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {"viscous-stress"}
+    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {"viscous-stress", "gravity-shaking"}
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 
 

@@ -12,7 +12,7 @@ from softcat_sym.equations.dimensions import DimensionError as MismatchError
 from softcat_sym.equations.dimensions import dimension
 from softcat_sym.equations.laws.bingham import bingham_rate
 from softcat_sym.equations.laws.maxwell import maxwell_rate
-from softcat_sym.equations.loading import ramp_rate, ramped_gravity
+from softcat_sym.equations.loading import ramp_rate, ramped_gravity, shaking, shaking_rate
 from softcat_sym.equations.rheology import elastic_stress
 from softcat_sym.equations.section import SECTIONS
 
@@ -82,11 +82,13 @@ def test_every_symbol_is_in_the_table() -> None:
         (mass_per_length(), (1, -1, 0)),
         (ramped_gravity(), sy.ACCELERATION),
         (ramp_rate(), (0, 1, -3)),
+        (shaking(), sy.ONE),
+        (shaking_rate(), sy.RATE),
         (maxwell_rate(), sy.RATE),
         (bingham_rate(), sy.RATE),
         (elastic_stress(sp.log(sy.s), sy.a_0), sy.STRESS),
     ],
-    ids=["mass", "gravity", "ramp", "maxwell", "bingham", "stress"],
+    ids=["mass", "gravity", "ramp", "shaking", "rate of shaking", "maxwell", "bingham", "stress"],
 )
 def test_the_laws_themselves(expr: sp.Expr, wanted: tuple[int, int, int]) -> None:
     assert dimension(expr) == wanted

@@ -14,7 +14,7 @@ from softcat_sym.equations.in_force_section import plain_rate
 from softcat_sym.equations.kinematics import LARGE_ROTATION, TRUE_STRAIN
 from softcat_sym.equations.laws import FIXED, law_of
 from softcat_sym.equations.laws.power_law import K, n
-from softcat_sym.equations.loading import ramp_rate, ramped_gravity
+from softcat_sym.equations.loading import ramp_rate, ramped_gravity, shaking, shaking_rate
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.equations.symbols import E, sigma, sigma_Y, table
 from softcat_sym.equations.written import Stated
@@ -25,7 +25,7 @@ LARGE = Terms(
 BINGHAM = replace(LARGE, law=FIXED["bingham"], yields=True)
 EVERYTHING = replace(
     BINGHAM, shear=True, resolved=True, rotary_inertia=True, necking_gradient=True,
-    gravity=ramped_gravity(), gravity_rate=ramp_rate(),
+    gravity=ramped_gravity(), gravity_rate=ramp_rate(), shaking=shaking(), shaking_rate=shaking_rate(),
 )  # fmt: skip
 
 
@@ -48,6 +48,7 @@ ABSENT = [
     ("bending", replace(BINGHAM, bending=False), {"M", "M_X", "sigma_1", "a_1", "theta_X", "h0"}),
     ("inertia", replace(BINGHAM, inertia=False), {"d2x", "d2y"}),
     ("ramp", BINGHAM, {"g_on", "g_t", "v_on"}),
+    ("shaking", replace(EVERYTHING, shaking=sp.S.One, shaking_rate=sp.S.Zero), {"a_g", "f_g"}),
     ("gradient", BINGHAM, {"s_slope"}),
     ("shear", replace(EVERYTHING, shear=False, rotary_inertia=False), {"Gam", "tau_f", "gamma_p", "nu"}),
     ("rotary inertia", replace(EVERYTHING, rotary_inertia=False), {"d2psi"}),
@@ -86,7 +87,7 @@ def test_latex_is_well_formed(shape: str, law: str, resolved: bool) -> None:
 
 def test_every_symbol_that_is_written_stands_in_the_table() -> None:
     names = {row.symbol.name for row in table()} | {f"d{row.symbol.name}" for row in table()}
-    functions = {"sin", "cos", "log", "sqrt", "Min", "Max", "if", "otherwise", "d2x", "d2y", "d2psi", "dt2", "d"}
+    functions = {"pi", "sin", "cos", "log", "sqrt", "Min", "Max", "if", "otherwise", "d2x", "d2y", "d2psi", "dt2", "d"}
     assert not words(written(EVERYTHING)) - names - functions
 
 
@@ -102,6 +103,14 @@ def test_the_paper_s_filament_reads_as_published() -> None:
     assert line(written(BINGHAM, closure="printed"), "axial force, conjugate to the stretch") == "Q = T"
     assert line(written(BINGHAM, closure="printed"), "axial flow") == "da_0/dt = <eps_p_t>/s"
     assert line(written(BINGHAM, closure="printed"), "bending flow") == "da_1/dt = 3*<eps_p_t*zeta>/s^(3/2)"
+
+
+def test_gravity_is_written_as_it_comes_on_and_shakes() -> None:
+    shaken = replace(BINGHAM, shaking=shaking(), shaking_rate=shaking_rate())
+    assert line(written(shaken), "gravity, shaken") == "g_t = g*(a_g*sin(2*pi*f_g*t) + 1)"
+    both = line(written(EVERYTHING), "gravity, switched on smoothly and shaken")
+    assert both == "g_t = g*v_on^3*(a_g*sin(2*pi*f_g*t) + 1)*(v_on*(6*v_on - 15) + 10)"
+    assert not any("gravity" in equation.name for equation in written(BINGHAM))
 
 
 def test_a_linear_law_shows_its_closed_means() -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.loading import quintic_step, ramp_rate, ramped_gravity
-from softcat_sym.equations.symbols import g, g_on, t
+from softcat_sym.equations.filament import Terms
+from softcat_sym.equations.loading import quintic_step, ramp_rate, ramped_gravity, shaking, shaking_rate
+from softcat_sym.equations.symbols import a_g, f_g, g, g_on, t
 
 u = sp.Symbol("u", real=True)
 inside = sp.Symbol("v", positive=True)
@@ -49,3 +50,20 @@ def test_the_whole_rate_adds_up_to_the_whole_load() -> None:
 
     total, _ = quad(rate, 0, 0.3)
     assert total == pytest.approx(9.81, rel=1e-12)
+
+
+@pytest.mark.parametrize("at", [0.0, 0.07, 0.11, 0.3, 1.9])
+def test_the_rate_of_shaken_gravity_is_its_slope(at: float) -> None:
+    """On the ramp, at its end and beyond, against a difference of 1e-6 s."""
+    terms = Terms(gravity=ramped_gravity(), gravity_rate=ramp_rate(), shaking=shaking(), shaking_rate=shaking_rate())
+    numbers = {g: 9.81, g_on: 0.3, a_g: 2.5, f_g: 1.7}
+    load, rate = (sp.lambdify(t, part.subs(numbers), "math") for part in (terms.load, terms.load_rate))
+    assert rate(at) == pytest.approx((load(at + 1e-6) - load(at - 1e-6)) / 2e-6, rel=1e-6, abs=1e-6)
+    assert shaking().subs({t: 0}) == 1
+
+
+def test_an_amplitude_of_two_turns_gravity_round() -> None:
+    """Three quarters of a period on it is -g, and its mean over a period is g."""
+    load = (g * shaking()).subs(a_g, 2)
+    assert load.subs(t, sp.Rational(3, 4) / f_g) == -g
+    assert sp.simplify(sp.integrate(load, (t, 0, 1 / f_g)) * f_g) == g

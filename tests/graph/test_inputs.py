@@ -15,7 +15,7 @@ from .filaments import build, parameters, random_state, rhs, scene_of, value
 @pytest.mark.parametrize("without", [(), ("inertia",)], ids=["ode", "dae"])
 def test_the_right_hand_side_depends_on_every_parameter(without: tuple[str, ...]) -> None:
     graph = build(scene_of(), without=without)
-    beyond_the_paper = {"poisson", "aspect", "curvature"}
+    beyond_the_paper = {"poisson", "aspect", "curvature", "shake", "shake_frequency"}
     assert set(graph.parameters) == {p.name for p in CATALOGUE} - beyond_the_paper | {TIME_SCALE}
     everything = ca.vertcat(graph.ode, graph.alg)
     touched = ca.DM(ca.jacobian_sparsity(everything, graph.p), 1)
@@ -57,10 +57,13 @@ def test_a_missing_value_is_named() -> None:
         graph.vector(values)
 
 
-def test_time_is_an_input_only_with_a_ramp() -> None:
+def test_time_is_an_input_only_with_a_ramp_or_a_shake() -> None:
     ramped, sudden = build(scene_of()), build(scene_of(ramp="0 s"))
     assert ca.depends_on(ramped.ode, ramped.t)
     assert not ca.depends_on(ca.vertcat(sudden.ode, sudden.quad), sudden.t)
+    shaken = build(scene_of(ramp="0 s").replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
+    assert ca.depends_on(shaken.ode, shaken.t)
+    assert {*shaken.parameters} - {*sudden.parameters} == {"shake", "shake_frequency"}
     assert float(ca.Function("work", [sudden.x, sudden.p], [sudden.quad[1]])(*sudden_inputs())) == 0
 
 

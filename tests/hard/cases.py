@@ -24,6 +24,8 @@ filaments that rupture, and strings without bending that are pushed. What was ch
 
 from __future__ import annotations
 
-from . import cases_of_materials, cases_of_shapes
+from . import cases_of_materials, cases_of_shaking, cases_of_shapes
 
-CASES = [case for part in (cases_of_materials, cases_of_shapes) for family in part.FAMILIES for case in family()]
+_PARTS = (cases_of_materials, cases_of_shapes, cases_of_shaking)
+
+CASES = [case for part in _PARTS for family in part.FAMILIES for case in family()]

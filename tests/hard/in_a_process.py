@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import signal
 import time
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing.connection import Connection
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError
+from tests.limited_process import LimitedProcess, limit_this_process
 
 from .case import Case
 from .cases import CASES
@@ -16,10 +16,6 @@ from .invariants import violations
 
 RUN, JUDGE = 60.0, 120.0
 """Seconds of the processor that the run of a case may take, and its judge: limits are runs of their own."""
-
-_START = 120.0  # s in which a fresh process imports everything
-_PATIENCE = 20.0
-"""Wall-clock time over processor time: a busy machine shares its processors, a process that sleeps uses none."""
 
 TOO_LONG = "too long"
 
@@ -41,49 +37,26 @@ class CaseWorker:
     """One process that runs cases one after another, and is replaced by a fresh one when a case takes too long."""
 
     def __init__(self) -> None:
-        self._start()
-
-    def _start(self) -> None:
-        context = get_context("spawn")
-        self._here, there = context.Pipe()
-        self._process = context.Process(target=_serve, args=(there,), daemon=True)
-        self._process.start()
-        there.close()
-        if self._here.poll(_START):
-            self._here.recv()
+        self._process = LimitedProcess(_serve)
 
     def see(self, case: Case) -> Seen:
         """Run and judge one case within the limits."""
-        ran = None
-        try:
-            self._here.send(case.title)
-            if self._here.poll(RUN * _PATIENCE):
-                ran = self._here.recv()
-                if self._here.poll(JUDGE * _PATIENCE):
-                    judged: Seen = self._here.recv()
-                    return judged
-        except (EOFError, OSError):
-            self._process.join()
-        died = self._process.exitcode
-        self.close()
-        self._start()
-        if died not in (None, -signal.SIGPROF):
-            return Seen("died", f"the process died with {died}")
-        if ran is None:
+        answers, died = self._process.ask(case.title, (RUN, JUDGE))
+        if len(answers) == 2:
+            judged: Seen = answers[1]
+            return judged
+        if died:
+            return Seen("died", died)
+        if not answers:
             return Seen(TOO_LONG, f"no answer within {RUN:g} s", seconds=RUN)
-        return Seen(TOO_LONG, f"{ran.outcome}, but not judged within {JUDGE:g} s", seconds=ran.seconds)
+        return Seen(TOO_LONG, f"{answers[0].outcome}, but not judged within {JUDGE:g} s", seconds=answers[0].seconds)
 
     def close(self) -> None:
         """End the process."""
-        self._process.kill()
-        self._process.join()
-        self._here.close()
+        self._process.close()
 
 
-def _serve(there: object) -> None:
-    from multiprocessing.connection import Connection
-
-    assert isinstance(there, Connection)
+def _serve(there: Connection) -> None:
     by_title = {case.title: case for case in CASES}
     there.send("ready")
     while True:
@@ -91,8 +64,7 @@ def _serve(there: object) -> None:
             case = by_title[there.recv()]
         except EOFError:
             return
-        # Its signal ends the process, whatever library is at work.
-        signal.setitimer(signal.ITIMER_PROF, RUN)
+        limit_this_process(RUN)
         began = time.process_time()
         try:
             run = sc.simulate(case.scene())
@@ -107,10 +79,10 @@ def _serve(there: object) -> None:
                 estimate=found["total"] if found else None,
                 seconds=time.process_time() - began,
             )
-        signal.setitimer(signal.ITIMER_PROF, JUDGE)
+        limit_this_process(JUDGE)
         there.send(seen)
         there.send(_judged(case, run, seen))
-        signal.setitimer(signal.ITIMER_PROF, 0)
+        limit_this_process(0)
 
 
 def _judged(case: Case, run: sc.Trajectory | None, seen: Seen) -> Seen:

@@ -96,7 +96,9 @@ def _masses(run: Trajectory) -> Array:
 def _weight(run: Trajectory) -> Array:
     time, ramp = np.asarray(run.data["time"]), run.scene.load.ramp
     u = np.clip(time / ramp, 0, 1) if ramp > 0 and "gravity-ramp" in run.summary["effects"] else np.ones_like(time)
-    return u**3 * (10 - 15 * u + 6 * u**2) * run.scene.load.gravity * float(np.sum(_masses(run)))
+    load = run.scene.load
+    shaken = 1 + load.shake * np.sin(2 * np.pi * load.shake_frequency * time)
+    return shaken * u**3 * (10 - 15 * u + 6 * u**2) * run.scene.load.gravity * float(np.sum(_masses(run)))
 
 
 def _reactions(run: Trajectory) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -17,8 +17,22 @@ _MODES = 12
 
 def beam_let_go(times: Array, E: float, delta: float) -> Array:
     """Midpoint of a linear clamped beam under a weight that comes at once: its symmetric modes (Rayleigh)."""
-    x = np.linspace(-0.5, 0.5, 20001)
+    return beam_shaken(times, E, delta, 0.0, 1.0)
+
+
+def beam_shaken(times: Array, E: float, delta: float, a: float, frequency: float) -> Array:
+    """The same under the weight 1 + a sin(2 pi f t): Duhamel's integral of each mode (Rayleigh 1877)."""
+    drive = 2 * np.pi * frequency
     height = np.zeros_like(times)
+    for omega, share in _symmetric_modes(E, delta):
+        forced = (np.sin(drive * times) - drive / omega * np.sin(omega * times)) / (omega**2 - drive**2)
+        height -= share * ((1 - np.cos(omega * times)) / omega**2 + a * forced)
+    return height
+
+
+def _symmetric_modes(E: float, delta: float) -> Iterator[tuple[float, float]]:
+    """Frequency, and what an even load of one makes of the midpoint's acceleration."""
+    x = np.linspace(-0.5, 0.5, 20001)
     for k in range(_MODES):
         # tan(b/2) + tanh(b/2) = 0
         low = (k + 0.5) * np.pi + 1e-9
@@ -27,9 +41,7 @@ def beam_let_go(times: Array, E: float, delta: float) -> Array:
         grown = np.exp(2 * half * (np.abs(x) - 0.5)) + np.exp(-2 * half * (np.abs(x) + 0.5))
         mode = grown / (1 + np.exp(-2 * half)) - np.cos(2 * half * x) / np.cos(half)
         omega = (2 * half) ** 2 * np.sqrt(delta**2 * E / 12)
-        share = simpson(mode, x=x) / simpson(mode**2, x=x)
-        height -= share * mode[len(x) // 2] * (1 - np.cos(omega * times)) / omega**2
-    return height
+        yield omega, simpson(mode, x=x) / simpson(mode**2, x=x) * mode[len(x) // 2]
 
 
 def beam_of_modes(times: Array, modes: Sequence[tuple[float, float]], delta: float) -> Array:

@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import json
-import signal
 import tempfile
 import threading
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import Any
 
-from .scene_runs import Answer, answer
+from tests.limited_process import LimitedProcess, limit_this_process
 
-_START = 120.0  # s that a fresh process may take to import everything
-_PATIENCE = 20.0
-"""Wall-clock time over processor time: a busy machine shares its processors, a process that sleeps uses none."""
+from .scene_runs import Answer, answer
 
 
 class Worker:
-    """One process that answers scenes one after another, and is replaced by a fresh one when it hangs or dies.
+    """One process that answers scenes one after another.
 
     Parameters
     ----------
@@ -30,39 +26,20 @@ class Worker:
     """
 
     def __init__(self, limit: float) -> None:
-        self._limit = limit
-        self._start()
-
-    def _start(self) -> None:
-        context = get_context("spawn")
-        self._here, there = context.Pipe()
-        self._process = context.Process(target=_serve, args=(there,), daemon=True)
-        self._process.start()
-        there.close()
-        if self._here.poll(_START):
-            self._here.recv()
+        self._limit, self._process = limit, LimitedProcess(_serve)
 
     def answer(self, table: dict[str, Any]) -> Answer:
         """Answer one scene within the limit; else its answer says that there was none."""
-        why = f"no answer within {self._limit:g} s"
-        try:
-            self._here.send((table, self._limit))
-            if self._here.poll(self._limit * _PATIENCE):
-                found: Answer = self._here.recv()
-                return found
-        except (EOFError, OSError):
-            self._process.join()
-            if self._process.exitcode != -signal.SIGPROF:
-                why = f"the process died with {self._process.exitcode}"
-        self.close()
-        self._start()
+        answers, died = self._process.ask((table, self._limit), (self._limit,))
+        if answers:
+            found: Answer = answers[0]
+            return found
+        why = died or f"no answer within {self._limit:g} s"
         return Answer(json.dumps(table), table["material"]["law"], "", broken=(why,), seconds=self._limit)
 
     def close(self) -> None:
         """End the process."""
-        self._process.kill()
-        self._process.join()
-        self._here.close()
+        self._process.close()
 
 
 def _serve(there: Connection) -> None:
@@ -75,10 +52,9 @@ def _serve(there: Connection) -> None:
                 table, limit = there.recv()
             except EOFError:
                 return
-            # Its signal ends the process, whatever library is at work.
-            signal.setitimer(signal.ITIMER_PROF, limit)
+            limit_this_process(limit)
             found = answer(table, folder)
-            signal.setitimer(signal.ITIMER_PROF, 0)
+            limit_this_process(0)
             there.send(found)
 
 

@@ -24,6 +24,7 @@ start                 as it is 60 %; slack by up to 30 %; drawn by up to 5 % (wh
                       to 0.02, C of up to 0.1 h0/L
 effects               ``auto`` 60 %, ``paper`` 20 %, else a list with all that its members need; in 1 of 8 of ``paper``
                       the printed closure
+in 1 of 8             gravity shaken by 0.05 to 1 of itself at 0.1 to 2 per q, but for the printed closure
 in 1 of 8             the backend that the program chooses, else the interpreted one
 in 1 of 16 each       the small-deflection model; an integrator by name; an order 2 to 4 or 4 to 12 fibres
 ====================  =================================================================================================
@@ -202,6 +203,8 @@ def _loads(draw: st.DrawFn, at: Scales, duration: float) -> Table:
     if draw(one_in(8)):
         # Of a square section; a circle weighs less, a wide rectangle more.
         table["point_mass"] = f"{draw(even(0, 1)) * at.density * at.span * (at.delta * at.span) ** 2!r} kg"
+    if draw(one_in(8)):
+        table |= {"shake": draw(even(0.05, 1)), "shake_frequency": f"{draw(log(0.1, 2)) / at.time!r} Hz"}
     return table
 
 
@@ -234,12 +237,14 @@ def _physics(draw: st.DrawFn, table: Table, law: str) -> None:
         table["run"]["effects"] = "paper"
         if draw(one_in(8)):
             table["run"]["closure"] = "printed"
+            for key in ("shake", "shake_frequency"):
+                table["load"].pop(key, None)
     elif how > 7:
-        table["run"]["effects"] = draw(_lists(law, "ramp" in table["load"]))
+        table["run"]["effects"] = draw(_lists(law, "ramp" in table["load"], "shake" in table["load"]))
 
 
 @st.composite
-def _lists(draw: st.DrawFn, law: str, ramp: bool) -> list[str]:
+def _lists(draw: st.DrawFn, law: str, ramp: bool, shaken: bool) -> list[str]:
     """Any effects that the law may have, with all that they need; always bending, and what makes it flow."""
     flowing = law not in STIFF
     cannot = set() if flowing else {"viscous-flow", "fibres", "necking-gradient"}
@@ -249,10 +254,12 @@ def _lists(draw: st.DrawFn, law: str, ramp: bool) -> list[str]:
         cannot |= {"yielding"}
     if not ramp:
         cannot |= {"gravity-ramp"}
+    if not shaken:
+        cannot |= {"gravity-shaking"}
     allowed = [effect.name for effect in REGISTRY if effect.name not in cannot]
     needs = {effect.name: effect.needs for effect in REGISTRY}
     wanted = {name for name in allowed if draw(one_in(2))} | {"bending", "extensibility"}
-    wanted |= {"viscous-flow", "viscous-stress", "yielding"} & set(allowed)
+    wanted |= {"viscous-flow", "viscous-stress", "yielding", "gravity-shaking"} & set(allowed)
     while missing := {need for name in wanted for need in needs[name]} - wanted:
         wanted |= missing
     return [name for name in needs if name in wanted]

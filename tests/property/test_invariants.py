@@ -113,8 +113,8 @@ def test_a_hang_and_a_death_are_seen_and_the_next_scene_is_answered() -> None:
         worker._limit = 0.01
         assert worker.answer(TABLE).broken == ("no answer within 0.01 s",)
         worker._limit = 60.0
-        worker._process.kill()
-        worker._process.join()
+        worker._process._process.kill()
+        worker._process._process.join()
         assert worker.answer(TABLE).broken == ("the process died with -9",)
         found = worker.answer(TABLE)
         assert (found.outcome, found.broken) == ("solved", ())

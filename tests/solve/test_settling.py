@@ -128,11 +128,11 @@ def test_a_thick_slack_sheet_hangs_as_a_catenary_of_its_length(theory: str, monk
     assert begun.stiffnesses[0] > 0
 
 
-def test_newton_alone_would_leave_the_shearing_sheet_a_compressed_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_newton_alone_would_leave_the_shearing_sheet_a_compressed_arch(monkeypatch: pytest.MonkeyPatch) -> None:
     found, begun = started(thick_and_slack("shearing"), monkeypatch)
-    assert np.max(found.observed["stretch"]) < 0.9
-    assert found.stiffnesses[0] < 0
-    assert begun.energy < found.energy - 100
+    assert np.max(found.observed["stretch"]) < 1
+    assert np.min(found.heights) > 0
+    assert begun.energy < found.energy - 90
 
 
 def test_a_section_that_shears_hangs_where_one_that_does_not_hangs(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -32,7 +32,7 @@ def scene_of(effects: Sequence[str], thickness: float, E: float, right: str = "c
         "ends": {"left": "clamped" if right == "free" else right, "right": right},
         "load": {"gravity": "10 m/s^2"},
         "run": {"duration": "1 s", "frames": 2, "effects": list(effects)},
-        "numerics": {"cells": 20},
+        "numerics": {"cells": 20, "estimate": False},
     }
     for name, values in tables.items():
         table[name] = table.get(name, {}) | values

@@ -171,3 +171,28 @@ def test_a_run_that_fails_without_bending_is_repeated_with_it(monkeypatch: pytes
     assert "bending: the run without it failed" in text
     assert "bending" in done.summary["effects"]
     assert_same(done, simulate(honey.replace({"run.effects": list(done.summary["effects"])})))
+
+
+def test_sections_that_find_no_angle_are_given_their_inertia() -> None:
+    """A soft shear-thinning thread drawn down by a mass: without rotary inertia its section angles are algebraic."""
+    thread = Scene.model_validate(
+        {
+            "filament": {"span": "3.73 m", "thickness": "91 mm", "width": "66 mm", "density": "3772 kg/m^3"},
+            "material": {
+                "law": "power-law",
+                "youngs_modulus": "793.5 kPa",
+                "viscosity": "107.2 MPa*s**0.862",
+                "index": 0.862,
+                "poisson": 0.397,
+            },
+            "ends": {"left_angle": "-9.5 deg", "right_angle": "7.6 deg"},
+            "load": {"gravity": "4.546 m/s^2", "point_mass": "93.8 kg"},
+            "run": {"duration": "6.6 s", "frames": 7, "accuracy": 0.1},
+            "numerics": {"cells": 11, "estimate": False},
+        }
+    )
+    run, finer = simulate(thread), simulate(thread.replace({"run.accuracy": 0.01}))
+    assert run.outcome is Outcome.solved
+    assert run.summary["repeats"] == ["rotary-inertia: the run without it failed"]
+    assert finer.outcome is Outcome.solved
+    assert run.summary["midpoint_final_m"] == pytest.approx(finer.summary["midpoint_final_m"], rel=0.05)

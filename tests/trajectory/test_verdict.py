@@ -10,7 +10,7 @@ import pytest
 
 from softcat_sym import simulate
 from softcat_sym.effects import choose_effects
-from softcat_sym.scene import load_scene
+from softcat_sym.scene import Scene, load_scene, rest_length
 from softcat_sym.solve import Outcome
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.localisation import (
@@ -20,7 +20,7 @@ from softcat_sym.trajectory.localisation import (
     neck_that_the_grid_decides,
 )
 from softcat_sym.trajectory.regime import ARREST_RATE, ARREST_TIME, TURNED_BACK, is_arrested, regime_of, turned_back
-from softcat_sym.trajectory.validity import warnings_of
+from softcat_sym.trajectory.validity import SHORTEST_CELL, warnings_of
 
 from .runs import run, scene_of
 
@@ -99,6 +99,30 @@ def test_arrest_lasts_for_the_stated_time(frame: int, arrested: bool) -> None:
     rate = np.zeros(FRAMES)
     rate[frame] = RATE
     assert is_arrested(scene_of(), fields(rate)["plastic_rate"]) is arrested
+
+
+def shaken(cycles: int) -> Scene:
+    """The scene of the other tests, shaken so many times."""
+    scene = scene_of()
+    return scene.replace({"load.shake": 0.5, "load.shake_frequency": f"{cycles / scene.run.duration!r} Hz"})
+
+
+@pytest.mark.parametrize(("cycles", "arrested"), [(3, False), (8, True)])
+def test_shaken_flow_must_die_out_for_a_whole_period(cycles: int, arrested: bool) -> None:
+    """One that flowed at 0.85 of the run: within the last of three periods, and before the last of eight."""
+    rate = np.zeros(FRAMES)
+    rate[-7] = RATE
+    assert is_arrested(shaken(cycles), fields(rate)["plastic_rate"]) is arrested
+    assert is_arrested(scene_of(), fields(rate)["plastic_rate"])
+
+
+def test_what_shakes_is_never_called_arrested() -> None:
+    still, scene = fields(np.zeros(FRAMES)), shaken(20)
+    assert regime_of(scene, choose_effects(scene), still, SINKING) == "shaken"
+    flowing = fields(np.full(FRAMES, 2 * RATE))
+    assert regime_of(scene, choose_effects(scene), flowing, SINKING) == "descending"
+    calm = fields(np.zeros(FRAMES), yielded=0.0, lost=0.0)
+    assert regime_of(scene, choose_effects(scene), calm, SINKING) == "no-yield"
 
 
 def test_a_single_frame_can_be_judged() -> None:
@@ -264,8 +288,8 @@ def test_a_filament_that_stretches_smoothly_has_no_neck() -> None:
 
 def test_a_viscous_thread_that_thins_at_its_clamps_is_not_refused() -> None:
     """Without a yield stress a neck only grows with the strain itself, and the sag does not depend on the grid."""
-    thread = load_scene("silicone-thread", {"run.accuracy": 1e-5, "numerics.cells": 12, "run.frames": 21})
-    run = simulate(thread)
+    coarse = {"run.accuracy": 1e-5, "numerics.cells": 12, "numerics.estimate": False, "run.frames": 21}
+    run = simulate(load_scene("silicone-thread", coarse))
     assert "necking-gradient" in run.summary["effects"]
     assert float(run.data.stretch.values[-1].max()) > 3
     assert run.outcome is Outcome.solved
@@ -276,17 +300,24 @@ STILL = np.zeros(11)
 FALLING = -0.01 * TIME
 
 
+def told(scene: Scene, midpoint: np.ndarray, time: np.ndarray = TIME) -> list[str]:
+    """Warnings of a rigid filament of two cells whose midpoint moves so."""
+    fields = {"y": np.repeat(midpoint[:, None], 3, axis=1), "yielded_fraction": np.zeros((len(time), 2))}
+    half = rest_length(scene) / 2
+    return warnings_of(scene, choose_effects(scene), time, np.array([-half, 0.0, half]), fields)
+
+
 def test_without_surface_tension_nothing_is_said() -> None:
-    assert warnings_of(scene_of(), TIME, FALLING) == []
+    assert told(scene_of(), FALLING) == []
 
 
 def test_small_surface_tension_is_not_worth_a_word() -> None:
     # gamma/(rho g R L) = 0.02/(1900 x 9.81 x 0.003 x 0.2) = 0.0018
     scene = scene_of(surroundings={"surface_tension": "20 mN/m"})
-    assert warnings_of(scene, TIME, STILL) == []
+    assert told(scene, STILL) == []
 
 
-def thread(viscosity: str) -> object:
+def thread(viscosity: str) -> Scene:
     # gamma/(rho g R L) = 0.07/(1900 x 9.81 x 5e-5 x 5e-3) = 15
     return scene_of(
         "maxwell",
@@ -297,19 +328,19 @@ def thread(viscosity: str) -> object:
 
 
 def test_a_thin_thread_of_thin_fluid_is_warned_of() -> None:
-    (text,) = warnings_of(thread("1 Pa*s"), TIME, FALLING)  # type: ignore[arg-type]
+    (text,) = told(thread("1 Pa*s"), FALLING)
     assert "surface tension" in text
     assert "15" in text
     assert "1/Ca = 7" in text
 
 
 def test_a_viscous_thread_that_moves_outruns_it() -> None:
-    assert warnings_of(thread("1000 Pa*s"), TIME, FALLING) == []  # type: ignore[arg-type]
-    assert len(warnings_of(thread("1000 Pa*s"), TIME, STILL)) == 1  # type: ignore[arg-type]
+    assert told(thread("1000 Pa*s"), FALLING) == []
+    assert len(told(thread("1000 Pa*s"), STILL)) == 1
 
 
 def test_one_frame_warns_of_nothing() -> None:
-    assert warnings_of(thread("1 Pa*s"), TIME[:1], STILL[:1]) == []  # type: ignore[arg-type]
+    assert told(thread("1 Pa*s"), STILL[:1], TIME[:1]) == []
 
 
 def test_the_warning_reaches_the_summary() -> None:
@@ -329,3 +360,17 @@ def test_the_warning_reaches_the_summary() -> None:
 def test_a_trajectory_is_frozen() -> None:
     with pytest.raises(dataclasses.FrozenInstanceError):
         run().outcome = Outcome.localised  # type: ignore[misc]
+
+
+@pytest.mark.parametrize("by_hand", [True, False])
+@pytest.mark.parametrize("of_the_limit", [0.8, 1.3])
+def test_cells_of_a_hinge_graded_too_short_by_hand_are_warned_of(of_the_limit: float, by_hand: bool) -> None:
+    scene = load_scene("arrested-underdamped", {"numerics.grading": 100} if by_hand else {})
+    shortest = of_the_limit * SHORTEST_CELL * scene.filament.thickness
+    half = rest_length(scene) / 2
+    nodes = np.array([-half, -half + shortest, 0.0, half - shortest, half])
+    for yielded in (1.0, 0.2):
+        fields = {"y": np.zeros((2, 5)), "yielded_fraction": np.full((2, 4), yielded)}
+        warnings = warnings_of(scene, choose_effects(scene), TIME[:2], nodes, fields)
+        expected = by_hand and of_the_limit < 1 and yielded > 0.5
+        assert ["numerics.grading" in text for text in warnings] == [True] * expected

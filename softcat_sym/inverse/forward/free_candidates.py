@@ -170,6 +170,8 @@ def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
     load = scene.load
     yield _positive("load.gravity", "m/s^2", load.gravity)
     yield _positive("load.ramp", "s", load.ramp)
+    yield _positive("load.shake", "", load.shake)
+    yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
     yield _positive("load.point_mass", "kg", load.point_mass)
     yield _stretch(scene)
     for table, name in _SIGNED:

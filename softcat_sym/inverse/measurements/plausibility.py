@@ -138,7 +138,7 @@ def _sags(scene: Scene) -> bool:
     """Tell whether the filament hangs below its supports at all times, with nothing that could lift it."""
     ends, filament = scene.ends, scene.filament
     bent = ends.left_angle > 0 or ends.right_angle < 0 or filament.curvature != 0 or any(scene.initial.C)
-    return scene.load.gravity > 0 and not bent and ends.drop == 0 and not ends.motion
+    return scene.load.gravity > 0 and scene.load.shake == 0 and not bent and ends.drop == 0 and not ends.motion
 
 
 Findings = tuple[list[str], list[Fault]]

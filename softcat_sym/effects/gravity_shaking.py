@@ -1,0 +1,44 @@
+"""Gravity shaking: the weight oscillates, as in a frame that is shaken up and down."""
+
+from dataclasses import replace
+
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.resonance import shaken_share
+from softcat_sym.equations.filament import Terms
+from softcat_sym.equations.loading import shaking, shaking_rate
+from softcat_sym.scene import Scene
+
+
+def _contribute(terms: Terms) -> Terms:
+    return replace(terms, shaking=shaking(), shaking_rate=shaking_rate())
+
+
+def _applies(scene: Scene) -> bool:
+    return scene.load.shake > 0
+
+
+def _indispensable(scene: Scene) -> str:
+    return f"gravity is shaken at {scene.load.shake_frequency:g} Hz" if scene.load.shake > 0 else ""
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del motion
+    return Estimate(shaken_share(scene), "amplitude a times (1 + r)/|1 - r^2| of the first mode, r = f/f_1")
+
+
+GRAVITY_SHAKING = Effect(
+    name="gravity-shaking",
+    summary="g(t) oscillates about its steady value",
+    source="Rayleigh 1877",
+    contribute=_contribute,
+    applies=_applies,
+    without_it="load.shake is zero: gravity is steady",
+    estimate=_estimate,
+    observable="swing of the midpoint at the frequency of the shaking, over the sag",
+    example="shaken-strand",
+    derivation="01_balance",
+    needs=("inertia",),
+    in_paper=False,
+    indispensable=_indispensable,
+)

@@ -1,0 +1,75 @@
+"""A process that answers one question after another, and is ended and replaced when one takes too long.
+
+What hangs inside a library hears no exception: only the end of its process stops it.
+"""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable, Sequence
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from typing import Any
+
+START = 120.0  # s in which a fresh process imports everything
+PATIENCE = 20.0
+"""Wall-clock time over processor time: a busy machine shares its processors, a process that sleeps uses none."""
+
+
+class LimitedProcess:
+    """One process, replaced by a fresh one when it hangs or dies.
+
+    Parameters
+    ----------
+    serve : callable
+        Runs in the process: sends one message when it is ready, then answers what it receives until the pipe ends, each
+        under :func:`limit_this_process`.
+    """
+
+    def __init__(self, serve: Callable[[Connection], None]) -> None:
+        self._serve = serve
+        self._start()
+
+    def _start(self) -> None:
+        context = get_context("spawn")
+        self._here, there = context.Pipe()
+        self._process = context.Process(target=self._serve, args=(there,), daemon=True)
+        self._process.start()
+        there.close()
+        if self._here.poll(START):
+            self._here.recv()
+
+    def ask(self, question: object, limits: Sequence[float]) -> tuple[list[Any], str]:
+        """Send a question; as many answers as there are limits, in seconds of the processor.
+
+        Returns
+        -------
+        list, str
+            The answers that came in time, and how the process died of its own if it did.
+        """
+        answers: list[Any] = []
+        try:
+            self._here.send(question)
+            for limit in limits:
+                if not self._here.poll(limit * PATIENCE):
+                    break
+                answers.append(self._here.recv())
+            else:
+                return answers, ""
+        except (EOFError, OSError):
+            self._process.join()
+        died = self._process.exitcode
+        self.close()
+        self._start()
+        return answers, "" if died in (None, -signal.SIGPROF) else f"the process died with {died}"
+
+    def close(self) -> None:
+        """End the process."""
+        self._process.kill()
+        self._process.join()
+        self._here.close()
+
+
+def limit_this_process(seconds: float) -> None:
+    """End the calling process after so many more seconds of the processor, whatever library is at work; 0: never."""
+    signal.setitimer(signal.ITIMER_PROF, seconds)
