@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+import hashlib
+import importlib.metadata
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -16,6 +20,20 @@ from softcat_sym.cli.application import (
     complain,
     scene_of,
 )
+from softcat_sym.cli.sweep import ClusterOption, ResumeOption, SchedulerOption, WorkersOption
+
+if TYPE_CHECKING:
+    from softcat_sym.scene import Scene
+    from softcat_sym.study.blocks import KeptBlocks
+
+
+PlaneOption = Annotated[
+    list[str] | None,
+    typer.Option("--plane", metavar="NAME", help="G-delta or G-V. Repeatable; both by default."),
+]
+ResolutionOption = Annotated[
+    int, typer.Option("--resolution", metavar="CELLS", help="Cells of the finest lattice along each axis.")
+]
 
 
 @app.command()
@@ -24,16 +42,12 @@ def phase(
     scene: Annotated[
         str, typer.Argument(metavar="[SCENE]", help="Name of a bundled scene, or path of a TOML file.")
     ] = "arrested-overdamped",
-    plane: Annotated[
-        list[str] | None,
-        typer.Option("--plane", metavar="NAME", help="G-delta or G-V. Repeatable; both by default."),
-    ] = None,
-    resolution: Annotated[
-        int, typer.Option("--resolution", metavar="CELLS", help="Cells of the finest lattice along each axis.")
-    ] = 40,
-    workers: Annotated[
-        int | None, typer.Option("--workers", metavar="THREADS", help="Threads; as many as there are cores by default.")
-    ] = None,
+    plane: PlaneOption = None,
+    resolution: ResolutionOption = 40,
+    workers: WorkersOption = None,
+    scheduler: SchedulerOption = None,
+    local_cluster: ClusterOption = None,
+    resume: ResumeOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
@@ -41,27 +55,44 @@ def phase(
 
     Only along boundaries the lattice is refined. A regime is what a run shows; a run that is no answer is a row and a
     mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy 1e-2, with 40 graded cells.
+    Finished runs are kept in DIR/parts until all are there: an interrupted diagram goes on with --resume.
     """
     check_directory(output)
-    from softcat_sym.ensemble import MembersBar
-    from softcat_sym.ensemble.progress import NobodyListens
+    from softcat_sym.ensemble.progress import MembersBar, NobodyListens
     from softcat_sym.report.phase_files import write_phase_diagram
     from softcat_sym.report.phase_terminal import print_phase_diagram
+    from softcat_sym.study.blocks import kept_text
     from softcat_sym.study.phase_diagram import SETTINGS, phase_diagram
     from softcat_sym.study.phase_plane import PLANES
 
-    asked = scene_of(scene, [*SETTINGS, *(changes or [])])
-    planes = plane or list(PLANES)
+    asked, planes = scene_of(scene, [*SETTINGS, *(changes or [])]), plane or list(PLANES)
+    kept = _kept(asked, output, resume=resume)
     try:
-        if quiet:
-            diagram = phase_diagram(asked, planes, resolution, workers=workers, progress=NobodyListens())
-        else:
-            with MembersBar("phase diagram") as bar:
-                diagram = phase_diagram(asked, planes, resolution, workers=workers, progress=bar)
+        with nullcontext(NobodyListens()) if quiet else MembersBar("phase diagram") as bar:
+            diagram = phase_diagram(
+                asked,
+                planes,
+                resolution,
+                workers=workers,
+                scheduler=scheduler,
+                local_cluster=local_cluster,
+                kept=kept,
+                progress=bar,
+            )
         written = write_phase_diagram(diagram, output)
     except KeyboardInterrupt:
-        complain("interrupted; nothing was written")
+        complain(f"interrupted; {kept_text(output) or 'nothing was written'}")
         raise typer.Exit(INTERRUPTED) from None
+    kept.clear()
     if not quiet:
         print_phase_diagram(diagram)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+
+
+def _kept(asked: Scene, output: Path, *, resume: bool) -> KeptBlocks:
+    """The folder of the finished runs; which scene, and which program, is their owner."""
+    from softcat_sym.study.blocks import KeptBlocks
+
+    version = importlib.metadata.version("softcat_sym")
+    digest = hashlib.sha256(f"phase diagram\n{version}\n{asked.to_toml()}".encode()).hexdigest()
+    return KeptBlocks(output, digest, {"what": "runs of phase diagrams", "title": asked.title}, resume=resume)

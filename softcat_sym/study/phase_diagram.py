@@ -16,11 +16,12 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.ensemble.progress import MembersProgress, NobodyListens
-from softcat_sym.ensemble.running import workers_of
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, elastic_time, load_scene
 from softcat_sym.solve import watched
+from softcat_sym.study.blocks import KeptBlocks, workplace
 from softcat_sym.study.phase_boundaries import Crossing, Distance, crossings, distances
+from softcat_sym.study.phase_kept import KeptRuns
 from softcat_sym.study.phase_lines import PhaseLine, modulus_number, phase_lines
 from softcat_sym.study.phase_plane import (
     PLANES,
@@ -82,7 +83,7 @@ class PhaseSheet:
     distances : tuple of Distance
         Between the two.
     wall, processor : float
-        Time that it took [s]; of all threads together.
+        Time that it took [s]; of all threads of this process together.
     """
 
     plane: PhasePlane
@@ -147,7 +148,7 @@ class PhaseDiagram:
     descent : PhaseRun
         The paper's continual descent (G 1.9, V 26, delta 0.03) at t~ = 460.
     workers : int
-        Threads.
+        Threads, or workers of a cluster.
     """
 
     scene: Scene
@@ -162,6 +163,9 @@ def phase_diagram(
     resolution: int = 40,
     *,
     workers: int | None = None,
+    scheduler: str | None = None,
+    local_cluster: int | None = None,
+    kept: KeptBlocks | None = None,
     progress: MembersProgress | None = None,
 ) -> PhaseDiagram:
     """Regimes over one or more planes.
@@ -175,8 +179,10 @@ def phase_diagram(
         Of ``"G-delta"`` and ``"G-V"``.
     resolution : int
         Cells of the finest lattice along each axis.
-    workers : int, optional
-        Threads; by default as many as there are cores.
+    workers, scheduler, local_cluster : optional
+        Threads, all cores by default; or a Dask cluster, as :func:`softcat_sym.sweep` takes them.
+    kept : KeptBlocks, optional
+        Where finished runs are kept, and those finished before are found.
     progress : MembersProgress, optional
         Told about each round of refinement.
 
@@ -189,13 +195,14 @@ def phase_diagram(
     KeyboardInterrupt
         If the user stops it.
     """
-    chosen, cells, threads = planes_of(planes), checked_resolution(resolution), workers_of(workers)
+    chosen, cells = planes_of(planes), checked_resolution(resolution)
     refuse_scene(scene)
-    with watched() as interrupts:
+    known = KeptRuns(kept) if kept is not None else None
+    with watched() as interrupts, workplace(workers, scheduler, local_cluster) as place:
         try:
-            runner = PhaseRunner(scene, threads, progress or NobodyListens())
+            runner = PhaseRunner(scene, place.size(), progress or NobodyListens(), place, known)
             sheets = tuple(_sheet(scene, plane, cells, runner) for plane in chosen)
-            return PhaseDiagram(scene, sheets, descent_run(scene), threads)
+            return PhaseDiagram(scene, sheets, descent_run(scene), place.size())
         finally:
             interrupts.check()
 

@@ -119,13 +119,16 @@ def refuse_scene(scene: Scene) -> None:
     Raises
     ------
     SceneError
-        If its law is not Bingham's, or its supports are not level, at rest and as far apart as it is long.
+        If its law is not Bingham's, if gravity is shaken, or if its supports are not level, at rest and as far apart as
+        it is long.
     """
     faults = []
     if scene.material.law != "bingham":
         faults.append(Fault("material.law", f"{scene.material.law!r} has no regimes by G and V", '"bingham"'))
     if scene.load.gravity == 0:
         faults.append(Fault("load.gravity", "zero, but the groups are measured by it", "a positive gravity"))
+    if scene.load.shake > 0:
+        faults.append(Fault("load.shake", "shaken gravity has regimes of its own", "0"))
     if not is_held(scene) or is_slack(scene):
         faults.append(Fault("ends", "the filament is not held straight at both ends", "both ends held, no slack"))
     if scene.ends.motion or scene.ends.drop != 0:

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from softcat_sym.ensemble.members import Member, members_of
 from softcat_sym.ensemble.progress import MembersProgress
-from softcat_sym.ensemble.running import Stop
+from softcat_sym.ensemble.running import Stop, side_by_side
 from softcat_sym.ensemble.shared import Workshop
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
-from softcat_sym.solve import Outcome, Prepared, Solution
+from softcat_sym.solve import Prepared
+from softcat_sym.study.blocks import Workplace, blocks_of, run_blocks
+from softcat_sym.study.blocks.embedded import Embedded
+from softcat_sym.study.blocks.running import Count
+from softcat_sym.study.blocks.work import Told
+from softcat_sym.study.judged_member import judged, shared_workshop
 from softcat_sym.study.phase_plane import Place, duration_at, row_of
-from softcat_sym.trajectory.energy import energy_residual
-from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
-from softcat_sym.trajectory.regime import ARREST_RATE, ARREST_TIME, regime_of
-from softcat_sym.trajectory.verdict import verdict
+from softcat_sym.trajectory.fields import node_positions
+from softcat_sym.trajectory.regime import ARREST_RATE, ARREST_TIME
+
+if TYPE_CHECKING:
+    from softcat_sym.study.phase_kept import KeptRuns
 
 PASSED = 0.5
 """Sag over span beyond which no catenary rests: the one of least stress sags by 0.338 (3.12, exact)."""
@@ -32,6 +37,12 @@ DESCENDING = "descending"
 
 CLAMPS_ONLY = "descending-at-clamps"
 """Mark of a descending filament whose span, `CLAMP_REGION` away from the ends, counts as arrested by itself."""
+
+Watched = tuple[Place, float]
+"""A filament's groups, and how long it is watched [s]."""
+
+_BLOCK = 16
+"""Filaments that are run, kept and lost together: some tenths of a second."""
 
 
 @dataclass(frozen=True)
@@ -103,14 +114,26 @@ class PhaseRunner:
     scene : Scene
         What they have in common.
     workers : int
-        Threads.
+        Threads, where they run in this process.
     progress : MembersProgress
         Told how far a batch is.
+    place : Workplace, optional
+        Where they run, if not in this process.
+    kept : KeptRuns, optional
+        Runs that were finished before, and where those finished now are kept.
     """
 
-    def __init__(self, scene: Scene, workers: int, progress: MembersProgress) -> None:
-        self._scene, self._workers, self._progress = scene, workers, progress
-        self._workshop = Workshop()
+    def __init__(
+        self,
+        scene: Scene,
+        workers: int,
+        progress: MembersProgress,
+        place: Workplace | None = None,
+        kept: KeptRuns | None = None,
+    ) -> None:
+        self._scene, self._progress = scene, progress
+        self._place, self._kept = place or Embedded(workers), kept
+        self._work = PhaseWork(scene)
 
     def run(self, places: Sequence[Place], durations: Sequence[float] | None = None) -> list[PhaseRun]:
         """Run one filament for each place.
@@ -130,76 +153,95 @@ class PhaseRunner:
             If the user stops it: no thread goes on.
         """
         watched = durations or [duration_at(self._scene, place) for place in places]
-        rows = [row_of(self._scene, place, time) for place, time in zip(places, watched, strict=True)]
-        members = members_of(self._scene, rows, "once")
-        # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
-        workers = self._workers if all(member.parallel for member in members) else 1
-        stop, begun = Stop(), time.monotonic()
-        with ThreadPoolExecutor(workers, thread_name_prefix="softcat-phase") as pool:
-            try:
-                futures = [pool.submit(self._one, *pair, stop) for pair in zip(places, members, strict=True)]
-                for done, future in enumerate(as_completed(futures), start=1):
-                    future.result()
-                    spent = time.monotonic() - begun
-                    self._progress.update(done, len(futures), spent / done * (len(futures) - done))
-            finally:
-                stop.tell()
-                pool.shutdown(cancel_futures=True)
-        return [future.result() for future in futures]
+        asked = list(zip(places, watched, strict=True))
+        found = {} if self._kept is None else {one: self._kept.runs[one] for one in asked if one in self._kept.runs}
+        blocks = blocks_of([one for one in asked if one not in found], _BLOCK)
 
-    def _one(self, place: Place, member: Member, stop: Stop) -> PhaseRun:
-        """Run a filament; one that is no answer once more, to the time at which it has fallen past every catenary.
+        def keep(number: int, runs: Sequence[PhaseRun]) -> None:
+            finished = dict(zip(blocks[number].items, runs, strict=True))
+            found.update(finished)
+            if self._kept is not None:
+                self._kept.keep(finished)
 
-        What descends for ever is drawn out in the end, and then it is no answer: what it did before is one.
+        told = Count(len(asked), len(found), self._progress)
+        run_blocks(self._work, blocks, self._place, told, keep)
+        return [found[one] for one in asked]
+
+
+@dataclass(frozen=True)
+class PhaseWork:
+    """What is done with places; it can be sent to another process.
+
+    Attributes
+    ----------
+    scene : Scene
+        What the filaments have in common.
+    """
+
+    scene: Scene
+
+    def run(self, items: Sequence[Watched], threads: int, told: Told) -> list[PhaseRun]:
+        """Run filaments, each for its time, `threads` of them at once.
+
+        Raises
+        ------
+        SceneError
+            If a filament cannot be had.
         """
-        first, sag = self._judged(place, member, stop)
-        if first.regime is not None or not np.any(sag > PASSED):
-            return first
-        frames = member.scene.run.frames
-        short = first.duration * float(np.argmax(sag > PASSED)) / (frames - 1)
-        run = member.scene.run.model_copy(update={"duration": short})
-        second, _ = self._judged(place, replace(member, scene=member.scene.model_copy(update={"run": run})), stop)
-        steps = first.steps + second.steps
-        if second.regime != DESCENDING:
-            return replace(first, runs=2, steps=steps)
-        return replace(second, runs=2, steps=steps, drawn_out=first.duration)
+        members = members_of(self.scene, [row_of(self.scene, *item) for item in items], "once")
+        # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
+        threads = threads if all(member.parallel for member in members) else 1
+        stop, workshop = Stop(), shared_workshop(self.scene.to_toml())
+        pairs = [(place, member) for (place, _), member in zip(items, members, strict=True)]
+        return side_by_side(lambda pair: _one(*pair, workshop, stop), pairs, threads, stop, lambda _: told(1))
 
-    def _judged(self, place: Place, member: Member, stop: Stop) -> tuple[PhaseRun, Floats]:
-        """A run, and its sag over the span, shape (frames,)."""
-        stop.update(0.0, None)
-        scene = member.scene
-        prepared = self._workshop.prepare(member)
-        solution = prepared.solve(stop)
-        fields = whole_span_fields(scene, prepared, solution)
-        outcome, complaint = _verdict(member, prepared, solution, fields)
-        midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-        regime = regime_of(scene, member.effects, fields, midpoint) if outcome.is_success else None
-        rate, span_rate = _rates(scene, prepared, fields["plastic_rate"])
-        sag = -midpoint / rest_length(scene)
-        run = PhaseRun(
-            place,
-            regime,
-            outcome.name,
-            complaint,
-            scene.run.duration,
-            None,
-            1,
-            float(sag[-1]),
-            rate,
-            span_rate,
-            _strains(fields, 0),
-            _strains(fields, fields["stretch"].shape[1] // 2),
-            solution.steps,
-        )
-        return run, sag
+    def lost(self, item: Watched, why: str) -> PhaseRun:
+        """The run of a filament that has killed whoever ran it: no answer."""
+        place, duration = item
+        none = LocalStrains(0.0, 0.0)
+        return PhaseRun(place, None, "lost", why, duration, None, 1, 0.0, 0.0, 0.0, none, none, 0)
 
 
-def _verdict(member: Member, prepared: Prepared, solution: Solution, fields: dict[str, Floats]) -> tuple[Outcome, str]:
-    scene, graph = member.scene, prepared.graph
-    nodes = node_positions(graph, rest_length(scene))[0]
-    audits = graph.conserves_energy and prepared.integration is not None
-    residual = energy_residual(fields, least_energy(scene)) if audits else 0.0
-    return verdict(scene, member.effects, solution, fields, nodes, residual)
+def _one(place: Place, member: Member, workshop: Workshop, stop: Stop) -> PhaseRun:
+    """Run a filament; one that is no answer once more, to the time at which it has fallen past every catenary.
+
+    What descends for ever is drawn out in the end, and then it is no answer: what it did before is one.
+    """
+    first, sag = _run(place, member, workshop, stop)
+    if first.regime is not None or not np.any(sag > PASSED):
+        return first
+    frames = member.scene.run.frames
+    short = first.duration * float(np.argmax(sag > PASSED)) / (frames - 1)
+    run = member.scene.run.model_copy(update={"duration": short})
+    shorter = replace(member, scene=member.scene.model_copy(update={"run": run}))
+    second, _ = _run(place, shorter, workshop, stop)
+    steps = first.steps + second.steps
+    if second.regime != DESCENDING:
+        return replace(first, runs=2, steps=steps)
+    return replace(second, runs=2, steps=steps, drawn_out=first.duration)
+
+
+def _run(place: Place, member: Member, workshop: Workshop, stop: Stop) -> tuple[PhaseRun, Floats]:
+    """A run, and its sag over the span, shape (frames,)."""
+    scene, one = member.scene, judged(member, workshop, stop)
+    rate, span_rate = _rates(scene, one.prepared, one.fields["plastic_rate"])
+    sag = -one.midpoint / rest_length(scene)
+    run = PhaseRun(
+        place,
+        one.regime,
+        one.outcome.name,
+        one.complaint,
+        scene.run.duration,
+        None,
+        1,
+        float(sag[-1]),
+        rate,
+        span_rate,
+        _strains(one.fields, 0),
+        _strains(one.fields, one.fields["stretch"].shape[1] // 2),
+        one.solution.steps,
+    )
+    return run, sag
 
 
 def _rates(scene: Scene, prepared: Prepared, rate: Floats) -> tuple[float, float]:

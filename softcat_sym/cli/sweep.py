@@ -1,0 +1,130 @@
+"""``softcat sweep``: a filament for every value of some parameters."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    UNTRUSTED,
+    OutputOption,
+    QuietOption,
+    SceneArgument,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    scene_of,
+)
+from softcat_sym.cli.completing import complete_change
+from softcat_sym.errors import SoftcatError
+
+if TYPE_CHECKING:
+    from softcat_sym.study.sweep import Sweep, SweepPlan
+
+VaryOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--vary",
+        metavar="KEY=VALUES",
+        help="KEY=a:b:n, KEY=a:b:n:log, or KEY=v1,v2,v3; units as in the scene: 'filament.span=5:50 mm:10'. "
+        "With --mode lhs, KEY=a:b is enough. Repeatable.",
+        autocompletion=complete_change,
+    ),
+]
+ModeOption = Annotated[
+    str,
+    typer.Option("--mode", metavar="MODE", help="grid: all combinations; zip: side by side; lhs: Latin hypercube."),
+]
+TableOption = Annotated[
+    Path | None,
+    typer.Option("--from-csv", metavar="FILE", help="Members as rows; the header names keys, 'filament.span [mm]'."),
+]
+WorkersOption = Annotated[
+    int | None, typer.Option("--workers", metavar="THREADS", help="Threads; as many as there are cores by default.")
+]
+SchedulerOption = Annotated[
+    str | None, typer.Option("--scheduler", metavar="ADDRESS", help="Run on this Dask cluster: tcp://host:8786.")
+]
+ClusterOption = Annotated[
+    int | None, typer.Option("--local-cluster", metavar="N", help="Run on a Dask cluster of N processes, begun for it.")
+]
+ResumeOption = Annotated[
+    bool, typer.Option("--resume", help="Go on from where the same command was interrupted; see DIR/parts.")
+]
+
+
+@app.command()
+def sweep(
+    scene: SceneArgument,
+    output: OutputOption,
+    vary: VaryOption = None,
+    mode: ModeOption = "grid",
+    table: TableOption = None,
+    samples: Annotated[int | None, typer.Option("--samples", metavar="N", help="Members of a hypercube.")] = None,
+    seed: Annotated[int, typer.Option("--seed", metavar="S", help="Of the hypercube.")] = 0,
+    shapes: Annotated[bool, typer.Option("--shapes", help="Keep shapes, and write sliders.html.")] = False,
+    estimate: Annotated[
+        bool,
+        typer.Option("--estimate", help="Estimate each member's error, as run does: much slower, one at a time."),
+    ] = False,
+    workers: WorkersOption = None,
+    scheduler: SchedulerOption = None,
+    local_cluster: ClusterOption = None,
+    resume: ResumeOption = False,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Run a filament for every value of some parameters: sweep.nc, .csv, .json, scene.toml and a picture in DIR.
+
+    Members run once through the compiled solver, in threads, without the error estimate that `softcat run` makes by
+    companions on other grids: ask for it with --estimate. A member whose values make no sense, that fails or is no
+    answer is a row like the others. Memory stays the same however many there are; fewer frames make it faster:
+    --set run.frames=41. Finished blocks are kept in DIR/parts until all are there: an interrupted sweep goes on with
+    --resume.
+    """
+    check_directory(output)
+    from softcat_sym.study.blocks.workplaces import check_workplace
+    from softcat_sym.study.sweep import plan_sweep
+
+    check_workplace(workers, scheduler, local_cluster)
+    if (table is None) is not bool(vary):
+        raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
+    asked = scene_of(scene, changes)
+    plan = plan_sweep(asked, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
+    done = _run(plan, output, (workers, scheduler, local_cluster), resume=resume, quiet=quiet)
+    if not done.counts.outcomes.get("solved"):
+        complain("no member is an answer; sweep.csv tells of each why")
+        raise typer.Exit(UNTRUSTED)
+
+
+def _run(
+    plan: SweepPlan, output: Path, where: tuple[int | None, str | None, int | None], *, resume: bool, quiet: bool
+) -> Sweep:
+    from softcat_sym.ensemble import MembersBar
+    from softcat_sym.ensemble.progress import NobodyListens
+    from softcat_sym.report.sweep_files import write_sweep
+    from softcat_sym.report.sweep_terminal import print_sweep
+    from softcat_sym.study.blocks import kept_text
+    from softcat_sym.study.sweep import run_sweep
+
+    try:
+        with nullcontext(NobodyListens()) if quiet else MembersBar("sweep") as bar:
+            done = run_sweep(plan, output, where, bar, resume=resume)
+        written = write_sweep(done, output)
+    except KeyboardInterrupt:
+        complain(f"interrupted; {kept_text(output) or 'nothing was written'}")
+        raise typer.Exit(INTERRUPTED) from None
+    except OSError:
+        if kept := kept_text(output):
+            complain(kept)
+        raise
+    if not quiet:
+        print_sweep(done)
+        names = ["sweep.nc", "sweep.csv", *(path.name for path in written)]
+        typer.echo(f"wrote {', '.join(names)} to {output}")
+    return done

@@ -1,0 +1,100 @@
+"use strict";
+// What the page holds, unpacked; and which member is nearest to a place on the axes.
+const data = JSON.parse(document.getElementById("data").textContent);
+const MISSING = -32768;
+
+function unpack(block) {
+  const bytes = Uint8Array.from(atob(block.codes), (letter) => letter.charCodeAt(0));
+  const view = new DataView(bytes.buffer), length = bytes.length / 2;
+  const codes = new Int16Array(length);
+  for (let k = 0; k < length; k++) codes[k] = view.getInt16(2 * k, true);
+  const each = length / data.members;
+  return (member, index) => {
+    const code = codes[member * each + index];
+    return code === MISSING ? NaN : block.low[member] + block.step[member] * (code + 32767);
+  };
+}
+
+const shapes = data.shapes && {
+  at: data.shapes.at, nodes: data.shapes.nodes, stretches: data.shapes.stretches,
+  x: unpack(data.shapes.x), y: unpack(data.shapes.y), stretch: unpack(data.shapes.stretch),
+};
+const midpoints = data.midpoint && { at: data.midpoint.at, height: unpack(data.midpoint) };
+
+function significant(value, digits = 4) {
+  if (value === null || !Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const text = size >= 1e-3 && size < 1e5 ? String(Number(value.toPrecision(digits))) : value.toExponential(digits - 1);
+  return text.replace("-", "−");
+}
+
+// Each axis maps its values to 0 (bottom) .. 1 (top).
+const axes = data.axes.map((axis) => {
+  const measure = axis.scale === "log" ? Math.log : (value) => value;
+  // What failed may lie anywhere: the scale of a result is that of sound answers, and what is beyond stands at its end.
+  const sound = axis.values.filter((value, member) => value !== null && (axis.varied || data.regime[member]));
+  const finite = sound.length ? sound : axis.values.filter((value) => value !== null);
+  const low = measure(finite.reduce((a, b) => Math.min(a, b)));
+  const high = measure(finite.reduce((a, b) => Math.max(a, b)));
+  const within = (share) => (axis.varied ? share : Math.max(-0.03, Math.min(1.03, share)));
+  const place = (value) => (value === null ? NaN : high > low ? within((measure(value) - low) / (high - low)) : 0.5);
+  const back = (share) => (axis.scale === "log" ? Math.exp(low + share * (high - low)) : low + share * (high - low));
+  const text = (value) => (axis.words && value !== null ? axis.words[Math.round(value)] : significant(value));
+  return { ...axis, place, back, text, places: axis.values.map(place), kept: null };
+});
+const varied = axes.filter((axis) => axis.varied);
+
+const COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"];
+const DASHED = "#8a8a8a";
+const regimes = [...new Set(data.regime.filter((name) => name))].sort();
+function groupOf(member) { return data.regime[member] || data.outcome[member] || "no answer"; }
+function colourOf(member) {
+  const known = regimes.indexOf(data.regime[member]);
+  return known < 0 ? DASHED : COLOURS[known % COLOURS.length];
+}
+
+function isKept(member) {
+  return axes.every((axis) => !axis.kept || (axis.places[member] >= axis.kept[0] && axis.places[member] <= axis.kept[1]));
+}
+
+// The nearest member in scaled distance, of those kept; `beyond` asks for one farther along one axis.
+function nearest(target, beyond = () => true) {
+  let best = -1, least = Infinity;
+  for (const wanted of [isKept, () => true]) {
+    for (let member = 0; member < data.members; member++) {
+      if (!wanted(member) || !beyond(member)) continue;
+      let distance = 0;
+      varied.forEach((axis, k) => { distance += (axis.places[member] - target[k]) ** 2; });
+      if (distance < least) { least = distance; best = member; }
+    }
+    if (best >= 0) return best;
+  }
+  return best;
+}
+
+// A member next to this one along an axis: the smallest step first, then the least change of the others.
+function neighbour(member, axis, direction) {
+  const from = axis.places[member], target = varied.map((one) => one.places[member]);
+  let step = Infinity;
+  for (const place of axis.places) {
+    const ahead = direction * (place - from);
+    if (ahead > 1e-9 && ahead < step) step = ahead;
+  }
+  if (!Number.isFinite(step)) return member;
+  return nearest(target, (other) => direction * (axis.places[other] - from) > 1e-9 && isKeptOr(other, member));
+}
+function isKeptOr(other) { return isKept(other) || !anyKept(); }
+function anyKept() { for (let k = 0; k < data.members; k++) if (isKept(k)) return true; return false; }
+
+function styleOf(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
+
+// A canvas as sharp as the screen, cleared; drawing is in CSS pixels.
+function fresh(canvas) {
+  const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
+  canvas.width = Math.round(width * ratio); canvas.height = Math.round(height * ratio);
+  const pen = canvas.getContext("2d");
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.font = '11px "DejaVu Sans", Verdana, sans-serif';
+  return { pen, width, height };
+}
