@@ -1,0 +1,173 @@
+"""``softcat card``: everything a printer asks of a spanning filament, on one page."""
+
+from __future__ import annotations
+
+import shlex
+from contextlib import ExitStack
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    OptionalScene,
+    OutputOption,
+    QuietOption,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    judge,
+    scene_of,
+)
+
+if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+    from pathlib import Path
+
+    from softcat_sym.scene import Scene
+    from softcat_sym.solve import Progress
+
+SagOption = Annotated[
+    str | None,
+    typer.Option("--sag", metavar="LENGTH", help="What the filament may sag: '1 mm', or '5 %' of the span (default)."),
+]
+
+
+def _flag(name: str, help_text: str) -> object:
+    return typer.Option(f"--{name}", metavar="VALUE", help=help_text)
+
+
+Density = Annotated[str | None, _flag("density", "Instead of a SCENE: '1900 kg/m^3'.")]
+Span = Annotated[str | None, _flag("span", "Likewise: '2 mm'.")]
+Diameter = Annotated[str | None, _flag("diameter", "Of the round filament: '250 um'.")]
+Law = Annotated[str | None, _flag("law", "bingham, newtonian, elastic, herschel-bulkley, ...")]
+Modulus = Annotated[str | None, _flag("youngs-modulus", "'300 kPa'; three times the storage modulus of an ink.")]
+Viscosity = Annotated[str | None, _flag("viscosity", "Extensional: '30 Pa*s'.")]
+YieldStress = Annotated[str | None, _flag("yield-stress", "In tension: '350 Pa'.")]
+Index = Annotated[str | None, _flag("index", "Of a power law: 0.5.")]
+ShearViscosity = Annotated[str | None, _flag("shear-viscosity", "From a rheometer, converted: '10 Pa*s'.")]
+ShearConsistency = Annotated[str | None, _flag("shear-consistency", "Likewise, of a law with an index.")]
+ShearYield = Annotated[str | None, _flag("shear-yield-stress", "Likewise: '200 Pa'.")]
+FlowCurve = Annotated[
+    str | None, typer.Option("--flow-curve", metavar="CSV", help="Columns shear_rate_1_s, shear_stress_Pa.")
+]
+Ends = Annotated[str | None, _flag("ends", "clamped (default) or pinned.")]
+Duration = Annotated[str | None, _flag("duration", "How long to look: '1 s'. Chosen if not given.")]
+
+NoSpan = Annotated[
+    bool, typer.Option("--no-span", help="Do not seek the longest span, which takes a good part of the time.")
+]
+
+
+@app.command()
+def card(
+    output: OutputOption,
+    scene: OptionalScene = None,
+    sag: SagOption = None,
+    density: Density = None,
+    span: Span = None,
+    diameter: Diameter = None,
+    law: Law = None,
+    youngs_modulus: Modulus = None,
+    viscosity: Viscosity = None,
+    yield_stress: YieldStress = None,
+    index: Index = None,
+    shear_viscosity: ShearViscosity = None,
+    shear_consistency: ShearConsistency = None,
+    shear_yield_stress: ShearYield = None,
+    flow_curve: FlowCurve = None,
+    ends: Ends = None,
+    duration: Duration = None,
+    no_span: NoSpan = False,
+    changes: SetOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Sag, arrest, longest span and the field's rules of a filament: card.html, .json, .csv, .png in DIR."""
+    flags = {
+        "density": density,
+        "span": span,
+        "diameter": diameter,
+        "law": law,
+        "youngs-modulus": youngs_modulus,
+        "viscosity": viscosity,
+        "yield-stress": yield_stress,
+        "index": index,
+        "shear-viscosity": shear_viscosity,
+        "shear-consistency": shear_consistency,
+        "shear-yield-stress": shear_yield_stress,
+        "flow-curve": flow_curve,
+        "ends": ends,
+        "duration": duration,
+    }
+    if no_span and sag is not None:
+        raise typer.BadParameter("it is what the longest span may sag", param_hint="--sag with --no-span")
+    asked, notes = _asked(scene, flags, changes or [])
+    check_directory(output)
+    command = _command(scene, flags, sag, changes or [])
+    _make(asked, scene or "", None if no_span else sag, notes, output, command, seek=not no_span, quiet=quiet)
+
+
+def _asked(scene: str | None, flags: dict[str, str | None], changes: list[str]) -> tuple[Scene, tuple[str, ...]]:
+    """The scene that is named, or the one of the flags."""
+    given = [f"--{name}" for name, text in flags.items() if text is not None]
+    if scene is not None:
+        if given:
+            found = f"a scene and {', '.join(given)}: change the scene with --set, or leave it out"
+            raise typer.BadParameter(found, param_hint="SCENE")
+        return scene_of(scene, changes), ()
+    if not given:
+        raise typer.BadParameter("name a scene, or give --density, --span, --diameter, --law ...", param_hint="SCENE")
+    from softcat_sym.study.card.from_flags import scene_from_flags
+
+    return scene_from_flags(flags, changes)
+
+
+def _make(
+    asked: Scene,
+    name: str,
+    sag: str | None,
+    notes: tuple[str, ...],
+    output: Path,
+    command: str,
+    *,
+    seek: bool,
+    quiet: bool,
+) -> None:
+    from softcat_sym.report.card_files import write_card
+    from softcat_sym.report.card_terminal import print_card
+    from softcat_sym.report.fit_progress import FitProgressBar as Bar
+    from softcat_sym.report.progress import IntegrationProgress
+    from softcat_sym.study.card import card as made
+
+    def listening(what: str) -> AbstractContextManager[Progress]:
+        return IntegrationProgress(asked.run.duration, what, quiet=quiet)
+
+    def told(what: str) -> None:
+        # One display at a time: this one begins when that of the first run has ended.
+        if not bars:
+            bars.append(stack.enter_context(Bar(quiet=quiet)))
+        bars[0].stage(what, 0, 1)
+
+    bars: list[Bar] = []
+    try:
+        with ExitStack() as stack:
+            found = made(asked, sag, name=name, listening=listening, told=told, span=seek, notes=notes)
+    except KeyboardInterrupt:
+        complain("interrupted; nothing was written")
+        raise typer.Exit(INTERRUPTED) from None
+    written = write_card(found, output, command)
+    if not quiet:
+        print_card(found)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+    judge(found.run.outcome, str(found.summary["complaint"]), quiet=quiet)
+
+
+def _command(scene: str | None, flags: dict[str, str | None], sag: str | None, changes: list[str]) -> str:
+    """That makes the same card again."""
+    words = ["softcat", "card", *([scene] if scene else [])]
+    for name, text in {**flags, "sag": sag}.items():
+        words += [f"--{name}", text] if text is not None else []
+    for change in changes:
+        words += ["--set", change]
+    return shlex.join([*words, "-o", "DIR"])
