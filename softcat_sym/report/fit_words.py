@@ -139,7 +139,7 @@ def feature_texts(film: FittedFilm) -> list[tuple[str, str]]:
     """What a film shows without a model: name and value, or the reason why it cannot be read."""
     features = film.features
     if features is None:
-        return [("features", "the film is too short to read any")]
+        return [("features", "none: the film is too short, or gravity is not steady (load.shake)")]
     clock, ruler = time_unit(float(film.time[-1])), length_unit(float(abs(film.measured).max()))
     plain = Unit("", 1.0)
     units = (clock, clock, Unit("rad/s", 1.0), Unit("1/s", 1.0), ruler, plain)

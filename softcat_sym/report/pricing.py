@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from softcat_sym.files import write_all
 from softcat_sym.report.canvas import png
 from softcat_sym.report.pricing_chart import pricing_figure
-from softcat_sym.report.pricing_tables import document, pricing_table, rows_csv
+from softcat_sym.report.pricing_tables import document, pricing_table, rows_csv, table_line
 from softcat_sym.report.units import significant
-from softcat_sym.study.bundled_pricing import Unpriced
+from softcat_sym.study.bundled_pricing import KeptPricing, Unpriced, pricing_identity
 from softcat_sym.study.reading import percent, reading
 
 if TYPE_CHECKING:
@@ -121,12 +121,12 @@ def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
     return write_all(directory, contents)
 
 
-def write_pricings(pricings: Iterable[Pricing | Unpriced], directory: str | Path) -> list[Path]:
+def write_pricings(pricings: Iterable[Pricing | KeptPricing | Unpriced], directory: str | Path) -> list[Path]:
     """Write ``effects_<scene>.json`` and ``.png`` of each scene as it comes, and ``pricing.md`` over all so far.
 
     Parameters
     ----------
-    pricings : iterable of Pricing or Unpriced
+    pricings : iterable of Pricing, KeptPricing or Unpriced
         As from :func:`softcat_sym.study.bundled_pricing.price_bundled`.
     directory : str or pathlib.Path
         Where the files go; made if missing.
@@ -141,20 +141,46 @@ def write_pricings(pricings: Iterable[Pricing | Unpriced], directory: str | Path
     OSError
         If the directory cannot be made or written.
     """
-    done: list[Pricing | Unpriced] = []
+    done: list[Pricing | KeptPricing | Unpriced] = []
     written: dict[Path, None] = {}
     for one in pricings:
         done.append(one)
         contents = {"pricing.md": pricing_table(done).encode()}
-        if not isinstance(one, Unpriced):
-            contents[f"effects_{one.name}.json"] = _json(one)
+        if not isinstance(one, KeptPricing | Unpriced):
+            more = {"identity": pricing_identity(one.scene), "line": list(table_line(one))}
+            contents[f"effects_{one.name}.json"] = _json(one, more)
             contents[f"effects_{one.name}.png"] = png(pricing_figure(one))
         written |= dict.fromkeys(write_all(directory, contents))
     return list(written)
 
 
-def _json(pricing: Pricing) -> bytes:
-    return (json.dumps(document(pricing), indent=2, allow_nan=False) + "\n").encode()
+def kept_pricings(directory: str | Path) -> dict[str, KeptPricing]:
+    """Find the scenes that an earlier command has priced into this folder, by name.
+
+    Parameters
+    ----------
+    directory : str or pathlib.Path
+        Need not exist.
+
+    Returns
+    -------
+    dict of str to KeptPricing
+        What cannot be read is not among them, and is priced again.
+    """
+    kept = {}
+    for path in sorted(Path(directory).glob("effects_*.json")):
+        try:
+            found = json.loads(path.read_text(encoding="utf-8"))
+            one = KeptPricing(str(found["scene"]), str(found["identity"]), tuple(map(str, found["line"])))
+        except (OSError, ValueError, KeyError, TypeError):
+            continue
+        if path.with_suffix(".png").is_file():
+            kept[one.name] = one
+    return kept
+
+
+def _json(pricing: Pricing, more: Mapping[str, Any] | None = None) -> bytes:
+    return (json.dumps({**document(pricing), **(more or {})}, indent=2, allow_nan=False) + "\n").encode()
 
 
 def _share(value: float | None) -> str:

@@ -7,7 +7,7 @@ import io
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from softcat_sym.study.bundled_pricing import Unpriced
+from softcat_sym.study.bundled_pricing import KeptPricing, Unpriced
 from softcat_sym.study.pricing import DEFINITION, Pricing
 from softcat_sym.study.reading import percent, reading
 
@@ -45,12 +45,12 @@ def document(pricing: Pricing) -> dict[str, Any]:
     }
 
 
-def pricing_table(pricings: Iterable[Pricing | Unpriced]) -> str:
+def pricing_table(pricings: Iterable[Pricing | KeptPricing | Unpriced]) -> str:
     """Lay many scenes out as Markdown, a line for each.
 
     Parameters
     ----------
-    pricings : iterable of Pricing or Unpriced
+    pricings : iterable of Pricing, KeptPricing or Unpriced
         As from :func:`softcat_sym.study.bundled_pricing.price_bundled`.
 
     Returns
@@ -58,15 +58,19 @@ def pricing_table(pricings: Iterable[Pricing | Unpriced]) -> str:
     str
         Name, effects in force, the largest changes, solve time of everything over that of the scene, the sentence.
     """
-    lines = [_HEAD, ("---",) * len(_HEAD)]
-    for one in pricings:
-        if isinstance(one, Unpriced):
-            lines.append((one.name, "", "", "", f"not priced: {one.reason}"))
-            continue
-        ratio = None if one.everything.fails else one.everything.time_ratio
-        time = "–" if ratio is None else f"× {ratio:.2g}"
-        lines.append((one.name or one.scene.title, in_short(one), _largest(one), time, reading(one)))
+    lines = [_HEAD, ("---",) * len(_HEAD), *map(table_line, pricings)]
     return "".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |\n" for line in lines)
+
+
+def table_line(one: Pricing | KeptPricing | Unpriced) -> tuple[str, ...]:
+    """The line of one scene in the table over many."""
+    if isinstance(one, Unpriced):
+        return (one.name, "", "", "", f"not priced: {one.reason}")
+    if isinstance(one, KeptPricing):
+        return one.line
+    ratio = None if one.everything.fails else one.everything.time_ratio
+    time = "–" if ratio is None else f"× {ratio:.2g}"
+    return (one.name or one.scene.title, in_short(one), _largest(one), time, reading(one))
 
 
 def in_short(pricing: Pricing) -> str:

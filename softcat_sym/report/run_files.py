@@ -29,10 +29,19 @@ class WrittenRun:
     summary: dict[str, Any]
 
 
-def write_run(trajectory: Trajectory, directory: str | Path) -> WrittenRun:
+def write_run(trajectory: Trajectory, directory: str | Path, style: str = "screen") -> WrittenRun:
     """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
 
     The summary goes last, so that it can state how long the writing took.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+        The run.
+    directory : str or pathlib.Path
+        Where the files go; made if missing.
+    style : str
+        Of the pictures: ``screen``, ``column`` or ``page``.
 
     Raises
     ------
@@ -44,7 +53,7 @@ def write_run(trajectory: Trajectory, directory: str | Path) -> WrittenRun:
     began = time.perf_counter()
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
-    pictures = write_pictures(trajectory.data, trajectory.summary, trajectory.scene, folder)
+    pictures = write_pictures(trajectory.data, trajectory.summary, trajectory.scene, folder, style)
     data = write_trajectory(trajectory.data, folder)
     scene = write_scene(trajectory.scene.to_toml(), folder)
     spent = time.perf_counter() - began

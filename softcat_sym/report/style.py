@@ -64,6 +64,8 @@ RC: Final[dict[str, Any]] = {
     "savefig.dpi": DPI,
     "savefig.facecolor": "white",
     "savefig.bbox": None,
+    # TrueType, as journals ask: text in a PDF stays text.
+    "pdf.fonttype": 42,
 }
 """Settings of Matplotlib in force while a picture is made and drawn."""
 

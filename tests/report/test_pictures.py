@@ -18,7 +18,7 @@ from softcat_sym.report.energy import energy_figure, energy_imbalance
 from softcat_sym.report.midpoint import midpoint_figure
 from softcat_sym.report.style import printable
 
-NAMES = ["midpoint.png", "shapes.png", "energy.png", "midpoint.csv"]
+NAMES = ["midpoint.png", "shapes.png", "energy.png", "space-time.png", "midpoint.csv"]
 
 
 def test_all_files_are_written_and_the_table_reads_back_exactly(descent, summary, scene, tmp_path):
@@ -26,8 +26,8 @@ def test_all_files_are_written_and_the_table_reads_back_exactly(descent, summary
     paths = write_pictures(descent, summary, scene, folder)
     assert [path.name for path in paths] == NAMES
     assert sorted(path.name for path in folder.iterdir()) == sorted(NAMES)
-    assert all(path.read_bytes().startswith(b"\x89PNG") for path in paths[:3])
-    with paths[3].open(newline="") as stream:
+    assert all(path.read_bytes().startswith(b"\x89PNG") for path in paths[:4])
+    with paths[4].open(newline="") as stream:
         rows = list(csv.DictReader(stream))
     np.testing.assert_array_equal([float(row["time_s"]) for row in rows], descent["time"].values)
     np.testing.assert_array_equal([float(row["midpoint_m"]) for row in rows], descent["midpoint"].values)
@@ -154,7 +154,7 @@ def test_titles_are_made_printable(text, shown):
 def test_awkward_titles_do_not_stop_a_report(descent, summary, make_scene, tmp_path):
     made = write_pictures(descent, summary, make_scene(title="$\\frac{$ 漢字 " + 200 * "long "), tmp_path)
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in made if path.suffix == ".png")
-    assert len(made) == 4
+    assert len(made) == len(NAMES)
 
 
 def test_importing_the_report_loads_no_plotting_and_drawing_loads_no_pyplot():

@@ -1,0 +1,237 @@
+"""Space-time maps: stretch, and what yields, along the filament against time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import Colormap, LinearSegmentedColormap, LogNorm, Normalize
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
+from numpy.typing import NDArray
+
+from softcat_sym.report import style
+from softcat_sym.report.canvas import HEADING, axes_in_inches, head, new_figure
+from softcat_sym.report.contract import PicturedScene, Summary
+from softcat_sym.report.units import Unit, significant, stress_unit, time_unit
+
+_HEIGHT, _LEFT, _RIGHT, _BOTTOM, _GAP, _BAR = 4.6, 0.75, 1.05, 0.55, 0.22, 0.12
+
+_WIDE = 5.0
+"""From a largest over a smallest stretch of this on, colours count powers."""
+
+_SHOWN, _FEW = 0.98, 1.5
+"""Colours end at this quantile of the stretch, if the largest exceeds it by this factor."""
+
+MOST_FRAMES = 1200
+"""Columns of a map; more would be finer than its pixels."""
+
+_NINE_TENTHS = 0.9
+
+
+@dataclass(frozen=True, slots=True)
+class Map:
+    """One quantity over the filament and the run.
+
+    Attributes
+    ----------
+    values : numpy.ndarray
+        Shape (time, cell).
+    label : str
+        With its unit.
+    norm, colours
+        From values to colours.
+    beyond : bool
+        Whether values lie above the last colour.
+    """
+
+    values: NDArray[np.float64]
+    label: str
+    norm: Normalize
+    colours: Colormap | str
+    beyond: bool = False
+
+
+def maps_of(data: xr.Dataset, scene: PicturedScene) -> tuple[Map, Map]:
+    """Stretch, and the yielded share of the section; of a law that does not yield, the section's mean stress.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory with ``yielded_fraction``, ``stress_mean`` [Pa] (time, cell), and ``stretch`` (time, cell), or ``x``,
+        ``y`` (time, node) from which it follows.
+    scene : PicturedScene
+        Its yield stress decides.
+
+    Returns
+    -------
+    pair of Map
+    """
+    stretch = _stretch(data)
+    low, high = float(stretch.min()), float(stretch.max())
+    shown = float(np.quantile(stretch, _SHOWN))
+    # A few hinges would leave the rest of the filament in one colour.
+    beyond = high - 1 > _FEW * (shown - 1) > 0
+    high = shown if beyond else high
+    wide = low > 0 and high > _WIDE * low
+    if wide:
+        norm: Normalize = LogNorm(low, high)
+    else:
+        # A filament at rest has a range too: otherwise its rounding errors would be painted.
+        norm = Normalize(min(low, 1.0), max(high, 1.0 + 1e-6))
+    first = Map(stretch, "stretch", norm, "cividis", beyond)
+    if scene.material.yield_stress is not None:
+        fraction = np.asarray(data["yielded_fraction"].values, dtype=np.float64)
+        return first, Map(fraction, "yielded share", Normalize(0.0, 1.0), yielded_colours())
+    stress = np.asarray(data["stress_mean"].values, dtype=np.float64)
+    unit = stress_unit(float(np.abs(stress).max()))
+    scaled = unit.of(stress)
+    top = max(float(scaled.max()), 0.0) or 1.0
+    return first, Map(scaled, f"mean stress [{unit.symbol}]", Normalize(min(float(scaled.min()), 0.0), top), "cividis")
+
+
+def yielded_colours() -> Colormap:
+    """From the colour of what is at rest to that of what has yielded wholly, as in the picture of shapes."""
+    return LinearSegmentedColormap.from_list("yielded", [style.FILAMENT, style.ORANGE, style.VERMILLION])
+
+
+def _stretch(data: xr.Dataset) -> NDArray[np.float64]:
+    if "stretch" in data:
+        return np.asarray(data["stretch"].values, dtype=np.float64)
+    lengths = np.hypot(np.diff(data["x"].values, axis=1), np.diff(data["y"].values, axis=1))
+    return np.asarray(lengths / np.diff(data["X_node"].values), dtype=np.float64)
+
+
+def space_time_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> Figure:
+    """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory; see :func:`maps_of`, besides ``time`` [s] and ``midpoint`` [m].
+    summary : mapping
+        The run's summary.
+    scene : PicturedScene
+        The scene.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The picture.
+    """
+    with style.styled():
+        figure = new_figure(style.WIDTH, _HEIGHT)
+        head(figure, "along the filament against time", summary, scene, _LEFT)
+        width = style.WIDTH - _LEFT - _RIGHT
+        tall = (_HEIGHT - HEADING - _BOTTOM - _GAP) / 2
+        for row, shown in enumerate(maps_of(data, scene)):
+            bottom = _BOTTOM + (1 - row) * (tall + _GAP)
+            axes = axes_in_inches(figure, _LEFT, bottom, width, tall)
+            mesh = draw_map(axes, data, shown, named=row == 0)
+            bar = axes_in_inches(figure, _LEFT + width + 0.1, bottom, _BAR, tall)
+            draw_bar(bar, mesh, shown)
+            axes.tick_params(labelbottom=row == 1)
+        axes.set_xlabel(f"time [{_clock(data).symbol}]")
+    return figure
+
+
+def draw_map(axes: Axes, data: xr.Dataset, shown: Map, *, named: bool) -> QuadMesh:
+    """Draw one map, the midpoint's line and the mark of the time to 90 %.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty; gets limits and labels.
+    data : xarray.Dataset
+        Trajectory.
+    shown : Map
+        What is drawn.
+    named : bool
+        Whether the mark is named.
+
+    Returns
+    -------
+    matplotlib.collections.QuadMesh
+        For a colour bar.
+    """
+    clock = _clock(data)
+    time = np.asarray(data["time"].values, dtype=np.float64)
+    every = max(1, -(-time.size // MOST_FRAMES))
+    nodes = np.asarray(data["X_node"].values, dtype=np.float64)
+    places = nodes / (nodes[-1] - nodes[0])
+    mesh = axes.pcolormesh(
+        _edges(clock.of(time[::every]), float(clock.of(time[-1]))),
+        places,
+        shown.values[::every].T,
+        norm=shown.norm,
+        cmap=shown.colours,
+        rasterized=True,
+    )
+    axes.set_xlim(float(clock.of(time[0])), float(clock.of(time[-1])) if time[-1] > time[0] else None)
+    axes.axhline(0.5 * (places[0] + places[-1]), color=style.GREY, linewidth=0.6, linestyle=(0, (2, 3)))
+    reached = time_to_nine_tenths(data)
+    if reached is not None:
+        late = reached > 0.5 * (time[0] + time[-1])
+        text = f"90 % of the final sag at {clock.text(reached)}" if named else ""
+        _mark(axes, float(clock.of(reached)), text, late=late)
+    axes.set_ylabel("X / L")
+    return mesh
+
+
+def _mark(axes: Axes, at: float, text: str, *, late: bool) -> None:
+    """Mark a time, with a text beside it on the side that has room."""
+    # Seen on light and on dark.
+    axes.axvline(at, color="white", linewidth=1.6)
+    axes.axvline(at, color=style.BLACK, linewidth=0.8, linestyle="--")
+    shift, side = (-4, "right") if late else (4, "left")
+    axes.annotate(
+        text,
+        (at, 0.96),
+        (shift, 0),
+        xycoords=("data", "axes fraction"),
+        textcoords="offset points",
+        ha=side,
+        va="top",
+        fontsize=7.5,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8 if text else 0.0, "pad": 1.5},
+    )
+
+
+def draw_bar(axes: Axes, mesh: QuadMesh, shown: Map) -> None:
+    """Draw the colour bar of a map into axes of its own, with plain numbers."""
+    bar = mesh.figure.colorbar(mesh, cax=axes, label=shown.label, extend="max" if shown.beyond else "neither")
+    if isinstance(shown.norm, LogNorm):
+        # Powers of ten would be set by a parser and in fonts that not every machine has.
+        bar.locator = LogLocator(subs=(1.0, 2.0, 5.0), numticks=8)
+        bar.formatter = FuncFormatter(lambda value, _: significant(value))
+        bar.minorticks_off()
+    else:
+        bar.locator = MaxNLocator(5, steps=(1, 2, 2.5, 5, 10))
+
+
+def time_to_nine_tenths(data: xr.Dataset) -> float | None:
+    """When the midpoint is first at 0.9 of its final sag [s], between frames; None of one that ends where it began."""
+    time = np.asarray(data["time"].values, dtype=np.float64)
+    sag = -np.asarray(data["midpoint"].values, dtype=np.float64)
+    fallen = (sag - sag[0]) * np.sign(sag[-1] - sag[0])
+    aim = _NINE_TENTHS * fallen[-1]
+    reached = np.flatnonzero(fallen >= aim)
+    if not aim > 0 or not reached.size or reached[0] == 0:
+        return None
+    k = int(reached[0])
+    return float(np.interp(aim, fallen[k - 1 : k + 1], time[k - 1 : k + 1]))
+
+
+def _clock(data: xr.Dataset) -> Unit:
+    return time_unit(float(np.abs(data["time"].values).max()))
+
+
+def _edges(centres: NDArray[np.float64], end: float) -> NDArray[np.float64]:
+    """Edges halfway between frames, the last at the end; of a single frame, half a unit to either side."""
+    if centres.size == 1:
+        return np.array([centres[0] - 0.5, centres[0] + 0.5])
+    middle = 0.5 * (centres[1:] + centres[:-1])
+    return np.concatenate([centres[:1], middle, [end]])
