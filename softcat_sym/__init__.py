@@ -1,8 +1,9 @@
 """softcat_sym: slender soft filaments that sag, stretch, yield and stop.
 
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``generate`` writes it as C;
-``simulate_many`` runs a table of them; ``price_effects`` tells what each effect is worth; ``fit`` finds the material of
-a filament that was filmed. SymPy, CasADi and matplotlib are loaded when they are first used.
+``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what each effect is worth; ``fit``
+finds the material of a filament that was filmed, ``card`` puts all on one page. SymPy, CasADi and matplotlib are loaded
+when they are first used.
 """
 
 from __future__ import annotations
@@ -20,11 +21,14 @@ if TYPE_CHECKING:
     from softcat_sym.inverse import Fit, Measurements, fit, fit_flow_curve
     from softcat_sym.scene import Scene, bundled_names, load_scene
     from softcat_sym.solve import Outcome
+    from softcat_sym.study.card import Card, card
     from softcat_sym.study.explanation import Explanation, explain
     from softcat_sym.study.pricing import Pricing, price_effects
+    from softcat_sym.study.sweep import Sweep, sweep
     from softcat_sym.trajectory import Trajectory
 
 _HOMES = {
+    "Card": "softcat_sym.study.card",
     "Ensemble": "softcat_sym.ensemble",
     "Explanation": "softcat_sym.study.explanation",
     "Fit": "softcat_sym.inverse",
@@ -34,8 +38,10 @@ _HOMES = {
     "Scene": "softcat_sym.scene",
     "SceneError": "softcat_sym.errors",
     "SoftcatError": "softcat_sym.errors",
+    "Sweep": "softcat_sym.study.sweep",
     "Trajectory": "softcat_sym.trajectory",
     "bundled_names": "softcat_sym.scene",
+    "card": "softcat_sym.study.card",
     "explain": "softcat_sym.study.explanation",
     "fit": "softcat_sym.inverse",
     "fit_flow_curve": "softcat_sym.inverse",
@@ -43,9 +49,11 @@ _HOMES = {
     "load_scene": "softcat_sym.scene",
     "price_effects": "softcat_sym.study.pricing",
     "simulate_many": "softcat_sym.ensemble",
+    "sweep": "softcat_sym.study.sweep",
 }
 
 __all__ = [
+    "Card",
     "Ensemble",
     "Explanation",
     "Fit",
@@ -55,8 +63,10 @@ __all__ = [
     "Scene",
     "SceneError",
     "SoftcatError",
+    "Sweep",
     "Trajectory",
     "bundled_names",
+    "card",
     "explain",
     "fit",
     "fit_flow_curve",
@@ -65,6 +75,7 @@ __all__ = [
     "price_effects",
     "simulate",
     "simulate_many",
+    "sweep",
 ]
 
 

@@ -32,7 +32,16 @@ def test_every_name_resolves_and_says_what_it_is(name: str) -> None:
     assert not (thing.__doc__ or "").startswith(f"{name}(")
 
 
-FUNCTIONS = ["explain", "fit_flow_curve", "generate", "load_scene", "price_effects", "simulate", "simulate_many"]
+FUNCTIONS = [
+    "card",
+    "explain",
+    "fit_flow_curve",
+    "generate",
+    "load_scene",
+    "price_effects",
+    "simulate",
+    "simulate_many",
+]
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -46,7 +55,7 @@ def test_every_function_tells_its_parameters_and_annotates_them(name: str) -> No
 
 
 def test_a_name_that_is_not_there_is_told_with_those_that_are() -> None:
-    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Ensemble, Explanation, .*simulate"):
+    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Card, Ensemble, .*simulate"):
         _ = sc.simulat
 
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from softcat_sym.cli.completing import complete_change, complete_scene
+
 if TYPE_CHECKING:
     from softcat_sym.scene import Scene
     from softcat_sym.solve import Outcome
@@ -22,13 +24,18 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-SceneArgument = Annotated[str, typer.Argument(metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.")]
+_SCENE = typer.Argument(
+    metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.", autocompletion=complete_scene
+)
+SceneArgument = Annotated[str, _SCENE]
+OptionalScene = Annotated[str | None, _SCENE]
 SetOption = Annotated[
     list[str] | None,
     typer.Option(
         "--set",
         metavar="KEY=VALUE",
         help="Change a value of the scene: --set 'material.yield_stress=5 kPa'. Repeatable.",
+        autocompletion=complete_change,
     ),
 ]
 OutputOption = Annotated[Path, typer.Option("--output", "-o", metavar="DIR", help="Where the files go.")]

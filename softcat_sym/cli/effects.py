@@ -8,6 +8,7 @@ import typer
 
 from softcat_sym.cli.application import (
     INTERRUPTED,
+    OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
@@ -31,16 +32,15 @@ if TYPE_CHECKING:
 @app.command()
 def effects(
     output: OutputOption,
-    scene: Annotated[
-        str | None, typer.Argument(metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.")
-    ] = None,
+    scene: OptionalScene = None,
     bundled: Annotated[bool, typer.Option("--bundled", help="All bundled scenes instead, with a table.")] = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Put each effect in or leave it out in turn: effects.csv, .json and .png in DIR.
 
-    With --bundled --set changes every scene, and a scene that cannot be priced is a line of the table.
+    With --bundled --set changes every scene, and a scene that cannot be priced is a line of the table. It takes many
+    minutes; after Ctrl-C the same command goes on, scenes that are there already are not priced again.
     """
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
@@ -51,7 +51,7 @@ def effects(
         else:
             _one(scene, scene_of(scene, changes), output, quiet=quiet)
     except KeyboardInterrupt:
-        complain(f"interrupted; {'what was finished before is' if bundled else 'nothing was'} written")
+        complain(f"interrupted; {_left(output) if bundled else 'nothing was written'}")
         raise typer.Exit(INTERRUPTED) from None
 
 
@@ -68,7 +68,7 @@ def _one(name: str, asked: Scene, output: Path, *, quiet: bool) -> None:
 
 
 def _all(output: Path, changes: list[str], *, quiet: bool) -> None:
-    from softcat_sym.report.pricing import write_pricings
+    from softcat_sym.report.pricing import kept_pricings, write_pricings
     from softcat_sym.scene import bundled_names
     from softcat_sym.study.bundled_pricing import price_bundled
 
@@ -77,11 +77,20 @@ def _all(output: Path, changes: list[str], *, quiet: bool) -> None:
         raise refused[0]
 
     def listening(name: str, asked: Scene) -> Callable[[str], AbstractContextManager[Progress]]:
-        return _listening(asked, f"{name}, ", quiet=quiet)
+        names = bundled_names()
+        return _listening(asked, f"{names.index(name) + 1} of {len(names)}, {name}, ", quiet=quiet)
 
-    written = write_pricings(price_bundled(bundled_names(), listening, changes), output)
+    written = write_pricings(price_bundled(bundled_names(), listening, changes, kept_pricings(output)), output)
     if not quiet:
         typer.echo(f"wrote {len(written)} files to {output}, among them {written[-1].name}")
+
+
+def _left(output: Path) -> str:
+    """What an interrupted command over all scenes leaves behind."""
+    from softcat_sym.report.pricing import kept_pricings
+
+    kept = len(kept_pricings(output))
+    return f"{kept} scenes are in {output}: the same command goes on from there" if kept else "nothing was written"
 
 
 def _refusal(name: str, changes: list[str]) -> SoftcatError | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import importlib.metadata
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
@@ -12,6 +14,7 @@ import typer
 from softcat_sym.cli.application import INTERRUPTED, OutputOption, QuietOption, app, check_directory, complain
 
 if TYPE_CHECKING:
+    from softcat_sym.study.blocks import KeptBlocks
     from softcat_sym.study.figure_scenes import FigureScene, FilmedScene
 
 _NUMBERS = ("2", "3a", "3b", "4")
@@ -28,9 +31,9 @@ def figures(
 ) -> None:
     """Draw the paper's figures 2, 3(a), 3(b) and 4: PNG and PDF, data as CSV, facts and caption as JSON.
 
-    Figure 3(a) runs a thousand filaments, a minute or two. Figures 3(b) and 4 run finite elements, a minute or so a
-    scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command goes on from there, and finished
-    ones are not run again.
+    Figure 3(a) runs a thousand filaments, a minute or two, kept in DIR/parts until it is there. Figures 3(b) and 4 run
+    finite elements, a minute or so a scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command
+    goes on from there; figures that are there need not be asked for again.
     """
     asked = only or list(_NUMBERS)
     unknown = [number for number in asked if number not in _NUMBERS]
@@ -40,23 +43,41 @@ def figures(
     from softcat_sym.files import write_all
 
     filmed: dict[str, FilmedScene] = {}
+    waiting = [number for number in _NUMBERS if number in asked]
     try:
-        for number in _NUMBERS:
-            if number not in asked:
-                continue
+        while waiting:
             with _kept(output):
-                contents, said = _MADE[number](output, filmed, quiet)
+                contents, said = _MADE[waiting[0]](output, filmed, quiet)
                 written = write_all(output, contents)
+            if waiting.pop(0) == "3a":
+                _parts(output).clear()
             if not quiet:
                 typer.echo(said)
                 typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     except KeyboardInterrupt:
-        kept = any(output.glob("elements-*.npz"))
-        complain(f"interrupted; the same command goes on from {output}" if kept else "interrupted")
+        complain(f"interrupted; {_left(output, [number for number in _NUMBERS if number in asked], waiting)}")
         raise typer.Exit(INTERRUPTED) from None
 
 
 _Made = tuple[dict[str, bytes], str]
+
+
+def _left(output: Path, asked: list[str], waiting: list[str]) -> str:
+    """What an interrupted command leaves behind, and how to go on."""
+    again = " ".join(f"--only {number}" for number in waiting)
+    if waiting != asked:
+        done = " and ".join(number for number in asked if number not in waiting)
+        return f"figure {done} is written; softcat figures -o {output} {again} goes on from {output}"
+    kept = any(output.glob("elements-*.npz")) or any(output.glob("parts/*"))
+    return f"the same command goes on from {output}" if kept else "nothing was written"
+
+
+def _parts(output: Path) -> KeptBlocks:
+    """Finished runs of figure 3(a); those of another program are refused."""
+    from softcat_sym.study.blocks import KeptBlocks
+
+    digest = hashlib.sha256(f"figure 3(a)\n{importlib.metadata.version('softcat_sym')}".encode()).hexdigest()
+    return KeptBlocks(output, digest, {"what": "runs of figure 3(a)"}, resume=True)
 
 
 def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
@@ -73,7 +94,7 @@ def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: boo
 
 def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 3(a)."""
-    del output, filmed
+    del filmed
     from softcat_sym.ensemble.progress import MembersBar, NobodyListens
     from softcat_sym.report.figure_phase import caption, phase_files
     from softcat_sym.scene import load_scene
@@ -81,7 +102,7 @@ def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
 
     scene = load_scene("arrested-overdamped", list(SETTINGS))
     with nullcontext(NobodyListens()) if quiet else MembersBar("figure 3(a)") as progress:
-        diagram = phase_diagram(scene, progress=progress)
+        diagram = phase_diagram(scene, kept=_parts(output), progress=progress)
     return phase_files(diagram), caption(diagram)
 
 

@@ -20,6 +20,7 @@ from softcat_sym.cli.application import (
     complain,
     scene_of,
 )
+from softcat_sym.cli.completing import complete_scene
 from softcat_sym.cli.pairs import read_pair
 from softcat_sym.inverse.defaults import STARTS
 
@@ -38,7 +39,13 @@ DataArgument = Annotated[
     list[Path], typer.Argument(metavar="DATA...", help="CSV files, one a filament: time_s and midpoint_m.")
 ]
 SceneOption = Annotated[
-    str, typer.Option("--scene", metavar="SCENE", help="What is known: a bundled scene, or path of a TOML file.")
+    str,
+    typer.Option(
+        "--scene",
+        metavar="SCENE",
+        help="What is known: a bundled scene, or path of a TOML file.",
+        autocompletion=complete_scene,
+    ),
 ]
 FreeOption = Annotated[
     list[str] | None, typer.Option("--free", metavar="NAME", help="What is not known: youngs_modulus. Repeatable.")

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from softcat_sym.cli.application import OutputOption, QuietOption, SetOption, app, check_directory
+from softcat_sym.cli.completing import complete_scene
 
 
 @app.command("flow-curve")
@@ -14,7 +15,13 @@ def flow_curve(
     curve: Annotated[str, typer.Argument(metavar="CSV", help="Columns shear_rate_1_s and shear_stress_Pa.")],
     output: OutputOption,
     scene: Annotated[
-        str | None, typer.Option("--scene", metavar="SCENE", help="Write this scene with the fitted material, too.")
+        str | None,
+        typer.Option(
+            "--scene",
+            metavar="SCENE",
+            help="Write this scene with the fitted material, too.",
+            autocompletion=complete_scene,
+        ),
     ] = None,
     law: Annotated[
         str | None, typer.Option("--law", metavar="LAW", help="Hand this law on: bingham, power-law, herschel-bulkley.")

@@ -8,6 +8,7 @@ import typer
 
 from softcat_sym.cli.application import (
     INTERRUPTED,
+    OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
@@ -26,9 +27,7 @@ if TYPE_CHECKING:
 @app.command()
 def generate(
     output: OutputOption,
-    scene: Annotated[
-        str | None, typer.Argument(metavar="SCENE", help="Name of a bundled scene, or path of a TOML file.")
-    ] = None,
+    scene: OptionalScene = None,
     bundled: Annotated[
         bool, typer.Option("--bundled", help="The structures of the bundled scenes instead, one runtime for all.")
     ] = False,
@@ -49,9 +48,9 @@ def generate(
     asked = None if scene is None else scene_of(scene, changes)
     check_directory(output)
     try:
-        written = _write(asked, output, name, rhs=rhs)
+        written = _all(output, quiet=quiet) if asked is None else _one(asked, output, name, rhs=rhs)
     except KeyboardInterrupt:
-        complain("interrupted; nothing was written, or not all of it")
+        complain("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         size = sum(path.stat().st_size for path in written)
@@ -60,7 +59,16 @@ def generate(
             typer.echo(f"next: make -C {output} && {output}/{name} {output}/parameters.txt -o midpoint.csv")
 
 
-def _write(asked: Scene | None, output: Path, name: str, *, rhs: bool) -> list[Path]:
-    from softcat_sym import generating, products
+def _one(asked: Scene, output: Path, name: str, *, rhs: bool) -> list[Path]:
+    from softcat_sym import generating
 
-    return products.write(output) if asked is None else generating.generate(asked, output, rhs, name)
+    return generating.generate(asked, output, rhs, name)
+
+
+def _all(output: Path, *, quiet: bool) -> list[Path]:
+    from softcat_sym import products
+    from softcat_sym.report.progress import StepProgress
+    from softcat_sym.scene import bundled_names
+
+    with StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
+        return products.write(output, progress.step)

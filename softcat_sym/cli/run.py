@@ -22,6 +22,10 @@ from softcat_sym.cli.application import (
 )
 
 if TYPE_CHECKING:
+    import xarray as xr
+
+    from softcat_sym.report.animation_files import FilmOrder
+    from softcat_sym.report.contract import PicturedScene, Summary
     from softcat_sym.scene import Scene
     from softcat_sym.solve.checkpoint import Checkpoints
 
@@ -31,6 +35,19 @@ ResumeOption = Annotated[
     bool,
     typer.Option("--resume", help="Go on from where the same command was interrupted; states are in DIR/checkpoint."),
 ]
+AnimateOption = Annotated[
+    str | None,
+    typer.Option(
+        "--animate", metavar="FILM", help="A film of the filament in DIR: gif, mp4, or a name such as ink.gif."
+    ),
+]
+SecondsOption = Annotated[float, typer.Option("--animate-seconds", metavar="SECONDS", help="Length of the film.")]
+StyleOption = Annotated[
+    str,
+    typer.Option(
+        "--style", metavar="STYLE", help="Of the pictures: screen; publication (a column wide, PDF too); page."
+    ),
+]
 
 
 @app.command()
@@ -39,12 +56,16 @@ def run(
     output: OutputOption,
     changes: SetOption = None,
     resume: ResumeOption = False,
+    animate: AnimateOption = None,
+    animate_seconds: SecondsOption = 8.0,
+    style: StyleOption = "screen",
     quiet: QuietOption = False,
 ) -> None:
     """Run a scene: trajectory.nc, summary.json, scene.toml, pictures and a table in DIR.
 
     A run of more than five seconds keeps what it has reached in DIR/checkpoint until its answer is written.
     """
+    order, drawn = pictures_asked(animate, animate_seconds, style)
     asked = scene_of(scene, changes)
     check_directory(output)
     checkpoints = _checkpoints(asked, output, resume=resume)
@@ -58,7 +79,7 @@ def run(
         with IntegrationProgress(asked.run.duration, asked.title or "integrating", quiet=quiet) as progress:
             trajectory = simulate(asked, Resumable(progress, checkpoints))
         with made(output), written_together():
-            written = write_run(trajectory, output)
+            written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:
         complain(f"interrupted; {_kept(checkpoints)}")
         raise typer.Exit(INTERRUPTED) from None
@@ -67,14 +88,50 @@ def run(
             complain(_kept(checkpoints))
         raise
     checkpoints.clear()
+    if order is not None:
+        _film_of_a_run(order, output, (trajectory.data, written.summary, asked), quiet=quiet)
     if not quiet:
         from softcat_sym.report.terminal import print_summary
 
         print_summary(written.summary, asked)
         if resume:
             typer.echo(_resumed(checkpoints))
-        typer.echo(f"wrote {', '.join(path.name for path in written.files)} to {output}")
+        names = [path.name for path in written.files] + ([order.name] if order else [])
+        typer.echo(f"wrote {', '.join(names)} to {output}")
     judge(trajectory.outcome, trajectory.summary["complaint"], quiet=quiet)
+
+
+def pictures_asked(animate: str | None, seconds: float, style: str) -> tuple[FilmOrder | None, str]:
+    """What the options of films and pictures ask for, refused before anything is computed."""
+    from softcat_sym.report.picture_style import picture_style
+
+    drawn = picture_style(style)
+    if animate is None:
+        return None, drawn
+    from softcat_sym.report.animation_files import film_order
+
+    return film_order(animate, seconds), drawn
+
+
+def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, PicturedScene], *, quiet: bool) -> Path:
+    """Draw a film, with a bar on the terminal."""
+    from softcat_sym.report.animation_files import write_film
+    from softcat_sym.report.progress import StepProgress
+
+    with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
+        return write_film(order, output, run, progress.step)
+
+
+def _film_of_a_run(
+    order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, PicturedScene], *, quiet: bool
+) -> None:
+    """Draw the film of a run that is there already: interrupted, it says how to have it later."""
+    try:
+        film(order, output, run, quiet=quiet)
+    except KeyboardInterrupt:
+        again = f"softcat draw {output} -o {output} --animate {order.name}"
+        complain(f"interrupted; the run is in {output}, its film is not: {again}")
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def _checkpoints(asked: Scene, output: Path, *, resume: bool) -> Checkpoints:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from softcat_sym.effects import choose_effects
 from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
+from softcat_sym.reference.problem import problem_of
 from softcat_sym.simulate import simulate
 from softcat_sym.solve import Progress, Silence
 from softcat_sym.study.clamp_strain import ClampStrain, elements_clamp_strain, filament_clamp_strain
@@ -132,6 +133,8 @@ def compare(
     KeyboardInterrupt
         On Ctrl-C; the elements' state is in the checkpoint.
     """
+    # Before the theories: one of them may refuse for a reason that is not the user's.
+    problem_of(scene)
     theories = _theories(scene)
     listening = progress or _nobody
     with _folder_of(checkpoint), listening("elements") as listener:

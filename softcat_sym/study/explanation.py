@@ -177,6 +177,11 @@ def explain(scene: Scene) -> Explanation:
     scene : Scene
         What is asked.
 
+    Returns
+    -------
+    Explanation
+        Groups, expected regime, each effect with its estimate and reason, equations, sizes, integrator, limits.
+
     Raises
     ------
     SceneError

@@ -51,7 +51,7 @@ class PricingRow:
         The base but for `also`, or the base itself where that cannot be had: against it the effect's own share is
         measured. None without a variant.
     scale : float
-        Largest |midpoint| of the base [m].
+        Largest ``|midpoint|`` of the base [m].
     change, change_final : float or None
         Of the midpoint against the base, relative to `scale`; None where there is nothing to compare.
     estimate : float or None
@@ -148,7 +148,7 @@ class Pricing:
 
     @property
     def scale(self) -> float:
-        """Largest |midpoint| of the base [m]."""
+        """Largest ``|midpoint|`` of the base [m]."""
         return self.base.reach
 
 

@@ -1,0 +1,53 @@
+"""What the shell is offered after a Tab: bundled scenes, scene files, and the keys of a scene.
+
+Called by the shell at every Tab: nothing heavy is imported, and whatever goes wrong offers nothing.
+"""
+
+from __future__ import annotations
+
+import os
+from importlib.resources import files
+
+
+def complete_scene(incomplete: str) -> list[str]:
+    """Offer bundled scenes by name, and TOML files and folders by path.
+
+    Parameters
+    ----------
+    incomplete : str
+        What was typed so far.
+    """
+    folder = files("softcat_sym") / "scene" / "bundled"
+    names = sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+    return [name for name in names if name.startswith(incomplete)] + _paths(incomplete)
+
+
+def complete_change(incomplete: str) -> list[str]:
+    """Offer the dotted keys of a scene, each with its equals sign.
+
+    Parameters
+    ----------
+    incomplete : str
+        What was typed so far: ``mat``, or ``numerics.c``. Behind an equals sign nothing is offered.
+    """
+    from softcat_sym.scene.model import known_keys
+
+    known = known_keys()
+    tables = set(known) - {""}
+    # "title" and "model" stand outside every table.
+    keys = [name for name in known[""] if name not in tables] + [f"{t}.{name}" for t in tables for name in known[t]]
+    return sorted(f"{name}=" for name in keys if name.startswith(incomplete))
+
+
+def _paths(incomplete: str) -> list[str]:
+    """TOML files and folders that begin so."""
+    head, tail = os.path.split(incomplete)
+    before = incomplete.removesuffix(tail)
+    try:
+        with os.scandir(head or ".") as entries:
+            found = sorted((one.name, one.is_dir()) for one in entries if one.name.startswith(tail))
+    except OSError:
+        return []
+    # Hidden ones only where a dot was typed; with nothing typed, scenes by name are enough to choose from.
+    shown = [(name, folder) for name, folder in found if incomplete and (tail[:1] == "." or name[0] != ".")]
+    return [before + name + "/" * folder for name, folder in shown if folder or name.endswith(".toml")]
