@@ -7,12 +7,16 @@ from io import BytesIO
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
 
 from softcat_sym.report.contract import PicturedScene, Summary
 from softcat_sym.report.style import GREY, printable, styled
 
 HEADING = 0.62
 """Height that a heading takes at the top of a picture [inch]."""
+
+_TITLE = 0.31
+"""Height of its first line, the title."""
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -67,13 +71,15 @@ def head(figure: Figure, what: str, summary: Summary, scene: PicturedScene, left
     figure.text(place, 1 - 0.33 / height, printable(below, 110), va="top", fontsize=8.5, color=GREY, parse_math=False)
 
 
-def png(figure: Figure) -> bytes:
+def png(figure: Figure, *, titled: bool = True) -> bytes:
     """Draw a figure.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
         The figure.
+    titled : bool
+        False leaves out the first line of its :func:`head`, for a page that has the same title above it.
 
     Returns
     -------
@@ -82,6 +88,8 @@ def png(figure: Figure) -> bytes:
     """
     content = BytesIO()
     # Some settings are read only now: ticks are made, and fonts found, while drawing.
+    width, height = figure.get_size_inches()
+    shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
     with styled():
-        figure.savefig(content, format="png")
+        figure.savefig(content, format="png", bbox_inches=shown)
     return content.getvalue()

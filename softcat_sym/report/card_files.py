@@ -50,14 +50,14 @@ def write_card(card: Card, directory: str | Path, command: str = "") -> list[Pat
     OSError
         If the directory cannot be made or written.
     """
-    picture = None if card.descent is None else png(card_figure(card))
+    figure = None if card.descent is None else card_figure(card)
     document = json.dumps(card.as_dict(), indent=2, allow_nan=False, ensure_ascii=False) + "\n"
     contents = {
-        "card.html": card_page(card, picture, command),
+        "card.html": card_page(card, None if figure is None else png(figure, titled=False), command),
         "card.json": document.encode(),
         "card.csv": card_csv(card),
         "scene.toml": card.scene.to_toml().encode(),
     }
-    if picture is not None:
-        contents["card.png"] = picture
+    if figure is not None:
+        contents["card.png"] = png(figure)
     return write_all(directory, contents)

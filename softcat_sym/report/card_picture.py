@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _LEFT, _RIGHT, _BETWEEN, _BOTTOM, _LOW = 0.65, 0.2, 0.78, 0.52, 1.95
 _TALLEST, _LEAST = 1.7, 0.55
-_CURVE, _MARKS, _NAMES = 2.2, 1.62, 1.0
+_CURVE, _MARKS, _NAMES = 2.0, 1.87, 1.12
 _ABOVE = 1.35
 """Height of the curve's axes over the largest sag that is shown."""
 
@@ -181,7 +181,7 @@ def _bars(axes: Axes, card: Card) -> None:
     places = np.arange(len(found))[::-1]
     colours = [style.BLUE if power > 0 else style.VERMILLION for power in powers]
     axes.barh(places, powers, color=colours, height=0.62, zorder=2)
-    widest = 2.1 * max(abs(power) for power in powers)
+    widest = 3.2 * max(abs(power) for power in powers)
     axes.set_xlim(-widest, widest)
     axes.set_ylim(-0.6, len(found) - 0.4)
     for place, power in zip(places, powers, strict=True):
