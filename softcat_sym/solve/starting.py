@@ -17,7 +17,7 @@ from softcat_sym.effects.prediction import elastic_sag
 from softcat_sym.graph import Graph
 from softcat_sym.graph.grid import Floats
 from softcat_sym.graph.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
-from softcat_sym.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length
+from softcat_sym.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length, stress_free_length
 from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
 from softcat_sym.solve.settling import settled, snapped
 
@@ -80,8 +80,10 @@ def is_straight(scene: Scene) -> bool:
         for kind, angle in ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     )
     held = "free" not in (ends.left, ends.right)
-    drawn = held and not math.isclose(rest_length(scene), distance(scene), rel_tol=1e-12)
-    uneven = len(set(initial.P)) > 1 or (drawn and bool(scene.filament.profile))
+    pulled = held and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
+    # A fluid is without stress however it was drawn.
+    pulled = pulled and scene.material.law != "newtonian"
+    uneven = len(set(initial.P)) > 1 or (pulled and bool(scene.filament.profile))
     bent = scene.filament.curvature != 0 or any(initial.C)
     return not ((turned and held) or is_slack(scene) or uneven or bent)
 
