@@ -15,6 +15,13 @@ from tests.limited_process import LimitedProcess, limit_this_process
 
 from .scene_runs import Answer, answer
 
+_LATE = "no answer within"
+
+
+def is_late(answer: Answer) -> bool:
+    """Whether a scene was ended for the time it took: no exception, no process that died of its own."""
+    return not answer.outcome and answer.broken[0].startswith(_LATE)
+
 
 class Worker:
     """One process that answers scenes one after another.
@@ -34,7 +41,7 @@ class Worker:
         if answers:
             found: Answer = answers[0]
             return found
-        why = died or f"no answer within {self._limit:g} s"
+        why = died or f"{_LATE} {self._limit:g} s"
         return Answer(json.dumps(table), table["material"]["law"], "", broken=(why,), seconds=self._limit)
 
     def close(self) -> None:

@@ -9,7 +9,8 @@ import itertools
 import json
 import os
 from collections import Counter
-from dataclasses import asdict
+from collections.abc import Callable
+from dataclasses import asdict, replace
 from typing import Any
 
 import pytest
@@ -18,13 +19,14 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 from tests.acceptance.kept_answers import fingerprint, kept
 from tests.acceptance.table import show
 
-from .limited import of_this_thread, workers
+from .limited import is_late, of_this_thread, workers
 from .scene_runs import REFUSED, Answer
 from .scene_strategies import scenes
 
 SEED = 20261121
 FEW, MANY = 100, 2000
 LIMIT, PATIENCE = 60.0, 300.0  # s of the processor, for one scene, and for one that is asked once more
+DEAR = "dear"
 
 UNANSWERED = 0.05
 """Share of scenes that may be refused or end without success."""
@@ -94,19 +96,36 @@ def answers(tables: list[dict[str, Any]]) -> list[Answer]:
             return none.answer
         return Answer(**{**found, "broken": tuple(found["broken"])})
 
-    with workers(os.cpu_count() or 1, LIMIT) as threads:
-        found = list(threads.map(one, tables))
-    late = [k for k, answer in enumerate(found) if not answer.outcome]
-    with workers(os.cpu_count() or 1, PATIENCE) as threads:
-        again = list(threads.map(one, [compiled(tables[k]) for k in late]))
-    for k, answer in zip(late, again, strict=True):
+    found = _all(one, tables, LIMIT)
+    late = [k for k, answer in enumerate(found) if is_late(answer)]
+    for k, answer in zip(late, _all(one, [compiled(tables[k]) for k in late], PATIENCE), strict=True):
         found[k] = answer
+    late = [k for k in late if is_late(found[k])]
+    for k, answer in zip(late, _all(one, [unestimated(tables[k]) for k in late], PATIENCE), strict=True):
+        found[k] = dear(answer) if answer.outcome == "solved" else answer
     return found
+
+
+def _all(one: Callable[[dict[str, Any]], Answer], tables: list[dict[str, Any]], limit: float) -> list[Answer]:
+    if not tables:
+        return []
+    with workers(os.cpu_count() or 1, limit) as threads:
+        return list(threads.map(one, tables))
 
 
 def compiled(table: dict[str, Any]) -> dict[str, Any]:
     """The same scene by the backend that the program chooses: what takes the interpreted one minutes is no fault."""
     return table | {"numerics": table["numerics"] | {"backend": "auto"}}
+
+
+def unestimated(table: dict[str, Any]) -> dict[str, Any]:
+    """The same scene run once: that it takes long to be as accurate as asked is no hanging."""
+    return table | {"numerics": table["numerics"] | {"backend": "auto", "estimate": False}}
+
+
+def dear(answer: Answer) -> Answer:
+    """What one run answers, and the accuracy asked does not within the patience: without an answer."""
+    return replace(answer, outcome=DEAR, reason=f"not as accurate as asked within {PATIENCE:g} s")
 
 
 def report(found: list[Answer]) -> None:
