@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterator
+
 from softcat_sym.clock import Clock
 from softcat_sym.effects import Effects
 from softcat_sym.scene import Scene
 from softcat_sym.solve import Outcome, Prepared, Progress, choose_backend, prepare, settings_for
 from softcat_sym.solve.assembled import assembled
+from softcat_sym.solve.keeping import kept
 from softcat_sym.trajectory import Trajectory, judge
+from softcat_sym.trajectory.keeping import trajectory_form
 
 _TRIES, _TIGHTER = 3, 30.0
 """Runs that end by a step too long for them, and how much tighter each is than the one before."""
@@ -55,6 +60,22 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
     progress : Progress
         Told about simulated time.
     """
+
+    def identity() -> Iterator[str]:
+        yield from ("run", scene.to_toml(), resolved.to_toml(), *run_texts(effects))
+
+    def run() -> Trajectory:
+        return _run_once(scene, resolved, effects, clock, progress)
+
+    return kept(identity, run, trajectory_form(scene))
+
+
+def run_texts(effects: Effects) -> tuple[str, str]:
+    """What tells the effects of one run from those of another: their names and why, and what was left out."""
+    return json.dumps(effects.reasons), json.dumps(effects.left_out)
+
+
+def _run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
     tried = resolved
     for left in reversed(range(_TRIES)):
         prepared = build(tried, effects, clock)

@@ -15,14 +15,17 @@ from softcat_sym.effects import Effects
 from softcat_sym.graph.grading import choose_grading
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
-from softcat_sym.single_run import build, run_once
+from softcat_sym.single_run import build, run_once, run_texts
 from softcat_sym.solve import Progress, Silence
+from softcat_sym.solve.keeping import Form, kept, packed, unpacked
 from softcat_sym.trajectory import Trajectory
 from softcat_sym.trajectory.midpoint import midpoint_heights
 from softcat_sym.trajectory.validity import shortest_hinge_cell
 
 CERTAIN = 3.0
 """An estimate is up to three times too large: one above so many times the accuracy tells that it is missed for sure."""
+
+_MIDPOINT: Form[Floats] = Form(lambda heights: packed({"heights": heights}), lambda kept: unpacked(kept)["heights"])
 
 
 def as_accurate_as_asked(
@@ -80,10 +83,17 @@ class _Runs:
     def companion(self, at: Resolution) -> Floats | None:
         """Run for the midpoint only, in the same units."""
         scene = at.of(self.last.scene)
+        found = kept(
+            lambda: ("companion", scene.to_toml(), *run_texts(self._effects)), lambda: self._midpoint(scene), _MIDPOINT
+        )
+        return found if found.size else None
+
+    def _midpoint(self, scene: Scene) -> Floats:
+        """Heights of the midpoint [m]; none without an answer."""
         prepared = build(scene, self._effects)
         solution = prepared.solve(self._progress)
         if not solution.outcome.is_success:
-            return None
+            return np.zeros(0)
         return midpoint_heights(prepared.graph, solution) * rest_length(scene)
 
 

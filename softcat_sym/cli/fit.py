@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import shlex
 import sys
+from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypedDict
 
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     UNTRUSTED,
     OutputOption,
     QuietOption,
@@ -21,11 +21,12 @@ from softcat_sym.cli.application import (
     scene_of,
 )
 from softcat_sym.cli.completing import complete_scene
+from softcat_sym.cli.going_on import ResumeOption, going_on
 from softcat_sym.cli.pairs import read_pair
 from softcat_sym.inverse.defaults import STARTS
 
 if TYPE_CHECKING:
-    from softcat_sym.inverse import Fit, LawComparison, Loss
+    from softcat_sym.inverse import Fit, LawComparison, Loss, Measurements
     from softcat_sym.inverse.filament_fit import FitProgress
     from softcat_sym.scene import Scene
 
@@ -88,13 +89,15 @@ def fit(
     starts: StartsOption = STARTS,
     no_profiles: NoProfilesOption = False,
     seed: SeedOption = 0,
+    resume: ResumeOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Fit a filament to films of its fall: fit.json, fit.html, scene.toml, pictures and a table in DIR.
 
     With several --law the best is written as the fit; laws.csv, laws.png, fit.json and fit.html rank them all. Exit
-    status 0 if an optimum was found. What the data do not tell is said, not answered.
+    status 0 if an optimum was found. What the data do not tell is said, not answered. Ctrl-C loses nothing: what was
+    evaluated is in DIR/parts until the fit is written, and --resume goes on from there, to the same numbers.
     """
     check_directory(output)
     names, several = free or [], law or []
@@ -102,16 +105,25 @@ def fit(
         raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
     limits, charged = _bounds(bounds or []), _loss(loss, scale)
     asked = scene_of(scene, changes)
+    from softcat_sym.inverse import read_measurements
+    from softcat_sym.report.fit_files import write_fit
     from softcat_sym.report.fit_progress import FitProgressBar
 
     how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
-    try:
-        with FitProgressBar(quiet=quiet) as progress:
-            found = _found(data, asked, names, several, how, progress)
-    except KeyboardInterrupt:
-        complain("interrupted; nothing was written")
-        raise typer.Exit(INTERRUPTED) from None
-    _write(*found, output, quiet=quiet)
+    films = read_measurements(data)
+    told = {
+        "scene": asked.to_toml(),
+        "films": [sha256(path.read_bytes()).hexdigest() for path in data],
+        "free": names,
+        "laws": several,
+        "how": how | {"loss": repr(charged)},
+    }
+    with going_on(output, "fit", told, resume=resume), FitProgressBar(quiet=quiet) as progress:
+        found, compared = _found(films, asked, names, several, how, progress)
+        progress.stage("drawing", 0, 1)
+        command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--resume")])
+        written = write_fit(found, output, command, compared)
+    _tell(found, compared, written, output, quiet=quiet)
 
 
 class _How(TypedDict):
@@ -125,7 +137,7 @@ class _How(TypedDict):
 
 
 def _found(
-    data: list[Path], scene: Scene, free: list[str], laws: list[str], how: _How, progress: FitProgress
+    films: Measurements, scene: Scene, free: list[str], laws: list[str], how: _How, progress: FitProgress
 ) -> tuple[Fit, LawComparison | None]:
     """Fit what is free, all constants of a law, or those of several laws, of which the best comes first."""
     from softcat_sym.inverse import fit as fit_filament
@@ -133,18 +145,15 @@ def _found(
     from softcat_sym.inverse.laws import fit_law
 
     if not laws:
-        return fit_filament(data, scene, free, **how, progress=progress), None
+        return fit_filament(films, scene, free, **how, progress=progress), None
     if len(laws) == 1:
-        return fit_law(data, scene, laws[0], also_free=free, **how, progress=progress), None
-    compared = fit_laws(data, scene, laws, also_free=free, **how, progress=progress)
+        return fit_law(films, scene, laws[0], also_free=free, **how, progress=progress), None
+    compared = fit_laws(films, scene, laws, also_free=free, **how, progress=progress)
     return compared.best, compared
 
 
-def _write(found: Fit, laws: LawComparison | None, output: Path, *, quiet: bool) -> None:
-    """Write, print, and exit with 1 if there is no optimum."""
-    from softcat_sym.report.fit_files import write_fit
-
-    written = write_fit(found, output, shlex.join(["softcat", *sys.argv[1:]]), laws)
+def _tell(found: Fit, laws: LawComparison | None, written: list[Path], output: Path, *, quiet: bool) -> None:
+    """Print, and exit with 1 if there is no optimum."""
     if not quiet:
         from softcat_sym.report.fit_terminal import print_fit, print_laws
 

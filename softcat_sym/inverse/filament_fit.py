@@ -128,11 +128,12 @@ def _with_all_effects(scene: Scene, seen: Measurements, asked: _Asked) -> Fit:
     features = [_features(one, own_scene(one, scene)) for one in seen.series]
     found = _fit(scene, scene, seen, features, asked)
     more = _called_for(found) if scene.run.effects == "auto" else []
-    if not more:
-        return _trusted(found)
-    wider = _with_effects(scene, sorted({*found.effects, *more}))
-    again = _fit(wider, scene, seen, features, asked)
-    return _trusted(replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats)))
+    if more:
+        wider = _with_effects(scene, sorted({*found.effects, *more}))
+        again = _fit(wider, scene, seen, features, asked)
+        found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
+    asked.progress.stage("the run of what fits best", 0, 1)
+    return _trusted(found)
 
 
 def _trusted(found: Fit) -> Fit:

@@ -96,6 +96,15 @@ class FrozenFilament:
         """What integrates it."""
         return self._integrator
 
+    @property
+    def near(self) -> Start | None:
+        """Where the last evaluation began; the next start is followed from there."""
+        return self._starts.last
+
+    @near.setter
+    def near(self, start: Start | None) -> None:
+        self._starts.last = start
+
     @cached_property
     def free(self) -> tuple[FreeParameter, ...]:
         """Those of the scene."""

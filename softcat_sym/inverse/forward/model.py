@@ -14,11 +14,13 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.inverse.forward.free import INITIAL_SAG, TIME_OFFSET, FreeParameter
 from softcat_sym.inverse.forward.frozen_filament import FrozenFilament, Point, frozen_filament
 from softcat_sym.inverse.forward.interpreted import InterpretedForward
+from softcat_sym.inverse.forward.kept_evaluations import KeptEvaluations
 from softcat_sym.inverse.forward.path import Path
 from softcat_sym.inverse.forward.shapes import ForwardShapes
 from softcat_sym.inverse.forward.timing import Timing, timing_of
 from softcat_sym.inverse.forward.unknowns import Unknowns
 from softcat_sym.scene import Scene
+from softcat_sym.solve.keeping import Arrays
 
 _MOST_STEPS, _LEAST_STEPS, _TIMES_TYPICAL = 20_000, 2_000, 10
 
@@ -80,6 +82,7 @@ class ForwardModel(Unknowns):
         if self.times.ndim != 1 or not np.all(np.isfinite(self.times)):
             raise SoftcatError("times: give a row of finite times in s")
         self._filament: FrozenFilament = frozen_filament(scene, self.free, backend, rtol)
+        self._kept = KeptEvaluations(self._filament, (scene.to_toml(), repr(self.free), repr(rtol), self.backend))
         self._seen = _seen_of(self._filament.graph)
         self._shifts = any(one.path == TIME_OFFSET for one in self.free)
         self._last: tuple[bytes, _Answer] | None = None
@@ -172,7 +175,14 @@ class ForwardModel(Unknowns):
             d height/dq [m].
         """
         times, x = np.asarray(times, dtype=float), np.asarray(x, dtype=float)
-        return ForwardShapes(self._filament, self.free, times, x, self._most_steps).heights(q)
+        q = np.asarray(q, dtype=float)
+
+        def heights() -> Arrays:
+            found = ForwardShapes(self._filament, self.free, times, x, self._most_steps).heights(q)
+            return {"height": found[0], "derivatives": found[1]}
+
+        found = self._kept.of(("shapes", q.tobytes(), times.tobytes(), x.tobytes()), heights)
+        return found["height"], found["derivatives"]
 
     def _answer(self, q: Floats, *, slopes: bool) -> _Answer:
         q = np.asarray(q, dtype=float)
@@ -183,6 +193,15 @@ class ForwardModel(Unknowns):
         return self._last[1]
 
     def _evaluated(self, q: Floats, *, slopes: bool) -> _Answer:
+        def midpoint() -> Arrays:
+            answer = self._integrated(q, slopes=slopes)
+            arrays = {"midpoint": answer.midpoint, "complaint": np.array(answer.complaint)}
+            return arrays if answer.derivatives is None else {**arrays, "derivatives": answer.derivatives}
+
+        found = self._kept.of(("midpoint", str(slopes), q.tobytes(), self.times.tobytes()), midpoint)
+        return _Answer(found["midpoint"], found.get("derivatives"), str(found["complaint"]))
+
+    def _integrated(self, q: Floats, *, slopes: bool) -> _Answer:
         n, k = len(self.times), len(self.free)
         point = self._filament.point(self._of_scene(q), slopes=slopes)
         if point is None:
@@ -206,11 +225,15 @@ class ForwardModel(Unknowns):
     def _most_steps(self) -> int:
         """A multiple of what the typical filament takes: absurd values are to fail within a second or so."""
         q = self.typical
-        point, timing = self._filament.point(self._of_scene(q), slopes=False), self._timing(q)
-        if point is None or not len(timing.model):
-            return _MOST_STEPS
-        path = self._filament.integrator.run(point.begin(timing.model), self._seen, _MOST_STEPS)
-        return _MOST_STEPS if path.complaint or not path.steps else max(_LEAST_STEPS, _TIMES_TYPICAL * path.steps)
+
+        def counted() -> int:
+            point, timing = self._filament.point(self._of_scene(q), slopes=False), self._timing(q)
+            if point is None or not len(timing.model):
+                return _MOST_STEPS
+            path = self._filament.integrator.run(point.begin(timing.model), self._seen, _MOST_STEPS)
+            return _MOST_STEPS if path.complaint or not path.steps else max(_LEAST_STEPS, _TIMES_TYPICAL * path.steps)
+
+        return self._kept.aside(counted)
 
     def _of_scene(self, q: Floats) -> Floats:
         return np.array([x for one, x in zip(self.free, np.asarray(q), strict=True) if not one.of_measurement])

@@ -27,6 +27,11 @@ class Starts:
         The filament with its typical numbers.
     follow : bool
         Whether plastic strains at the start are the same for all values, so that only shapes need to be followed.
+
+    Attributes
+    ----------
+    last : Start or None
+        The last one found, from which the next is followed.
     """
 
     def __init__(self, assembled: Assembled, *, follow: bool = True) -> None:
@@ -38,7 +43,7 @@ class Starts:
         self._bare = replace(self._graph, z=ca.SX(0, 1))
         self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae else None
         self._followed = _Followed(self._graph, assembled.at_rest()) if self._is_followed else None
-        self._last: Start | None = None
+        self.last: Start | None = None
 
     @property
     def _is_followed(self) -> bool:
@@ -59,13 +64,13 @@ class Starts:
         """
         if is_slack(scene) != self._slack or is_straight(scene) != self._straight:
             return None
-        near = near or self._last
+        near = near or self.last
         found = self._near(scene, p, near, settle) if near is not None and self._follow else None
         if found is None:
             statics = None if self._followed is None else self._followed.statics
             found = starting_state(scene, self._graph, p, statics)
         if found is not None and settle:
-            self._last = found
+            self.last = found
         return found
 
     def _near(self, scene: Scene, p: Floats, near: Start, settle: bool) -> Start | None:

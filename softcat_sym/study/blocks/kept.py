@@ -81,6 +81,16 @@ class KeptBlocks:
                 replace_atomically(self.folder / _MANIFEST, (json.dumps(manifest, indent=2) + "\n").encode())
             replace_atomically(self._path(number), hashlib.sha256(content).digest() + content)
 
+    def drop(self, number: int) -> None:
+        """Remove a block that is not needed any more.
+
+        Raises
+        ------
+        OSError
+            If it cannot be removed.
+        """
+        self._path(number).unlink(missing_ok=True)
+
     def clear(self) -> None:
         """Remove the folder: the results are there. Files of others in it are let alone.
 

@@ -1,0 +1,65 @@
+"""What commands share that keep what is finished: an interrupted one goes on from there with ``--resume``."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import json
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from softcat_sym.cli.application import INTERRUPTED, complain
+from softcat_sym.errors import SoftcatError
+
+ResumeOption = Annotated[
+    bool, typer.Option("--resume", help="Go on from where the same command was interrupted; see DIR/parts.")
+]
+
+
+@contextmanager
+def going_on(output: Path, what: str, asked: Mapping[str, object], *, resume: bool) -> Iterator[None]:
+    """Keep what is computed meanwhile in DIR/parts until all is written; Ctrl-C says what is kept, and exits.
+
+    Parameters
+    ----------
+    output : pathlib.Path
+        DIR.
+    what : str
+        The command, for whoever looks into the folder.
+    asked : mapping
+        All that decides the results beside the version of this program; fit for JSON.
+    resume : bool
+        Whether to go on from what is there.
+
+    Raises
+    ------
+    SoftcatError
+        If what is there is another command's, or is not to be resumed.
+    """
+    from softcat_sym.solve.keeping import kept_by
+    from softcat_sym.study.blocks import KeptBlocks, KeptResults, kept_text
+
+    told = {"what": what, "version": importlib.metadata.version("softcat_sym"), **asked}
+    digest = hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()
+    results = KeptResults(KeptBlocks(output, digest, {"what": f"softcat {what}"}, resume=resume))
+    try:
+        with kept_by(results):
+            yield
+    except KeyboardInterrupt:
+        results.flush()
+        complain(f"interrupted; {results.trouble or kept_text(output) or 'nothing was written'}")
+        raise typer.Exit(INTERRUPTED) from None
+    except SoftcatError:
+        # It would end so again.
+        results.clear()
+        raise
+    except OSError:
+        results.flush()
+        if text := kept_text(output):
+            complain(text)
+        raise
+    results.clear()
