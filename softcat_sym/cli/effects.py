@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
     app,
     check_directory,
-    complain,
     judge,
     scene_of,
 )
+from softcat_sym.cli.going_on import ResumeOption, going_on
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
@@ -34,33 +33,32 @@ def effects(
     output: OutputOption,
     scene: OptionalScene = None,
     bundled: Annotated[bool, typer.Option("--bundled", help="All bundled scenes instead, with a table.")] = False,
+    resume: ResumeOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Put each effect in or leave it out in turn: effects.csv, .json and .png in DIR.
 
-    With --bundled --set changes every scene, and a scene that cannot be priced is a line of the table. It takes many
-    minutes; after Ctrl-C the same command goes on, scenes that are there already are not priced again.
+    Finished runs are kept in DIR/parts until all are there: after Ctrl-C --resume goes on, and only the run that was
+    interrupted, whose time is asked, is made again. With --bundled --set changes every scene, and a scene that cannot
+    be priced is a line of the table. It takes many minutes; the same command goes on, with or without --resume.
     """
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
     check_directory(output)
-    try:
-        if scene is None:
-            _all(output, changes or [], quiet=quiet)
-        else:
-            _one(scene, scene_of(scene, changes), output, quiet=quiet)
-    except KeyboardInterrupt:
-        complain(f"interrupted; {_left(output) if bundled else 'nothing was written'}")
-        raise typer.Exit(INTERRUPTED) from None
+    if scene is None:
+        _all(output, changes or [], quiet=quiet)
+    else:
+        _one(scene, scene_of(scene, changes), output, resume=resume, quiet=quiet)
 
 
-def _one(name: str, asked: Scene, output: Path, *, quiet: bool) -> None:
+def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) -> None:
     from softcat_sym.report.pricing import print_pricing, write_pricing
     from softcat_sym.study.pricing import price_effects
 
-    pricing = price_effects(asked, _listening(asked, "", quiet=quiet), name)
-    written = write_pricing(pricing, output)
+    with going_on(output, "effects", {"scene": asked.to_toml()}, resume=resume):
+        pricing = price_effects(asked, _listening(asked, "", quiet=quiet), name)
+        written = write_pricing(pricing, output)
     if not quiet:
         print_pricing(pricing)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
@@ -80,17 +78,19 @@ def _all(output: Path, changes: list[str], *, quiet: bool) -> None:
         names = bundled_names()
         return _listening(asked, f"{names.index(name) + 1} of {len(names)}, {name}, ", quiet=quiet)
 
-    written = write_pricings(price_bundled(bundled_names(), listening, changes, kept_pricings(output)), output)
+    # Every run is kept under its own scene: whatever is there may be gone on from.
+    with going_on(output, "effects --bundled", {}, resume=True, left=lambda: _left(output)):
+        written = write_pricings(price_bundled(bundled_names(), listening, changes, kept_pricings(output)), output)
     if not quiet:
         typer.echo(f"wrote {len(written)} files to {output}, among them {written[-1].name}")
 
 
 def _left(output: Path) -> str:
-    """What an interrupted command over all scenes leaves behind."""
+    """What an interrupted command over all scenes leaves behind beside its parts."""
     from softcat_sym.report.pricing import kept_pricings
 
     kept = len(kept_pricings(output))
-    return f"{kept} scenes are in {output}: the same command goes on from there" if kept else "nothing was written"
+    return f"{kept} scenes are in {output}: the same command goes on from there" if kept else ""
 
 
 def _refusal(name: str, changes: list[str]) -> SoftcatError | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import importlib.metadata
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
@@ -21,7 +21,14 @@ ResumeOption = Annotated[
 
 
 @contextmanager
-def going_on(output: Path, what: str, asked: Mapping[str, object], *, resume: bool) -> Iterator[None]:
+def going_on(
+    output: Path,
+    what: str,
+    asked: Mapping[str, object],
+    *,
+    resume: bool,
+    left: Callable[[], str] = str,
+) -> Iterator[None]:
     """Keep what is computed meanwhile in DIR/parts until all is written; Ctrl-C says what is kept, and exits.
 
     Parameters
@@ -31,9 +38,11 @@ def going_on(output: Path, what: str, asked: Mapping[str, object], *, resume: bo
     what : str
         The command, for whoever looks into the folder.
     asked : mapping
-        All that decides the results beside the version of this program; fit for JSON.
+        All that decides the results beside the version of this program.
     resume : bool
         Whether to go on from what is there.
+    left : callable
+        Of an interrupted command: what it leaves in DIR beside its parts, and how to go on; empty if nothing.
 
     Raises
     ------
@@ -44,14 +53,14 @@ def going_on(output: Path, what: str, asked: Mapping[str, object], *, resume: bo
     from softcat_sym.study.blocks import KeptBlocks, KeptResults, kept_text
 
     told = {"what": what, "version": importlib.metadata.version("softcat_sym"), **asked}
-    digest = hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()
+    digest = hashlib.sha256(json.dumps(told, sort_keys=True, default=str).encode()).hexdigest()
     results = KeptResults(KeptBlocks(output, digest, {"what": f"softcat {what}"}, resume=resume))
     try:
         with kept_by(results):
             yield
     except KeyboardInterrupt:
         results.flush()
-        complain(f"interrupted; {results.trouble or kept_text(output) or 'nothing was written'}")
+        complain(f"interrupted; {left() or results.trouble or kept_text(output) or 'nothing was written'}")
         raise typer.Exit(INTERRUPTED) from None
     except SoftcatError:
         # It would end so again.

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from statistics import median
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,11 +13,12 @@ from softcat_sym.effects import choose_effects
 from softcat_sym.graph.grid import Floats
 from softcat_sym.simulate import simulate, without_estimate
 from softcat_sym.single_run import build
-from softcat_sym.solve import watched
+from softcat_sym.solve import Outcome, watched
+from softcat_sym.solve.keeping import json_form, kept
 
 if TYPE_CHECKING:
     from softcat_sym.scene import Scene
-    from softcat_sym.solve import Outcome, Prepared, Progress
+    from softcat_sym.solve import Prepared, Progress
     from softcat_sym.trajectory import Trajectory
 
 _SHORT = 1.0
@@ -68,6 +69,21 @@ class PricedRun:
         return float(heights.max()) if heights.size else 0.0
 
 
+def plain(run: PricedRun) -> dict[str, Any]:
+    """A run as lists, text and numbers."""
+    told = {"time": run.time.tolist(), "midpoint": run.midpoint.tolist(), "outcome": run.outcome.name}
+    return asdict(run) | told
+
+
+def from_plain(told: dict[str, Any]) -> PricedRun:
+    """The run that :func:`plain` has told of."""
+    arrays = {name: np.array(told[name], dtype=float) for name in ("time", "midpoint")}
+    return PricedRun(**{**told, **arrays, "effects": tuple(told["effects"]), "outcome": Outcome[told["outcome"]]})
+
+
+_FORM = json_form(plain, from_plain)
+
+
 def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None) -> PricedRun:
     """Run a scene with a list of effects and take down what it cost.
 
@@ -87,11 +103,15 @@ def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None
     KeyboardInterrupt
         If the user stops it, wherever in CasADi that happens.
     """
-    with watched() as interrupts:
-        try:
-            return _priced(scene, progress, first)
-        finally:
-            interrupts.check()
+
+    def price() -> PricedRun:
+        with watched() as interrupts:
+            try:
+                return _priced(scene, progress, first)
+            finally:
+                interrupts.check()
+
+    return kept(lambda: ("priced run", scene.to_toml(), str(first is None)), price, _FORM)
 
 
 def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> PricedRun:
