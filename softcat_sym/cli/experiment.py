@@ -7,16 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
     check_directory,
-    complain,
     scene_of,
 )
+from softcat_sym.cli.going_on import ResumeOption, going_on
 from softcat_sym.cli.pairs import read_pair
 
 if TYPE_CHECKING:
@@ -73,12 +72,14 @@ def experiment(
     rough: RoughOption = 1.0,
     sag_at_most: DepthOption = None,
     sag: SagOption = None,
+    resume: ResumeOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Design the film that tells a material best: experiment.json, scene.toml, picture and table in DIR.
 
     The scene holds rough values. Among what is allowed, the least worst relative error is chosen; the rest stays.
+    After Ctrl-C --resume goes on from what was tried, which is kept in DIR/parts until the design is written.
     """
     check_directory(output)
     asked = scene_of(scene, changes)
@@ -87,25 +88,33 @@ def experiment(
     from softcat_sym.report.experiment_files import write_experiment
     from softcat_sym.report.fit_progress import FitProgressBar as Bar
 
-    try:
-        with Bar(quiet=quiet) as progress:
-            # The quicker of the two first.
-            critical = None if sag is None else _critical(asked, sag, progress)
-            design = design_experiment(
-                asked,
-                free,
-                noise,
-                within,
-                nuisance=nuisance or [],
-                frames_at_most=frames_at_most,
-                rough=rough,
-                sag_at_most=sag_at_most,
-                told=lambda trial: progress.stage(f"tried a span of {trial.span:.3g} m", 0, 1),
-            )
-    except KeyboardInterrupt:
-        complain("interrupted; nothing was written")
-        raise typer.Exit(INTERRUPTED) from None
-    written = write_experiment(design, output, critical)
+    told = {
+        "scene": asked.to_toml(),
+        "free": free,
+        "noise": noise,
+        "within": within,
+        "nuisance": nuisance,
+        "frames_at_most": frames_at_most,
+        "rough": rough,
+        "sag_at_most": sag_at_most,
+        "sag": sag,
+    }
+    with going_on(output, "experiment", told, resume=resume), Bar(quiet=quiet) as progress:
+        # The quicker of the two first.
+        critical = None if sag is None else _critical(asked, sag, progress)
+        design = design_experiment(
+            asked,
+            free,
+            noise,
+            within,
+            nuisance=nuisance or [],
+            frames_at_most=frames_at_most,
+            rough=rough,
+            sag_at_most=sag_at_most,
+            told=lambda trial: progress.stage(f"tried a span of {trial.span:.3g} m", 0, 1),
+        )
+        progress.stage("drawing", 0, 1)
+        written = write_experiment(design, output, critical)
     if not quiet:
         typer.echo("\n".join((*design.text, *(() if critical is None else critical.text))))
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")

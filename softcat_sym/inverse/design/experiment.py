@@ -144,9 +144,11 @@ def _searched(judge: Judge, told: Told | None) -> list[Trial]:
     tried: list[Trial] = []
 
     def value(point: tuple[float, ...]) -> float:
-        trial = judge.best_film(*_filament(judge, point))
+        span, thickness = _filament(judge, point)
+        trial = judge.kept(f"film of {span!r} {thickness!r}", lambda: judge.best_film(span, thickness))
         if trial.worst < min((one.worst for one in tried), default=math.inf):
-            trial = judge.checked(judge.exactly(trial)[0])
+            rough = trial
+            trial = judge.kept(f"checked {rough!r}", lambda: judge.checked(judge.exactly(rough)[0]))
         tried.append(trial)
         if told is not None:
             told(trial)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
 from itertools import product
 
 import numpy as np
@@ -21,7 +22,9 @@ from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
 from softcat_sym.inverse.forward.substituting import with_values
 from softcat_sym.scene import Scene
 from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.solve.keeping import json_form, kept
 
+_TRIAL = json_form(asdict, lambda told: Trial(**told))
 _ROUNDING = 1e-9
 _MARGIN = 0.01
 
@@ -58,6 +61,11 @@ class Judge:
     frames_at_most: int | None
     rough: float
     sag_at_most: Limit | None = None
+
+    def kept(self, what: str, compute: Callable[[], Trial]) -> Trial:
+        """Return a trial of these rough values and demands, from where it is kept if it is."""
+        demands = (self.names, self.counted, self.noise, self.ranges, self.frames_at_most, self.rough, self.sag_at_most)
+        return kept(lambda: ("trial", self.scene.to_toml(), repr(demands), what), compute, _TRIAL)
 
     def best_film(self, span: float, thickness: float) -> Trial:
         """The best duration and frame rate of one filament, from one run for each set of rough values."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from softcat_sym.inverse.forward.model import ForwardModel
 from softcat_sym.inverse.forward.substituting import with_values
 from softcat_sym.scene import Scene
 from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.solve.keeping import json_form, kept
 
 # Between which the largest sag is found by a parabola.
 _LEAST_FRAMES = 2001
@@ -46,8 +47,15 @@ def with_span(scene: Scene, span: float) -> Scene:
     return scene.replace({SPAN: f"{span!r} m"})
 
 
+_SAG = json_form(asdict, lambda told: Sag(told["value"], tuple(told["effects"]), told["note"]))
+
+
 def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     """Run a filament as the program chooses to, and measure its sag."""
+    return kept(lambda: ("sag", scene.to_toml(), str(at_end)), lambda: _sag_of_run(scene, at_end=at_end), _SAG)
+
+
+def _sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     try:
         run = simulate(without_estimate(scene))
     except SceneError as error:
