@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import shlex
 from contextlib import ExitStack
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
     app,
     check_directory,
-    complain,
     judge,
     scene_of,
 )
+from softcat_sym.cli.going_on import ResumeOption, going_on
 
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
@@ -80,10 +80,14 @@ def card(
     ends: Ends = None,
     duration: Duration = None,
     no_span: NoSpan = False,
+    resume: ResumeOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Sag, arrest, longest span and the field's rules of a filament: card.html, .json, .csv, .png in DIR."""
+    """Sag, arrest, longest span and the field's rules of a filament: card.html, .json, .csv, .png in DIR.
+
+    Finished runs are kept in DIR/parts until the card is written: after Ctrl-C --resume goes on, to the same card.
+    """
     flags = {
         "density": density,
         "span": span,
@@ -105,7 +109,19 @@ def card(
     asked, notes = _asked(scene, flags, changes or [])
     check_directory(output)
     command = _command(scene, flags, sag, changes or [])
-    _make(asked, scene or "", None if no_span else sag, notes, output, command, seek=not no_span, quiet=quiet)
+    order = _Order(asked, scene or "", None if no_span else sag, notes, not no_span)
+    _make(order, output, command, resume=resume, quiet=quiet)
+
+
+@dataclass(frozen=True)
+class _Order:
+    """What is asked of a card."""
+
+    scene: Scene
+    name: str
+    sag: str | None
+    notes: tuple[str, ...]
+    seek: bool
 
 
 def _asked(scene: str | None, flags: dict[str, str | None], changes: list[str]) -> tuple[Scene, tuple[str, ...]]:
@@ -123,17 +139,7 @@ def _asked(scene: str | None, flags: dict[str, str | None], changes: list[str]) 
     return scene_from_flags(flags, changes)
 
 
-def _make(
-    asked: Scene,
-    name: str,
-    sag: str | None,
-    notes: tuple[str, ...],
-    output: Path,
-    command: str,
-    *,
-    seek: bool,
-    quiet: bool,
-) -> None:
+def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: bool) -> None:
     from softcat_sym.report.card_files import write_card
     from softcat_sym.report.card_terminal import print_card
     from softcat_sym.report.fit_progress import FitProgressBar as Bar
@@ -141,7 +147,7 @@ def _make(
     from softcat_sym.study.card import card as made
 
     def listening(what: str) -> AbstractContextManager[Progress]:
-        return IntegrationProgress(asked.run.duration, what, quiet=quiet)
+        return IntegrationProgress(order.scene.run.duration, what, quiet=quiet)
 
     def told(what: str) -> None:
         # One display at a time: this one begins when that of the first run has ended.
@@ -150,13 +156,19 @@ def _make(
         bars[0].stage(what, 0, 1)
 
     bars: list[Bar] = []
-    try:
-        with ExitStack() as stack:
-            found = made(asked, sag, name=name, listening=listening, told=told, span=seek, notes=notes)
-    except KeyboardInterrupt:
-        complain("interrupted; nothing was written")
-        raise typer.Exit(INTERRUPTED) from None
-    written = write_card(found, output, command)
+    asked = {"scene": order.scene.to_toml(), "sag": order.sag, "seek": order.seek}
+    with going_on(output, "card", asked, resume=resume), ExitStack() as stack:
+        found = made(
+            order.scene,
+            order.sag,
+            name=order.name,
+            listening=listening,
+            told=told,
+            span=order.seek,
+            notes=order.notes,
+        )
+        told("drawing")
+        written = write_card(found, output, command)
     if not quiet:
         print_card(found)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")

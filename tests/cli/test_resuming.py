@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from softcat_sym import single_run
 from softcat_sym.inverse.forward.model import ForwardModel
 from tests.cli.in_process import Softcat, sets
 from tests.inverse.filmed import CHEAP, write_film
@@ -41,12 +42,12 @@ class Counted:
         self.calls, self.at = 0, at
 
 
-def numbers(folder: Path, name: str) -> Any:
+def numbers(folder: Path, name: str, timed: tuple[str, ...] = ("wall_s", "seconds")) -> Any:
     """A JSON file without what no two runs share: wall times."""
 
     def without(value: Any) -> Any:
         if isinstance(value, dict):
-            return {key: without(one) for key, one in value.items() if key not in ("wall_s", "seconds")}
+            return {key: without(one) for key, one in value.items() if key not in timed}
         return [without(one) for one in value] if isinstance(value, list) else value
 
     return without(json.loads((folder / name).read_text()))
@@ -81,4 +82,48 @@ def test_a_fit_goes_on(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.Mon
     assert counted.calls == 4
     assert numbers(broken, "fit.json") == numbers(whole, "fit.json")
     for name in ("fit.csv", "scene.toml", "fit.png", "profiles.png"):
+        assert (broken / name).read_bytes() == (whole / name).read_bytes()
+
+
+def test_prices_go_on(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole, broken = tmp_path / "whole", tmp_path / "broken"
+    effects = 'run.effects=["inertia", "bending", "viscous-stress"]'
+    command = ["effects", "cold-honey", *sets("numerics.cells=4", "run.frames=4", "run.duration=0.02 s", effects)]
+    counted = Counted(monkeypatch, single_run, "_run_once")
+    assert softcat(*command, "-q", "-o", str(whole)).status == 0
+    count = counted.calls
+    interrupted(softcat, command, broken, counted, at=count - 1)
+    assert counted.calls == 2 < count
+    timed = ("solve_s", "time_ratio", "reading")
+    assert numbers(broken, "effects.json", timed) == numbers(whole, "effects.json", timed)
+    assert (broken / "scene.toml").read_bytes() == (whole / "scene.toml").read_bytes()
+
+
+def test_a_design_goes_on(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole, broken = tmp_path / "whole", tmp_path / "broken"
+    scene = ("maxwell-fast", *sets("run.effects=paper", "groups.duration=6", "numerics.cells=10"))
+    film = ("--duration", "0.2:0.8 s", "--frame-rate", "10:200 Hz", "--span", "0.1:0.2 m")
+    command = ["experiment", *scene, "--free", "viscosity", "--noise", "10 um", *film]
+    counted = Counted(monkeypatch, ForwardModel, "_integrated")
+    assert softcat(*command, "-q", "-o", str(whole)).status == 0
+    count = counted.calls
+    interrupted(softcat, command, broken, counted, at=count - 3)
+    assert counted.calls == 4 < count
+    assert numbers(broken, "experiment.json") == numbers(whole, "experiment.json")
+    for name in ("experiment.csv", "experiment.png", "scene.toml"):
+        assert (broken / name).read_bytes() == (whole / name).read_bytes()
+
+
+def test_a_card_goes_on(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole, broken = tmp_path / "whole", tmp_path / "broken"
+    body = ("--density", "1000 kg/m^3", "--span", "10 cm", "--diameter", "1 mm", "--duration", "1 s")
+    oil = ("--law", "newtonian", "--viscosity", "1 MPa*s", "--sag", "0.1 mm")
+    command = ["card", *body, *oil, *sets("numerics.cells=6", "run.frames=21")]
+    counted = Counted(monkeypatch, single_run, "_run_once")
+    assert softcat(*command, "-q", "-o", str(whole)).status == 0
+    count = counted.calls
+    interrupted(softcat, command, broken, counted, at=count - 1)
+    assert counted.calls == 2 < count
+    assert numbers(broken, "card.json") == numbers(whole, "card.json")
+    for name in ("card.csv", "card.png", "scene.toml"):
         assert (broken / name).read_bytes() == (whole / name).read_bytes()
