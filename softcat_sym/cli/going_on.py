@@ -49,26 +49,28 @@ def going_on(
     SoftcatError
         If what is there is another command's, or is not to be resumed.
     """
+    from softcat_sym.files import made
     from softcat_sym.solve.keeping import kept_by
     from softcat_sym.study.blocks import KeptBlocks, KeptResults, kept_text
 
     told = {"what": what, "version": importlib.metadata.version("softcat_sym"), **asked}
     digest = hashlib.sha256(json.dumps(told, sort_keys=True, default=str).encode()).hexdigest()
     results = KeptResults(KeptBlocks(output, digest, {"what": f"softcat {what}"}, resume=resume))
-    try:
-        with kept_by(results):
-            yield
-    except KeyboardInterrupt:
-        results.flush()
-        complain(f"interrupted; {left() or results.trouble or kept_text(output) or 'nothing was written'}")
-        raise typer.Exit(INTERRUPTED) from None
-    except SoftcatError:
-        # It would end so again.
+    with made(output):
+        try:
+            with kept_by(results):
+                yield
+        except KeyboardInterrupt:
+            results.flush()
+            complain(f"interrupted; {left() or results.trouble or kept_text(output) or 'nothing was written'}")
+            raise typer.Exit(INTERRUPTED) from None
+        except SoftcatError:
+            # It would end so again.
+            results.clear()
+            raise
+        except OSError:
+            results.flush()
+            if text := kept_text(output):
+                complain(text)
+            raise
         results.clear()
-        raise
-    except OSError:
-        results.flush()
-        if text := kept_text(output):
-            complain(text)
-        raise
-    results.clear()

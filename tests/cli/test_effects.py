@@ -168,15 +168,17 @@ def test_a_directory_must_be_named_and_be_one(softcat: Softcat, tmp_path: Path) 
     assert taken.read_text() == "a file"
 
 
-def test_an_interrupted_scene_writes_nothing(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_interrupted_before_anything_is_finished_nothing_is_written(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def interrupted(*_: object) -> None:
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr("softcat_sym.study.pricing.priced_run", interrupted)
+    monkeypatch.setattr("softcat_sym.study.pricing.simulate", interrupted)
     output = tmp_path / "out"
     done = softcat("effects", "cold-honey", "-o", str(output), *sets(*BARE))
     assert (done.status, done.out) == (130, "")
-    assert "interrupted" in done.err
+    assert "interrupted; nothing was written" in done.err
     assert not output.exists()
 
 
@@ -207,4 +209,4 @@ def test_what_was_finished_before_an_interruption_is_written(tmp_path: Path) -> 
     assert {path.name for path in output.iterdir()} >= {f for f in written if finished[-1] not in f}
     for path in output.glob("*.json"):
         json.loads(path.read_text())
-    assert all(path.suffix in {".md", ".json", ".png"} for path in output.iterdir())
+    assert all(path.suffix in {".md", ".json", ".png"} or path.name == "parts" for path in output.iterdir())
