@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypedDict
 
 import typer
 
@@ -20,6 +20,7 @@ from softcat_sym.cli.pairs import read_pair
 
 if TYPE_CHECKING:
     from softcat_sym.inverse import CriticalSpan
+    from softcat_sym.inverse.design.trial import Trial
     from softcat_sym.inverse.filament_fit import FitProgress
     from softcat_sym.scene import Scene
 
@@ -88,36 +89,30 @@ def experiment(
     from softcat_sym.report.experiment_files import write_experiment
     from softcat_sym.report.fit_progress import FitProgressBar as Bar
 
-    told = {
-        "scene": asked.to_toml(),
-        "free": free,
-        "noise": noise,
-        "within": within,
-        "nuisance": nuisance,
-        "frames_at_most": frames_at_most,
-        "rough": rough,
-        "sag_at_most": sag_at_most,
-        "sag": sag,
-    }
+    how = _How(nuisance=nuisance or [], frames_at_most=frames_at_most, rough=rough, sag_at_most=sag_at_most)
+    told = {"scene": asked.to_toml(), "free": free, "noise": noise, "within": within, "how": how, "sag": sag}
     with going_on(output, "experiment", told, resume=resume), Bar(quiet=quiet) as progress:
         # The quicker of the two first.
         critical = None if sag is None else _critical(asked, sag, progress)
-        design = design_experiment(
-            asked,
-            free,
-            noise,
-            within,
-            nuisance=nuisance or [],
-            frames_at_most=frames_at_most,
-            rough=rough,
-            sag_at_most=sag_at_most,
-            told=lambda trial: progress.stage(f"tried a span of {trial.span:.3g} m", 0, 1),
-        )
+
+        def tried(trial: Trial) -> None:
+            progress.stage(f"tried a span of {trial.span:.3g} m", 0, 1)
+
+        design = design_experiment(asked, free, noise, within, **how, told=tried)
         progress.stage("drawing", 0, 1)
         written = write_experiment(design, output, critical)
     if not quiet:
         typer.echo("\n".join((*design.text, *(() if critical is None else critical.text))))
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+
+
+class _How(TypedDict):
+    """What a design is asked for besides."""
+
+    nuisance: list[str]
+    frames_at_most: int | None
+    rough: float
+    sag_at_most: str | None
 
 
 def _within(given: dict[str, str | None]) -> dict[str, object]:

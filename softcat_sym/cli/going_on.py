@@ -8,12 +8,15 @@ import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from softcat_sym.cli.application import INTERRUPTED, complain
 from softcat_sym.errors import SoftcatError
+
+if TYPE_CHECKING:
+    from softcat_sym.study.blocks import KeptResults
 
 ResumeOption = Annotated[
     bool, typer.Option("--resume", help="Go on from where the same command was interrupted; see DIR/parts.")
@@ -22,12 +25,7 @@ ResumeOption = Annotated[
 
 @contextmanager
 def going_on(
-    output: Path,
-    what: str,
-    asked: Mapping[str, object],
-    *,
-    resume: bool,
-    left: Callable[[], str] = str,
+    output: Path, what: str, asked: Mapping[str, object], *, resume: bool, left: Callable[[], str] = str
 ) -> Iterator[None]:
     """Keep what is computed meanwhile in DIR/parts until all is written; Ctrl-C says what is kept, and exits.
 
@@ -51,11 +49,9 @@ def going_on(
     """
     from softcat_sym.files import made
     from softcat_sym.solve.keeping import kept_by
-    from softcat_sym.study.blocks import KeptBlocks, KeptResults, kept_text
+    from softcat_sym.study.blocks import kept_text
 
-    told = {"what": what, "version": importlib.metadata.version("softcat_sym"), **asked}
-    digest = hashlib.sha256(json.dumps(told, sort_keys=True, default=str).encode()).hexdigest()
-    results = KeptResults(KeptBlocks(output, digest, {"what": f"softcat {what}"}, resume=resume))
+    results = _results(output, what, asked, resume=resume)
     with made(output):
         try:
             with kept_by(results):
@@ -74,3 +70,11 @@ def going_on(
                 complain(text)
             raise
         results.clear()
+
+
+def _results(output: Path, what: str, asked: Mapping[str, object], *, resume: bool) -> KeptResults:
+    from softcat_sym.study.blocks import KeptBlocks, KeptResults
+
+    told = {"what": what, "version": importlib.metadata.version("softcat_sym"), **asked}
+    digest = hashlib.sha256(json.dumps(told, sort_keys=True, default=str).encode()).hexdigest()
+    return KeptResults(KeptBlocks(output, digest, {"what": f"softcat {what}"}, resume=resume))

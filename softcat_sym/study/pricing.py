@@ -11,11 +11,10 @@ import numpy as np
 
 from softcat_sym.effects import REGISTRY, Decision, Estimate, choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.graph.grading import choose_grading
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import without_estimate
 from softcat_sym.solve import Progress, Silence
-from softcat_sym.solve.keeping import Form, json_form, kept
-from softcat_sym.study.priced_run import PricedRun, from_plain, plain, priced_run
+from softcat_sym.study.base_run import base_run, on_grid
+from softcat_sym.study.priced_run import PricedRun, priced_run
 from softcat_sym.study.variants import Names, dependants, everything, obstacle, ordered, requirements, with_effects
 
 if TYPE_CHECKING:
@@ -188,32 +187,13 @@ def price_effects(
     told = listening or _nobody
     with told("the scene itself") as listener:
         once = without_estimate(scene)
-        cells, grading, base = kept(lambda: ("base", once.to_toml()), lambda: _base(once, listener), _BASE)
+        cells, grading, base = base_run(once, listener)
     names = base.effects
-    listed = _listed(once, names, cells).replace({"numerics.grading": grading})
+    listed = on_grid(once, names, cells).replace({"numerics.grading": grading})
     runs = _Runs(listed, told, {names: base})
     decisions = [one for one in choose_effects(listed).decisions if one.effect.name in wanted]
     rows = tuple(_row(one, names, runs) for one in decisions)
     return Pricing(name, scene, base, cells, grading, rows, _everything(names, runs))
-
-
-_BASE: Form[tuple[int, float, PricedRun]] = json_form(
-    lambda found: [*found[:2], plain(found[2])], lambda told: (int(told[0]), told[1], from_plain(told[2]))
-)
-
-
-def _base(once: Scene, listener: Progress) -> tuple[int, float, PricedRun]:
-    """Cells and grading of every run, and the run of the scene itself."""
-    first = simulate(once, listener)
-    names, cells = tuple(first.summary["effects"]), int(first.summary["cells"])
-    listed = _listed(once, names, cells)
-    # Theories grade their grids differently: on one grid only physics differs.
-    grading = once.numerics.grading or choose_grading(listed, cells)
-    return cells, grading, priced_run(listed.replace({"numerics.grading": grading}), listener, first)
-
-
-def _listed(once: Scene, names: Names, cells: int) -> Scene:
-    return with_effects(once.replace({"numerics.cells": cells}), names)
 
 
 @dataclass
