@@ -53,12 +53,15 @@ def effects(
 
 
 def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) -> None:
+    from softcat_sym.report.fit_progress import FitProgressBar
     from softcat_sym.report.pricing import print_pricing, write_pricing
     from softcat_sym.study.pricing import price_effects
 
     with going_on(output, "effects", {"scene": asked.to_toml()}, resume=resume):
         pricing = price_effects(asked, _listening(asked, "", quiet=quiet), name)
-        written = write_pricing(pricing, output)
+        with FitProgressBar(quiet=quiet) as progress:
+            progress.stage("drawing", 0, 1)
+            written = write_pricing(pricing, output)
     if not quiet:
         print_pricing(pricing)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")

@@ -121,6 +121,8 @@ def _longest_span(scene: Scene, limit: object, told: Told | None, *, given: bool
         if told is not None:
             told(f"sag of a span of {span:.3g} m")
 
+    if told is not None:
+        told("the longest span")
     own = scene.filament.span
     for factor in (_NEAR, _FAR):
         try:
