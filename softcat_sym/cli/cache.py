@@ -21,7 +21,7 @@ _BESIDE = {"elements": "states of finite elements", "answers": "answers of accep
 @app.command()
 def cache(
     clear: Annotated[
-        bool, typer.Option("--clear", help="Delete the compiled libraries; nothing else in the folder.")
+        bool, typer.Option("--clear", help="Delete the compiled libraries and C texts; nothing else in the folder.")
     ] = False,
 ) -> None:
     """Show the compiled libraries in the cache; --clear them.
@@ -45,12 +45,13 @@ def cache(
 def _show(entries: Sequence[CacheEntry]) -> None:
     from datetime import datetime
 
-    from softcat_sym.native import cache_folder, cache_limit, compiler_name, size_text
+    from softcat_sym.native import cache_folder, cache_limit, compiler_name, kept_texts, size_text
 
-    total, limit = sum(entry.size for entry in entries), cache_limit()
+    total, limit, texts = sum(entry.size for entry in entries), cache_limit(), kept_texts()
     typer.echo(f"folder     {cache_folder()}")
     typer.echo(f"compiler   {compiler_name() or 'none'}")
     typer.echo(f"libraries  {len(entries)}, {size_text(total)} of at most {size_text(limit)}")
+    typer.echo(f"C texts    {len(texts)}, {size_text(sum(path.stat().st_size for path in texts))}")
     if entries:
         typer.echo(f"\n{'key':12}  {'size':>9}  {'last used':16}  made from")
     for entry in entries[:_SHOWN]:

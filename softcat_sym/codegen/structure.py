@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import hashlib
+import re
+import secrets
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from softcat_sym.codegen.kept_model import model_kept
 from softcat_sym.codegen.model_text import Model, model_of
 from softcat_sym.codegen.recording import record
 from softcat_sym.effects import Effects
@@ -15,6 +18,9 @@ from softcat_sym.graph.body import Body
 from softcat_sym.graph.discretisation import Discretisation
 from softcat_sym.scene import Scene
 
+_PROCESS = secrets.token_hex()
+_FUNCTION = re.compile(r"<function ([\w.]+) at 0x[0-9a-f]+>")  # of a module: its name says which, a closure's does not
+
 
 @dataclass(frozen=True)
 class Structure:
@@ -23,7 +29,7 @@ class Structure:
     Attributes
     ----------
     key : str
-        Hash of all that the text depends on, within one process; two structures are equal if theirs are.
+        Hash of all that the text depends on but the program; two structures are equal if theirs are.
     effects : tuple of str
         Names of the effects in force.
     equations, theory, ends, body
@@ -72,16 +78,22 @@ def structure_of(
 
 
 def _digest(parts: tuple[object, ...]) -> str:
-    return hashlib.sha256("\n".join(repr(part) for part in parts).encode()).hexdigest()
+    """Hash of what parts say of themselves; where that is an address, it means nothing to another process."""
+    text = _FUNCTION.sub(r"\1", "\n".join(repr(part) for part in parts))
+    return hashlib.sha256(f"{_PROCESS} {text}".encode() if " at 0x" in text else text.encode()).hexdigest()
 
 
 @lru_cache(maxsize=128)
 def model_for(structure: Structure) -> Model:
-    """The C text of a structure, made once a process.
+    """The C text of a structure, read once a process, and made once a machine.
 
     Raises
     ------
     PrintingError
         If it has none.
     """
-    return model_of(record(structure.equations, structure.theory, structure.ends, structure.body))
+
+    def made() -> Model:
+        return model_of(record(structure.equations, structure.theory, structure.ends, structure.body))
+
+    return model_kept(structure.key, made)

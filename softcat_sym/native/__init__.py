@@ -5,6 +5,7 @@ from softcat_sym.native.compiler import Compiler, compiler_name, find_compiler
 from softcat_sym.native.folder import cache_folder
 from softcat_sym.native.library import OPTIMISED, compile_library, load
 from softcat_sym.native.limit import cache_limit, size_text
+from softcat_sym.native.texts import kept_texts
 
 __all__ = [
     "OPTIMISED",
@@ -17,6 +18,7 @@ __all__ = [
     "compile_library",
     "compiler_name",
     "find_compiler",
+    "kept_texts",
     "load",
     "size_text",
 ]

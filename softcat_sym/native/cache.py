@@ -17,6 +17,7 @@ from pathlib import Path
 from softcat_sym.errors import SoftcatError
 from softcat_sym.native import folder as folders
 from softcat_sym.native.limit import cache_limit
+from softcat_sym.native.texts import clear_texts
 
 LIBRARY = "library.so"
 _DIGEST, _ABOUT = "library.sha256", "about.txt"
@@ -215,7 +216,7 @@ def cache_entries() -> tuple[CacheEntry, ...]:
 
 
 def clear_cache() -> int:
-    """Delete every compiled library, what is known of compilers, and what killed processes left behind.
+    """Delete every compiled library and kept text, what is known of compilers, and what killed processes left behind.
 
     Compilations under way are let alone, and so is whatever else lies in the folder. Programs that have loaded a
     library go on.
@@ -245,6 +246,7 @@ def clear_cache() -> int:
         if compilers.is_file():
             freed += _size(compilers)
             compilers.unlink(missing_ok=True)
+        freed += clear_texts()
     except OSError as error:
         raise SoftcatError(f"cannot clear {native}: {error.strerror or error}") from error
     return freed

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from softcat_sym.native.cache import store
+from softcat_sym.native.texts import keep
 
 from .in_process import Softcat
 
@@ -31,6 +32,7 @@ def test_an_empty_cache(softcat: Softcat, cache: Path) -> None:
     assert done.status == 0
     assert f"folder     {cache}\n" in done.out
     assert "libraries  0, 0 B of at most 512.0 MB\n" in done.out
+    assert "C texts    0, 0 B\n" in done.out
     done = softcat("cache", "--clear")
     assert done.status == 0
     assert f"deleted 0 compiled libraries from {cache / 'native'}: " in done.out
@@ -40,11 +42,13 @@ def test_what_is_kept_is_shown_and_cleared(softcat: Softcat, cache: Path, monkey
     monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", "2 MB")
     put("a", 400_000)
     put("b", 100_000)
+    keep("c" * 64, "text")
     (cache / "elements").mkdir()
     (cache / "elements" / "run.npz").write_bytes(bytes(3000))
     done = softcat("cache")
     assert done.status == 0
     assert "libraries  2, 500.2 kB of at most 2.0 MB\n" in done.out
+    assert "C texts    1, 7" in done.out
     assert [line.split()[0] for line in done.out.splitlines() if ".c by gcc" in line] in (
         ["a" * 12, "b" * 12],
         ["b" * 12, "a" * 12],
@@ -58,7 +62,9 @@ def test_what_is_kept_is_shown_and_cleared(softcat: Softcat, cache: Path, monkey
     assert ": 500." in done.out
     assert "elements: " in done.out
     assert (cache / "elements" / "run.npz").exists()
-    assert "libraries  0, " in softcat("cache").out
+    done = softcat("cache")
+    assert "libraries  0, " in done.out
+    assert "C texts    0, 0 B\n" in done.out
 
 
 def test_many_are_counted(softcat: Softcat) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import sympy as sp
 
 from softcat_sym.equations.equation import Equation
@@ -28,9 +30,19 @@ def maxwell_means(section: Section, viscosity: sp.Expr = eta) -> SectionMeans:
     )
 
 
+@dataclass(frozen=True, slots=True)
+class _MaxwellMeans:
+    """:func:`maxwell_means` at a viscosity: not a closure, so that its representation names it in every process."""
+
+    viscosity: sp.Expr
+
+    def __call__(self, section: Section) -> SectionMeans:
+        return maxwell_means(section, self.viscosity)
+
+
 def linear_flow(viscosity: sp.Expr) -> Flow:
     """The flow rule of a dashpot of this tensile viscosity."""
-    return Flow(maxwell_rate(viscosity), closed_means=lambda section: maxwell_means(section, viscosity))
+    return Flow(maxwell_rate(viscosity), closed_means=_MaxwellMeans(viscosity))
 
 
 LAW = Law("maxwell", branches=(Branch(flow=linear_flow(eta)),))

@@ -1,0 +1,102 @@
+"""A model that an earlier process wrote is the one that this process would write."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.codegen import kept_model, structure
+from softcat_sym.codegen.kept_model import model_kept
+from softcat_sym.codegen.model_text import model_of
+from softcat_sym.codegen.recording import record
+from softcat_sym.codegen.structure import Structure, model_for
+from softcat_sym.effects import choose_effects
+from softcat_sym.native import kept_texts
+from softcat_sym.solve.assembled import assembled
+
+NAMES = "arrested-overdamped", "bread-dough"
+KEYS = f"""
+import softcat_sym as sc
+from softcat_sym.effects import choose_effects
+from softcat_sym.solve.assembled import assembled
+for name in {NAMES}:
+    scene = sc.load_scene(name)
+    print(assembled(scene, choose_effects(scene)).structure().key)
+"""
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+
+
+def structure_in(name: str, **changes: Any) -> Structure:
+    scene = sc.load_scene(name, {key.replace("__", "."): value for key, value in changes.items()})
+    return assembled(scene, choose_effects(scene)).structure()
+
+
+def never() -> Any:
+    raise AssertionError("it was there already")
+
+
+@pytest.mark.parametrize("name", ["maxwell-fast", "cold-honey"])
+def test_what_is_read_is_what_was_written(name: str) -> None:
+    of = structure_in(name)
+    written = model_of(record(of.equations, of.theory, of.ends, of.body))
+    assert model_kept(of.key, lambda: written) is written
+    assert model_kept(of.key, never) == written
+
+
+def test_a_further_process_writes_none() -> None:
+    model_for.cache_clear()
+    of = structure_in("maxwell-fast", run__effects="paper")
+    first = model_for(of)
+    assert len(kept_texts()) == 1
+    model_for.cache_clear()
+    assert model_for(of) == first
+    assert len(kept_texts()) == 1
+
+
+def test_another_program_writes_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    of = structure_in("maxwell-fast", run__effects="paper")
+    model_for.cache_clear()
+    first = model_for(of)
+    monkeypatch.setattr(kept_model, "_program", lambda: "changed")
+    again: list[bool] = []
+    model_kept(of.key, lambda: again.append(True) or first)
+    assert again
+
+
+def test_the_program_is_known_by_its_whole_code() -> None:
+    names = {path.name for path in kept_model._files(kept_model.resources.files("softcat_sym.equations"))}
+    assert {"filament.py", "maxwell.py"} <= names, "folders within folders, too"
+
+
+def test_structures_have_the_same_names_in_every_process() -> None:
+    environment = {**os.environ, "PYTHONHASHSEED": "1"}
+    done = subprocess.run([sys.executable, "-c", KEYS], env=environment, check=True, capture_output=True, text=True)
+    assert done.stdout.split() == [structure_in(name).key for name in NAMES]
+
+
+def test_what_only_an_address_tells_apart_is_not_taken_for_the_same_elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
+    closure = (lambda: None,)
+    here = structure._digest(closure)
+    assert structure._digest(closure) == here
+    monkeypatch.setattr(structure, "_PROCESS", "another")
+    assert structure._digest(closure) != here
+    assert structure._digest((never,)) == structure._digest((never,))
+
+
+@pytest.mark.parametrize("name", sc.bundled_names())
+def test_no_bundled_scene_is_named_by_an_address(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = sc.load_scene(name)
+    filament = assembled(scene, choose_effects(scene))
+    here = filament.structure().key
+    monkeypatch.setattr(structure, "_PROCESS", "another")
+    assert filament.structure().key == here
