@@ -7,7 +7,9 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextvars import ContextVar
 from pathlib import Path
 from types import FrameType
 
@@ -55,6 +57,8 @@ def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> s
         ) as process,
     ):
         try:
+            if (processes := _processes.get()) is not None:
+                processes.add(process)
             interrupt.pass_on()
             out, err = process.communicate(timeout=seconds)
         except BaseException:
@@ -66,6 +70,42 @@ def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> s
 def _surroundings(folder: Path | None) -> dict[str, str]:
     """In the C locale messages are in English, where the word "error" marks the lines that matter."""
     return {**os.environ, "LC_ALL": "C", **({"TMPDIR": str(folder)} if folder is not None else {})}
+
+
+class Processes:
+    """Those that a thread runs, which another thread may kill."""
+
+    def __init__(self) -> None:
+        self._killed, self._lock = False, threading.Lock()
+        self._running: list[subprocess.Popen[str]] = []
+
+    def add(self, process: subprocess.Popen[str]) -> None:
+        """One that was started just now: it is killed at once if the others have been."""
+        with self._lock:
+            self._running.append(process)
+            if self._killed:
+                _kill_group(process)
+
+    def kill(self) -> None:
+        """End all, with what they have started, and whatever is added later."""
+        with self._lock:
+            self._killed = True
+            for process in self._running:
+                if process.returncode is None:
+                    _kill_group(process)
+
+
+_processes: ContextVar[Processes | None] = ContextVar("processes", default=None)
+
+
+@contextlib.contextmanager
+def kill_on(processes: Processes) -> Iterator[None]:
+    """Add what :func:`run` starts in this thread meanwhile, so that it can be killed from another."""
+    before = _processes.set(processes)
+    try:
+        yield
+    finally:
+        _processes.reset(before)
 
 
 class _Interrupt:

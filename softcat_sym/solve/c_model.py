@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes as ct
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import resources
@@ -14,7 +15,7 @@ import numpy as np
 from softcat_sym.codegen.model_text import Model
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph.grid import Floats
-from softcat_sym.native import compile_library, load
+from softcat_sym.native import SOON, beside, compile_library, load
 
 Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)
@@ -155,14 +156,21 @@ class CModel:
 
     Parameters
     ----------
-    model : Model
-        Its text.
+    model : Callable
+        Gives its text.
+
+    Raises
+    ------
+    SoftcatError
+        If the compiler refuses; with its message.
     """
 
-    def __init__(self, model: Model) -> None:
-        self.model = model
+    def __init__(self, model: Callable[[], Model]) -> None:
+        with beside(_runtime):
+            self.model = model()
+            sources = {"filament.c": self.model.text, **_headers()}
+            self._library = load(compile_library(sources, flags=SOON, versions=_VERSIONS))
         self._runtime = _runtime()
-        self._library = load(compile_library({"filament.c": model.text, **_headers()}, versions=_VERSIONS))
         self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, "softcat_filament_model")))
 
     def room(self, run: Run, status: Status) -> Answer:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from softcat_sym.codegen.sites import places_of, sites_of
 from softcat_sym.codegen.structure import Structure, model_for
@@ -28,4 +28,4 @@ def compile_filament(graph: Graph, structure: Structure) -> CompiledFilament:
 @lru_cache(maxsize=128)
 def compiled_model(structure: Structure) -> CModel:
     """The library of a structure, loaded once a process."""
-    return CModel(model_for(structure))
+    return CModel(partial(model_for, structure))

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.native import compile_library
+from softcat_sym.native import OPTIMISED, SOON, compile_library
 from softcat_sym.scene import groups_of
 from softcat_sym.solve import Silence, c_model, compiling
 from softcat_sym.solve.c_model import runtime_sources
@@ -170,7 +170,7 @@ def test_cost_is_linear_in_the_number_of_cells(physics: scenes.Physics, rtol: fl
 
 @pytest.mark.slow
 def test_text_and_seconds_of_compilation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Goals: under 200 kB whatever the grid, under 3 s; measured 1.3 s at most."""
+    """Goals: under 200 kB whatever the grid, under 3 s, for what is compiled once a scene."""
     monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path))
     rows, slowest = [], 0.0
     texts = {"runtime": runtime_sources()}
@@ -184,7 +184,7 @@ def test_text_and_seconds_of_compilation(tmp_path: Path, monkeypatch: pytest.Mon
         spent = []
         for k in range(5):
             wall = time.perf_counter()
-            compile_library({**files, "again.h": f"/* {k} */\n"})
+            compile_library({**files, "again.h": f"/* {k} */\n"}, flags=OPTIMISED if label == "runtime" else SOON)
             spent.append(time.perf_counter() - wall)
         size = sum(len(text.encode()) for text in files.values())
         rows.append([label, f"{size / 1e3:.0f}", f"{np.median(spent):.2f}"])
