@@ -10,6 +10,8 @@ from numbers import Real
 from tokenize import TokenError
 from typing import TYPE_CHECKING
 
+from softcat_sym.scene.common_units import COMMON
+
 if TYPE_CHECKING:
     from pint import UnitRegistry
 
@@ -74,6 +76,17 @@ _LEAKED = (
 @lru_cache(maxsize=1024)
 def _measured(unit: str, wanted: str = "one of mass, length and time") -> tuple[float, Dimension]:
     """SI value of one `unit`, so that a file already in SI keeps its numbers to the last bit, and its dimension."""
+    return COMMON[unit] if unit in COMMON else measured_by_pint(unit, wanted)
+
+
+def measured_by_pint(unit: str, wanted: str) -> tuple[float, Dimension]:
+    """SI value and dimension of any unit.
+
+    Raises
+    ------
+    NotAQuantity
+        If it is none, or not of mass, length and time alone.
+    """
     ureg = registry()
     from pint.errors import PintError
 
@@ -163,6 +176,8 @@ def to_si(value: object, dimension: str, unit: str = "") -> float:
 
 def _is_angular(unit: str) -> bool:
     """Tell whether pint counts radians in it, which it takes for pure numbers: 1 rad/s would be read as 1 Hz."""
+    if unit in COMMON:
+        return False
     ureg = registry()
     return "radian" in str(ureg.get_root_units(ureg.parse_units(unit))[1])
 
