@@ -20,6 +20,7 @@ from softcat_sym.cli.application import (
     judge,
     scene_of,
 )
+from softcat_sym.cli.without_dask import without_dask
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -76,10 +77,11 @@ def run(
     from softcat_sym.solve.checkpoint import Resumable
 
     try:
-        with IntegrationProgress(asked.run.duration, asked.title or "integrating", quiet=quiet) as progress:
-            trajectory = simulate(asked, Resumable(progress, checkpoints))
-        with made(output), written_together():
-            written = write_run(trajectory, output, drawn)
+        with without_dask():
+            with IntegrationProgress(asked.run.duration, asked.title or "integrating", quiet=quiet) as progress:
+                trajectory = simulate(asked, Resumable(progress, checkpoints))
+            with made(output), written_together():
+                written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:
         complain(f"interrupted; {_kept(checkpoints)}")
         raise typer.Exit(INTERRUPTED) from None
