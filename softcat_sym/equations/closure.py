@@ -46,7 +46,7 @@ def material(measure: StrainMeasure, contraction: Contraction) -> ClosedSection:
         lever=lever,
         recall_mean=sp.Integer(1),
         recall_bending=sp.Integer(1),
-        axial_correction=-M * theta_X * sp.simplify(sp.diff(lever, s) / lever),
+        axial_correction=-M * theta_X * sp.powsimp(sp.diff(lever, s) / lever),
     )
 
 

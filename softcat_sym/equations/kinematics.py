@@ -70,7 +70,7 @@ def _rate_of_turning(turning: sp.Expr) -> sp.Expr:
 
 @cache
 def _with_stretch(expression: sp.Expr, stretch: sp.Expr) -> sp.Expr:
-    return sp.simplify(expression).subs(stretch, s).subs(stretch**2, s**2)
+    return sp.powsimp(expression).subs(stretch, s).subs(stretch**2, s**2)
 
 
 # The turning angle is atan2(cross, dot) of neighbouring tangents, so that nothing wraps past the vertical.

@@ -149,7 +149,7 @@ def cell(contraction: Contraction = UNIFORM) -> ShearingCell:
     lever = sp.powsimp(thickness / (2 * Lam))
     axial, shear = sp.log(Lam) - k * lever * zeta, Gam / Lam
     # Exponent of Lam in the lever, a number: -3/2 or -2.
-    exponent = sp.simplify(Lam * sp.diff(lever, Lam) / lever)
+    exponent = sp.powsimp(Lam * sp.diff(lever, Lam) / lever)
     return ShearingCell(
         area=area,
         thickness=thickness,

@@ -206,7 +206,7 @@ class Shape:
     @property
     def weight(self) -> sp.Expr:
         """Power of the stress is T s_t - M theta_X,t = weight <sigma eps_t>: A_0 when the section thins."""
-        return sp.simplify(self.contraction.area / sp.diff(self.strain.strain, s))
+        return sp.powsimp(self.contraction.area / sp.diff(self.strain.strain, s))
 
 
 def respond(shape: Shape, closed: ClosedSection, law: Law) -> SectionResponse:
