@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import resource
 import subprocess
 import sys
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +20,10 @@ from tests.oracle.rk4_filament import run as oracle
 from .table import show
 
 REPEATS = 9
+
+FULL, EMPTY, HELP = "softcat run, compiled before", "softcat run, empty cache", "softcat --help"
+LIMITS = {FULL: 4.2, EMPTY: 9.0, HELP: 0.16}
+"""Processor seconds, over those of importing the libraries."""
 
 
 @pytest.mark.slow
@@ -58,25 +64,54 @@ def test_descent_against_the_rk4_oracle() -> None:
     assert ratio > 250
 
 
-def _seconds(command: list[str]) -> float:
-    began = time.perf_counter()
-    subprocess.run(command, check=True, capture_output=True)
-    return time.perf_counter() - began
+LIBRARIES = "casadi, h5netcdf, matplotlib.figure, numpy, pydantic, rich, sympy, typer, xarray"
+"""What a run cannot do without: importing it is the measure of the machine, and of what else it does meanwhile."""
+
+
+@dataclass(frozen=True)
+class Spent:
+    """What a process took, those that it started included."""
+
+    wall: float
+    processor: float
+
+
+def _spent(command: list[str], cache: Path) -> Spent:
+    environment = {**os.environ, "SOFTCAT_CACHE": str(cache), "OMP_NUM_THREADS": "1"}
+    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    subprocess.run(command, check=True, capture_output=True, env=environment)
+    wall, after = time.perf_counter() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
+    return Spent(wall, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
 
 
 def test_cold_start(tmp_path: Path) -> None:
-    softcat = Path(sys.executable).with_name("softcat")
-    rows = [
-        [
-            "softcat run arrested-overdamped",
-            min(_seconds([str(softcat), "run", "arrested-overdamped", "-o", str(tmp_path)]) for _ in range(2)),
-            6.0,
-        ],
-        ["softcat --help", min(_seconds([str(softcat), "--help"]) for _ in range(3)), 0.5],
-    ]
+    """The promise is 6 s from a cold start to files on disk, on a machine that does nothing else.
+
+    Beside other work seconds tell of that work, and processor seconds less so: they are judged in units of those that
+    importing the libraries takes, in the same minute. A limit is half as much again as was measured, so that a start
+    that takes twice as long fails; the seconds are printed. With an empty cache a run compiles three C sources first.
+    """
+    softcat, cache, output = str(Path(sys.executable).with_name("softcat")), tmp_path / "cache", tmp_path / "run"
+    run = [softcat, "run", "arrested-overdamped", "-o", str(output)]
+    imports = [sys.executable, "-c", f"import {LIBRARIES}"]
+    spent: dict[str, list[Spent]] = {"": [], EMPTY: [_spent(run, cache)], FULL: [], HELP: []}
+    for _ in range(3):
+        spent[""].append(_spent(imports, cache))
+        spent[FULL].append(_spent(run, cache))
+        spent[HELP].append(_spent([softcat, "--help"], cache))
+    least = {
+        what: Spent(min(one.wall for one in taken), min(one.processor for one in taken))
+        for what, taken in spent.items()
+    }
+    unit = least.pop("").processor
+    times = {what: taken.processor / unit for what, taken in least.items()}
     show(
-        "cold start to files on disk", ("command", "seconds", "limit"), [[c, f"{s:.2f}", limit] for c, s, limit in rows]
+        f"cold start to files on disk; importing the libraries takes {unit:.2f} s of the processor",
+        ("", "seconds", "of the processor", "imports", "limit"),
+        [
+            [what, f"{taken.wall:.2f}", f"{taken.processor:.2f}", f"{times[what]:.2f}", LIMITS[what]]
+            for what, taken in least.items()
+        ],
     )
-    assert os.listdir(tmp_path)  # noqa: PTH208
-    for command, seconds, limit in rows:
-        assert seconds < limit, command
+    assert (output / "trajectory.nc").exists()
+    assert {what for what, limit in LIMITS.items() if times[what] > limit} == set()
