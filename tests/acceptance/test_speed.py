@@ -22,7 +22,7 @@ from .table import show
 REPEATS = 9
 
 FULL, EMPTY, HELP = "softcat run, compiled before", "softcat run, empty cache", "softcat --help"
-LIMITS = {FULL: 3.6, EMPTY: 8.0, HELP: 0.16}
+LIMITS = {FULL: 4.5, EMPTY: 10.0, HELP: 0.2}
 """Processor seconds, over those of importing the libraries."""
 
 
@@ -88,8 +88,8 @@ def test_cold_start(tmp_path: Path) -> None:
     """The promise is 6 s from a cold start to files on disk, on a machine that does nothing else.
 
     Beside other work seconds tell of that work, and processor seconds less so: they are judged in units of those that
-    importing the libraries takes, in the same minute. A limit is a quarter to a half above what was measured, so that
-    a start that takes twice as long fails; seconds are only printed. With an empty cache a run first writes two C
+    importing the libraries takes, in the same minute. A limit is 1.5 to 2 times what was measured on one machine, as
+    machines differ in that, and a start that takes twice as long fails; seconds are only printed. With an empty cache a run first writes two C
     texts, and compiles three.
     """
     softcat, cache, output = str(Path(sys.executable).with_name("softcat")), tmp_path / "cache", tmp_path / "run"
