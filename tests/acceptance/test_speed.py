@@ -89,8 +89,8 @@ def test_cold_start(tmp_path: Path) -> None:
 
     Beside other work seconds tell of that work, and processor seconds less so: they are judged in units of those that
     importing the libraries takes, in the same minute. A limit is 1.5 to 2 times what was measured on one machine, as
-    machines differ in that, and a start that takes twice as long fails; seconds are only printed. With an empty cache a run first writes two C
-    texts, and compiles three.
+    machines differ in that, and a start that takes twice as long fails; seconds are only printed. With an empty cache a
+    run first writes two C texts, and compiles three.
     """
     softcat, cache, output = str(Path(sys.executable).with_name("softcat")), tmp_path / "cache", tmp_path / "run"
     run = [softcat, "run", "arrested-overdamped", "-o", str(output)]
