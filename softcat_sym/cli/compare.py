@@ -67,7 +67,8 @@ def compare(
 
     Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
     their state in DIR/elements.npz: after Ctrl-C the same command goes on from there. Where meshio is installed, meshes
-    and fields go to DIR/vtk for ParaView. With --engine calculix a solver that is not ours takes the elements' place.
+    and fields go to DIR/vtk for ParaView. With --engine calculix a solver that is not ours takes the elements'
+    place; its finished run is kept in DIR/parts until all is there, one that is interrupted begins again.
 
     With --vary the errors of the theories stand against one variable, beside those of half as many elements and what
     each run costs; where the filament gets thinner, the slender limit is extrapolated.

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from softcat_sym.cli.application import INTERRUPTED, complain, judge
+from softcat_sym.cli.application import judge
+from softcat_sym.cli.going_on import going_on
 
 if TYPE_CHECKING:
     from softcat_sym.reference import Clamp, Mesh
@@ -32,20 +33,27 @@ def compare_in_calculix(
         return
     from softcat_sym.report.calculix_files import calculix_table, write_calculix_comparison
     from softcat_sym.report.progress import IntegrationProgress
+    from softcat_sym.study.blocks.kept import FOLDER
     from softcat_sym.study.calculix import compare_with_calculix
 
-    try:
+    checkpoint = output / "elements.npz" if engine is Engine.BOTH else None
+    told = {"scene": asked.to_toml(), "mesh": str(mesh), "clamp": clamp.value, "engine": engine.value}
+
+    def left() -> str:
+        kept = [one.name for one in (checkpoint, output / FOLDER) if one is not None and one.exists()]
+        return f"{' and '.join(kept)} in {output}: the same command goes on from there" if kept else ""
+
+    # The same command goes on, as with our elements.
+    with going_on(output, "compare", told, resume=True, left=left):
         comparison = compare_with_calculix(
             asked,
             mesh,
             clamp=clamp,
             with_elements=engine is Engine.BOTH,
+            checkpoint=checkpoint,
             progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
         )
-    except KeyboardInterrupt:
-        complain("interrupted; nothing was written")
-        raise typer.Exit(INTERRUPTED) from None
-    written = write_calculix_comparison(comparison, output)
+        written = write_calculix_comparison(comparison, output)
     if not quiet:
         from rich.console import Console
 

@@ -23,6 +23,7 @@ from softcat_sym.reference.mesh import Mesh
 from softcat_sym.reference.supports import Clamp
 from softcat_sym.scene import Scene
 from softcat_sym.scene.scales import elastic_time
+from softcat_sym.solve.keeping import Form, kept, packed, unpacked
 
 _PROGRAM = "ccx"
 _JOB = "deck"
@@ -111,7 +112,8 @@ def run_calculix(
 ) -> CalculixRun:
     """Run a scene in CalculiX.
 
-    It works in a folder of its own that does not outlive the run. Ctrl-C ends it, and is passed on.
+    It works in a folder of its own that does not outlive the run. Ctrl-C ends it, and is passed on; a finished run is
+    kept where results are (:func:`softcat_sym.solve.keeping.kept`).
 
     Parameters
     ----------
@@ -133,9 +135,7 @@ def run_calculix(
     """
     mesh = mesh if mesh is not None else Mesh()
     deck, program = calculix_deck(scene, mesh, clamp=clamp, step=step), require_calculix()
-    start = time.perf_counter()
-    files = _files_of(deck, program, progress)
-    wall = time.perf_counter() - start
+    files, wall = kept(lambda: ("calculix", deck.text), lambda: _timed(deck, program, progress), _FORM)
     x, y = _centreline(deck, _text(files, "dat"))
     return CalculixRun(
         time=deck.time,
@@ -153,13 +153,35 @@ def run_calculix(
     )
 
 
+def _timed(deck: Deck, program: str, progress: Progress | None) -> tuple[dict[str, bytes], float]:
+    """What is kept of a run, and its seconds."""
+    start = time.perf_counter()
+    files = _files_of(deck, program, progress)
+    return files, time.perf_counter() - start
+
+
+def _written(found: tuple[dict[str, bytes], float]) -> bytes:
+    files, wall = found
+    return packed({_WALL: np.array(wall)} | {name: np.frombuffer(one, np.uint8) for name, one in files.items()})
+
+
+def _read(content: bytes) -> tuple[dict[str, bytes], float]:
+    arrays = unpacked(content)
+    wall = float(arrays.pop(_WALL))
+    return {name: one.tobytes() for name, one in arrays.items()}, wall
+
+
+_WALL = "seconds"
+_FORM: Form[tuple[dict[str, bytes], float]] = Form(_written, _read)
+
+
 def _files_of(deck: Deck, program: str, progress: Progress | None) -> dict[str, bytes]:
     """Run a deck in a folder of its own; what is kept of it, by file name."""
     with tempfile.TemporaryDirectory(prefix="softcat-calculix-") as name:
         folder = Path(name)
         (folder / f"{_JOB}.inp").write_text(deck.text, encoding="ascii")
         _execute(program, folder, progress)
-        return {kept: (folder / kept).read_bytes() for kept in _KEPT if (folder / kept).is_file()}
+        return {one: (folder / one).read_bytes() for one in _KEPT if (folder / one).is_file()}
 
 
 def _text(files: Mapping[str, bytes], ending: str) -> str:

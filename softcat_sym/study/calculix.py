@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from softcat_sym.effects import choose_effects
+from softcat_sym.files import made
 from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
 from softcat_sym.reference.calculix import CalculixRun, require_calculix, run_calculix
@@ -88,6 +90,7 @@ def compare_with_calculix(
     clamp: Clamp = Clamp.THINNING,
     step: float = STEP,
     with_elements: bool = False,
+    checkpoint: Path | None = None,
     progress: Listening | None = None,
 ) -> CalculixComparison:
     """Run a scene in CalculiX, as a filament and, if wanted, in our elements.
@@ -104,6 +107,8 @@ def compare_with_calculix(
         CalculiX's longest increment in L sqrt(rho/E).
     with_elements : bool
         Run our elements too.
+    checkpoint : pathlib.Path, optional
+        Where they keep their state, and go on from if it is there.
     progress : callable, optional
         Called with what is about to run; returns a context whose value is told how far it is.
 
@@ -122,8 +127,9 @@ def compare_with_calculix(
         calculix = run_calculix(scene, mesh, clamp=clamp, step=step, progress=listener)
     elements = None
     if with_elements:
-        with listening("elements") as listener:
-            elements = run_elements(scene, mesh, clamp=clamp, progress=listener)
+        folder = nullcontext() if checkpoint is None else made(checkpoint.parent)
+        with folder, listening("elements") as listener:
+            elements = run_elements(scene, mesh, clamp=clamp, checkpoint=checkpoint, progress=listener)
     with listening("filament") as listener:
         trajectory = simulate(scene, listener)
     rows = tuple(_rows(calculix, trajectory, elements))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from softcat_sym.effects import choose_effects
+from softcat_sym.files import made
 from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
 from softcat_sym.reference.problem import problem_of
@@ -137,7 +138,8 @@ def compare(
     problem_of(scene)
     theories = _theories(scene)
     listening = progress or _nobody
-    with _folder_of(checkpoint), listening("elements") as listener:
+    folder = nullcontext() if checkpoint is None else made(checkpoint.parent)
+    with folder, listening("elements") as listener:
         elements = run_elements(scene, mesh, clamp=clamp, checkpoint=checkpoint, progress=listener)
     filaments = []
     for name, theory in theories:
@@ -193,18 +195,3 @@ def _warnings(scene: Scene, elements: ElementRun, own: FilamentRow) -> Iterator[
 def _nobody(what: str) -> AbstractContextManager[Progress]:
     del what
     return nullcontext(Silence())
-
-
-@contextmanager
-def _folder_of(checkpoint: Path | None) -> Iterator[None]:
-    """Make the folder of a file; folders made here do not outlive a failure that leaves them empty."""
-    folder = checkpoint.parent if checkpoint is not None else Path()
-    made = [path for path in (folder, *folder.parents) if not path.exists()]
-    folder.mkdir(parents=True, exist_ok=True)
-    try:
-        yield
-    except BaseException:
-        for path in made:
-            if not any(path.iterdir()):
-                path.rmdir()
-        raise

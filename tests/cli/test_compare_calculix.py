@@ -12,6 +12,7 @@ import pytest
 
 from softcat_sym.cli import main
 from softcat_sym.native import find_compiler
+from softcat_sym.reference import calculix
 from softcat_sym.reference.calculix import find_calculix
 from softcat_sym.report.progress import IntegrationProgress
 
@@ -80,7 +81,7 @@ def test_calculix_filament_and_elements_side_by_side(
 ) -> None:
     output = tmp_path / "out"
     assert compare(monkeypatch, "-o", str(output), "--engine", "both", *SHORT, *NARROW) == 0
-    own = {"compare.json", "compare_midpoint.csv", "compare_midpoint.png", "scene.toml"}
+    own = {"compare.json", "compare_midpoint.csv", "compare_midpoint.png", "scene.toml", "elements.npz"}
     assert files(output) == own | {f"calculix/deck.{end}" for end in ("inp", "dat", "sta", "cvg")}
     assert "CalculiX 6 × 2" in capsys.readouterr().out
     found = json.loads((output / "compare.json").read_text())
@@ -108,3 +109,36 @@ def test_ctrl_c_writes_nothing(
     assert compare(monkeypatch, "-o", str(tmp_path / "out"), "--engine", "calculix", *long, *NARROW) == 130
     assert "interrupted" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+@needs_calculix
+def test_what_was_finished_is_not_run_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Ctrl-C while the elements run: the same command goes on, without CalculiX, to the same numbers."""
+    ran: list[str] = []
+    own, execute = IntegrationProgress.update, calculix._execute
+
+    def stop(self: IntegrationProgress, simulated_time: float, step_size: float | None) -> None:
+        own(self, simulated_time, step_size)
+        if ran == ["finished"]:
+            signal.raise_signal(signal.SIGINT)
+
+    def executed(program: str, folder: Path, progress: object) -> None:
+        ran.append("begun")
+        execute(program, folder, progress)
+        ran[-1] = "finished"
+
+    monkeypatch.setattr(calculix, "_execute", executed)
+    whole, cut = tmp_path / "whole", tmp_path / "cut"
+    asked = ("--engine", "both", *SHORT, *NARROW)
+    assert compare(monkeypatch, "-o", str(whole), *asked) == 0
+    ran.clear()
+    with monkeypatch.context() as patch:
+        patch.setattr(IntegrationProgress, "update", stop)
+        assert compare(monkeypatch, "-o", str(cut), *asked) == 130
+    assert "parts in" in capsys.readouterr().err
+    assert compare(monkeypatch, "-o", str(cut), *asked) == 0
+    assert ran == ["finished"]
+    assert not (cut / "parts").exists()
+    assert (cut / "compare_midpoint.csv").read_bytes() == (whole / "compare_midpoint.csv").read_bytes()
