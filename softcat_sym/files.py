@@ -6,7 +6,7 @@ import errno
 import os
 import secrets
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from pathlib import Path
 
@@ -73,6 +73,11 @@ def made(directory: str | Path) -> Iterator[Path]:
             with suppress(OSError):  # there is something in it, or it was never made
                 place.rmdir()
         raise
+
+
+def folder_of(file: Path | None) -> AbstractContextManager[object]:
+    """As :func:`made`, the folder that a file will be in; nothing for none."""
+    return nullcontext() if file is None else made(file.parent)
 
 
 @contextmanager

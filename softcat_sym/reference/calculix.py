@@ -23,7 +23,6 @@ from softcat_sym.reference.mesh import Mesh
 from softcat_sym.reference.supports import Clamp
 from softcat_sym.scene import Scene
 from softcat_sym.scene.scales import elastic_time
-from softcat_sym.solve.keeping import Form, kept, packed, unpacked
 
 _PROGRAM = "ccx"
 _JOB = "deck"
@@ -112,8 +111,7 @@ def run_calculix(
 ) -> CalculixRun:
     """Run a scene in CalculiX.
 
-    It works in a folder of its own that does not outlive the run. Ctrl-C ends it, and is passed on; a finished run is
-    kept where results are (:func:`softcat_sym.solve.keeping.kept`).
+    It works in a folder of its own that does not outlive the run. Ctrl-C ends it, and is passed on.
 
     Parameters
     ----------
@@ -135,7 +133,9 @@ def run_calculix(
     """
     mesh = mesh if mesh is not None else Mesh()
     deck, program = calculix_deck(scene, mesh, clamp=clamp, step=step), require_calculix()
-    files, wall = kept(lambda: ("calculix", deck.text), lambda: _timed(deck, program, progress), _FORM)
+    start = time.perf_counter()
+    files = _files_of(deck, program, progress)
+    wall = time.perf_counter() - start
     x, y = _centreline(deck, _text(files, "dat"))
     return CalculixRun(
         time=deck.time,
@@ -153,35 +153,13 @@ def run_calculix(
     )
 
 
-def _timed(deck: Deck, program: str, progress: Progress | None) -> tuple[dict[str, bytes], float]:
-    """What is kept of a run, and its seconds."""
-    start = time.perf_counter()
-    files = _files_of(deck, program, progress)
-    return files, time.perf_counter() - start
-
-
-def _written(found: tuple[dict[str, bytes], float]) -> bytes:
-    files, wall = found
-    return packed({_WALL: np.array(wall)} | {name: np.frombuffer(one, np.uint8) for name, one in files.items()})
-
-
-def _read(content: bytes) -> tuple[dict[str, bytes], float]:
-    arrays = unpacked(content)
-    wall = float(arrays.pop(_WALL))
-    return {name: one.tobytes() for name, one in arrays.items()}, wall
-
-
-_WALL = "seconds"
-_FORM: Form[tuple[dict[str, bytes], float]] = Form(_written, _read)
-
-
 def _files_of(deck: Deck, program: str, progress: Progress | None) -> dict[str, bytes]:
     """Run a deck in a folder of its own; what is kept of it, by file name."""
     with tempfile.TemporaryDirectory(prefix="softcat-calculix-") as name:
         folder = Path(name)
         (folder / f"{_JOB}.inp").write_text(deck.text, encoding="ascii")
         _execute(program, folder, progress)
-        return {one: (folder / one).read_bytes() for one in _KEPT if (folder / one).is_file()}
+        return {kept: (folder / kept).read_bytes() for kept in _KEPT if (folder / kept).is_file()}
 
 
 def _text(files: Mapping[str, bytes], ending: str) -> str:

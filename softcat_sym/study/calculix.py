@@ -9,14 +9,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from softcat_sym.effects import choose_effects
-from softcat_sym.files import made
+from softcat_sym.files import folder_of
 from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
-from softcat_sym.reference.calculix import CalculixRun, require_calculix, run_calculix
+from softcat_sym.reference.calculix import CalculixRun, require_calculix
 from softcat_sym.reference.calculix_deck import STEP
 from softcat_sym.simulate import simulate
 from softcat_sym.solve import Progress, Silence
 from softcat_sym.study.discrepancy import Discrepancy, aligned, discrepancy
+from softcat_sym.study.kept_calculix import kept_calculix
 
 if TYPE_CHECKING:
     from softcat_sym.scene import Scene
@@ -124,11 +125,10 @@ def compare_with_calculix(
     choose_effects(scene)
     listening = progress or _nobody
     with listening("CalculiX") as listener:
-        calculix = run_calculix(scene, mesh, clamp=clamp, step=step, progress=listener)
+        calculix = kept_calculix(scene, mesh or Mesh(), clamp, step, listener)
     elements = None
     if with_elements:
-        folder = nullcontext() if checkpoint is None else made(checkpoint.parent)
-        with folder, listening("elements") as listener:
+        with folder_of(checkpoint), listening("elements") as listener:
             elements = run_elements(scene, mesh, clamp=clamp, checkpoint=checkpoint, progress=listener)
     with listening("filament") as listener:
         trajectory = simulate(scene, listener)

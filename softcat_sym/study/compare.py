@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from softcat_sym.effects import choose_effects
-from softcat_sym.files import made
+from softcat_sym.files import folder_of
 from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
 from softcat_sym.reference.problem import problem_of
@@ -138,8 +138,7 @@ def compare(
     problem_of(scene)
     theories = _theories(scene)
     listening = progress or _nobody
-    folder = nullcontext() if checkpoint is None else made(checkpoint.parent)
-    with folder, listening("elements") as listener:
+    with folder_of(checkpoint), listening("elements") as listener:
         elements = run_elements(scene, mesh, clamp=clamp, checkpoint=checkpoint, progress=listener)
     filaments = []
     for name, theory in theories:
