@@ -16,7 +16,7 @@ from softcat_sym.scene import Scene
 from softcat_sym.trajectory import Trajectory
 
 from . import scene_runs
-from .invariants import complaints
+from .invariants import complaints, is_balanced
 from .limited import Worker
 
 TABLE: dict[str, Any] = {
@@ -120,3 +120,26 @@ def test_a_hang_and_a_death_are_seen_and_the_next_scene_is_answered() -> None:
         assert (found.outcome, found.broken) == ("solved", ())
     finally:
         worker.close()
+
+
+@pytest.mark.parametrize("thinning", [True, False])
+def test_energy_is_audited_where_forces_and_store_belong_together(thinning: bool) -> None:
+    """A cantilever whose section swells misses the same energy at any tolerance; one that thins misses none."""
+    effects = ["inertia", "bending", "extensibility", "finite-stretch", "large-rotation", "viscous-stress"]
+    table = TABLE | {
+        "filament": {"span": "0.2 m", "thickness": "8 mm", "density": "1900 kg/m^3"},
+        "material": {"law": "kelvin-voigt", "youngs_modulus": "0.2 MPa", "viscosity": "400 Pa*s"},
+        "ends": {"left": "clamped", "right": "free"},
+        "run": TABLE["run"] | {"effects": [*effects, *(["thinning"] if thinning else [])], "duration": "1 s"},
+    }
+    residuals = []
+    for rtol in (1e-6, 1e-8):
+        changed = table | {"numerics": TABLE["numerics"] | {"rtol": rtol}}
+        found = sc.simulate(Scene.model_validate(changed))
+        residuals.append(found.summary["energy_residual"])
+        assert is_balanced(found.scene, found) is thinning
+    if thinning:
+        assert residuals[1] < 1e-6
+    else:
+        assert residuals[1] == pytest.approx(residuals[0], rel=0.1)
+        assert residuals[1] > 1e-3
