@@ -50,7 +50,7 @@ def generate(
     try:
         written = _all(output, quiet=quiet) if asked is None else _one(asked, output, name, rhs=rhs)
     except KeyboardInterrupt:
-        complain("interrupted; nothing was written, but C texts are kept in the cache: the same command is quicker")
+        complain("interrupted; nothing was written; C texts that were made by then are kept in the cache")
         raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         size = sum(path.stat().st_size for path in written)

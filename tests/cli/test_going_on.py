@@ -88,7 +88,7 @@ def test_interrupted_products_are_none_at_all(
     monkeypatch.setattr(products, "export", third_time)
     done = softcat("generate", "--bundled", "-o", str(tmp_path / "out"))
     assert done.status == 130
-    assert done.err.startswith("softcat: interrupted; nothing was written, but C texts are kept")
+    assert done.err.startswith("softcat: interrupted; nothing was written; C texts that were made")
     assert len(turns) == 3
     assert not (tmp_path / "out").exists()
 
