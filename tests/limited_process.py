@@ -5,10 +5,14 @@ What hangs inside a library hears no exception: only the end of its process stop
 
 from __future__ import annotations
 
+import os
 import signal
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
+from queue import SimpleQueue
 from typing import Any
 
 START = 120.0  # s in which a fresh process imports everything
@@ -68,6 +72,44 @@ class LimitedProcess:
         self._process.kill()
         self._process.join()
         self._here.close()
+
+
+Ask = Callable[[object, Sequence[float]], tuple[list[Any], str]]
+"""See :meth:`LimitedProcess.ask`."""
+
+
+@contextmanager
+def limited_processes(serve: Callable[[Connection], None], number: int) -> Iterator[Ask]:
+    """So many processes; threads ask, and each waits until one is free."""
+    made = [LimitedProcess(serve) for _ in range(number)]
+    free: SimpleQueue[LimitedProcess] = SimpleQueue()
+    for process in made:
+        free.put(process)
+
+    def ask(question: object, limits: Sequence[float]) -> tuple[list[Any], str]:
+        process = free.get()
+        try:
+            return process.ask(question, limits)
+        finally:
+            free.put(process)
+
+    try:
+        yield ask
+    finally:
+        for process in made:
+            process.close()
+
+
+def side_by_side(
+    serve: Callable[[Connection], None], answered: Callable[[Ask, Any], Any], questions: Iterable[Any]
+) -> list[Any]:
+    """Answer questions on all processors, in their order."""
+    waiting = list(questions)
+    number = min(os.cpu_count() or 1, len(waiting))
+    if not number:
+        return []
+    with limited_processes(serve, number) as ask, ThreadPoolExecutor(number) as threads:
+        return list(threads.map(lambda question: answered(ask, question), waiting))
 
 
 def limit_this_process(seconds: float) -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field, replace
+from multiprocessing.connection import Connection
 from typing import Any
 
 import numpy as np
@@ -14,11 +15,15 @@ from softcat_sym.effects import choose_effects
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph.grading import choose_grading
 from softcat_sym.simulate import without_estimate
+from tests.limited_process import Ask, limit_this_process, side_by_side
 
 from .kept_answers import fingerprint, kept
 
 FINER, MORE_FIBRES, TIGHTER = 2, 2, 10
 """Of the reference: its own errors, by second order, are a quarter of those of the run."""
+
+RUN, REFERENCE = 600.0, 1800.0
+"""Seconds of the processor for a run with its estimates, and for its reference, which is eight times as much of one."""
 
 SOURCES = ("accuracy", "scene", "equations", "effects", "graph", "codegen", "solve", "trajectory", "simulate.py")
 
@@ -51,11 +56,11 @@ class Calibrated:
     accuracy: float
     outcome: str
     why_not: str
-    true: float
-    estimate: dict[str, float | None]
-    resolution: dict[str, Any]
-    seconds: float
-    estimating: float
+    true: float = np.nan
+    estimate: dict[str, float | None] = field(default_factory=dict)
+    resolution: dict[str, Any] = field(default_factory=dict)
+    seconds: float = 0.0
+    estimating: float = 0.0
 
     @property
     def ratio(self) -> float:
@@ -64,36 +69,71 @@ class Calibrated:
         return self.true / total if total else np.inf
 
 
-def calibrations(scenes: Sequence[tuple[str, sc.Scene]]) -> Iterator[Calibrated]:
-    """Calibrate scenes; answers are kept, so that an interrupted study goes on."""
-    for name, scene in scenes:
-        text = scene.to_toml()
-        found = kept((name, text), fingerprint(SOURCES, __file__), lambda text=text, name=name: _asdict(name, text))
-        yield Calibrated(**found)
+def calibrations(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Calibrated]:
+    """Calibrate scenes, side by side; answers are kept, so that an interrupted study goes on."""
+    sources = fingerprint(SOURCES, __file__)
+
+    def one(ask: Ask, question: tuple[str, str, float]) -> Calibrated:
+        return Calibrated(**kept(tuple(map(str, question)), sources, lambda: asdict(_within_limits(ask, question))))
+
+    return side_by_side(_serve, one, [(name, scene.to_toml(), scene.run.accuracy) for name, scene in scenes])
 
 
-def _asdict(name: str, text: str) -> dict[str, Any]:
-    return asdict(calibrated(name, sc.Scene.model_validate(tomllib.loads(text))))
+def _within_limits(ask: Ask, question: tuple[str, str, float]) -> Calibrated:
+    """Ask a process for the run, then for its reference; what it has no time for has nothing to compare."""
+    name, _, accuracy = question
+    answers, died = ask(question, (RUN, REFERENCE))
+    if len(answers) == 2:
+        found: Calibrated = answers[1]
+        return found
+    if not answers:
+        return Calibrated(name, accuracy, "dear", died or f"not as accurate as asked within {RUN:g} s")
+    return replace(answers[0], why_not=died or f"no reference within {REFERENCE:g} s")
 
 
-def calibrated(name: str, scene: sc.Scene) -> Calibrated:
-    """Run a scene as a user would, and its reference."""
+def _serve(there: Connection) -> None:
+    """Answer scenes one after another."""
+    there.send("ready")
+    while True:
+        try:
+            name, text, _ = there.recv()
+        except EOFError:
+            return
+        limit_this_process(RUN)
+        scene = sc.Scene.model_validate(tomllib.loads(text))
+        run, found = _run(name, scene)
+        limit_this_process(REFERENCE)
+        there.send(found)
+        there.send(_judged(scene, run, found))
+        limit_this_process(0)
+
+
+def _run(name: str, scene: sc.Scene) -> tuple[sc.Trajectory | None, Calibrated]:
+    """Run a scene as a user would."""
+    accuracy = scene.run.accuracy
     try:
         run = sc.simulate(scene)
     except SoftcatError as refusal:
-        return Calibrated(name, scene.run.accuracy, "refused", str(refusal)[:200], np.nan, {}, {}, 0.0, 0.0)
+        return None, Calibrated(name, accuracy, "refused", str(refusal)[:200])
     told = run.summary
-    wall = told["wall_s"]
-    common = (told["error_estimate"] or {}, told["resolution"] or {}, wall["solve"], wall["estimate"])
-    if not run.outcome.is_success or (told["error_estimate"] or {}).get("total") is None:
-        return Calibrated(name, scene.run.accuracy, run.outcome.name, told["complaint"] or "?", np.nan, *common)
-    best = sc.simulate(_finer(scene, told))
+    estimate, wall = told["error_estimate"] or {}, told["wall_s"]
+    unjudged = not run.outcome.is_success or estimate.get("total") is None
+    why = (told["complaint"] or "no estimate") if unjudged else ""
+    resolution = told["resolution"] or {}
+    return run, Calibrated(
+        name, accuracy, run.outcome.name, why, np.nan, estimate, resolution, wall["solve"], wall["estimate"]
+    )
+
+
+def _judged(scene: sc.Scene, run: sc.Trajectory | None, found: Calibrated) -> Calibrated:
+    """With the true error, if there is an estimate to judge and a reference to judge by."""
+    if run is None or found.why_not:
+        return found
+    best = sc.simulate(_finer(scene, run.summary))
     if not best.outcome.is_success:
-        why = f"reference: {best.outcome.name}"
-        return Calibrated(name, scene.run.accuracy, run.outcome.name, why, np.nan, *common)
-    found, wanted = run.data.midpoint.values, best.data.midpoint.values
-    true = float(np.max(np.abs(found - wanted)) / np.max(np.abs(wanted)))
-    return Calibrated(name, scene.run.accuracy, run.outcome.name, "", true, *common)
+        return replace(found, why_not=f"reference: {best.outcome.name}")
+    midpoint, wanted = run.data.midpoint.values, best.data.midpoint.values
+    return replace(found, true=float(np.max(np.abs(midpoint - wanted)) / np.max(np.abs(wanted))))
 
 
 def _grading(scene: sc.Scene, effects: tuple[str, ...], at: dict[str, Any], cells: int) -> float:

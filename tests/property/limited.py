@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import json
 import tempfile
-import threading
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from multiprocessing.connection import Connection
 from typing import Any
 
-from tests.limited_process import LimitedProcess, limit_this_process
+from tests.limited_process import Ask, limit_this_process
 
 from .scene_runs import Answer, answer
 
@@ -23,33 +19,18 @@ def is_late(answer: Answer) -> bool:
     return not answer.outcome and answer.broken[0].startswith(_LATE)
 
 
-class Worker:
-    """One process that answers scenes one after another.
-
-    Parameters
-    ----------
-    limit : float
-        Of one scene, in seconds of the processor.
-    """
-
-    def __init__(self, limit: float) -> None:
-        self._limit, self._process = limit, LimitedProcess(_serve)
-
-    def answer(self, table: dict[str, Any]) -> Answer:
-        """Answer one scene within the limit; else its answer says that there was none."""
-        answers, died = self._process.ask((table, self._limit), (self._limit,))
-        if answers:
-            found: Answer = answers[0]
-            return found
-        why = died or f"{_LATE} {self._limit:g} s"
-        return Answer(json.dumps(table), table["material"]["law"], "", broken=(why,), seconds=self._limit)
-
-    def close(self) -> None:
-        """End the process."""
-        self._process.close()
+def answer_within(ask: Ask, table: dict[str, Any], limit: float) -> Answer:
+    """Answer one scene within so many seconds of the processor; else its answer says that there was none."""
+    answers, died = ask((table, limit), (limit,))
+    if answers:
+        found: Answer = answers[0]
+        return found
+    why = died or f"{_LATE} {limit:g} s"
+    return Answer(json.dumps(table), table["material"]["law"], "", broken=(why,), seconds=limit)
 
 
-def _serve(there: Connection) -> None:
+def serve(there: Connection) -> None:
+    """Answer scenes one after another."""
     import softcat_sym.simulate  # noqa: F401  imported before the clock runs
 
     there.send("ready")
@@ -63,37 +44,3 @@ def _serve(there: Connection) -> None:
             found = answer(table, folder)
             limit_this_process(0)
             there.send(found)
-
-
-@contextmanager
-def workers(number: int, limit: float) -> Iterator[ThreadPoolExecutor]:
-    """Threads of which each has a process: submit `of_this_thread` to them.
-
-    Parameters
-    ----------
-    number : int
-        Of processes.
-    limit : float
-        Of one scene, in seconds of the processor.
-    """
-    made: list[Worker] = []
-
-    def start() -> None:
-        _local.worker = Worker(limit)
-        made.append(_local.worker)
-
-    try:
-        with ThreadPoolExecutor(number, initializer=start) as threads:
-            yield threads
-    finally:
-        for worker in made:
-            worker.close()
-
-
-_local = threading.local()
-
-
-def of_this_thread(table: dict[str, Any]) -> Answer:
-    """Answer a scene by the process of the calling thread."""
-    worker: Worker = _local.worker
-    return worker.answer(table)

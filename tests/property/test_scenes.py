@@ -7,9 +7,7 @@ from __future__ import annotations
 
 import itertools
 import json
-import os
 from collections import Counter
-from collections.abc import Callable
 from dataclasses import asdict, replace
 from typing import Any
 
@@ -18,8 +16,9 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 
 from tests.acceptance.kept_answers import fingerprint, kept
 from tests.acceptance.table import show
+from tests.limited_process import Ask, side_by_side
 
-from .limited import is_late, of_this_thread, workers
+from .limited import answer_within, is_late, serve
 from .scene_runs import REFUSED, Answer
 from .scene_strategies import scenes
 
@@ -77,9 +76,9 @@ class NoAnswerError(Exception):
         self.answer = answer
 
 
-def ended(table: dict[str, Any]) -> dict[str, Any]:
+def ended(ask: Ask, table: dict[str, Any], limit: float) -> dict[str, Any]:
     """Answer as a table; raises NoAnswerError."""
-    found = of_this_thread(table)
+    found = answer_within(ask, table, limit)
     if not found.outcome:
         raise NoAnswerError(found)
     return asdict(found)
@@ -87,30 +86,27 @@ def ended(table: dict[str, Any]) -> dict[str, Any]:
 
 def answers(tables: list[dict[str, Any]]) -> list[Answer]:
     """Answer every scene; what an interrupted check has found is kept."""
-    sources = fingerprint(SOURCES, __file__)
-
-    def one(table: dict[str, Any]) -> Answer:
-        try:
-            found = kept(("property", json.dumps(table)), sources, lambda: ended(table))
-        except NoAnswerError as none:
-            return none.answer
-        return Answer(**{**found, "broken": tuple(found["broken"])})
-
-    found = _all(one, tables, LIMIT)
+    found = _all(tables, LIMIT)
     late = [k for k, answer in enumerate(found) if is_late(answer)]
-    for k, answer in zip(late, _all(one, [compiled(tables[k]) for k in late], PATIENCE), strict=True):
+    for k, answer in zip(late, _all([compiled(tables[k]) for k in late], PATIENCE), strict=True):
         found[k] = answer
     late = [k for k in late if is_late(found[k])]
-    for k, answer in zip(late, _all(one, [unestimated(tables[k]) for k in late], PATIENCE), strict=True):
+    for k, answer in zip(late, _all([unestimated(tables[k]) for k in late], PATIENCE), strict=True):
         found[k] = dear(answer) if answer.outcome == "solved" else answer
     return found
 
 
-def _all(one: Callable[[dict[str, Any]], Answer], tables: list[dict[str, Any]], limit: float) -> list[Answer]:
-    if not tables:
-        return []
-    with workers(os.cpu_count() or 1, limit) as threads:
-        return list(threads.map(one, tables))
+def _all(tables: list[dict[str, Any]], limit: float) -> list[Answer]:
+    sources = fingerprint(SOURCES, __file__)
+
+    def one(ask: Ask, table: dict[str, Any]) -> Answer:
+        try:
+            found = kept(("property", json.dumps(table)), sources, lambda: ended(ask, table, limit))
+        except NoAnswerError as none:
+            return none.answer
+        return Answer(**{**found, "broken": tuple(found["broken"])})
+
+    return side_by_side(serve, one, tables)
 
 
 def compiled(table: dict[str, Any]) -> dict[str, Any]:

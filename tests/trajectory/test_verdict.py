@@ -304,7 +304,7 @@ def told(scene: Scene, midpoint: np.ndarray, time: np.ndarray = TIME) -> list[st
     """Warnings of a rigid filament of two cells whose midpoint moves so."""
     fields = {"y": np.repeat(midpoint[:, None], 3, axis=1), "yielded_fraction": np.zeros((len(time), 2))}
     half = rest_length(scene) / 2
-    return warnings_of(scene, choose_effects(scene), time, np.array([-half, 0.0, half]), fields)
+    return warnings_of(scene, choose_effects(scene), time, np.array([-half, 0.0, half]), fields, 0.0)
 
 
 def test_without_surface_tension_nothing_is_said() -> None:
@@ -371,6 +371,6 @@ def test_cells_of_a_hinge_graded_too_short_by_hand_are_warned_of(of_the_limit: f
     nodes = np.array([-half, -half + shortest, 0.0, half - shortest, half])
     for yielded in (1.0, 0.2):
         fields = {"y": np.zeros((2, 5)), "yielded_fraction": np.full((2, 4), yielded)}
-        warnings = warnings_of(scene, choose_effects(scene), TIME[:2], nodes, fields)
+        warnings = warnings_of(scene, choose_effects(scene), TIME[:2], nodes, fields, 0.0)
         expected = by_hand and of_the_limit < 1 and yielded > 0.5
         assert ["numerics.grading" in text for text in warnings] == [True] * expected
