@@ -115,11 +115,11 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     from softcat_sym.trajectory.dataset import dataset_of
 
     fields = whole_span_fields(scene, prepared, solution)
-    places = node_positions(prepared.graph, rest_length(scene))
-    time = solution.time * prepared.scale
+    places, time = node_positions(prepared.graph, rest_length(scene)), solution.time * prepared.scale
     residual = energy_residual(fields, least_energy(scene))
     # A sequence of equilibria is exact frame by frame: there the imbalance only tells how far apart the frames are.
-    audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
+    carried = residual if prepared.integration is not None else 0.0
+    audited = carried if prepared.graph.conserves_energy else 0.0
     outcome, complaint = verdict(scene, effects, solution, fields, places[0], audited)
     if outcome is Outcome.ruptured:
         # The run ends there: what follows is no filament.
@@ -128,6 +128,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     measured = measures(scene, effects, seen(scene, effects, time, places, fields))
+    warnings = warnings_of(scene, effects, time, places[0], fields, carried)
     summary = {
         "title": scene.title,
         "outcome": outcome.name,
@@ -148,7 +149,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "closure": scene.run.closure,
         **_numerics(prepared, solution),
         "converted": list(scene.material.notes),
-        "warnings": [*warnings_of(scene, effects, time, places[0], fields), *spared(scene, effects, measured)],
+        "warnings": [*warnings, *spared(scene, effects, measured)],
         "wall_s": wall,
     }
     data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}

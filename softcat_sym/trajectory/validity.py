@@ -17,7 +17,9 @@ SHORTEST_CELL = 1 / 18
 with cells of h0/19 to h0/35 it sags a tenth to four times further, differently on every grid."""
 
 
-def warnings_of(scene: Scene, effects: Effects, time: Floats, nodes: Floats, fields: dict[str, Floats]) -> list[str]:
+def warnings_of(
+    scene: Scene, effects: Effects, time: Floats, nodes: Floats, fields: dict[str, Floats], residual: float
+) -> list[str]:
     """Warnings in words, none if the theory holds.
 
     Parameters
@@ -30,11 +32,14 @@ def warnings_of(scene: Scene, effects: Effects, time: Floats, nodes: Floats, fie
         X of the nodes [m].
     fields : dict of str to ndarray
         Of the whole span: ``y`` at nodes, ``yielded_fraction`` in cells.
+    residual : float
+        Of the energy balance; zero for a sequence of equilibria, which has none.
     """
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     return [
         *_surface_tension(scene, time, midpoint),
         *_short_hinge_cells(scene, effects, nodes, fields["yielded_fraction"]),
+        *_swelling(scene, effects, residual),
     ]
 
 
@@ -91,4 +96,15 @@ def _surface_tension(scene: Scene, time: Floats, midpoint: Floats) -> list[str]:
     return [
         f"surface tension is left out, but gamma/(rho g R L) = {static:.2g} and 1/Ca = {dynamic:.2g}: "
         f"neither is below {_SMALL}"
+    ]
+
+
+def _swelling(scene: Scene, effects: Effects, residual: float) -> list[str]:
+    """Without thinning a section swells as it is drawn: the energy that this stores, no force gives back."""
+    swells = "finite-stretch" in effects.names and "thinning" not in effects.names
+    if not swells or scene.run.closure != "material" or residual <= scene.run.accuracy:
+        return []
+    return [
+        f"the energy residual, {residual:.2g}, exceeds the accuracy of {scene.run.accuracy:g}: with finite-stretch and "
+        "without thinning the section swells as it is drawn, and energy is not conserved; add thinning to run.effects"
     ]
