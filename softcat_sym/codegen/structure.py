@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-import re
 import secrets
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, is_dataclass
 from functools import lru_cache
+from types import FunctionType
 
 from softcat_sym.codegen.kept_model import model_kept
 from softcat_sym.codegen.model_text import Model, model_of
@@ -19,7 +19,6 @@ from softcat_sym.graph.discretisation import Discretisation
 from softcat_sym.scene import Scene
 
 _PROCESS = secrets.token_hex()
-_FUNCTION = re.compile(r"<function ([\w.]+) at 0x[0-9a-f]+>")  # of a module: its name says which, a closure's does not
 
 
 @dataclass(frozen=True)
@@ -79,8 +78,19 @@ def structure_of(
 
 def _digest(parts: tuple[object, ...]) -> str:
     """Hash of what parts say of themselves; where that is an address, it means nothing to another process."""
-    text = _FUNCTION.sub(r"\1", "\n".join(repr(part) for part in parts))
+    text = "\n".join(repr(_named(part)) for part in parts)
     return hashlib.sha256(f"{_PROCESS} {text}".encode() if " at 0x" in text else text.encode()).hexdigest()
+
+
+def _named(part: object) -> object:
+    """A part in which functions are called by module and name, where these say which: a closure's do not."""
+    if isinstance(part, FunctionType) and "<" not in part.__qualname__:
+        return f"{part.__module__}.{part.__qualname__}"
+    if isinstance(part, tuple):
+        return tuple(_named(one) for one in part)
+    if is_dataclass(part) and not isinstance(part, type):
+        return type(part).__name__, *((one.name, _named(getattr(part, one.name))) for one in fields(part))
+    return part
 
 
 @lru_cache(maxsize=128)

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 import pytest
@@ -17,6 +18,8 @@ from softcat_sym.codegen.model_text import model_of
 from softcat_sym.codegen.recording import record
 from softcat_sym.codegen.structure import Structure, model_for
 from softcat_sym.effects import choose_effects
+from softcat_sym.equations.law import Branch, Flow
+from softcat_sym.equations.symbols import sigma
 from softcat_sym.native import kept_texts
 from softcat_sym.solve.assembled import assembled
 
@@ -91,6 +94,13 @@ def test_what_only_an_address_tells_apart_is_not_taken_for_the_same_elsewhere(mo
     monkeypatch.setattr(structure, "_PROCESS", "another")
     assert structure._digest(closure) != here
     assert structure._digest((never,)) == structure._digest((never,))
+
+
+def test_functions_of_one_name_in_two_modules_are_two() -> None:
+    namesake = FunctionType(never.__code__, {}, never.__name__)
+    namesake.__module__ = "elsewhere"
+    branches = [Branch(flow=Flow(sigma, closed_means=means)) for means in (never, namesake)]
+    assert structure._digest((branches[0],)) != structure._digest((branches[1],))
 
 
 @pytest.mark.parametrize("name", sc.bundled_names())
