@@ -6,7 +6,7 @@ from enum import Enum
 class Outcome(Enum):
     """End of a run; ``Outcome.x.name`` goes into the summary, ``Outcome.x.value`` tells the user what to do."""
 
-    solved = "the whole run was integrated; nothing speaks against the answer"
+    solved = "the whole run was integrated; no check refuses the answer"
     localised = (
         "strain gathers in one cell and the answer changes with the grid: without the effect necking-gradient nothing "
         "stops a neck, and with it the filament is near rupture; do not trust the sag: take the effect in, or lower "
