@@ -16,6 +16,7 @@ from softcat_sym.codegen.model_text import Model
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph.grid import Floats
 from softcat_sym.native import SOON, beside, compile_library, load
+from softcat_sym.solve.interrupts import watched
 
 Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)
@@ -166,8 +167,10 @@ class CModel:
     """
 
     def __init__(self, model: Callable[[], Model]) -> None:
-        with beside(_runtime):
+        with beside(_runtime), watched() as interrupts:
             self.model = model()
+            # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
+            interrupts.check()
             sources = {"filament.c": self.model.text, **_headers()}
             self._library = load(compile_library(sources, flags=SOON, versions=_VERSIONS))
         self._runtime = _runtime()

@@ -7,12 +7,16 @@ import signal
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
 from softcat_sym.native import find_compiler
+from softcat_sym.solve.c_model import CModel
 
 from .commands import ended, hanging, is_gone, softcat, until
 from .tiny_disk import files_in
@@ -51,6 +55,21 @@ def test_whoever_puts_ctrl_c_off_puts_sigterm_off() -> None:
     with ended_like_ctrl_c(), interrupts_go_to(lambda number, _: heard.append(number)):
         signal.raise_signal(signal.SIGTERM)
     assert heard == [signal.SIGINT]
+
+
+@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+def test_what_casadi_swallows_is_heard_before_a_compiler_is_waited_for() -> None:
+    def model() -> Any:
+        with suppress(KeyboardInterrupt):  # as CasADi does while it looks at its arguments
+            signal.raise_signal(signal.SIGINT)
+        return SimpleNamespace(text="")
+
+    found = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            CModel(model)
+    finally:
+        signal.signal(signal.SIGINT, found)
 
 
 def test_a_signal_handled_in_another_way_stays_so() -> None:
