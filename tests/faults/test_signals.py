@@ -16,6 +16,7 @@ import pytest
 
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
 from softcat_sym.native import find_compiler
+from softcat_sym.native.texts import recall
 from softcat_sym.solve.c_model import CModel
 
 from .commands import ended, hanging, is_gone, softcat, until
@@ -140,15 +141,24 @@ def test_sigterm_ends_calculix_and_removes_its_folder(
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-def test_sigterm_ends_the_compiler_and_removes_its_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    note = hanging(tmp_path / "cc", "'-shared' in sys.argv")
+@pytest.mark.parametrize("compiling", ["the runtime", "the model"])
+def test_sigterm_ends_the_compiler_and_removes_its_folder(
+    compiling: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The runtime is compiled beside the writing of the model, so that this may or may not be done with by then.
+    source = "'filament.c' in sys.argv" if compiling == "the model" else "'-shared' in sys.argv"
+    note = hanging(tmp_path / "cc", source)
     monkeypatch.setenv("CC", str(tmp_path / "cc"))
     monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
     with softcat("run", "arrested-overdamped", "-o", str(tmp_path / "out")) as process:
         until(note.exists, process)
         assert ended(process, signal.SIGTERM) == (143, "", "softcat: interrupted; nothing was written\n")
     assert is_gone(note)
-    assert not [name for name in files_in(tmp_path / "cache") if not name.endswith("compilers.json")]
+    kept = [Path(name) for name in files_in(tmp_path / "cache") if not name.endswith("compilers.json")]
+    texts = [path for path in kept if path.parent.name == "texts" and path.suffix == ".text"]
+    assert kept == texts
+    assert len(texts) == 1 if compiling == "the model" else len(texts) <= 1
+    assert all("softcat" in str(recall(path.stem)) for path in texts)  # only what is whole is recalled
     assert not (tmp_path / "out").exists()
 
 
