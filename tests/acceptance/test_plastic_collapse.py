@@ -70,8 +70,9 @@ def growing(
         effects=effects,
         cells=cells,
     )
-    # Equal cells: where the hinges sit in the outermost ones is then known.
-    asked = asked.replace({"numerics.grading": 1.0})
+    # Equal cells: where the hinges sit in the outermost ones is then known, and with it the error of cells and fibres,
+    # which is not to be refined away.
+    asked = asked.replace({"numerics.grading": 1.0, "numerics.estimate": False})
     run = sc.simulate(asked.replace({"numerics.fibres": fibres}) if fibres else asked)
     # plastic hinges do gather the strain in single cells, which the program may report
     assert run.outcome in (sc.Outcome.solved, sc.Outcome.localised), run.summary["complaint"]
