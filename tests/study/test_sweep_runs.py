@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -213,3 +215,24 @@ def test_a_phase_diagram_goes_on_from_its_finished_runs(tmp_path: Path) -> None:
     assert listener.told[0][0] == 17
     fresh = phase_diagram(scene, ["G-V"], 4, workers=1)
     assert resumed.sheets[0].points == fresh.sheets[0].points
+
+
+PEAKS = """
+import subprocess, sys
+if len(sys.argv) == 1:
+    large = b"x" * 800_000_000
+    del large
+    sys.exit(subprocess.run([sys.executable, "-c", sys.orig_argv[2], "child"]).returncode)
+from softcat_sym.study.sweep.result import peak_memory
+before = peak_memory()
+large = b"x" * 200_000_000
+del large
+print(before, peak_memory())
+"""
+
+
+def test_peak_memory_is_that_of_the_process_not_of_the_one_that_started_it() -> None:
+    done = subprocess.run([sys.executable, "-c", PEAKS], capture_output=True, text=True, check=True)
+    before, after = map(float, done.stdout.split())
+    assert 1 < before < 700
+    assert after > before + 100
