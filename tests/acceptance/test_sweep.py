@@ -29,7 +29,8 @@ pytestmark = pytest.mark.slow
 QUICK = {"run.effects": "paper", "numerics.cells": 12, "run.accuracy": 0.01, "run.frames": 41}
 VARY = ("groups.G=0.05:1.5:15:log", "groups.V=5:100:10:log")
 MEMBERS = 150
-GROWTH = 15.0  # MB after the first thousand members: the allocator's, not the members'
+GROWTH = 5.0  # MB after the first thousand members: the allocator's, not the members'
+WRITING = 25.0  # MB to write the store: its libraries, 15 for 1500 members and for 3000, 17 for 10 000
 
 
 def stored(directory: Path) -> xr.Dataset:
@@ -129,7 +130,8 @@ def test_ten_thousand_filaments_in_constant_memory(tmp_path: Path) -> None:
     )
     show(title, ("members done", "peak memory [MB]"), rows)
     assert sorted(peaks) == list(range(1000, count + 1, 1000))
-    assert peaks[count] - peaks[1000] < GROWTH
+    assert peaks[count - 1000] - peaks[1000] < GROWTH
+    assert peaks[count] - peaks[count - 1000] < WRITING
     data = stored(tmp_path)
     assert data.sizes["member"] == count
     assert int((data.outcome == "solved").sum()) == told["outcomes"]["solved"] > 0.9 * count

@@ -25,7 +25,7 @@ def test_time_error_is_a_tenth_of_the_accuracy() -> None:
         # At the first guess: the same grid for both; an interpreted estimate of hinges would take hours.
         scene = sc.load_scene(name, {"numerics.estimate": False})
         run = sc.simulate(scene)
-        tight = "1e-7" if name == "glass-rod" else "1e-6"
+        tight = 1e-7 if name == "glass-rod" else 1e-6
         other = {"numerics.backend": "interpreted", "numerics.solver": "rosenbrock", "numerics.rtol": tight}
         fine = sc.simulate(scene.replace(other))
         assert run.outcome is fine.outcome is sc.Outcome.solved
