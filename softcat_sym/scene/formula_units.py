@@ -34,7 +34,7 @@ def check_units(formula: Formula, of: Mapping[str, Dimension], values: Mapping[s
         raise refusal(f"{formula.text!r} is {_words(found)}", "a strain rate, 1/s; check the units of the parameters")
 
 
-def _dimension(node: Node, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Dimension | None:
+def _dimension(node: Node, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Dimension | None:  # noqa: C901 - one branch a kind of node
     """Exponents of kg, m and s; None for a literal zero, which goes with any unit."""
     if node.number is not None:
         return PURE if node.number else None
