@@ -121,7 +121,10 @@ def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Picture
     from softcat_sym.report.progress import StepProgress
 
     with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
-        return write_film(order, output, run, progress.step)
+        path, note = write_film(order, output, run, progress.step)
+    if note:
+        complain(f"{path.name}: {note}")
+    return path
 
 
 def _film_of_a_run(

@@ -52,7 +52,7 @@ def write_pictures(
     else:
         from softcat_sym.report.publication import publication_figures
 
-        contents = publication_figures(data, scene, style)
+        contents = publication_figures(data, summary, scene, style)
     return write_all(directory, {**contents, "midpoint.csv": midpoint_csv(data)})
 
 

@@ -18,8 +18,10 @@ from softcat_sym.report import style
 from softcat_sym.report.animation_frames import Film, Moment
 from softcat_sym.report.canvas import axes_in_inches, new_figure
 from softcat_sym.report.layout import vertical_stretch
+from softcat_sym.report.refusal import shown_part, stamp
 from softcat_sym.report.section import Floats
-from softcat_sym.report.units import length_unit, stress_unit, time_unit
+from softcat_sym.report.shapes import yielded_label
+from softcat_sym.report.units import length_unit, significant, stress_unit, time_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,6 +39,9 @@ _FONT = 12.0
 _STEPS = (1, 2, 2.5, 5, 10)
 _COLOURS = "YlGnBu"
 """From pale to dark, so that the colour-blind read it too, and what is hatched is seen on all of it."""
+
+_PICTURES = 4.0
+"""Fewer a period show a swing that is not there."""
 
 _YIELDED = (*to_rgb(style.VERMILLION), 0.15)
 
@@ -77,7 +82,10 @@ class Animation:
     def __init__(
         self, data: xr.Dataset, summary: Summary, scene: PicturedScene, moments: int, width: int = int(WIDTH * DPI)
     ) -> None:
+        data, summary = shown_part(data, summary)
         self._film = Film(data, scene, moments)
+        self.note = film_note(self._film.times, data, summary)
+        self._label = yielded_label(data, scene)
         self._places = _arranged(self._film, scene)
         self._scene = scene
         self._ruler = length_unit(float(np.abs(self._film.bounds).max()), scene.filament.span)
@@ -93,7 +101,9 @@ class Animation:
                 self._places.tall,
             )
             self._head(summary)
-            self._moving = [*self._filament(), *self._trace(), self._time()]
+            self._moving = [*self._filament(), *self._trace(), self._time(), *stamp(self.figure, summary)]
+            for text in self._moving:
+                text.set_animated(True)
             self._legend()
             self._background: Any = None
 
@@ -144,8 +154,12 @@ class Animation:
         self._edge.set_path(_closed(self._ruler.of(moment.outline)[None]))
         self._yielded.set_path(_closed(self._ruler.of(moment.yielded)))
         self._yielded.set_visible(bool(len(moment.yielded)))
-        until = self._film.times <= moment.time
-        self._past.set_data(self._clock.of(self._film.times[until]), self._ruler.of(self._film.midpoint[until]))
+        until = self._film.run_times <= moment.time
+        past = (
+            np.append(self._film.run_times[until], moment.time),
+            np.append(self._film.run_midpoint[until], moment.midpoint),
+        )
+        self._past.set_data(self._clock.of(past[0]), self._ruler.of(past[1]))
         self._dot.set_data([self._clock.of(moment.time)], [self._ruler.of(moment.midpoint)])
         self._now.set_text(f"t = {self._clock.of(moment.time):.{self._decimals}f} {self._clock.symbol}")
 
@@ -158,6 +172,10 @@ class Animation:
         self.figure.text(
             place, 1 - 0.45 / height, style.printable(ending, 90), va="top", fontsize=_FONT, color=style.GREY
         )
+        self.figure.text(
+            1 - _RIGHT / WIDTH, 1 - 0.46 / height, self.note, va="top", ha="right", fontsize=0.85 * _FONT,
+            color=style.VERMILLION,
+        )  # fmt: skip
 
     def _time(self) -> Any:
         """The clock, at the upper right."""
@@ -204,10 +222,10 @@ class Animation:
         return self._body, self._yielded, self._edge
 
     def _trace(self) -> tuple[Any, ...]:
-        """The midpoint against time: all of it in grey, what has passed in blue."""
+        """The midpoint against time, by all frames of the run: all of it in grey, what has passed in blue."""
         width = 0.6 * (WIDTH - _LEFT - _RIGHT)
         axes = axes_in_inches(self.figure, _LEFT, _BOTTOM, width, _TRACE)
-        time, height = self._clock.of(self._film.times), self._ruler.of(self._film.midpoint)
+        time, height = self._clock.of(self._film.run_times), self._ruler.of(self._film.run_midpoint)
         axes.plot(time, height, color="#d0d4d8", linewidth=1.6)
         axes.set_xlim(float(time[0]), float(time[-1]) if time[-1] > time[0] else float(time[0]) + 1.0)
         axes.set_xlabel(f"time [{self._clock.symbol}]", fontsize=_FONT)
@@ -233,8 +251,8 @@ class Animation:
         bar.tick_params(labelsize=10.5)
         handles = [Patch(facecolor="none", edgecolor=style.GREY, linestyle=(0, (4, 3)), label="start")]
         if self._limit is not None:
-            text = f"yielded: stress > {stress_unit(self._limit).text(self._limit)}"
-            handles.insert(0, Patch(facecolor=_YIELDED, edgecolor=style.VERMILLION, lw=0.0, hatch="////", label=text))
+            said = self._label.replace(", ", ",\n")
+            handles.insert(0, Patch(facecolor=_YIELDED, edgecolor=style.VERMILLION, lw=0.0, hatch="////", label=said))
         self.figure.legend(
             handles=handles,
             loc="lower left",
@@ -242,6 +260,34 @@ class Animation:
             borderaxespad=0.0,
             fontsize=_FONT,
         )
+
+
+def film_note(moments: Floats, data: xr.Dataset, summary: Summary) -> str:
+    """What a film cannot show of a run that rings; empty where it shows all.
+
+    Parameters
+    ----------
+    moments : numpy.ndarray
+        Times of its pictures [s].
+    data : xarray.Dataset
+        Trajectory; its frames are read.
+    summary : mapping
+        ``frames_a_period`` is read: without it nothing is known of any ringing.
+    """
+    per_period = summary.get("frames_a_period")
+    time = data["time"].values
+    if not per_period or moments.size < 2 or not time[-1] > time[0]:
+        return ""
+    period = per_period * float(time[-1] - time[0]) / (time.size - 1)
+    apart = float(moments[1] - moments[0])
+    pictures, step = period / apart, time_unit(apart).text(apart)
+    if pictures >= _PICTURES:
+        return ""
+    ringing = f"It rings at {significant(1 / period)} Hz"
+    if per_period < _PICTURES:
+        return f"{ringing}: the {time.size} frames of the run are too few to show that; take more run.frames."
+    longer = significant(_PICTURES / pictures)
+    return f"{ringing}: pictures {step} apart do not show that, the curve does; a film {longer} times as long would."
 
 
 def _arranged(film: Film, scene: PicturedScene) -> _Places:

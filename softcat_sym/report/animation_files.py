@@ -112,7 +112,7 @@ def write_film(
     run: tuple[xr.Dataset, Summary, PicturedScene],
     step: Callable[[str], None] = lambda what: None,
     width: int = 1280,
-) -> Path:
+) -> tuple[Path, str]:
     """Draw a film and write it, whole or not at all.
 
     Parameters
@@ -127,6 +127,13 @@ def write_film(
         Told of every picture that begins.
     width : int
         Of the film [pixel].
+
+    Returns
+    -------
+    path : pathlib.Path
+        The film.
+    note : str
+        What it cannot show of the run; empty if it shows all.
 
     Raises
     ------
@@ -146,7 +153,7 @@ def write_film(
         else:
             _mp4(animation, path, order.ffmpeg, step)
 
-    return fill_atomically(directory / order.name, fill)
+    return fill_atomically(directory / order.name, fill), animation.note
 
 
 def _gif(animation: Animation, path: Path, step: Callable[[str], None]) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from softcat_sym.report.section import Floats, outline, quads_outside, section_at, yielded_quads
+from softcat_sym.report.section import Floats, outline, quads_outside, section_at, yielding_of
 
 if TYPE_CHECKING:
     from softcat_sym.report.contract import PicturedScene
@@ -19,7 +19,7 @@ STRIPS = 8
 _ZETA = np.linspace(-1.0, 1.0, STRIPS + 1)
 _AMID = 0.5 * (_ZETA[1:] + _ZETA[:-1])
 
-_FIELDS = ("x", "y", "thickness", "stress_mean", "stress_bending", "core_low", "core_high", "midpoint")
+_FIELDS = ("x", "y", "thickness", "stress_mean", "stress_bending", "midpoint")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +66,8 @@ class Film:
     ----------
     times, midpoint : numpy.ndarray
         Of the moments [s], [m].
+    run_times, run_midpoint : numpy.ndarray
+        Of all frames of the run [s], [m].
     bounds : numpy.ndarray
         Lower left and upper right corner of all outlines, shape (2, 2) [m].
     largest : float
@@ -88,7 +90,12 @@ class Film:
         after = np.minimum(after, time.size - 1)
         gap = time[after] - time[before]
         part = np.where(gap > 0, (self.times - time[before]) / np.where(gap > 0, gap, 1.0), 0.0)
-        names = [name for name in _FIELDS if name in data]
+        yields = yielding_of(data, scene)
+        cores = {"low": (("time", "cell"), yields.low), "high": (("time", "cell"), yields.high)}
+        self.run_times: Floats = time
+        self.run_midpoint: Floats = np.asarray(data["midpoint"].values, dtype=np.float64)
+        self.resolved = "core_low" in data
+        data = data[list(_FIELDS)].assign(cores)
 
         def between(name: str) -> tuple[tuple[str, ...], Floats]:
             values = np.asarray(data[name].transpose("time", ...).values, dtype=np.float64)
@@ -97,11 +104,9 @@ class Film:
             return dims, np.asarray((1 - share) * values[before] + share * values[after])
 
         places = {name: data[name] for name in ("X_node", "X_cell")}
-        self._data = xr.Dataset({name: between(name) for name in names}, coords={"time": self.times, **places})
+        self._data = xr.Dataset({name: between(str(name)) for name in data}, coords={"time": self.times, **places})
         self.midpoint: Floats = self._data["midpoint"].values
         self._clamped = (scene.ends.left == "clamped", scene.ends.right == "clamped")
-        self._limit = scene.material.yield_stress
-        self.resolved = "core_low" in data
         outlines = np.stack([outline(section_at(self._data, k, self._clamped)) for k in range(self.times.size)])
         self.bounds: Floats = np.stack([outlines.min(axis=(0, 1)), outlines.max(axis=(0, 1))])
         self.largest = float(np.quantile(np.stack([self._stress(k) for k in range(self.times.size)]), 0.995))
@@ -120,11 +125,7 @@ class Film:
         """What is shown at the moment of this number."""
         data = self._data
         section = section_at(data, number, self._clamped)
-        if self._limit is not None and self.resolved:
-            yielded = quads_outside(section, data["core_low"].values[number], data["core_high"].values[number])
-        else:
-            mean, slope = (data[name].values[number] for name in ("stress_mean", "stress_bending"))
-            yielded = yielded_quads(section, mean, slope, self._limit)
+        yielded = quads_outside(section, data["low"].values[number], data["high"].values[number])
         grid = np.stack([section.at(float(zeta)) for zeta in _ZETA])
         strips = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2).reshape(-1, 4, 2)
         time, midpoint = float(self.times[number]), float(self.midpoint[number])

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
 from softcat_sym.report.contract import PicturedScene, Summary
+from softcat_sym.report.refusal import stamp
 from softcat_sym.report.style import GREY, printable, styled
 
 HEADING = 0.62
@@ -24,6 +25,12 @@ def new_figure(width: float, height: float) -> Figure:
     figure = Figure(figsize=(width, height))
     FigureCanvasAgg(figure)
     return figure
+
+
+def constrained(figure: Figure, heading: float = HEADING) -> None:
+    """Let Matplotlib's constrained layout place the axes of a figure below a heading of this height [inch]."""
+    height = figure.get_size_inches()[1]
+    figure.set_layout_engine("constrained", rect=(0.0, 0.0, 1.0, 1.0 - heading / height), w_pad=0.06, h_pad=0.04)
 
 
 def axes_in_inches(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
@@ -46,7 +53,7 @@ def axes_in_inches(figure: Figure, left: float, bottom: float, width: float, hei
 
 
 def head(figure: Figure, what: str, summary: Summary, scene: PicturedScene, left: float) -> None:
-    """Write the scene's title, what is shown and how the run ended along the top.
+    """Write the scene's title, what is shown and how the run ended along the top; stamp what is refused.
 
     Parameters
     ----------
@@ -69,6 +76,7 @@ def head(figure: Figure, what: str, summary: Summary, scene: PicturedScene, left
     place = left / width
     figure.text(place, 1 - 0.12 / height, title, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
     figure.text(place, 1 - 0.33 / height, printable(below, 110), va="top", fontsize=8.5, color=GREY, parse_math=False)
+    stamp(figure, summary)
 
 
 def png(figure: Figure, *, titled: bool = True) -> bytes:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +14,8 @@ from softcat_sym.report import style
 from softcat_sym.report.canvas import HEADING, axes_in_inches, head, new_figure
 from softcat_sym.report.card_words import exponents
 from softcat_sym.report.layout import vertical_stretch
-from softcat_sym.report.section import Floats, Section, elastic_core, outline, quads_outside, section_at
+from softcat_sym.report.refusal import shown_part
+from softcat_sym.report.section import Floats, Section, outline, quads_outside, section_at, yielding_of
 from softcat_sym.report.units import Unit, length_unit, significant, time_unit
 from softcat_sym.study.card.causes import percent
 
@@ -41,6 +43,8 @@ def card_figure(card: Card) -> Figure:
     card : Card
         With two frames at least.
     """
+    data, summary = shown_part(card.run.data, card.summary)
+    card = replace(card, run=replace(card.run, data=data))
     ends = card.scene.ends
     section = section_at(card.run.data, -1, (ends.left == "clamped", ends.right == "clamped"))
     body = outline(section)
@@ -51,7 +55,7 @@ def card_figure(card: Card) -> Figure:
     drawn = min(max(tall, _LEAST), _TALLEST)
     with style.styled():
         figure = new_figure(style.WIDTH, _BOTTOM + _LOW + _BETWEEN + drawn + HEADING)
-        head(figure, _caption(stretch), card.summary, card.scene, 0.2)
+        head(figure, _caption(stretch), summary, card.scene, 0.2)
         shape = axes_in_inches(figure, _LEFT, _BOTTOM + _LOW + _BETWEEN, width, drawn)
         _shape(shape, card, section, body, width / drawn, stretch)
         _curve(axes_in_inches(figure, _LEFT, _BOTTOM, _CURVE, _LOW), card)
@@ -73,7 +77,7 @@ def _shape(axes: Axes, card: Card, section: Section, body: Floats, aspect: float
     handles = []
     if limit is not None:
         for colour, now, label in ((style.ORANGE, False, "has yielded"), (style.VERMILLION, True, "yields at the end")):
-            quads = quads_outside(section, *_core(card, limit, now=now))
+            quads = quads_outside(section, *_core(card, now=now))
             if len(quads):
                 patch = PolyCollection(list(ruler.of(quads)), facecolors=colour, edgecolors="none", antialiaseds=False)
                 patch.set_zorder(4 if now else 3)
@@ -96,16 +100,12 @@ def _shape(axes: Axes, card: Card, section: Section, body: Floats, aspect: float
         axes.legend(handles=handles, loc="lower center", ncols=2, bbox_to_anchor=(0.5, 0.98), borderaxespad=0.0)
 
 
-def _core(card: Card, limit: float, *, now: bool) -> tuple[Floats, Floats]:
+def _core(card: Card, *, now: bool) -> tuple[Floats, Floats]:
     """Limits in zeta between which no fibre yields at the end, or none ever did, shape (cell,)."""
-    data = card.run.data
-    if "core_low" in data:
-        low, high = data["core_low"].values, data["core_high"].values
-    else:
-        low, high = elastic_core(data["stress_mean"].values, data["stress_bending"].values, limit)
+    found = yielding_of(card.run.data, card.scene)
     if now:
-        return low[-1], high[-1]
-    low, high = np.max(low, axis=0), np.min(high, axis=0)
+        return found.low[-1], found.high[-1]
+    low, high = np.max(found.low, axis=0), np.min(found.high, axis=0)
     return np.minimum(low, high), np.maximum(low, high)
 
 

@@ -61,6 +61,14 @@ class PicturedEnds(Protocol):
         """Likewise."""
 
 
+class PicturedRun(Protocol):
+    """What was asked of the run."""
+
+    @property
+    def accuracy(self) -> float:
+        """Accuracy of the midpoint relative to its largest sag."""
+
+
 class PicturedScene(Protocol):
     """The part of a scene that reaches a picture or a table."""
 
@@ -83,3 +91,7 @@ class PicturedScene(Protocol):
     @property
     def load(self) -> PicturedLoad:
         """The load."""
+
+    @property
+    def run(self) -> PicturedRun:
+        """The run."""

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from softcat_sym.report import style
 from softcat_sym.report.canvas import HEADING, axes_in_inches, head, new_figure
 from softcat_sym.report.contract import PicturedScene, Summary
-from softcat_sym.report.units import energy_unit, significant, time_unit
+from softcat_sym.report.refusal import shown_part
+from softcat_sym.report.units import energy_unit, share_unit, time_unit
 
 # Name in the trajectory, label, colour, line style, sign in the balance. Line styles too: colour alone is not enough.
 TERMS = (
@@ -65,6 +66,7 @@ def energy_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> F
     matplotlib.figure.Figure
         The picture.
     """
+    data, summary = shown_part(data, summary)
     seconds = np.asarray(data["time"].values, dtype=np.float64)
     clock = time_unit(float(np.abs(seconds).max()))
     time = clock.of(seconds)
@@ -105,10 +107,11 @@ def _budget(axes: Axes, data: xr.Dataset, time: NDArray[np.float64], largest: fl
 def _residual(axes: Axes, time: NDArray[np.float64], residual: NDArray[np.float64]) -> None:
     """The imbalance on a scale of its own, with its largest value in words."""
     worst = float(np.abs(residual).max())
-    axes.plot(time, residual, color=style.BLACK, linewidth=1.0, marker="o" if time.size == 1 else None)
+    unit = share_unit(worst)
+    axes.plot(time, unit.of(residual), color=style.BLACK, linewidth=1.0, marker="o" if time.size == 1 else None)
     axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
-    room = 1.15 * worst or 1.0
+    room = float(unit.of(1.15 * worst)) or 1.0
     axes.set_ylim(-room, room)
     axes.locator_params(axis="y", nbins=4)
-    axes.set_ylabel("imbalance /\nlargest")
-    axes.text(1.02, 0.98, f"largest\nimbalance\n{significant(worst)}", transform=axes.transAxes, va="top", fontsize=8.0)
+    axes.set_ylabel(f"imbalance /\nlargest [{unit.symbol}]")
+    axes.text(1.02, 0.98, f"largest\nimbalance\n{unit.text(worst)}", transform=axes.transAxes, va="top", fontsize=8.0)

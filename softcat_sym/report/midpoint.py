@@ -12,12 +12,14 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.report import style
-from softcat_sym.report.canvas import HEADING, axes_in_inches, head, new_figure
+from softcat_sym.report.canvas import constrained, head, new_figure
 from softcat_sym.report.contract import PicturedScene, Summary
 from softcat_sym.report.frames import telling_frames
-from softcat_sym.report.units import Unit, length_unit, significant, time_unit
+from softcat_sym.report.refusal import refused, shown_part
+from softcat_sym.report.units import Unit, length_unit, share_unit, significant, time_unit
 
-_HEIGHT, _LEFT, _RIGHT, _BOTTOM, _TOP_AXIS = 4.3, 0.85, 0.85, 0.55, 0.42
+_HEIGHT, _LEFT = 4.3, 0.75
+_POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 
 
 def midpoint_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> Figure:
@@ -37,6 +39,7 @@ def midpoint_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) ->
     matplotlib.figure.Figure
         The picture.
     """
+    data, summary = shown_part(data, summary)
     time = np.asarray(data["time"].values, dtype=np.float64)
     midpoint = np.asarray(data["midpoint"].values, dtype=np.float64)
     span = scene.filament.span
@@ -45,19 +48,20 @@ def midpoint_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) ->
     with style.styled():
         figure = new_figure(style.WIDTH, _HEIGHT)
         head(figure, "midpoint against time", summary, scene, _LEFT)
-        height = _HEIGHT - _BOTTOM - _TOP_AXIS - HEADING
-        axes = axes_in_inches(figure, _LEFT, _BOTTOM, style.WIDTH - _LEFT - _RIGHT, height)
+        constrained(figure)
+        axes = figure.add_subplot()
         axes.grid(True)
         axes.axhline(0.0, color=style.GREY, linewidth=0.6)
         _curve(axes, clock.of(time), ruler.of(midpoint), telling_frames(data))
         _limits(axes, time, midpoint, clock, ruler)
         axes.set_xlabel(f"time [{clock.symbol}]")
         axes.set_ylabel(f"midpoint height [{ruler.symbol}]")
-        _dimensionless(axes, clock, ruler, scene)
+        _dimensionless(axes, clock, ruler, scene, time, midpoint)
         style.lighten(axes)
-        final = float(midpoint[-1])
-        text = f"final {ruler.text(final)} = {significant(final / span)} L"
-        axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
+        if not refused(summary):
+            final = float(midpoint[-1])
+            text = f"final {ruler.text(final)} = {significant(final / span)} L"
+            axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
     return figure
 
 
@@ -89,21 +93,30 @@ def _limits(axes: Axes, time: NDArray[np.float64], midpoint: NDArray[np.float64]
     axes.set_ylim(low - 1.8 * room, high + room)
 
 
-def _dimensionless(axes: Axes, clock: Unit, ruler: Unit, scene: PicturedScene) -> None:
+def _dimensionless(
+    axes: Axes,
+    clock: Unit,
+    ruler: Unit,
+    scene: PicturedScene,
+    time: NDArray[np.float64],
+    midpoint: NDArray[np.float64],
+) -> None:
     """The same scales divided by the span and by the paper's unit of time, where the scene has one."""
     span = scene.filament.span
-    ratio = ruler.size / span
-    right = axes.secondary_yaxis("right", functions=_scaling(ratio))
-    right.set_ylabel("midpoint height / L")
+    share = share_unit(float(np.abs(midpoint).max()) / span)
+    right = axes.secondary_yaxis("right", functions=_scaling(ruler.size / span / share.size))
+    right.set_ylabel(f"midpoint height [{share.symbol} of L]")
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
     if modulus is not None and modulus > 0:
-        unit, label = span * math.sqrt(scene.filament.density / modulus), "time in L √(ρ/E)"
+        unit, label = span * math.sqrt(scene.filament.density / modulus), "L √(ρ/E)"
     elif gravity > 0:
-        unit, label = math.sqrt(span / gravity), "time in √(L/g)"
+        unit, label = math.sqrt(span / gravity), "√(L/g)"
     else:
         return
-    top = axes.secondary_xaxis("top", functions=_scaling(clock.size / unit))
-    top.set_xlabel(label)
+    power = 3 * max(0, math.floor(math.log10(max(1.0, float(np.abs(time).max()) / unit)) / 3))
+    thousands = "".join(_POWERS[int(digit)] for digit in str(power))
+    top = axes.secondary_xaxis("top", functions=_scaling(clock.size / unit / 10**power))
+    top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
 
 
 def _scaling(factor: float) -> tuple[Callable[[ArrayLike], ArrayLike], Callable[[ArrayLike], ArrayLike]]:

@@ -11,8 +11,9 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from softcat_sym.report import style
-from softcat_sym.report.canvas import axes_in_inches, new_figure
-from softcat_sym.report.contract import PicturedScene
+from softcat_sym.report.canvas import constrained, new_figure
+from softcat_sym.report.contract import PicturedScene, Summary
+from softcat_sym.report.refusal import shown_part, stamp
 from softcat_sym.report.units import Unit, length_unit, time_unit
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ LINES: Final = (
     (style.VERMILLION, "--"),
     (style.SKY, "-."),
     (style.ORANGE, ":"),
+    (style.GREEN, (0, (6, 1.5, 1, 1.5, 1, 1.5))),
 )
 """Colours that the colour-blind tell apart, each with a line style of its own for print in black and white."""
 
@@ -53,8 +55,6 @@ _RC: Final[dict[str, Any]] = {
     "hatch.linewidth": 0.5,
 }
 
-_LEFT, _RIGHT, _BOTTOM, _TOP = 0.56, 0.12, 0.42, 0.1
-
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
@@ -66,12 +66,15 @@ class Sheet:
         Of the figure [inch].
     data : xarray.Dataset
         Trajectory.
+    summary : mapping
+        The run's summary.
     scene : PicturedScene
         The scene.
     """
 
     width: float
     data: xr.Dataset
+    summary: Summary
     scene: PicturedScene
 
     @property
@@ -84,10 +87,17 @@ class Sheet:
         """The unit of length of the midpoint."""
         return length_unit(float(abs(self.data["midpoint"].values).max()), self.scene.filament.span)
 
-    def framed(self, height: float, right: float = _RIGHT) -> tuple[Figure, Axes]:
-        """A figure of this height [inch] with one pair of axes; `right` is the margin there [inch]."""
+    def figure(self, height: float) -> Figure:
+        """A figure of this height [inch], laid out by what its axes need, stamped if the result is refused."""
         figure = new_figure(self.width, height)
-        axes = axes_in_inches(figure, _LEFT, _BOTTOM, self.width - _LEFT - right, height - _BOTTOM - _TOP)
+        constrained(figure, heading=0.0)
+        stamp(figure, self.summary)
+        return figure
+
+    def framed(self, height: float) -> tuple[Figure, Axes]:
+        """A figure of this height [inch] with one pair of axes."""
+        figure = self.figure(height)
+        axes = figure.add_subplot()
         style.lighten(axes)
         return figure, axes
 
@@ -102,13 +112,15 @@ def publication_style() -> Iterator[None]:
         yield
 
 
-def publication_figures(data: xr.Dataset, scene: PicturedScene, width: str) -> dict[str, bytes]:
+def publication_figures(data: xr.Dataset, summary: Summary, scene: PicturedScene, width: str) -> dict[str, bytes]:
     """Draw a run for print: ``midpoint``, ``shapes``, ``energy`` and ``space-time``, each as PDF and PNG.
 
     Parameters
     ----------
     data : xarray.Dataset
         Trajectory, as :func:`softcat_sym.report.write_pictures` takes it.
+    summary : mapping
+        The run's summary.
     scene : PicturedScene
         The scene.
     width : str
@@ -126,7 +138,7 @@ def publication_figures(data: xr.Dataset, scene: PicturedScene, width: str) -> d
     """
     from softcat_sym.report import publication_panels as panels
 
-    sheet = Sheet(WIDTHS[width] * MILLIMETRE, data, scene)
+    sheet = Sheet(WIDTHS[width] * MILLIMETRE, *shown_part(data, summary), scene)
     files: dict[str, bytes] = {}
     with publication_style():
         for name, drawn in (

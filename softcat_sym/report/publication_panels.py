@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.collections import PolyCollection
+from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from softcat_sym.report import style
-from softcat_sym.report.canvas import axes_in_inches, new_figure
-from softcat_sym.report.energy import OPTIONAL, TERMS
+from softcat_sym.report.energy import TERMS
 from softcat_sym.report.frames import telling_frames
 from softcat_sym.report.layout import vertical_stretch
-from softcat_sym.report.publication import LINES, Sheet
-from softcat_sym.report.shapes import Shape, shapes_of
-from softcat_sym.report.space_time import draw_bar, draw_map, maps_of
+from softcat_sym.report.publication import LINES, MILLIMETRE, Sheet
+from softcat_sym.report.shapes import Shape, shapes_of, yielded_label
+from softcat_sym.report.space_time import draw_maps
 from softcat_sym.report.units import Unit, energy_unit, length_unit
 
 if TYPE_CHECKING:
@@ -38,91 +39,90 @@ def midpoint(sheet: Sheet) -> Figure:
     figure, axes = sheet.framed(min(_GOLDEN * sheet.width, 2.6))
     time, height = sheet.clock.of(sheet.data["time"].values), sheet.ruler.of(sheet.data["midpoint"].values)
     colour, line = LINES[1]
-    axes.plot(time, height, line, color=colour)
+    axes.plot(time, height, linestyle=line, color=colour, label="midpoint")
     frames = telling_frames(sheet.data, _SHAPES)
     axes.plot(
-        time[frames], height[frames], "o", color=style.VERMILLION, markersize=3, markerfacecolor="white", clip_on=False
-    )
+        time[frames], height[frames], "o", color=style.VERMILLION, markersize=3, markerfacecolor="white", clip_on=False,
+        label="shapes drawn",
+    )  # fmt: skip
     _time_axis(axes, sheet)
     axes.margins(y=0.08)
     axes.set_ylabel(f"midpoint [{sheet.ruler.symbol}]")
+    figure.legend(loc="outside upper center", ncols=2, borderaxespad=0.0)
     return figure
 
 
 def energy(sheet: Sheet) -> Figure:
     """The energies against time; those that are nought throughout are left out."""
-    figure, axes = sheet.framed(min(_GOLDEN * sheet.width, 2.6), right=1.22)
+    figure, axes = sheet.framed(min(0.75 * sheet.width, 2.6))
     time = sheet.clock.of(sheet.data["time"].values)
     values = {name: np.asarray(sheet.data[name].values, dtype=np.float64) for name, *_ in TERMS}
     unit = energy_unit(max(float(np.abs(value).max()) for value in values.values()))
-    kept = [term for term in TERMS if term[0] not in OPTIONAL and np.any(values[term[0]])]
+    kept = [term for term in TERMS if np.any(values[term[0]])]
     for (name, label, *_), (colour, line) in zip(kept, LINES, strict=False):
-        axes.plot(time, unit.of(values[name]), line, color=colour, label=label)
+        axes.plot(time, unit.of(values[name]), linestyle=line, color=colour, label=label)
     _time_axis(axes, sheet)
     axes.set_ylabel(f"energy [{unit.symbol}]")
     if kept:
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, handlelength=1.6)
+        figure.legend(loc="outside upper center", ncols=3, borderaxespad=0.0, handlelength=2.0)
     return figure
 
 
 def space_time(sheet: Sheet) -> Figure:
     """Stretch and yielded share: one below the other in a column, side by side on a page."""
-    from softcat_sym.report.publication import MILLIMETRE
-
     side = sheet.width > 120 * MILLIMETRE
-    left, bar, bottom, gap, tall = 0.57, 0.7, 0.42, 0.16, 1.15
-    each = sheet.width / 2 if side else sheet.width
-    height = bottom + tall + 0.1 if side else bottom + 2 * tall + gap + 0.1
-    figure = new_figure(sheet.width, height)
-    for number, shown in enumerate(maps_of(sheet.data, sheet.scene)):
-        at = left + number * each if side else left
-        low = bottom if side or number == 1 else bottom + tall + gap
-        axes = axes_in_inches(figure, at, low, each - left - bar, tall)
-        mesh = draw_map(axes, sheet.data, shown, named=number == 0)
-        axes.set_yticks((-0.5, 0.0, 0.5))
-        scale = axes_in_inches(figure, at + each - left - bar + 0.06, low, 0.07, tall)
-        draw_bar(scale, mesh, shown)
-        if number == 1 or side:
-            axes.set_xlabel(f"time [{sheet.clock.symbol}]")
-        axes.tick_params(labelbottom=number == 1 or side)
-        axes.xaxis.set_major_locator(MaxNLocator(5, steps=_STEPS))
+    figure = sheet.figure(1.9 if side else 3.2)
+    panels = figure.subplots(*((1, 2) if side else (2, 1)), sharex=True)
+    draw_maps(panels, sheet.data, sheet.summary, sheet.scene)
+    panels[0].xaxis.set_major_locator(MaxNLocator(5, steps=_STEPS))
     return figure
 
 
 def shapes(sheet: Sheet) -> Figure:
-    """The filament at telling times, one below the other at one scale, hatched where it yields."""
+    """The filament at telling times, one below the other at one scale, coloured where it yields."""
     found = shapes_of(sheet.data, sheet.scene, telling_frames(sheet.data, _SHAPES))
     outlines = [shape.outline for shape in found]
     low, high = np.min([o.min(axis=0) for o in outlines], axis=0), np.max([o.max(axis=0) for o in outlines], axis=0)
     filament = sheet.scene.filament
     departure = max(float(np.ptp(shape.section.y)) for shape in found)
     stretch = vertical_stretch(departure, filament.thickness, filament.span)
-    left, right, bottom, gap, label = 0.56, 0.1, 0.42, 0.06, 0.15
     pad = 0.02 * float(high[0] - low[0])
     x = (float(low[0]) - pad, float(high[0]) + pad)
-    ranges = [(o[:, 1].min() - 0.2 * filament.thickness, o[:, 1].max() + 0.2 * filament.thickness) for o in outlines]
-    width = sheet.width - left - right
-    total = sum(top - floor for floor, top in ranges) * stretch
-    room = _TALLEST - bottom - len(found) * (label + gap)
-    scale = min(width / (x[1] - x[0]), room / total)
-    spare = 0.5 * (width / scale - (x[1] - x[0]))
-    heights = [scale * stretch * (top - floor) for floor, top in ranges]
-    height = bottom + sum(heights) + len(found) * (label + gap)
-    figure = new_figure(sheet.width, height)
+    margin = 0.2 * filament.thickness
+    ranges = [(float(o[:, 1].min()) - margin, float(o[:, 1].max()) + margin) for o in outlines]
+    tall = [stretch * (top - floor) / (x[1] - x[0]) for floor, top in ranges]
+    figure = sheet.figure(sheet.width)
+    panels = figure.subplots(len(found), 1, sharex=True, squeeze=False, height_ratios=tall)[:, 0]
     ruler = length_unit(max(abs(x[0]), abs(x[1])), filament.span)
-    top = height
-    for shape, tall, (floor, ceiling) in zip(found, heights, ranges, strict=True):
-        top -= label + tall + gap
-        axes = axes_in_inches(figure, left, top + gap, width, tall)
-        axes.set_xlim(float(ruler.of(x[0] - spare)), float(ruler.of(x[1] + spare)))
-        axes.set_ylim(float(ruler.of(floor)), float(ruler.of(ceiling)))
+    for axes, shape, bounds in zip(panels, found, ranges, strict=True):
+        axes.set_xlim(*(float(ruler.of(bound)) for bound in x))
+        axes.set_ylim(*(float(ruler.of(bound)) for bound in bounds))
         _shape(axes, shape, ruler, last=shape is found[-1])
-        if tall < _LOW:
-            axes.set_yticks((0.0,))
+        axes.yaxis.set_major_locator(MaxNLocator(2, steps=_STEPS))
     scaled = "" if stretch == 1 else f", vertical scale × {stretch:g}"
-    axes.set_xlabel(f"x [{ruler.symbol}]{scaled}")
-    figure.text(0.03, 0.5, f"y [{ruler.symbol}]", rotation=90, va="center")
+    panels[-1].set_xlabel(f"x [{ruler.symbol}]{scaled}")
+    figure.supylabel(f"y [{ruler.symbol}]", fontsize=8.0)
+    if sheet.scene.material.yield_stress is not None:
+        patch = Patch(facecolor=style.VERMILLION, label=yielded_label(sheet.data, sheet.scene))
+        figure.legend(handles=[patch], loc="outside upper center", borderaxespad=0.0, fontsize=7.0)
+    _fit_height(figure, panels, tall)
+    for axes in panels:
+        axes.set_aspect(stretch)
     return figure
+
+
+def _fit_height(figure: Figure, panels: Sequence[Axes], tall: Sequence[float]) -> None:
+    """Make a figure as high as its panels need to be `tall` times as high as they are wide, up to the tallest."""
+    figure.draw_without_rendering()
+    width, height = figure.get_size_inches()
+    places = [axes.get_position() for axes in panels]
+    around = height * (1 - sum(place.height for place in places))
+    scale = min(width * min(place.width for place in places), (_TALLEST - around) / sum(tall))
+    figure.set_size_inches(width, around + scale * sum(tall))
+    for axes, share in zip(panels, tall, strict=True):
+        if scale * share < _LOW:
+            # Room for one number.
+            axes.set_yticks((0.0,))
 
 
 def _shape(axes: Axes, shape: Shape, ruler: Unit, *, last: bool) -> None:
@@ -136,7 +136,6 @@ def _shape(axes: Axes, shape: Shape, ruler: Unit, *, last: bool) -> None:
     axes.fill(body[:, 0], body[:, 1], facecolor="none", edgecolor=style.BLACK, linewidth=0.4, zorder=4)
     axes.set_title(", ".join(shape.label.split("\n")), loc="left", pad=2, fontsize=7)
     axes.xaxis.set_major_locator(MaxNLocator(6, steps=_STEPS))
-    axes.yaxis.set_major_locator(MaxNLocator(2, steps=_STEPS))
     axes.tick_params(labelbottom=last, bottom=last)
     axes.spines["bottom"].set_visible(last)
     style.lighten(axes)

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from softcat_sym.report.contract import PicturedScene
 
 Floats = NDArray[np.float64]
 
@@ -144,26 +148,80 @@ def elastic_core(mean: Floats, bending: Floats, yield_stress: float) -> tuple[Fl
     return lower, upper
 
 
-def yielded_quads(section: Section, mean: Floats, bending: Floats, yield_stress: float | None) -> Floats:
-    """Quadrilaterals that cover the yielded part of the side view, cell by cell.
+@dataclass(frozen=True, slots=True)
+class Yielding:
+    """What a picture shows as yielded: what flows, not what the solver's tolerance lets rest on the yield stress.
+
+    Attributes
+    ----------
+    low, high : numpy.ndarray
+        Limits in zeta of what does not yield, shape (time, cell).
+    share : numpy.ndarray
+        Share of the section that yields, shape (time, cell).
+    slowest : float
+        Plastic rate [1/s] from which on a section counts as yielded, where it exceeds it on the average of a tenth of
+        the run too; see :func:`slowest_flow`.
+    """
+
+    low: Floats
+    high: Floats
+    share: Floats
+    slowest: float
+
+
+def slowest_flow(data: xr.Dataset, scene: PicturedScene) -> float:
+    """Plastic rate [1/s] below which flow does not show in the answer.
+
+    A section that flowed so slowly through the whole run would add to the largest plastic strain no more than the
+    accuracy asked. An arrested filament rests on its yield surface: there stresses exceed the yield stress by no more
+    than the tolerance of the solver, now here, now there.
 
     Parameters
     ----------
-    section : Section
-        The filament.
-    mean, bending : numpy.ndarray
-        Stress sigma_0 + sigma_1 zeta of each cell, shape (cell,) [Pa].
-    yield_stress : float or None
-        Yield stress [Pa]; ``None`` for a law without one.
-
-    Returns
-    -------
-    numpy.ndarray
-        Vertices, shape (quad, 4, 2) [m]; no quad for a cell side that does not yield.
+    data : xarray.Dataset
+        Trajectory with ``time`` [s] and ``plastic_rate`` [1/s] (time, cell).
+    scene : PicturedScene
+        Its accuracy is read.
     """
-    if yield_stress is None:
-        return np.empty((0, 4, 2))
-    return quads_outside(section, *elastic_core(mean, bending, yield_stress))
+    time = np.asarray(data["time"].values, dtype=np.float64)
+    if time.size < 2 or not time[-1] > time[0]:
+        return 0.0
+    rate = np.asarray(data["plastic_rate"].values, dtype=np.float64)
+    strain = 0.5 * np.diff(time) @ (rate[1:] + rate[:-1])
+    return scene.run.accuracy * float(strain.max()) / float(time[-1] - time[0])
+
+
+def yielding_of(data: xr.Dataset, scene: PicturedScene) -> Yielding:
+    """What yields in every frame, of a law that has a yield stress; nothing of another.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory with ``yielded_fraction``, ``plastic_rate``, ``stress_mean``, ``stress_bending`` (time, cell), and
+        ``core_low``, ``core_high`` where the section is resolved fibre by fibre.
+    scene : PicturedScene
+        Its yield stress and its accuracy are read.
+    """
+    limit = scene.material.yield_stress
+    if limit is None:
+        shape = data["yielded_fraction"].shape
+        return Yielding(np.full(shape, -1.0), np.full(shape, 1.0), np.zeros(shape), 0.0)
+    if "core_low" in data:
+        low, high = data["core_low"].values, data["core_high"].values
+    else:
+        low, high = elastic_core(data["stress_mean"].values, data["stress_bending"].values, limit)
+    slowest, rate = slowest_flow(data, scene), np.asarray(data["plastic_rate"].values, dtype=np.float64)
+    flows = (rate > slowest) & (_running_mean(rate, len(rate) // 20) > slowest)
+    share = np.where(flows, data["yielded_fraction"].values, 0.0)
+    return Yielding(np.where(flows, low, -1.0), np.where(flows, high, 1.0), share, slowest)
+
+
+def _running_mean(values: Floats, reach: int) -> Floats:
+    """Means over `reach` frames before and after each frame, fewer where the run begins and ends."""
+    total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
+    frame = np.arange(len(values))
+    first, end = np.maximum(frame - reach, 0), np.minimum(frame + reach + 1, len(values))
+    return np.asarray((total[end] - total[first]) / (end - first)[:, None])
 
 
 def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:

@@ -17,8 +17,9 @@ from softcat_sym.report.canvas import head, new_figure
 from softcat_sym.report.contract import PicturedScene, Summary
 from softcat_sym.report.frames import telling_frames
 from softcat_sym.report.layout import Layout, arrange, place
-from softcat_sym.report.section import Floats, Section, outline, quads_outside, section_at, yielded_quads
-from softcat_sym.report.units import Unit, length_unit, stress_unit, time_unit
+from softcat_sym.report.refusal import shown_part
+from softcat_sym.report.section import Floats, Section, outline, quads_outside, section_at, slowest_flow, yielding_of
+from softcat_sym.report.units import Unit, length_unit, significant, stress_unit, time_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +50,8 @@ def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list
     Parameters
     ----------
     data : xarray.Dataset
-        Trajectory; reads ``x``, ``y``, ``thickness``, ``stress_mean``, ``stress_bending``, ``midpoint``,
-        ``yielded_fraction``, and ``core_low``, ``core_high`` if they are there.
+        Trajectory; reads ``x``, ``y``, ``thickness``, ``midpoint``, and what
+        :func:`softcat_sym.report.section.yielding_of` reads.
     scene : PicturedScene
         Its yield stress decides what is shaded.
     frames : list of int
@@ -62,6 +63,7 @@ def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list
         One for each frame.
     """
     limit = scene.material.yield_stress
+    yields = yielding_of(data, scene)
     clock = time_unit(float(np.abs(data["time"].values).max()))
     shapes = []
     for frame in frames:
@@ -73,17 +75,18 @@ def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list
         ]
         if limit is not None:
             length = np.diff(data["X_node"].values)
-            share = float(np.average(data["yielded_fraction"].values[frame], weights=length))
+            share = float(np.average(yields.share[frame], weights=length))
             lines.append("yielded < 0.1 %" if 0 < share < 1e-3 else f"yielded {100 * share:.1f} %")
-        shapes.append(Shape(section, outline(section), _yielded(section, data, frame, limit), "\n".join(lines)))
+        quads = quads_outside(section, yields.low[frame], yields.high[frame])
+        shapes.append(Shape(section, outline(section), quads, "\n".join(lines)))
     return shapes
 
 
-def _yielded(section: Section, data: xr.Dataset, frame: int, limit: float | None) -> Floats:
-    """Quads of the yielded zones: by the fibres where the section is resolved, otherwise by its linear stress."""
-    if limit is not None and "core_low" in data:
-        return quads_outside(section, data["core_low"].values[frame], data["core_high"].values[frame])
-    return yielded_quads(section, data["stress_mean"].values[frame], data["stress_bending"].values[frame], limit)
+def yielded_label(data: xr.Dataset, scene: PicturedScene) -> str:
+    """What a colour or hatching for what yields means, with the rate below which nothing is shown."""
+    limit, slowest = scene.material.yield_stress or 0.0, slowest_flow(data, scene)
+    faster = f", flows faster than {significant(slowest)}/s" if slowest > 0 else ""
+    return f"yielded: stress > {stress_unit(limit).text(limit)}{faster}"
 
 
 def shapes_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> Figure:
@@ -106,6 +109,7 @@ def shapes_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> F
     matplotlib.figure.Figure
         The picture.
     """
+    data, summary = shown_part(data, summary)
     shapes = shapes_of(data, scene, telling_frames(data))
     layout = arrange([shape.outline for shape in shapes], _sag(shapes), scene)
     extent = max(float(np.abs(shape.outline).max()) for shape in shapes)
@@ -116,7 +120,7 @@ def shapes_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> F
         for index, shape in enumerate(shapes):
             axes = place(figure, layout, index)
             _draw(axes, shape, layout, index, ruler)
-        _explain(figure, layout, scene, ruler)
+        _explain(figure, layout, data, scene, ruler)
     return figure
 
 
@@ -158,7 +162,7 @@ def _draw(axes: Axes, shape: Shape, layout: Layout, index: int, ruler: Unit) -> 
         axes.set_title(shape.label, fontsize=8.0, loc="left", linespacing=1.3)
 
 
-def _explain(figure: Figure, layout: Layout, scene: PicturedScene, ruler: Unit) -> None:
+def _explain(figure: Figure, layout: Layout, data: xr.Dataset, scene: PicturedScene, ruler: Unit) -> None:
     """Shared axis labels and a legend that says what is shaded, or that nothing can be."""
     width, height = layout.width, layout.height
     drawn, scaled = "", ""
@@ -168,14 +172,13 @@ def _explain(figure: Figure, layout: Layout, scene: PicturedScene, ruler: Unit) 
     figure.text(0.1 / width, middle / height, f"y [{ruler.symbol}]{drawn}", rotation=90, va="center", fontsize=9.0)
     centre = (layout.panels[0].left + layout.panels[-1].left + layout.panels[-1].width) / 2
     figure.text(centre / width, 0.42 / height, f"x [{ruler.symbol}]{scaled}", ha="center", fontsize=9.0)
-    limit = scene.material.yield_stress
-    if limit is None:
+    if scene.material.yield_stress is None:
         note = f"The law “{style.printable(str(scene.material.law))}” has no yield stress: nothing is shaded."
         figure.text(layout.left / width, 0.14 / height, note, fontsize=8.0, color=style.GREY, parse_math=False)
         return
     figure.legend(
         handles=[
-            Patch(facecolor=style.VERMILLION, label=f"yielded: stress > {stress_unit(limit).text(limit)}"),
+            Patch(facecolor=style.VERMILLION, label=yielded_label(data, scene)),
             Patch(facecolor=style.FILAMENT, edgecolor=style.BLACK, linewidth=0.5, label="not yielded"),
         ],
         loc="lower left",

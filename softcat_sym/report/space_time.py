@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,11 +15,13 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
 from numpy.typing import NDArray
 
 from softcat_sym.report import style
-from softcat_sym.report.canvas import HEADING, axes_in_inches, head, new_figure
+from softcat_sym.report.canvas import constrained, head, new_figure
 from softcat_sym.report.contract import PicturedScene, Summary
-from softcat_sym.report.units import Unit, significant, stress_unit, time_unit
+from softcat_sym.report.refusal import refused, shown_part
+from softcat_sym.report.section import yielding_of
+from softcat_sym.report.units import Unit, share_unit, significant, stress_unit, time_unit
 
-_HEIGHT, _LEFT, _RIGHT, _BOTTOM, _GAP, _BAR = 4.6, 0.75, 1.05, 0.55, 0.22, 0.12
+_HEIGHT, _LEFT = 4.8, 0.75
 
 _WIDE = 5.0
 """From a largest over a smallest stretch of this on, colours count powers."""
@@ -28,6 +31,12 @@ _SHOWN, _FEW = 0.98, 1.5
 
 MOST_FRAMES = 1200
 """Columns of a map; more would be finer than its pixels."""
+
+_LEAST_STRAIN = 1e-9
+"""Colours span at least this."""
+
+ROWS = 240
+"""Of a map, all equally tall: cells at a clamp may be narrower than a pixel, which would show one end only."""
 
 _NINE_TENTHS = 0.9
 
@@ -39,7 +48,7 @@ class Map:
     Attributes
     ----------
     values : numpy.ndarray
-        Shape (time, cell).
+        Shape (time, row): means over :data:`ROWS` equal parts of the filament.
     label : str
         With its unit.
     norm, colours
@@ -61,8 +70,8 @@ def maps_of(data: xr.Dataset, scene: PicturedScene) -> tuple[Map, Map]:
     Parameters
     ----------
     data : xarray.Dataset
-        Trajectory with ``yielded_fraction``, ``stress_mean`` [Pa] (time, cell), and ``stretch`` (time, cell), or ``x``,
-        ``y`` (time, node) from which it follows.
+        Trajectory with what :func:`softcat_sym.report.section.yielding_of` reads, ``stress_mean`` [Pa] (time, cell),
+        and ``stretch`` (time, cell), or ``x``, ``y`` (time, node) from which it follows.
     scene : PicturedScene
         Its yield stress decides.
 
@@ -70,7 +79,7 @@ def maps_of(data: xr.Dataset, scene: PicturedScene) -> tuple[Map, Map]:
     -------
     pair of Map
     """
-    stretch = _stretch(data)
+    stretch = _in_rows(data, _stretch(data))
     low, high = float(stretch.min()), float(stretch.max())
     shown = float(np.quantile(stretch, _SHOWN))
     # A few hinges would leave the rest of the filament in one colour.
@@ -78,19 +87,29 @@ def maps_of(data: xr.Dataset, scene: PicturedScene) -> tuple[Map, Map]:
     high = shown if beyond else high
     wide = low > 0 and high > _WIDE * low
     if wide:
-        norm: Normalize = LogNorm(low, high)
+        first = Map(stretch, "stretch", LogNorm(low, high), "cividis", beyond)
     else:
         # A filament at rest has a range too: otherwise its rounding errors would be painted.
-        norm = Normalize(min(low, 1.0), max(high, 1.0 + 1e-6))
-    first = Map(stretch, "stretch", norm, "cividis", beyond)
+        low, high = min(low - 1, 0.0), max(high - 1, _LEAST_STRAIN)
+        unit = share_unit(max(high, -low))
+        norm = Normalize(float(unit.of(low)), float(unit.of(high)))
+        first = Map(unit.of(stretch - 1), f"stretch \N{MINUS SIGN} 1 [{unit.symbol}]", norm, "cividis", beyond)
     if scene.material.yield_stress is not None:
-        fraction = np.asarray(data["yielded_fraction"].values, dtype=np.float64)
-        return first, Map(fraction, "yielded share", Normalize(0.0, 1.0), yielded_colours())
-    stress = np.asarray(data["stress_mean"].values, dtype=np.float64)
+        share = _in_rows(data, yielding_of(data, scene).share)
+        return first, Map(share, "yielded share", Normalize(0.0, 1.0), yielded_colours())
+    stress = _in_rows(data, np.asarray(data["stress_mean"].values, dtype=np.float64))
     unit = stress_unit(float(np.abs(stress).max()))
     scaled = unit.of(stress)
     top = max(float(scaled.max()), 0.0) or 1.0
     return first, Map(scaled, f"mean stress [{unit.symbol}]", Normalize(min(float(scaled.min()), 0.0), top), "cividis")
+
+
+def _in_rows(data: xr.Dataset, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Means over equal parts of the filament, shape (time, row), of what is constant in each cell."""
+    nodes = np.asarray(data["X_node"].values, dtype=np.float64)
+    edges = np.linspace(nodes[0], nodes[-1], ROWS + 1)
+    inside = np.minimum(edges[1:], nodes[1:, None]) - np.maximum(edges[:-1], nodes[:-1, None])
+    return np.asarray(values @ (np.maximum(inside, 0.0) / np.diff(edges)))
 
 
 def yielded_colours() -> Colormap:
@@ -122,24 +141,47 @@ def space_time_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) 
     matplotlib.figure.Figure
         The picture.
     """
+    data, summary = shown_part(data, summary)
     with style.styled():
         figure = new_figure(style.WIDTH, _HEIGHT)
+        constrained(figure)
         head(figure, "along the filament against time", summary, scene, _LEFT)
-        width = style.WIDTH - _LEFT - _RIGHT
-        tall = (_HEIGHT - HEADING - _BOTTOM - _GAP) / 2
-        for row, shown in enumerate(maps_of(data, scene)):
-            bottom = _BOTTOM + (1 - row) * (tall + _GAP)
-            axes = axes_in_inches(figure, _LEFT, bottom, width, tall)
-            mesh = draw_map(axes, data, shown, named=row == 0)
-            bar = axes_in_inches(figure, _LEFT + width + 0.1, bottom, _BAR, tall)
-            draw_bar(bar, mesh, shown)
-            axes.tick_params(labelbottom=row == 1)
-        axes.set_xlabel(f"time [{_clock(data).symbol}]")
+        draw_maps(figure.subplots(2, 1, sharex=True), data, summary, scene)
     return figure
 
 
-def draw_map(axes: Axes, data: xr.Dataset, shown: Map, *, named: bool) -> QuadMesh:
-    """Draw one map, the midpoint's line and the mark of the time to 90 %.
+def draw_maps(panels: Sequence[Axes], data: xr.Dataset, summary: Summary, scene: PicturedScene) -> None:
+    """Draw both maps with their colour bars, and say over the first what the mark is.
+
+    Parameters
+    ----------
+    panels : sequence of matplotlib.axes.Axes
+        Two, beside or below one another, in a constrained layout.
+    data : xarray.Dataset
+        Trajectory; see :func:`maps_of`.
+    summary : mapping
+        The run's summary: what is refused has no final sag.
+    scene : PicturedScene
+        The scene.
+    """
+    reached = None if refused(summary) else time_to_nine_tenths(data)
+    for axes, shown in zip(panels, maps_of(data, scene), strict=True):
+        mesh = draw_map(axes, data, shown, reached)
+        draw_bar(axes, mesh, shown)
+        axes.set_yticks((-0.5, 0.0, 0.5))
+        if axes.get_subplotspec().is_last_row():
+            axes.set_xlabel(f"time [{_clock(data).symbol}]")
+    slowest = yielding_of(data, scene).slowest
+    texts = (
+        "" if reached is None else f"dashed: 90 % of the final sag at {_clock(data).text(reached)}",
+        f"where it flows faster than {significant(slowest)}/s" if slowest > 0 else "",
+    )
+    for axes, text in zip(panels, texts, strict=True):
+        axes.set_title(text, loc="left", fontsize=7.5, pad=3)
+
+
+def draw_map(axes: Axes, data: xr.Dataset, shown: Map, reached: float | None) -> QuadMesh:
+    """Draw one map, the midpoint's line and the mark of a time.
 
     Parameters
     ----------
@@ -149,8 +191,8 @@ def draw_map(axes: Axes, data: xr.Dataset, shown: Map, *, named: bool) -> QuadMe
         Trajectory.
     shown : Map
         What is drawn.
-    named : bool
-        Whether the mark is named.
+    reached : float or None
+        The time that is marked [s].
 
     Returns
     -------
@@ -161,7 +203,7 @@ def draw_map(axes: Axes, data: xr.Dataset, shown: Map, *, named: bool) -> QuadMe
     time = np.asarray(data["time"].values, dtype=np.float64)
     every = max(1, -(-time.size // MOST_FRAMES))
     nodes = np.asarray(data["X_node"].values, dtype=np.float64)
-    places = nodes / (nodes[-1] - nodes[0])
+    places = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0])
     mesh = axes.pcolormesh(
         _edges(clock.of(time[::every]), float(clock.of(time[-1]))),
         places,
@@ -172,37 +214,18 @@ def draw_map(axes: Axes, data: xr.Dataset, shown: Map, *, named: bool) -> QuadMe
     )
     axes.set_xlim(float(clock.of(time[0])), float(clock.of(time[-1])) if time[-1] > time[0] else None)
     axes.axhline(0.5 * (places[0] + places[-1]), color=style.GREY, linewidth=0.6, linestyle=(0, (2, 3)))
-    reached = time_to_nine_tenths(data)
     if reached is not None:
-        late = reached > 0.5 * (time[0] + time[-1])
-        text = f"90 % of the final sag at {clock.text(reached)}" if named else ""
-        _mark(axes, float(clock.of(reached)), text, late=late)
+        # Seen on light and on dark.
+        axes.axvline(float(clock.of(reached)), color="white", linewidth=1.6)
+        axes.axvline(float(clock.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
     axes.set_ylabel("X / L")
     return mesh
 
 
-def _mark(axes: Axes, at: float, text: str, *, late: bool) -> None:
-    """Mark a time, with a text beside it on the side that has room."""
-    # Seen on light and on dark.
-    axes.axvline(at, color="white", linewidth=1.6)
-    axes.axvline(at, color=style.BLACK, linewidth=0.8, linestyle="--")
-    shift, side = (-4, "right") if late else (4, "left")
-    axes.annotate(
-        text,
-        (at, 0.96),
-        (shift, 0),
-        xycoords=("data", "axes fraction"),
-        textcoords="offset points",
-        ha=side,
-        va="top",
-        fontsize=7.5,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8 if text else 0.0, "pad": 1.5},
-    )
-
-
 def draw_bar(axes: Axes, mesh: QuadMesh, shown: Map) -> None:
-    """Draw the colour bar of a map into axes of its own, with plain numbers."""
-    bar = mesh.figure.colorbar(mesh, cax=axes, label=shown.label, extend="max" if shown.beyond else "neither")
+    """Draw the colour bar of a map beside its axes, with plain numbers."""
+    extend = "max" if shown.beyond else "neither"
+    bar = axes.figure.colorbar(mesh, ax=axes, label=shown.label, extend=extend, aspect=14, pad=0.02)
     if isinstance(shown.norm, LogNorm):
         # Powers of ten would be set by a parser and in fonts that not every machine has.
         bar.locator = LogLocator(subs=(1.0, 2.0, 5.0), numticks=8)

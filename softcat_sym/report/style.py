@@ -39,7 +39,9 @@ RC: Final[dict[str, Any]] = {
     "axes.grid": False,
     "axes.axisbelow": True,
     "axes.formatter.use_locale": False,
-    "axes.formatter.limits": (-3, 5),
+    # Units are chosen to fit: neither a power of ten nor an offset stands beside an axis.
+    "axes.formatter.limits": (-5, 6),
+    "axes.formatter.useoffset": False,
     # Mathtext would load a parser, a sixth of a second, for the sake of one power of ten.
     "axes.formatter.use_mathtext": False,
     "axes.xmargin": 0.0,

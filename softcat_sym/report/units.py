@@ -49,6 +49,8 @@ LENGTHS = (Unit("nm", 1e-9), Unit("µm", 1e-6), Unit("mm", 1e-3), Unit("m", 1.0)
 TIMES = (Unit("µs", 1e-6), Unit("ms", 1e-3), Unit("s", 1.0), Unit("min", 60.0), Unit("h", 3600.0))
 TIMES_BEGIN = (1e-6, 1e-3, 1.0, 300.0, 10800.0)
 ENERGIES = (Unit("pJ", 1e-12), Unit("nJ", 1e-9), Unit("µJ", 1e-6), Unit("mJ", 1e-3), Unit("J", 1.0), Unit("kJ", 1e3))
+SHARES = (Unit("ppb", 1e-9), Unit("ppm", 1e-6), Unit("%", 1e-2))
+SHARES_BEGIN = (1e-9, 1e-6, 1e-4)
 STRESSES = (Unit("mPa", 1e-3), Unit("Pa", 1.0), Unit("kPa", 1e3), Unit("MPa", 1e6), Unit("GPa", 1e9))
 
 
@@ -78,6 +80,11 @@ def time_unit(largest: float) -> Unit:
 def energy_unit(largest: float) -> Unit:
     """Choose a prefix of the joule for energies up to ``largest`` [J]."""
     return _choose(ENERGIES, tuple(unit.size for unit in ENERGIES), largest or 1.0)
+
+
+def share_unit(largest: float) -> Unit:
+    """Choose ppb, ppm (from 1e-6) or per cent (from 1e-4) for shares up to ``largest``."""
+    return _choose(SHARES, SHARES_BEGIN, largest or 1.0)
 
 
 def stress_unit(largest: float) -> Unit:

@@ -13,6 +13,10 @@ _DEAR = 1.5
 """Cost in time from which it is worth a word."""
 
 
+_NAMELESS, _SMALLEST = 0.99e-6, "0.0001 %"
+"""Changes below this are told as below this."""
+
+
 def reading(pricing: Pricing) -> str:
     """Say what the table says: what moves the answer, what fails, what goes unnoticed, what was left out.
 
@@ -40,7 +44,9 @@ def reading(pricing: Pricing) -> str:
     else:
         harmless = [share for row in outside if (share := row.share) is not None]
         if harmless:
-            parts.append(f"nothing that was left out would move it by more than {percent(max(harmless))}")
+            largest = max(harmless)
+            bound = f"as much as {_SMALLEST}" if 0 < largest < _NAMELESS else f"more than {percent(largest)}"
+            parts.append(f"nothing that was left out would move it by {bound}")
     parts += _failures(outside, "with")
     said = "; ".join(part for part in parts if part) or "no effect can be put in or left out"
     if pricing.base.outcome.is_success:
@@ -53,7 +59,7 @@ def percent(value: float) -> str:
     if value >= 10:
         return f"{float(f'{value:.2g}'):.6g} times its largest value"
     share = 100 * value
-    return f"{float(f'{share:.2g}'):g} %" if share >= 0.99e-4 or share == 0 else "less than 0.0001 %"
+    return f"{float(f'{share:.2g}'):g} %" if value >= _NAMELESS or value == 0 else f"less than {_SMALLEST}"
 
 
 def listed(names: Sequence[str], word: str = "and") -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softcat_sym.effects import Effects
+from softcat_sym.effects.ringing import ringing
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Solution
 from softcat_sym.trajectory.checking import measures, overlooked, spared
@@ -17,6 +18,7 @@ from softcat_sym.trajectory.fields import least_energy, node_positions, whole_sp
 from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.rupture import rupture_frame
 from softcat_sym.trajectory.seen import seen
+from softcat_sym.trajectory.swing import frames_a_period, too_few_frames
 from softcat_sym.trajectory.validity import warnings_of
 from softcat_sym.trajectory.verdict import verdict
 
@@ -128,7 +130,11 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     measured = measures(scene, effects, seen(scene, effects, time, places, fields))
-    warnings = warnings_of(scene, effects, time, places[0], fields, carried)
+    per_period = frames_a_period(time, midpoint, ringing(scene).frequency)
+    warnings = [
+        *warnings_of(scene, effects, time, places[0], fields, carried),
+        *(too_few_frames(time, per_period) if outcome.is_success else []),
+    ]
     summary = {
         "title": scene.title,
         "outcome": outcome.name,
@@ -138,6 +144,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
         "midpoint_final_m": float(midpoint[-1]),
         "time_final_s": float(time[-1]),
+        "frames_a_period": per_period,
         "error_estimate": None,
         "resolution": None,
         "refinements": [],

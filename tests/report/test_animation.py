@@ -30,7 +30,7 @@ def pulled(scene, stretch: float, stress: float = 5e3) -> xr.Dataset:
     X = np.linspace(-span / 2, span / 2, cells + 1)
     ones = np.ones((time.size, cells))
     per_cell = {"thickness": thickness / by * ones, "stress_mean": stress * time[:, None] * ones}
-    per_cell |= {"stress_bending": 0 * ones, "yielded_fraction": 0 * ones}
+    per_cell |= {"stress_bending": 0 * ones, "yielded_fraction": 0 * ones, "plastic_rate": ones}
     return xr.Dataset(
         {
             "x": (("time", "node"), by * X),
@@ -131,7 +131,8 @@ def test_a_flat_filament_is_drawn_steeper_and_says_so(make_run, scene, summary):
 
 def test_a_gif_holds_every_picture_for_its_time(descent, summary, scene, tmp_path):
     told: list[str] = []
-    path = write_film(film_order("ink.gif", 2.0), tmp_path, (descent, summary, scene), told.append, width=640)
+    path, note = write_film(film_order("ink.gif", 2.0), tmp_path, (descent, summary, scene), told.append, width=640)
+    assert note == ""
     assert [entry.name for entry in tmp_path.iterdir()] == ["ink.gif"]
     assert told == [f"picture {k} of 25" for k in range(1, 26)]
     with Image.open(path) as film:
@@ -152,7 +153,7 @@ def test_a_gif_holds_every_picture_for_its_time(descent, summary, scene, tmp_pat
 @pytest.mark.skipif(not HAS_FFMPEG, reason="needs ffmpeg, or the package imageio-ffmpeg")
 def test_an_mp4_holds_every_picture(descent, summary, scene, tmp_path):
     order = film_order("mp4", 1.0)
-    path = write_film(order, tmp_path, (descent, summary, scene), width=320)
+    path, _ = write_film(order, tmp_path, (descent, summary, scene), width=320)
     wide, tall = Animation(descent, summary, scene, 2, width=320).size
     command = [order.ffmpeg, "-loglevel", "error", "-i", str(path), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"]
     read = subprocess.run(command, capture_output=True, check=True).stdout
@@ -216,5 +217,5 @@ def test_without_ffmpeg_an_mp4_is_refused_and_a_gif_is_not(monkeypatch):
 def test_a_single_frame_and_a_law_without_yield_stress_make_a_film(make_run, make_scene, summary, tmp_path):
     scene = make_scene(law="maxwell", limit=None)
     run = make_run(scene, np.array([0.02]), np.array([0.0]))
-    path = write_film(GIF, tmp_path, (run, summary, scene), width=320)
+    path, _ = write_film(GIF, tmp_path, (run, summary, scene), width=320)
     assert Image.open(BytesIO(path.read_bytes())).format == "GIF"
