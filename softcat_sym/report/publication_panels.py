@@ -118,7 +118,7 @@ def _fit_height(figure: Figure, panels: Sequence[Axes], tall: Sequence[float]) -
     places = [axes.get_position() for axes in panels]
     around = height * (1 - sum(place.height for place in places))
     scale = min(width * min(place.width for place in places), (_TALLEST - around) / sum(tall))
-    figure.set_size_inches(width, around + scale * sum(tall))
+    figure.set_size_inches(width, around + max(scale * sum(tall), _LOW))
     for axes, share in zip(panels, tall, strict=True):
         if scale * share < _LOW:
             # Room for one number.

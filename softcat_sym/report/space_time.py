@@ -18,7 +18,7 @@ from softcat_sym.report import style
 from softcat_sym.report.canvas import constrained, head, new_figure
 from softcat_sym.report.contract import PicturedScene, Summary
 from softcat_sym.report.refusal import refused, shown_part
-from softcat_sym.report.section import yielding_of
+from softcat_sym.report.section import slowest_flow, yielding_of
 from softcat_sym.report.units import Unit, share_unit, significant, stress_unit, time_unit
 
 _HEIGHT, _LEFT = 4.8, 0.75
@@ -171,7 +171,7 @@ def draw_maps(panels: Sequence[Axes], data: xr.Dataset, summary: Summary, scene:
         axes.set_yticks((-0.5, 0.0, 0.5))
         if axes.get_subplotspec().is_last_row():
             axes.set_xlabel(f"time [{_clock(data).symbol}]")
-    slowest = yielding_of(data, scene).slowest
+    slowest = 0.0 if scene.material.yield_stress is None else slowest_flow(data, scene)
     texts = (
         "" if reached is None else f"dashed: 90 % of the final sag at {_clock(data).text(reached)}",
         f"where it flows faster than {significant(slowest)}/s" if slowest > 0 else "",

@@ -29,7 +29,7 @@ def swing_period(time: Floats, midpoint: Floats) -> float | None:
     Returns
     -------
     float or None
-        Twice the median time between turning points. Frames too far apart to follow a swing show a slower one.
+        Twice the mean time between turning points. Frames too far apart to follow a swing show a slower one.
     """
     scale = _SEEN * float(np.abs(midpoint).max())
     turns = [0]
@@ -41,7 +41,7 @@ def swing_period(time: Floats, midpoint: Floats) -> float | None:
         elif abs(here - last) > scale:
             turns.append(frame)
     turned = turns[1:-1]
-    return 2 * float(np.median(np.diff(time[turned]))) if len(turned) >= _TURNS else None
+    return 2 * float(time[turned[-1]] - time[turned[0]]) / (len(turned) - 1) if len(turned) >= _TURNS else None
 
 
 def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float | None:

@@ -121,6 +121,38 @@ def test_between_frames_the_filament_is_between_them(descent, summary, scene):
     assert film.moment(4).midpoint == descent.midpoint.values[-1]
 
 
+def test_the_curve_of_the_midpoint_has_every_frame_of_the_run(descent, summary, scene):
+    """Twenty pictures of a run that rings 108 times: the curve is the run's, not the pictures'."""
+    time = np.linspace(0, 2, 2001)
+    ringing = descent.interp(time=time).assign(midpoint=("time", -0.02 + 0.01 * np.cos(2 * np.pi * 53.75 * time)))
+    told = summary | {"frames_a_period": 1000 / 53.75}
+    animation = Animation(ringing, told, scene, 20, width=640)
+    (panel,) = (axes for axes in animation.figure.axes if axes.get_ylabel().startswith("midpoint"))
+    np.testing.assert_allclose(panel.lines[0].get_xdata(), time)
+    np.testing.assert_allclose(panel.lines[0].get_ydata(), 1e3 * ringing.midpoint.values)
+    animation.picture(10)
+    past = animation._past.get_xdata()
+    assert len(past) > 1000
+    assert past[-1] == pytest.approx(animation.times[10])
+
+
+@pytest.mark.parametrize(
+    ("per_period", "moments", "said"),
+    [
+        (1000 / 53.75, 100, "rings at 53.8 Hz: pictures 20.2 ms apart do not show that, the curve does; a film 4.3"),
+        (1000 / 53.75, 500, ""),
+        (3.0, 100, "rings at 333 Hz: the 2001 frames of the run are too few"),
+        (None, 100, ""),
+    ],
+)
+def test_a_film_that_cannot_show_the_ringing_says_so(descent, summary, scene, per_period, moments, said):
+    run = descent.interp(time=np.linspace(0, 2, 2001))
+    animation = Animation(run, summary | {"frames_a_period": per_period}, scene, moments, width=640)
+    assert said in animation.note
+    assert bool(said) == bool(animation.note)
+    assert not said or animation.note in [text.get_text() for text in animation.figure.texts]
+
+
 def test_a_flat_filament_is_drawn_steeper_and_says_so(make_run, scene, summary):
     times = np.linspace(0, 1, 11)
     flat = Animation(make_run(scene, 1e-4 * times, times), summary, scene, 3)

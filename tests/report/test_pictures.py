@@ -112,7 +112,8 @@ def test_the_far_axes_are_the_papers_dimensionless_ones(descent, summary, scene)
     right, top = (child for child in axes.child_axes)
     right.figure.canvas.draw()
     assert axes.get_ylabel() == "midpoint height [mm]"
-    np.testing.assert_allclose(np.array(right.get_ylim()) * 200.0, axes.get_ylim())
+    assert right.get_ylabel() == "midpoint height [% of L]"
+    np.testing.assert_allclose(np.array(right.get_ylim()) * 2.0, axes.get_ylim())
     # t sqrt(E/rho)/L of 2 s, the paper's 10 alpha = 460 nearly
     assert top.get_xlim()[1] == pytest.approx(2.0 * np.sqrt(4e6 / 1900) / 0.2)
 
@@ -141,7 +142,8 @@ def test_energy_picture_shows_five_energies_in_one_unit_and_the_relative_imbalan
     np.testing.assert_allclose(drawn["potential"], 1e6 * descent["energy_potential"].values)
     assert {"kinetic", "elastic", "dissipated", "external work"} < set(drawn)
     imbalance, largest = energy_imbalance(descent)
-    np.testing.assert_allclose(lower.lines[0].get_ydata(), imbalance / largest)
+    assert lower.get_ylabel() == "imbalance /\nlargest [ppm]"
+    np.testing.assert_allclose(lower.lines[0].get_ydata(), 1e6 * imbalance / largest)
 
 
 @pytest.mark.parametrize(

@@ -86,7 +86,7 @@ def test_pdfs_are_as_wide_as_asked_and_hold_truetype(descent, summary, scene, tm
 
 
 def test_the_same_figure_gives_the_same_bytes(descent, scene):
-    sheet = Sheet(WIDTHS["column"] * MILLIMETRE, descent, scene)
+    sheet = Sheet(WIDTHS["column"] * MILLIMETRE, descent, {}, scene)
 
     def twice() -> dict[str, bytes]:
         with publication_style():
@@ -102,7 +102,7 @@ def test_a_run_that_never_moves_and_a_single_frame_are_drawn(make_run, make_scen
     still = make_scene(limit=None, law="elastic")
     at_rest = make_run(still, np.zeros(frames), np.linspace(0, 1, frames), cells=20)
     with publication_style():
-        draw(Sheet(3.3, at_rest, still)).canvas.draw()
+        draw(Sheet(3.3, at_rest, {}, still)).canvas.draw()
 
 
 def test_styles_have_names():

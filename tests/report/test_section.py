@@ -5,7 +5,20 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.report.section import Section, elastic_core, node_angles, outline, section_at, yielded_quads
+from softcat_sym.report.section import (
+    Section,
+    elastic_core,
+    node_angles,
+    outline,
+    quads_outside,
+    section_at,
+    slowest_flow,
+    yielding_of,
+)
+
+
+def yielded_quads(section: Section, mean: np.ndarray, bending: np.ndarray, limit: float) -> np.ndarray:
+    return quads_outside(section, *elastic_core(mean, bending, limit))
 
 
 def area(polygon: np.ndarray) -> float:
@@ -126,11 +139,34 @@ def test_shaded_band_of_an_arc_has_the_area_of_a_ring_sector(side, bending):
     assert sum(area(quad) for quad in quads) == pytest.approx(half_angle * (outer**2 - inner**2), rel=1e-5)
 
 
-def test_nothing_is_shaded_without_a_yield_stress_or_below_it(descent):
-    section = section_at(descent, 200)
-    mean, bending = descent["stress_mean"].values[200], descent["stress_bending"].values[200]
-    assert yielded_quads(section, mean, bending, None).shape == (0, 4, 2)
-    assert yielded_quads(section, mean, bending, 1e9).shape == (0, 4, 2)
+@pytest.mark.parametrize("limit", [None, 1e9])
+def test_nothing_is_shaded_without_a_yield_stress_or_below_it(descent, make_scene, limit):
+    found = yielding_of(descent.assign(yielded_fraction=0 * descent.yielded_fraction), make_scene(limit=limit))
+    assert quads_outside(section_at(descent, 200), found.low[200], found.high[200]).shape == (0, 4, 2)
+    assert not found.share.any()
+
+
+def test_yielded_is_what_flows_and_not_what_rests_on_the_yield_stress(descent, scene):
+    """Flow of one unit of strain in the first half; then specks of single frames, as a solver's tolerance makes them."""
+    time, cells = descent.time.values, descent.sizes["cell"]
+    frame, cell = np.meshgrid(np.arange(time.size), np.arange(cells), indexing="ij")
+    moving = frame < 101
+    specks = (frame > 120) & ((7 * frame + 13 * cell) % 29 == 0)
+    rate = np.where(moving, 1.0, np.where(specks, 3e-3, 0.0))
+    fraction = np.where(moving, 0.4, np.where(specks, 0.9, 0.0))
+    run = descent.assign(
+        plastic_rate=(("time", "cell"), rate),
+        yielded_fraction=(("time", "cell"), fraction),
+        stress_mean=(("time", "cell"), np.where(fraction > 0, 1.001, 0.999) * scene.material.yield_stress),
+        stress_bending=(("time", "cell"), 0 * rate),
+    )
+    # A thousandth, the accuracy asked, of the strain of the run, in its two seconds.
+    assert slowest_flow(run, scene) == pytest.approx(1e-3 * 1.0 / 2.0, rel=0.01)
+    found = yielding_of(run, scene)
+    np.testing.assert_array_equal(found.share, np.where(moving, 0.4, 0.0))
+    np.testing.assert_array_equal(found.high - found.low, np.where(moving, 0.0, 2.0))
+    slow = run.assign(plastic_rate=(("time", "cell"), np.where(moving, 1.0, 1e-3)))
+    np.testing.assert_array_equal(yielding_of(slow, scene).share, fraction)
 
 
 def test_shaded_share_follows_the_yielded_fraction_of_the_run(descent, scene):
