@@ -1,18 +1,22 @@
 """Sphinx reads the documentation from where it is already: README, docstrings, help of the commands, notebooks.
 
 Build with ``python -m sphinx -W -b html .docs out/docs``. The pages here hold little more than titles; what they show
-is put in while they are read, so that nothing stands written twice.
+is put in while they are read, so that nothing stands written twice. The how-to notebooks are run for what they print and
+draw, which takes a minute; ``-t without_outputs`` leaves that out.
 """
 
 from __future__ import annotations
 
 import inspect
+import os
 import re
+import tempfile
 from importlib.metadata import version as version_of
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import jupytext
+import nbclient
 import typer.main
 
 import softcat_sym
@@ -70,7 +74,6 @@ def setup(app: Sphinx) -> None:
 
 def fill(app: Sphinx, name: str, source: list[str]) -> None:
     """Fill a page as it is read."""
-    del app
     if name == "index":
         source[0] = front_page() + source[0]
     elif name.startswith("manual/"):
@@ -80,7 +83,7 @@ def fill(app: Sphinx, name: str, source: list[str]) -> None:
     elif name == "commands":
         source[0] += commands()
     elif name.startswith("howto/") and name != "howto/index":
-        source[0] = how_to(name.removeprefix("howto/"))
+        source[0] = how_to(name.removeprefix("howto/"), run="without_outputs" not in app.tags)
 
 
 def of_functions_only(app: Sphinx, what: str, *_: object) -> tuple[str, None] | None:
@@ -149,13 +152,31 @@ def commands() -> str:
     return "\n" + "\n".join(parts)
 
 
-def how_to(name: str) -> str:
-    """A notebook as a page: its words, its code; it is run by the tests, not here."""
+def how_to(name: str, *, run: bool) -> str:
+    """A notebook as a page: its words, its code, and what that prints and draws if it is run."""
     notebook = jupytext.read(ROOT / "derivations" / f"{name}.py")
+    if run:
+        # Pictures are shown beneath their cell whatever the backend of who builds.
+        environment = {**os.environ, "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
+        with tempfile.TemporaryDirectory() as folder:
+            place = {"metadata": {"path": folder}}
+            client = nbclient.NotebookClient(notebook, timeout=600, kernel_name="python3", resources=place)
+            client.execute(env=environment)
     parts = []
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             parts.append(re.sub(r"^# \d+\. ", "# ", cell.source))
         else:
             parts.append(f"```python\n{cell.source}\n```")
+            parts += [shown for output in cell.outputs if (shown := output_of_cell(output))]
     return "\n\n".join([*parts, f"The notebook is `derivations/{name}.py`: `jupytext --to ipynb` makes it one.", ""])
+
+
+def output_of_cell(output: Any) -> str:
+    """A picture, or plain text, as it stands beneath its cell."""
+    data = output.get("data", {})
+    if "image/png" in data:
+        picture = "".join(data["image/png"].split())
+        return f'<img class="output" alt="what the cell above draws" src="data:image/png;base64,{picture}">'
+    text = output.get("text") if output.output_type == "stream" else data.get("text/plain")
+    return f"```{{code-block}} text\n:class: output\n\n{text.rstrip()}\n```" if text and text.strip() else ""

@@ -31,6 +31,9 @@ _TALLEST = 8.0
 _LOW = 0.28
 """Below this height [inch] the axis of a shape has room for one number."""
 
+_SPARE = 0.03
+"""Height [inch] that the layout may be off by."""
+
 _STEPS = (1, 2, 2.5, 5, 10)
 
 
@@ -118,7 +121,7 @@ def _fit_height(figure: Figure, panels: Sequence[Axes], tall: Sequence[float]) -
     places = [axes.get_position() for axes in panels]
     around = height * (1 - sum(place.height for place in places))
     scale = min(width * min(place.width for place in places), (_TALLEST - around) / sum(tall))
-    figure.set_size_inches(width, around + max(scale * sum(tall), _LOW))
+    figure.set_size_inches(width, around + max(scale * sum(tall), _LOW) + _SPARE)
     for axes, share in zip(panels, tall, strict=True):
         if scale * share < _LOW:
             # Room for one number.

@@ -22,7 +22,22 @@ RECORDS = [name for name in sc.__all__ if is_dataclass(getattr(sc, name))]
 
 
 def build(source: Path, out: Path) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-b", "html", "-d", out / "read", source]
+    """Build without running the how-to notebooks: that takes a minute, and tests/slow does it."""
+    command = [
+        sys.executable,
+        "-m",
+        "sphinx",
+        "-t",
+        "without_outputs",
+        "-W",
+        "--keep-going",
+        "-q",
+        "-b",
+        "html",
+        "-d",
+        out / "read",
+        source,
+    ]
     return subprocess.run([*command, out / "html"], cwd=out, capture_output=True, text=True, check=False, timeout=300)
 
 

@@ -147,7 +147,7 @@ def test_nothing_is_shaded_without_a_yield_stress_or_below_it(descent, make_scen
 
 
 def test_yielded_is_what_flows_and_not_what_rests_on_the_yield_stress(descent, scene):
-    """Flow of one unit of strain in the first half; then specks of single frames, as a solver's tolerance makes them."""
+    """Flow of a unit of strain in the first half; then specks of single frames, as a solver's tolerance makes them."""
     time, cells = descent.time.values, descent.sizes["cell"]
     frame, cell = np.meshgrid(np.arange(time.size), np.arange(cells), indexing="ij")
     moving = frame < 101
