@@ -1,8 +1,8 @@
 """Sphinx reads the documentation from where it is already: README, docstrings, help of the commands, notebooks.
 
 Build with ``python -m sphinx -W -b html .docs out/docs``. The pages here hold little more than titles; what they show
-is put in while they are read, so that nothing stands written twice. The how-to notebooks are run for what they print and
-draw, which takes a minute; ``-t without_outputs`` leaves that out.
+is put in while they are read, so that nothing stands written twice. The how-to notebooks are run for what they print
+and draw, which takes a minute; ``-t without_outputs`` leaves that out.
 """
 
 from __future__ import annotations

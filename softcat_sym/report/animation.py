@@ -40,8 +40,8 @@ _STEPS = (1, 2, 2.5, 5, 10)
 _COLOURS = "YlGnBu"
 """From pale to dark, so that the colour-blind read it too, and what is hatched is seen on all of it."""
 
-_PICTURES = 4.0
-"""Fewer a period show a swing that is not there."""
+_FEWEST, _PICTURES = 2.5, 4.0
+"""Pictures a period: fewer than the first show a slower swing that is not there; the second show it well."""
 
 _YIELDED = (*to_rgb(style.VERMILLION), 0.15)
 
@@ -281,7 +281,7 @@ def film_note(moments: Floats, data: xr.Dataset, summary: Summary) -> str:
     period = per_period * float(time[-1] - time[0]) / (time.size - 1)
     apart = float(moments[1] - moments[0])
     pictures, step = period / apart, time_unit(apart).text(apart)
-    if pictures >= _PICTURES:
+    if pictures >= _FEWEST:
         return ""
     ringing = f"It rings at {significant(1 / period)} Hz"
     if per_period < _PICTURES:

@@ -95,7 +95,7 @@ def shapes(sheet: Sheet) -> Figure:
     ranges = [(float(o[:, 1].min()) - margin, float(o[:, 1].max()) + margin) for o in outlines]
     tall = [stretch * (top - floor) / (x[1] - x[0]) for floor, top in ranges]
     figure = sheet.figure(sheet.width)
-    panels = figure.subplots(len(found), 1, sharex=True, squeeze=False, height_ratios=tall)[:, 0]
+    panels = list(figure.subplots(len(found), 1, sharex=True, squeeze=False, height_ratios=tall)[:, 0])
     ruler = length_unit(max(abs(x[0]), abs(x[1])), filament.span)
     for axes, shape, bounds in zip(panels, found, ranges, strict=True):
         axes.set_xlim(*(float(ruler.of(bound)) for bound in x))

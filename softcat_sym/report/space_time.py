@@ -169,8 +169,8 @@ def draw_maps(panels: Sequence[Axes], data: xr.Dataset, summary: Summary, scene:
         mesh = draw_map(axes, data, shown, reached)
         draw_bar(axes, mesh, shown)
         axes.set_yticks((-0.5, 0.0, 0.5))
-        if axes.get_subplotspec().is_last_row():
-            axes.set_xlabel(f"time [{_clock(data).symbol}]")
+        axes.set_xlabel(f"time [{_clock(data).symbol}]")
+        axes.label_outer()
     slowest = 0.0 if scene.material.yield_stress is None else slowest_flow(data, scene)
     texts = (
         "" if reached is None else f"dashed: 90 % of the final sag at {_clock(data).text(reached)}",

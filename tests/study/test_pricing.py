@@ -213,6 +213,16 @@ def test_the_sentence_says_what_fails_what_is_missed_and_what_goes_unnoticed(hon
     assert reading(broken).startswith("not to be trusted, since the run itself ends as localised: ")
 
 
+@pytest.mark.parametrize(
+    ("share", "said"), [(3e-5, "more than 0.003 %"), (1e-9, "as much as 0.0001 %"), (0.0, "more than 0 %")]
+)
+def test_what_was_left_out_is_bounded_once(honey: Pricing, share: float, said: str) -> None:
+    base = honey.base
+    moved = replace(base, midpoint=base.midpoint + share * honey.scale)
+    left_out = replace(rows_of(honey)["rotary-inertia"], in_force=False, variant=moved, reference=base, change=share)
+    assert reading(replace(honey, rows=(left_out,))) == f"nothing that was left out would move it by {said}"
+
+
 def test_a_run_that_came_nowhere_changes_nothing_that_could_be_told(honey: Pricing) -> None:
     """Without bending or inertia a straight string has no equilibrium: its only frame is the start."""
     scene = honey.scene.replace({"run.effects": ["bending", "extensibility", "viscous-stress"], "load.ramp": "0.1 s"})
