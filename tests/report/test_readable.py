@@ -115,3 +115,13 @@ def test_panels_of_printed_shapes_have_one_scale_and_equal_lengths(descent, summ
         origin, right, up = axes.transData.transform([(0, 0), (1, 0), (0, 1)])
         scales += [(right - origin)[0], (up - origin)[1]]
     np.testing.assert_allclose(scales, scales[0], rtol=1e-3)
+
+
+def test_numbers_that_hardly_differ_stand_whole_beside_their_axis(descent, summary, scene):
+    with styled():
+        figure = Figure()
+        figure.add_subplot().plot([100000.1, 100000.2], [1.0000001, 1.0000002])
+        figure.canvas.draw()
+        assert [axis.get_offset_text().get_text() for axis in figure.findobj(Axis)] == ["", ""]
+    barely = descent.assign(stretch=1 + 1e-4 * descent.yielded_fraction)
+    assert space_time_figure(barely, summary, scene).axes[2].get_ylabel() == "stretch \N{MINUS SIGN} 1 [ppm]"

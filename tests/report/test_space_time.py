@@ -37,7 +37,7 @@ def test_maps_hold_stretch_and_yielded_share(descent, summary, scene):
 
 def test_both_clamps_of_a_symmetric_filament_have_one_colour(descent, summary, scene):
     """Its last cells are thinner than a pixel: drawn as they are, one end would show and the other not."""
-    half = 0.1 * (1 - np.linspace(1, 0, 81) ** 2.0)
+    half = 0.1 * (1 - np.linspace(1, 0, 81) ** 1.4)
     nodes = np.concatenate([-half[:0:-1], half])
     assert nodes[1] - nodes[0] < 0.2 / 400
     stretch = 1.001 * np.ones((201, 160))
