@@ -92,7 +92,7 @@ def scene_of(name: str, changes: list[str] | None) -> Scene:
     return load_scene(name, changes or [])
 
 
-def output_directory(output: Path | None, command: str, scene: str | None = None) -> Path:
+def output_directory(output: Path | None, command: str, scene: str | None = None, asked: Scene | None = None) -> Path:
     """Return the DIR of a command, which can be written: ``-o``, or a folder of its own for each scene and command.
 
     Parameters
@@ -104,11 +104,20 @@ def output_directory(output: Path | None, command: str, scene: str | None = None
         ``softcat-out/SCENE-COMMAND``, so that none replaces the ``scene.toml`` or the tables of another.
     scene : str or None
         Name or path of the scene, of which the last part counts, without ``.toml``; None for a command without one.
+    asked : Scene or None
+        The scene itself: where DIR cannot be written, what is wrong with its effects is told first.
     """
     if output is None:
         parts = ([] if scene is None else [Path(scene).name.removesuffix(".toml")]) + [command] * (command != "run")
         output = Path("softcat-out") / "-".join(parts)
-    check_directory(output)
+    try:
+        check_directory(output)
+    except OSError:
+        if asked is not None:
+            from softcat_sym.effects import choose_effects
+
+            choose_effects(asked)
+        raise
     return output
 
 
@@ -131,13 +140,7 @@ def scene_and_directory(
         Changes of the command itself, which ``--set`` overrules.
     """
     asked = scene_of(name, [*settings, *(changes or [])])
-    try:
-        return asked, output_directory(output, command, name)
-    except OSError:
-        from softcat_sym.effects import choose_effects
-
-        choose_effects(asked)
-        raise
+    return asked, output_directory(output, command, name, asked)
 
 
 def judge(outcome: Outcome, complaint: str, *, quiet: bool) -> None:

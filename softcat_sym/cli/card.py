@@ -140,7 +140,7 @@ def _asked(
     from softcat_sym.study.card.from_flags import scene_from_flags
 
     asked, notes = scene_from_flags(flags, changes)
-    return asked, output_directory(output, "card"), notes
+    return asked, output_directory(output, "card", asked=asked), notes
 
 
 def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: bool) -> None:

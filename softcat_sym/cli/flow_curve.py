@@ -40,7 +40,7 @@ def flow_curve(
 
     fit = fit_flow_curve(curve)
     handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])
-    output = output_directory(output, "flow-curve", scene)
+    output = output_directory(output, "flow-curve", scene, handed_on)
     written = write_flow_curve(fit, output, law, handed_on)
     if not quiet:
         print_flow_curve(fit)

@@ -18,7 +18,7 @@ def keys(
     part: Annotated[
         str, typer.Argument(metavar="[PART]", help="Only keys with this in their names: material, or stress.")
     ] = "",
-    markdown: Annotated[bool, typer.Option("--markdown", help="As tables of the manual.")] = False,
+    markdown: Annotated[bool, typer.Option("--markdown", help="Print the page of the manual instead.")] = False,
 ) -> None:
     """List the keys of a scene: unit, default and meaning.
 
@@ -26,13 +26,13 @@ def keys(
     """
     from softcat_sym.scene.keys import keys_in_markdown, scene_keys
 
+    if markdown:
+        typer.echo(keys_in_markdown(), nl=False)
+        return
     found = scene_keys(part)
     if not found:
         tables = sorted({key.path.split(".")[0] for key in scene_keys()})
         raise SoftcatError(f"no key has {part!r} in its name; tables and keys outside them: {', '.join(tables)}")
-    if markdown:
-        typer.echo(keys_in_markdown(found), nl=False)
-        return
     for key in found:
         default = key.default if key.default in ("", "required") else f"default {key.default}"
         typer.echo("  ".join(word for word in (key.path, key.unit and f"[{key.unit}]", default) if word))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from pydantic.fields import FieldInfo
@@ -70,15 +69,24 @@ def _key(path: str, field: FieldInfo, kind: Kind) -> SceneKey:
     return SceneKey(path, unit, default, field.description or "", kind.accepted)
 
 
-def keys_in_markdown(keys: Iterable[SceneKey]) -> str:
-    """Write a table of each of the file's tables, for a page of the manual."""
-    lines: list[str] = []
+PAGE = """# Keys of a scene
+
+Every key of a scene file, as `softcat keys` lists them; quantities are text with a unit, any of that dimension. This page is made by
+`softcat keys --markdown > .docs/manual/keys.md`.
+"""
+
+
+def keys_in_markdown() -> str:
+    """Write the page of the manual: a table of keys for each table of the file."""
+    lines = [PAGE.rstrip("\n")]
     table = None
-    for key in keys:
-        if key.path.rpartition(".")[0] != table:
-            table = key.path.rpartition(".")[0]
+    for key in scene_keys():
+        here, _, name = key.path.rpartition(".")
+        if here != table:
+            table = here
             head = f"`[{table}]`" if table else "Outside every table"
             lines += ["", f"## {head}", "", "| key | unit | default | meaning | accepted |", "|---|---|---|---|---|"]
-        cells = (f"`{key.path}`", key.unit, f"`{key.default}`" * bool(key.default), key.meaning, key.accepted)
+        default = key.default if key.default in ("", "required") else f"`{key.default}`"
+        cells = (f"`{name}`", key.unit, default, key.meaning, key.accepted)
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join([*lines, ""])
