@@ -71,8 +71,8 @@ def _key(path: str, field: FieldInfo, kind: Kind) -> SceneKey:
 
 PAGE = """# Keys of a scene
 
-Every key of a scene file, as `softcat keys` lists them; quantities are text with a unit, any of that dimension. This page is made by
-`softcat keys --markdown > .docs/manual/keys.md`.
+Every key of a scene file, as `softcat keys` lists them; quantities are text with a unit, any of that dimension.
+This page is made by `softcat keys --markdown > .docs/manual/keys.md`.
 """
 
 
