@@ -14,21 +14,25 @@ from pathlib import Path
 from typing import NoReturn
 
 # Importing a command registers it, in the order in which the help lists them.
+from softcat_sym.cli import new as new  # isort: skip
+from softcat_sym.cli import samples as samples  # isort: skip
 from softcat_sym.cli import run as run  # isort: skip
-from softcat_sym.cli import draw as draw  # isort: skip
-from softcat_sym.cli import card as card  # isort: skip
+from softcat_sym.cli import show as show  # isort: skip
+from softcat_sym.cli import keys as keys  # isort: skip
 from softcat_sym.cli import explain as explain  # isort: skip
-from softcat_sym.cli import effects as effects  # isort: skip
-from softcat_sym.cli import accuracy as accuracy  # isort: skip
-from softcat_sym.cli import generate as generate  # isort: skip
-from softcat_sym.cli import compare as compare  # isort: skip
-from softcat_sym.cli import figures as figures  # isort: skip
-from softcat_sym.cli import phase as phase  # isort: skip
+from softcat_sym.cli import card as card  # isort: skip
+from softcat_sym.cli import draw as draw  # isort: skip
 from softcat_sym.cli import sweep as sweep  # isort: skip
-from softcat_sym.cli import fit as fit  # isort: skip
-from softcat_sym.cli import experiment as experiment  # isort: skip
-from softcat_sym.cli import flow_curve as flow_curve  # isort: skip
 from softcat_sym.cli import scenes as scenes  # isort: skip
+from softcat_sym.cli import fit as fit  # isort: skip
+from softcat_sym.cli import flow_curve as flow_curve  # isort: skip
+from softcat_sym.cli import experiment as experiment  # isort: skip
+from softcat_sym.cli import compare as compare  # isort: skip
+from softcat_sym.cli import accuracy as accuracy  # isort: skip
+from softcat_sym.cli import effects as effects  # isort: skip
+from softcat_sym.cli import phase as phase  # isort: skip
+from softcat_sym.cli import figures as figures  # isort: skip
+from softcat_sym.cli import generate as generate  # isort: skip
 from softcat_sym.cli import cache as cache  # isort: skip
 from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, complain
 

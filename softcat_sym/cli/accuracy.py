@@ -8,14 +8,14 @@ import typer
 
 from softcat_sym.cli.application import (
     INTERRUPTED,
+    VALIDATION,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
-    check_directory,
     complain,
-    scene_of,
+    scene_and_directory,
 )
 
 if TYPE_CHECKING:
@@ -41,10 +41,10 @@ ProgramOption = Annotated[
 WarmOption = Annotated[bool, typer.Option("--warm-only", help="Leave out cold starts.")]
 
 
-@app.command()
+@app.command(rich_help_panel=VALIDATION)
 def accuracy(
     scene: SceneArgument,
-    output: OutputOption,
+    output: OutputOption = None,
     limit: LimitOption = 10.0,
     cells: CellsOption = None,
     rtol: ToleranceOption = None,
@@ -54,8 +54,9 @@ def accuracy(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Measure error against time for every integrator: accuracy.csv, .json and .png in DIR.
+    """Measure what accuracy costs with every integrator.
 
+    DIR gets accuracy.csv, accuracy.json and accuracy.png.
     The error is of space and time together, against a converged answer in which two families of methods agree. What
     takes longer than the limit, or cannot solve the scene, is listed. It takes minutes; after Ctrl-C --resume goes on.
     """
@@ -64,8 +65,7 @@ def accuracy(
     from softcat_sym.study.work_precision import kept_points, study
 
     plan = _plan(cells, rtol, program, limit, cold=not warm_only)
-    asked = scene_of(scene, changes)
-    check_directory(output)
+    asked, output = scene_and_directory(scene, changes, output, "accuracy")
     points = output / _POINTS
     kept = kept_points(asked, limit, points)
     if resume:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from softcat_sym.cli.completing import complete_change, complete_scene
 
@@ -16,9 +18,30 @@ if TYPE_CHECKING:
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
 
+EVERYDAY, FITTING, VALIDATION, DEVELOPER = "Everyday", "Fitting", "Validation", "Developer"
+
+
+class _GroupedCommands(TyperGroup):
+    """Lists the commands in the help under the names of their groups."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        longest = max(map(len, self.commands))
+        for title in (EVERYDAY, FITTING, VALIDATION, DEVELOPER):
+            rows = [
+                (f"{name:{longest}}", command.get_short_help_str(formatter.width))
+                for name, command in self.commands.items()
+                if getattr(command, "rich_help_panel", "") == title
+            ]
+            with formatter.section(title):
+                formatter.write_dl(rows)
+
+
 app = typer.Typer(
     name="softcat",
+    cls=_GroupedCommands,
     help="Slender soft filaments that sag, stretch, yield and stop.",
+    epilog="softcat COMMAND -h tells more of each; begin with: softcat run ink-bridge",
+    context_settings={"help_option_names": ["-h", "--help"]},
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
@@ -38,7 +61,10 @@ SetOption = Annotated[
         autocompletion=complete_change,
     ),
 ]
-OutputOption = Annotated[Path, typer.Option("--output", "-o", metavar="DIR", help="Where the files go.")]
+OutputOption = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE-COMMAND"),
+]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
 
 
@@ -64,6 +90,57 @@ def scene_of(name: str, changes: list[str] | None) -> Scene:
     from softcat_sym.scene import load_scene
 
     return load_scene(name, changes or [])
+
+
+def output_directory(output: Path | None, command: str, scene: str | None = None, asked: Scene | None = None) -> Path:
+    """Return the DIR of a command, which can be written: ``-o``, or a folder of its own for each scene and command.
+
+    Parameters
+    ----------
+    output : pathlib.Path or None
+        What ``-o`` says.
+    command : str
+        Name of the command. `run` alone writes into ``softcat-out/SCENE``, the others into
+        ``softcat-out/SCENE-COMMAND``, so that none replaces the ``scene.toml`` or the tables of another.
+    scene : str or None
+        Name or path of the scene, of which the last part counts, without ``.toml``; None for a command without one.
+    asked : Scene or None
+        The scene itself: where DIR cannot be written, what is wrong with its effects is told first.
+    """
+    if output is None:
+        parts = ([] if scene is None else [Path(scene).name.removesuffix(".toml")]) + [command] * (command != "run")
+        output = Path("softcat-out") / "-".join(parts)
+    try:
+        check_directory(output)
+    except OSError:
+        if asked is not None:
+            from softcat_sym.effects import choose_effects
+
+            choose_effects(asked)
+        raise
+    return output
+
+
+def scene_and_directory(
+    name: str, changes: list[str] | None, output: Path | None, command: str, settings: Sequence[str] = ()
+) -> tuple[Scene, Path]:
+    """Return the scene and the DIR of a command; the faults of the scene, its effects with it, are told first.
+
+    Parameters
+    ----------
+    name : str
+        Name of a bundled scene, or path of a TOML file.
+    changes : list of str or None
+        What ``--set`` says.
+    output : pathlib.Path or None
+        What ``-o`` says.
+    command : str
+        Name of the command.
+    settings : sequence of str
+        Changes of the command itself, which ``--set`` overrules.
+    """
+    asked = scene_of(name, [*settings, *(changes or [])])
+    return asked, output_directory(output, command, name, asked)
 
 
 def judge(outcome: Outcome, complaint: str, *, quiet: bool) -> None:

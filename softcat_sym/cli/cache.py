@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import app
+from softcat_sym.cli.application import DEVELOPER, app
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -18,13 +18,13 @@ _SHOWN = 20
 _BESIDE = {"elements": "states of finite elements", "answers": "answers of acceptance checks"}
 
 
-@app.command()
+@app.command(rich_help_panel=DEVELOPER)
 def cache(
     clear: Annotated[
         bool, typer.Option("--clear", help="Delete the compiled libraries and C texts; nothing else in the folder.")
     ] = False,
 ) -> None:
-    """Show the compiled libraries in the cache; --clear them.
+    """Show the compiled libraries that are kept, or clear them.
 
     Folder: SOFTCAT_CACHE, else softcat_sym in XDG_CACHE_HOME or ~/.cache. Limit: SOFTCAT_CACHE_LIMIT (512 MB); beyond
     it the libraries go that were not used for longest.

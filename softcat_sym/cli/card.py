@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
+    EVERYDAY,
     OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
     app,
-    check_directory,
     judge,
-    scene_of,
+    output_directory,
+    scene_and_directory,
 )
 from softcat_sym.cli.going_on import ResumeOption, going_on
 
@@ -60,10 +61,10 @@ NoSpan = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=EVERYDAY)
 def card(
-    output: OutputOption,
     scene: OptionalScene = None,
+    output: OutputOption = None,
     sag: SagOption = None,
     density: Density = None,
     span: Span = None,
@@ -84,8 +85,9 @@ def card(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Sag, arrest, longest span and the field's rules of a filament: card.html, .json, .csv, .png in DIR.
+    """Tell how far, when and over which gap a filament sags.
 
+    One page: sag, arrest, longest span, the field's rules beside the solver: card.html, .json, .csv, .png in DIR.
     Finished runs are kept in DIR/parts until the card is written: after Ctrl-C --resume goes on, to the same card.
     """
     flags = {
@@ -106,8 +108,7 @@ def card(
     }
     if no_span and sag is not None:
         raise typer.BadParameter("it is what the longest span may sag", param_hint="--sag with --no-span")
-    asked, notes = _asked(scene, flags, changes or [])
-    check_directory(output)
+    asked, output, notes = _asked(scene, flags, changes or [], output)
     command = _command(scene, flags, sag, changes or [])
     order = _Order(asked, scene or "", None if no_span else sag, notes, not no_span)
     _make(order, output, command, resume=resume, quiet=quiet)
@@ -124,19 +125,22 @@ class _Order:
     seek: bool
 
 
-def _asked(scene: str | None, flags: dict[str, str | None], changes: list[str]) -> tuple[Scene, tuple[str, ...]]:
-    """The scene that is named, or the one of the flags."""
+def _asked(
+    scene: str | None, flags: dict[str, str | None], changes: list[str], output: Path | None
+) -> tuple[Scene, Path, tuple[str, ...]]:
+    """The scene that is named, or the one of the flags, and DIR."""
     given = [f"--{name}" for name, text in flags.items() if text is not None]
     if scene is not None:
         if given:
             found = f"a scene and {', '.join(given)}: change the scene with --set, or leave it out"
             raise typer.BadParameter(found, param_hint="SCENE")
-        return scene_of(scene, changes), ()
+        return *scene_and_directory(scene, changes, output, "card"), ()
     if not given:
         raise typer.BadParameter("name a scene, or give --density, --span, --diameter, --law ...", param_hint="SCENE")
     from softcat_sym.study.card.from_flags import scene_from_flags
 
-    return scene_from_flags(flags, changes)
+    asked, notes = scene_from_flags(flags, changes)
+    return asked, output_directory(output, "card", asked=asked), notes
 
 
 def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: bool) -> None:

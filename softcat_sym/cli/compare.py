@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
+    VALIDATION,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
-    check_directory,
-    scene_of,
+    scene_and_directory,
 )
 from softcat_sym.cli.compare_calculix import Engine, compare_in_calculix
 from softcat_sym.cli.compare_elements import compare_with_elements
@@ -51,10 +51,10 @@ DeckOption = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=VALIDATION)
 def compare(
     scene: SceneArgument,
-    output: OutputOption,
+    output: OutputOption = None,
     mesh: MeshOption = None,
     vary: VaryOption = None,
     fixed_face: FaceOption = False,
@@ -63,8 +63,9 @@ def compare(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Compare the filament with finite elements: compare.json, pictures and tables in DIR.
+    """Compare a filament with finite elements.
 
+    DIR gets compare.json, pictures and tables.
     Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
     their state in DIR/elements.npz: after Ctrl-C the same command goes on from there. Where meshio is installed, meshes
     and fields go to DIR/vtk for ParaView. With --engine calculix a solver that is not ours takes the elements'
@@ -83,8 +84,7 @@ def compare(
             raise typer.BadParameter("it varies the runs of our own elements only", param_hint="--vary")
         compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, quiet=quiet)
         return
-    asked = scene_of(scene, changes)
-    check_directory(output)
+    asked, output = scene_and_directory(scene, changes, output, "compare")
     size = _mesh(mesh or "64x4")
     if deck_only or engine is not Engine.ELEMENTS:
         compare_in_calculix(asked, output, size, face, engine=engine, deck_only=deck_only, quiet=quiet)

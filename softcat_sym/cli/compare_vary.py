@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from softcat_sym.cli.application import INTERRUPTED, check_directory, complain, scene_of
+from softcat_sym.cli.application import INTERRUPTED, complain, scene_and_directory, scene_of
 
 if TYPE_CHECKING:
     from softcat_sym.reference import Clamp, Mesh
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def compare_varied(
-    name: str, changes: list[str] | None, vary: str, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool
+    name: str, changes: list[str] | None, vary: str, output: Path | None, mesh: Mesh, clamp: Clamp, *, quiet: bool
 ) -> None:
     """Measure the theories at every value; compare.json, a chart and tables in DIR.
 
@@ -29,7 +29,7 @@ def compare_varied(
     from softcat_sym.study.theory_end_values import read_variation
 
     variation = read_variation(vary)
-    check_directory(output)
+    asked, output = scene_and_directory(name, changes, output, "compare")
 
     def listening(value: str, scene: Scene) -> Listening:
         return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
@@ -40,7 +40,7 @@ def compare_varied(
     folder = output / "elements"
     try:
         end = where_theory_ends(
-            scene_of(name, changes),
+            asked,
             variation,
             scene_with,
             folder,

@@ -7,7 +7,15 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import INTERRUPTED, OutputOption, QuietOption, app, check_directory, complain
+from softcat_sym.cli.application import (
+    EVERYDAY,
+    INTERRUPTED,
+    OutputOption,
+    QuietOption,
+    app,
+    complain,
+    output_directory,
+)
 from softcat_sym.cli.run import AnimateOption, SecondsOption, StyleOption, film, pictures_asked
 
 TrajectoryArgument = Annotated[
@@ -15,21 +23,23 @@ TrajectoryArgument = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=EVERYDAY)
 def draw(
     trajectory: TrajectoryArgument,
-    output: OutputOption,
+    output: OutputOption = None,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
     quiet: QuietOption = False,
 ) -> None:
-    """Draw a finished run again, without solving: its pictures, its table, a film, in another style, in DIR.
+    """Draw a finished run again: in another style, or as a film.
 
+    Without solving; its pictures, its table and a film go to DIR (by default the folder of the run with -draw).
     summary.json and scene.toml of the run go along with them.
     """
     order, drawn = pictures_asked(animate, animate_seconds, style)
-    check_directory(output)
+    folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
+    output = output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, written_together
     from softcat_sym.report import write_pictures
     from softcat_sym.report.stored_run import read_run

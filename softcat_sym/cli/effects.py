@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
+    VALIDATION,
     OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
     app,
-    check_directory,
     judge,
+    output_directory,
+    scene_and_directory,
     scene_of,
 )
 from softcat_sym.cli.going_on import ResumeOption, going_on
@@ -28,28 +30,28 @@ if TYPE_CHECKING:
     from softcat_sym.solve import Progress
 
 
-@app.command()
+@app.command(rich_help_panel=VALIDATION)
 def effects(
-    output: OutputOption,
     scene: OptionalScene = None,
+    output: OutputOption = None,
     bundled: Annotated[bool, typer.Option("--bundled", help="All bundled scenes instead, with a table.")] = False,
     resume: ResumeOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Put each effect in or leave it out in turn: effects.csv, .json and .png in DIR.
+    """Tell what each effect is worth, and what it costs.
 
+    Each is put in or left out in turn: effects.csv, .json and .png in DIR.
     Finished runs are kept in DIR/parts until all are there: after Ctrl-C --resume goes on, and only the run that was
     interrupted, whose time is asked, is made again. With --bundled --set changes every scene, and a scene that cannot
     be priced is a line of the table. It takes many minutes; the same command goes on, with or without --resume.
     """
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
-    check_directory(output)
     if scene is None:
         _all(output, changes or [], quiet=quiet)
     else:
-        _one(scene, scene_of(scene, changes), output, resume=resume, quiet=quiet)
+        _one(scene, *scene_and_directory(scene, changes, output, "effects"), resume=resume, quiet=quiet)
 
 
 def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) -> None:
@@ -68,7 +70,7 @@ def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) ->
     judge(pricing.base.outcome, pricing.base.complaint, quiet=quiet)
 
 
-def _all(output: Path, changes: list[str], *, quiet: bool) -> None:
+def _all(output: Path | None, changes: list[str], *, quiet: bool) -> None:
     from softcat_sym.report.pricing import kept_pricings, write_pricings
     from softcat_sym.scene import bundled_names
     from softcat_sym.study.bundled_pricing import price_bundled
@@ -76,6 +78,7 @@ def _all(output: Path, changes: list[str], *, quiet: bool) -> None:
     refused = [error for name in bundled_names() if (error := _refusal(name, changes)) is not None]
     if len(refused) == len(bundled_names()):
         raise refused[0]
+    output = output_directory(output, "effects")
 
     def listening(name: str, asked: Scene) -> Callable[[str], AbstractContextManager[Progress]]:
         names = bundled_names()

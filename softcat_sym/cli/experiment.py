@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Annotated, TypedDict
 import typer
 
 from softcat_sym.cli.application import (
+    FITTING,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
-    check_directory,
-    scene_of,
+    scene_and_directory,
 )
 from softcat_sym.cli.going_on import ResumeOption, going_on
 from softcat_sym.cli.pairs import read_pair
@@ -58,12 +58,12 @@ SagOption = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=FITTING)
 def experiment(
     scene: SceneArgument,
     free: FreeOption,
     noise: NoiseOption,
-    output: OutputOption,
+    output: OutputOption = None,
     span: SpanOption = None,
     thickness: ThicknessOption = None,
     frame_rate: RateOption = None,
@@ -77,13 +77,13 @@ def experiment(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Design the film that tells a material best: experiment.json, scene.toml, picture and table in DIR.
+    """Design the film that tells a material best.
 
+    DIR gets experiment.json, scene.toml, a picture and a table.
     The scene holds rough values. Among what is allowed, the least worst relative error is chosen; the rest stays.
     After Ctrl-C --resume goes on from what was tried, which is kept in DIR/parts until the design is written.
     """
-    check_directory(output)
-    asked = scene_of(scene, changes)
+    asked, output = scene_and_directory(scene, changes, output, "experiment")
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
     from softcat_sym.inverse import design_experiment
     from softcat_sym.report.experiment_files import write_experiment

@@ -7,10 +7,18 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import QuietOption, SceneArgument, SetOption, app, check_directory, scene_of
+from softcat_sym.cli.application import (
+    EVERYDAY,
+    QuietOption,
+    SceneArgument,
+    SetOption,
+    app,
+    scene_and_directory,
+    scene_of,
+)
 
 
-@app.command()
+@app.command(rich_help_panel=EVERYDAY)
 def explain(
     scene: SceneArgument,
     output: Annotated[
@@ -20,10 +28,14 @@ def explain(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Say what a scene calls for: groups, regime, each effect in or out and why, equations, size, limits."""
-    asked = scene_of(scene, changes)
-    if output is not None:
-        check_directory(output)
+    """Say what a scene calls for, before it is run.
+
+    Its groups, regime, each effect in or out and why, equations, size and limits.
+    """
+    if output is None:
+        asked = scene_of(scene, changes)
+    else:
+        asked, output = scene_and_directory(scene, changes, output, "explain")
     from softcat_sym.report.explain import print_explanation, write_explanation
     from softcat_sym.study.explanation import explain as explained
 

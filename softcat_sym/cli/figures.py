@@ -11,7 +11,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import INTERRUPTED, OutputOption, QuietOption, app, check_directory, complain
+from softcat_sym.cli.application import (
+    INTERRUPTED,
+    VALIDATION,
+    OutputOption,
+    QuietOption,
+    app,
+    complain,
+    output_directory,
+)
 
 if TYPE_CHECKING:
     from softcat_sym.study.blocks import KeptBlocks
@@ -20,17 +28,18 @@ if TYPE_CHECKING:
 _NUMBERS = ("2", "3a", "3b", "4")
 
 
-@app.command()
+@app.command(rich_help_panel=VALIDATION)
 def figures(
-    output: OutputOption,
+    output: OutputOption = None,
     only: Annotated[
         list[str] | None,
         typer.Option("--only", metavar="NUMBER", help=f"Only this figure: {', '.join(_NUMBERS)}. Repeatable."),
     ] = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Draw the paper's figures 2, 3(a), 3(b) and 4: PNG and PDF, data as CSV, facts and caption as JSON.
+    """Draw the paper's figures 2, 3(a), 3(b) and 4.
 
+    Each as PNG and PDF, its data as CSV, facts and caption as JSON.
     Figure 3(a) runs a thousand filaments, a minute or two, kept in DIR/parts until it is there. Figures 3(b) and 4 run
     finite elements, a minute or so a scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command
     goes on from there; figures that are there need not be asked for again.
@@ -39,7 +48,7 @@ def figures(
     unknown = [number for number in asked if number not in _NUMBERS]
     if unknown:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
-    check_directory(output)
+    output = output_directory(output, "figures")
     from softcat_sym.files import write_all
 
     filmed: dict[str, FilmedScene] = {}

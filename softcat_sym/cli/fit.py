@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Annotated, TypedDict
 import typer
 
 from softcat_sym.cli.application import (
+    FITTING,
     UNTRUSTED,
     OutputOption,
     QuietOption,
     SetOption,
     app,
-    check_directory,
     complain,
-    scene_of,
+    scene_and_directory,
 )
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.cli.going_on import ResumeOption, going_on
@@ -76,11 +76,11 @@ NoProfilesOption = Annotated[
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
 
 
-@app.command()
+@app.command(rich_help_panel=FITTING)
 def fit(
     data: DataArgument,
     scene: SceneOption,
-    output: OutputOption,
+    output: OutputOption = None,
     free: FreeOption = None,
     law: LawOption = None,
     bounds: BoundsOption = None,
@@ -93,18 +93,18 @@ def fit(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Fit a filament to films of its fall: fit.json, fit.html, scene.toml, pictures and a table in DIR.
+    """Fit a material to films of a falling filament.
 
+    DIR gets fit.json, fit.html, scene.toml, pictures and a table.
     With several --law the best is written as the fit; laws.csv, laws.png, fit.json and fit.html rank them all. Exit
     status 0 if an optimum was found. What the data do not tell is said, not answered. Ctrl-C loses nothing: what was
     evaluated is in DIR/parts until the fit is written, and --resume goes on from there, to the same numbers.
     """
-    check_directory(output)
     names, several = free or [], law or []
     if not names and not several:
         raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
     limits, charged = _bounds(bounds or []), _loss(loss, scale)
-    asked = scene_of(scene, changes)
+    asked, output = scene_and_directory(scene, changes, output, "fit")
     from softcat_sym.inverse import read_measurements
     from softcat_sym.report.fit_files import write_fit
     from softcat_sym.report.fit_progress import FitProgressBar

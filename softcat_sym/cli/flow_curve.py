@@ -6,14 +6,13 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import OutputOption, QuietOption, SetOption, app, check_directory
+from softcat_sym.cli.application import FITTING, OutputOption, QuietOption, SetOption, app, output_directory
 from softcat_sym.cli.completing import complete_scene
 
 
-@app.command("flow-curve")
+@app.command("flow-curve", rich_help_panel=FITTING)
 def flow_curve(
     curve: Annotated[str, typer.Argument(metavar="CSV", help="Columns shear_rate_1_s and shear_stress_Pa.")],
-    output: OutputOption,
     scene: Annotated[
         str | None,
         typer.Option(
@@ -26,18 +25,22 @@ def flow_curve(
     law: Annotated[
         str | None, typer.Option("--law", metavar="LAW", help="Hand this law on: bingham, power-law, herschel-bulkley.")
     ] = None,
+    output: OutputOption = None,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Fit a rheometer's flow curve: flow_curve.json, picture and table in DIR; with --scene, scene.toml."""
+    """Fit a law to a rheometer's flow curve.
+
+    DIR gets flow_curve.json, a picture and a table; with --scene that scene with the material, scene.toml.
+    """
     if changes and scene is None:
         raise typer.BadParameter("it changes a scene: name one with --scene", param_hint="--set")
-    check_directory(output)
     from softcat_sym.inverse import fit_flow_curve, fitted_scene
     from softcat_sym.report.flow_curve import print_flow_curve, write_flow_curve
 
     fit = fit_flow_curve(curve)
     handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])
+    output = output_directory(output, "flow-curve", scene, handed_on)
     written = write_flow_curve(fit, output, law, handed_on)
     if not quiet:
         print_flow_curve(fit)

@@ -7,15 +7,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
+    DEVELOPER,
     INTERRUPTED,
     OptionalScene,
     OutputOption,
     QuietOption,
     SetOption,
     app,
-    check_directory,
     complain,
-    scene_of,
+    output_directory,
+    scene_and_directory,
 )
 
 if TYPE_CHECKING:
@@ -24,10 +25,10 @@ if TYPE_CHECKING:
     from softcat_sym.scene import Scene
 
 
-@app.command()
+@app.command(rich_help_panel=DEVELOPER)
 def generate(
-    output: OutputOption,
     scene: OptionalScene = None,
+    output: OutputOption = None,
     bundled: Annotated[
         bool, typer.Option("--bundled", help="The structures of the bundled scenes instead, one runtime for all.")
     ] = False,
@@ -40,15 +41,21 @@ def generate(
     ] = "filament",
     quiet: QuietOption = False,
 ) -> None:
-    """Write the solver of a scene as C99 without Python: sources, program, parameters.txt, Makefile, README in DIR."""
+    """Write the solver of a scene as C99 to take away.
+
+    DIR gets sources without Python, a program, parameters.txt, a Makefile and a README.
+    """
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
     if bundled and (changes or rhs or name != "filament"):
         raise typer.BadParameter("--bundled goes with neither --set nor --rhs nor --name", param_hint="--bundled")
-    asked = None if scene is None else scene_of(scene, changes)
-    check_directory(output)
     try:
-        written = _all(output, quiet=quiet) if asked is None else _one(asked, output, name, rhs=rhs)
+        if scene is None:
+            output = output_directory(output, "generate")
+            written = _all(output, quiet=quiet)
+        else:
+            asked, output = scene_and_directory(scene, changes, output, "generate")
+            written = _one(asked, output, name, rhs=rhs)
     except KeyboardInterrupt:
         complain("interrupted; nothing was written; C texts that were made by then are kept in the cache")
         raise typer.Exit(INTERRUPTED) from None

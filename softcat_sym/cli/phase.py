@@ -12,13 +12,13 @@ import typer
 
 from softcat_sym.cli.application import (
     INTERRUPTED,
+    VALIDATION,
     OutputOption,
     QuietOption,
     SetOption,
     app,
-    check_directory,
     complain,
-    scene_of,
+    scene_and_directory,
 )
 from softcat_sym.cli.sweep import ClusterOption, ResumeOption, SchedulerOption, WorkersOption
 
@@ -36,12 +36,12 @@ ResolutionOption = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=VALIDATION)
 def phase(
-    output: OutputOption,
     scene: Annotated[
         str, typer.Argument(metavar="[SCENE]", help="Name of a bundled scene, or path of a TOML file.")
     ] = "arrested-overdamped",
+    output: OutputOption = None,
     plane: PlaneOption = None,
     resolution: ResolutionOption = 40,
     workers: WorkersOption = None,
@@ -51,13 +51,13 @@ def phase(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Run filaments over (G, delta) and (G, V) and map their regimes: phase.json, pictures and tables in DIR.
+    """Map the regimes over planes of dimensionless groups.
 
+    Filaments are run over (G, delta) and (G, V): phase.json, pictures and tables in DIR.
     Only along boundaries the lattice is refined. A regime is what a run shows; a run that is no answer is a row and a
     mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy 1e-2, with 40 graded cells.
     Finished runs are kept in DIR/parts until all are there: an interrupted diagram goes on with --resume.
     """
-    check_directory(output)
     from softcat_sym.ensemble.progress import MembersBar, NobodyListens
     from softcat_sym.report.phase_files import write_phase_diagram
     from softcat_sym.report.phase_terminal import print_phase_diagram
@@ -65,7 +65,8 @@ def phase(
     from softcat_sym.study.phase_diagram import SETTINGS, phase_diagram
     from softcat_sym.study.phase_plane import PLANES
 
-    asked, planes = scene_of(scene, [*SETTINGS, *(changes or [])]), plane or list(PLANES)
+    asked, output = scene_and_directory(scene, changes, output, "phase", SETTINGS)
+    planes = plane or list(PLANES)
     kept = _kept(asked, output, resume=resume)
     try:
         with nullcontext(NobodyListens()) if quiet else MembersBar("phase diagram") as bar:

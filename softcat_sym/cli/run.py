@@ -9,16 +9,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
+    EVERYDAY,
     INTERRUPTED,
-    OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
-    check_directory,
     complain,
     judge,
-    scene_of,
+    scene_and_directory,
 )
 from softcat_sym.cli.without_dask import without_dask
 
@@ -32,6 +31,10 @@ if TYPE_CHECKING:
 
 _FOLDER = "checkpoint"
 
+RunOutputOption = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE"),
+]
 ResumeOption = Annotated[
     bool,
     typer.Option("--resume", help="Go on from where the same command was interrupted; states are in DIR/checkpoint."),
@@ -51,10 +54,10 @@ StyleOption = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=EVERYDAY)
 def run(
     scene: SceneArgument,
-    output: OutputOption,
+    output: RunOutputOption = None,
     changes: SetOption = None,
     resume: ResumeOption = False,
     animate: AnimateOption = None,
@@ -62,13 +65,13 @@ def run(
     style: StyleOption = "screen",
     quiet: QuietOption = False,
 ) -> None:
-    """Run a scene: trajectory.nc, summary.json, scene.toml, pictures and a table in DIR.
+    """Simulate one filament.
 
+    DIR gets trajectory.nc, summary.json, scene.toml, pictures and a table.
     A run of more than five seconds keeps what it has reached in DIR/checkpoint until its answer is written.
     """
     order, drawn = pictures_asked(animate, animate_seconds, style)
-    asked = scene_of(scene, changes)
-    check_directory(output)
+    asked, output = scene_and_directory(scene, changes, output, "run")
     checkpoints = _checkpoints(asked, output, resume=resume)
     from softcat_sym.files import made, written_together
     from softcat_sym.report.progress import IntegrationProgress

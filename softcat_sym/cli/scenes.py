@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import INTERRUPTED, QuietOption, SetOption, app, check_directory, complain
+from softcat_sym.cli.application import EVERYDAY, INTERRUPTED, QuietOption, SetOption, app, check_directory, complain
 from softcat_sym.cli.completing import complete_scene
 
 if TYPE_CHECKING:
     from softcat_sym.study.gallery import Asked, Exhibit
 
 
-@app.command()
+@app.command(rich_help_panel=EVERYDAY)
 def scenes(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", metavar="DIR", help="Run them, and write a gallery here.")
@@ -26,8 +26,9 @@ def scenes(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """List the bundled scenes and what to learn from each; with -o run them all, and write a gallery into DIR.
+    """List the bundled scenes and what to learn from each.
 
+    With -o they are all run, and a gallery is written into DIR.
     The gallery is gallery.html and gallery.png, a picture and a TOML file of each scene, gallery.csv and gallery.json.
     Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command goes on;
     scenes that are there already are not run again.

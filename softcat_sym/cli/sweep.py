@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
+    EVERYDAY,
     INTERRUPTED,
     UNTRUSTED,
     OutputOption,
@@ -16,9 +17,8 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     app,
-    check_directory,
     complain,
-    scene_of,
+    scene_and_directory,
 )
 from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
@@ -58,10 +58,10 @@ ResumeOption = Annotated[
 ]
 
 
-@app.command()
+@app.command(rich_help_panel=EVERYDAY)
 def sweep(
     scene: SceneArgument,
-    output: OutputOption,
+    output: OutputOption = None,
     vary: VaryOption = None,
     mode: ModeOption = "grid",
     table: TableOption = None,
@@ -79,22 +79,22 @@ def sweep(
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
-    """Run a filament for every value of some parameters: sweep.nc, .csv, .json, scene.toml and a picture in DIR.
+    """Simulate a filament for every value of some parameters.
 
+    DIR gets sweep.nc, sweep.csv, sweep.json, scene.toml and a picture.
     Members run once through the compiled solver, in threads, without the error estimate that `softcat run` makes by
     companions on other grids: ask for it with --estimate. A member whose values make no sense, that fails or is no
     answer is a row like the others. Memory stays the same however many there are; fewer frames make it faster:
     --set run.frames=41. Finished blocks are kept in DIR/parts until all are there: an interrupted sweep goes on with
     --resume.
     """
-    check_directory(output)
     from softcat_sym.study.blocks.workplaces import check_workplace
     from softcat_sym.study.sweep import plan_sweep
 
     check_workplace(workers, scheduler, local_cluster)
     if (table is None) is not bool(vary):
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
-    asked = scene_of(scene, changes)
+    asked, output = scene_and_directory(scene, changes, output, "sweep")
     plan = plan_sweep(asked, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
     done = _run(plan, output, (workers, scheduler, local_cluster), resume=resume, quiet=quiet)
     if not done.counts.outcomes.get("solved"):

@@ -18,30 +18,22 @@ Angle = Annotated[float, _ANGLE]
 
 
 class Ends(Part):
-    """Supports; lengths in m, angles in rad.
-
-    Attributes
-    ----------
-    left, right : str
-        How each end is held.
-    drop : float
-        Right support below the left one [m].
-    left_angle, right_angle : float
-        Of a clamp: of the tangent in the direction of growing X, counterclockwise from the horizontal [rad]. A
-        symmetric pair is -a and a.
-    motion : tuple of (float, float, float)
-        Rows of time [s] and displacement of the right support from its first place, right and up [m]; linear between
-        rows, none before the first, held after the last.
-    """
+    """Supports; lengths in m, angles in rad."""
 
     table_name: ClassVar[str] = "ends"
 
     left: Annotated[End, _END] = "clamped"
+    """How the left end is held."""
     right: Annotated[End, _END] = "clamped"
+    """How the right end is held."""
     drop: Annotated[float, Quantity("length", "0 m", "any")] = 0.0
+    """Right support below the left one."""
     left_angle: Angle = 0.0
+    """Of a left clamp: its tangent, counterclockwise from the horizontal; a symmetric pair is -a and a."""
     right_angle: Angle = 0.0
+    """Of a right clamp, likewise."""
     motion: Annotated[tuple[tuple[float, float, float], ...], Motion()] = ()
+    """Path of the right support, right and up from its first place, linear between rows, held after the last."""
 
     @field_validator("left_angle", "right_angle", mode="wrap")
     @classmethod

@@ -16,38 +16,26 @@ Length = Annotated[float, Quantity("length", "6 mm")]
 
 
 class Filament(Part):
-    """Geometry and density; lengths in m, density in kg/m^3.
-
-    Attributes
-    ----------
-    span : float
-        Horizontal distance between the supports, L [m].
-    rest_length : float or None
-        Length of the reference configuration [m]; None unless given, see `scene.rest_length`.
-    thickness : float
-        h0 [m], in the plane of bending; the diameter of a circle.
-    section : str
-        Shape of the cross-section.
-    width : float
-        D0 [m], across the plane of bending; the thickness unless given.
-    density : float
-        rho [kg/m^3].
-    profile : tuple of float
-        Relative thickness at equally spaced material points from left to right, linear between them.
-    curvature : float
-        Natural curvature [1/m].
-    """
+    """Geometry and density; lengths in m, density in kg/m^3."""
 
     table_name: ClassVar[str] = "filament"
 
     span: Annotated[float, Quantity("length", "0.2 m")]
+    """Horizontal distance between the supports, L."""
     rest_length: Annotated[float | None, Quantity("length", "0.21 m")] = None
+    """Length of the reference configuration; the distance between the supports over initial.stretch unless given."""
     thickness: Length
+    """h0, in the plane of bending; the diameter of a circle."""
     section: Annotated[Section, Choice(("rectangle", "circle", "sheet"))] = "rectangle"
+    """Shape of the cross-section."""
     width: Length = Field(default=None, validate_default=True)
+    """D0, across the plane of bending; the thickness unless given."""
     density: Annotated[float, Quantity("density", "1900 kg/m^3")]
+    """Mass per volume, rho."""
     profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
+    """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
+    """Natural curvature."""
 
     @field_validator("thickness", mode="wrap")
     @classmethod

@@ -17,39 +17,34 @@ Positive = Annotated[float | None, Number(above=0)]
 
 
 class GroupBlock(Part):
-    """The table ``[groups]``; dimensionless. It vanishes when the scene is resolved.
-
-    Attributes
-    ----------
-    delta : float
-        Thickness over span, h0/L.
-    law : str
-        Name of the law.
-    G, V, eps_Y, E_star, tau, B : float or None
-        rho g L/sY, eta/(rho sqrt(g L^3)), sY/E [3.9, 3.10], E/(rho g L), V/E_star, 1/(2 V). With an index
-        V is K/(rho g L (L/g)^(n/2)).
-    n : float
-        Index of a power law.
-    ramp, duration : float or None
-        In units of `time_unit`.
-    time_unit : str
-        ``"gravity"``: sqrt(L/g); ``"elastic"``: L sqrt(rho/E).
-    """
+    """The table ``[groups]``; dimensionless. It vanishes when the scene is resolved."""
 
     table_name: ClassVar[str] = "groups"
 
     delta: Annotated[float, Number(above=0, below=1)]
+    """Thickness over span, h0/L."""
     law: Annotated[Law, Choice(get_args(Law))]
+    """How the material answers to stress."""
     G: Positive = None
+    """Gravity over yield stress, rho g L/sY."""
     V: Positive = None
+    """Viscosity, eta/(rho sqrt(g L^3)); with an index K/(rho g L (L/g)^(n/2))."""
     eps_Y: Positive = None
+    """Yield strain, sY/E."""
     E_star: Positive = None
+    """Young's modulus over the weight, E/(rho g L)."""
     tau: Positive = None
+    """Relaxation time over that of a fall, V/E_star."""
     B: Positive = None
+    """1/(2 V)."""
     n: Annotated[float, Number(above=0)] = 1.0
+    """Index of a law that has one."""
     ramp: Annotated[float | None, Number(above=0, closed=True)] = None
+    """Time in which gravity grows, in units of groups.time_unit."""
     duration: Positive = None
+    """Simulated time, in units of groups.time_unit."""
     time_unit: Annotated[TimeUnit, Choice(("gravity", "elastic"))] = "gravity"
+    """Unit of groups.ramp and groups.duration; gravity: sqrt(L/g), elastic: L sqrt(rho/E)."""
 
     @field_validator("law", mode="wrap")
     @classmethod

@@ -9,22 +9,15 @@ from softcat_sym.scene.part import Part
 
 
 class Initial(Part):
-    """State at the first instant; dimensionless.
-
-    Attributes
-    ----------
-    stretch : float
-        Stretch before the load acts, s0; the rest length is the distance over it unless given.
-    relaxed : bool
-        Whether that stretch is free of stress: a plastic strain log(s0) everywhere.
-    P, C : tuple of float
-        Mean plastic strain P/A0, and bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), at equally spaced
-        material points from left to right; one value stands for everywhere.
-    """
+    """State at the first instant; dimensionless."""
 
     table_name: ClassVar[str] = "initial"
 
     stretch: Annotated[float, Number(above=0)] = 1.0
+    """Stretch before the load acts, s0."""
     relaxed: Annotated[bool, Flag()] = True
+    """Whether that stretch is free of stress, a plastic strain log(s0) everywhere, or elastic."""
     P: Annotated[tuple[float, ...], Numbers()] = ()
+    """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
     C: Annotated[tuple[float, ...], Numbers()] = ()
+    """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), likewise."""

@@ -73,8 +73,8 @@ class Quantity(AsValidator):
 
     @property
     def accepted(self) -> str:
-        prefix = "" if self.sign == "any" else f"{self.sign} "
-        return f'a {prefix}{self.dimension} with its unit, such as "{self.example}"'
+        what = self.dimension if self.sign == "any" else f"{self.sign} {self.dimension}"
+        return f'{"an" if what[0] in "aeiou" else "a"} {what} with its unit, such as "{self.example}"'
 
     def read(self, value: object) -> float:
         try:

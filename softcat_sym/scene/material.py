@@ -27,31 +27,6 @@ _CONSTANTS = ("youngs_modulus", "second_modulus", "viscosity", "yield_stress")
 class Material(Part):
     """A law and its constants, all tensile; SI.
 
-    Attributes
-    ----------
-    law : str
-        Name of the law.
-    index : float
-        n of a power law: stress grows as the n-th power of the strain rate.
-    youngs_modulus : float or None
-        E [Pa]; of a standard linear solid the spring that always acts.
-    second_modulus : float or None
-        Spring in line with the dashpot of a standard linear solid [Pa].
-    viscosity : float or None
-        Extensional viscosity eta [Pa s]; with an index the tensile consistency K [Pa s^n].
-    yield_stress : float or None
-        Tensile yield stress sY [Pa].
-    poisson : float
-        Poisson's ratio, used by shear and by sheets.
-    modes : tuple of Mode
-        Of a multi-mode Maxwell law.
-    flow : str
-        phi(sigma) [1/s] of a custom law.
-    parameters : tuple of Parameter
-        Its named constants.
-    shear_viscosity, shear_consistency, shear_yield_stress : float or None
-        What the tensile value was converted from, if it was; not part of the physics. See `notes`.
-
     Notes
     -----
     A constant that the law does not use is None.
@@ -60,19 +35,32 @@ class Material(Part):
     table_name: ClassVar[str] = "material"
 
     law: Annotated[Law, Choice(get_args(Law))]
+    """How the material answers to stress."""
     # Before the consistency, whose unit depends on it.
     index: Annotated[float, Number(above=0)] = 1.0
+    """n of a law with an index: stress grows as the n-th power of the strain rate."""
     youngs_modulus: Stress = Field(default=None, validate_default=True)
+    """Young's modulus E, three times an ink's storage modulus; of standard-linear the spring that always acts."""
     second_modulus: Stress = Field(default=None, validate_default=True)
+    """Spring in line with the dashpot of standard-linear."""
     shear_viscosity: Viscosity = Field(default=None, exclude=True, repr=False)
+    """Viscosity as a rheometer measures it, three times as much in tension; instead of viscosity."""
     shear_consistency: Viscosity = Field(default=None, exclude=True, repr=False)
+    """K of a law with an index from a rheometer, 3^((n+1)/2) times as much in tension; instead of viscosity."""
     viscosity: Viscosity = Field(default=None, validate_default=True)
+    """Extensional viscosity eta; of a law with an index the tensile consistency K, in Pa*s^n."""
     shear_yield_stress: Stress = Field(default=None, exclude=True, repr=False)
+    """Yield stress as a rheometer measures it, sqrt(3) times as much in tension; instead of yield_stress."""
     yield_stress: Stress = Field(default=None, validate_default=True)
+    """Tensile stress below which nothing flows, sY."""
     poisson: Annotated[float, Number(above=-1, below=0.5)] = 0.45
+    """Poisson's ratio, used by shear and by sheets."""
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
+    """Springs in line with dashpots, side by side, of multimode-maxwell."""
     flow: Annotated[str, Text()] = Field(default="", validate_default=True)
+    """Rate of strain phi(sigma) of a custom law, of the stress sigma and of material.parameters."""
     parameters: Annotated[tuple[Parameter, ...], Parameters()] = Field(default=(), validate_default=True)
+    """Named constants of a custom law."""
 
     @field_validator("index", mode="wrap")
     @classmethod

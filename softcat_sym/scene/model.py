@@ -53,7 +53,9 @@ class Scene(Part):
     """
 
     title: Annotated[str, Text()] = ""
+    """For pictures and tables."""
     model: Annotated[Literal["filament", "small-deflection"], Choice(("filament", "small-deflection"))] = "filament"
+    """The theory: the filament with all its effects, or small deflections of an elastic or Maxwell one."""
     filament: Filament
     material: Material
     ends: Ends = Ends()
@@ -141,18 +143,21 @@ def _as_table(data: object) -> Table:
 @cache
 def known_keys() -> dict[str, tuple[str, ...]]:
     """Return the keys of every table; ``""`` is the file itself."""
-    tables = {"": (*Scene.model_fields, "groups")} | {name: tuple(part.model_fields) for name, part in _parts().items()}
+    tables = {"": (*Scene.model_fields, "groups")} | {
+        name: tuple(part.model_fields) for name, part in parts_of_scene().items()
+    }
     # Last, so that a misplaced key is sent to its physical table first.
     return tables | {"groups": tuple(GroupBlock.model_fields)}
 
 
 @cache
 def _accepted() -> dict[str, str]:
-    parts: dict[str, type[Part]] = {"": Scene, **_parts()}
+    parts: dict[str, type[Part]] = {"": Scene, **parts_of_scene()}
     kinds = ((table, name, kind) for table, part in parts.items() for name, kind in kinds_of(part).items())
     return {dotted(table, name): kind.accepted for table, name, kind in kinds}
 
 
-def _parts() -> dict[str, type[Part]]:
+def parts_of_scene() -> dict[str, type[Part]]:
+    """Return the tables of the scene file by name, but for ``groups``."""
     annotations = {name: info.annotation for name, info in Scene.model_fields.items()}
     return {name: part for name, part in annotations.items() if isinstance(part, type) and issubclass(part, Part)}

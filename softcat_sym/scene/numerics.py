@@ -12,36 +12,23 @@ Backend = Literal["auto", "interpreted", "compiled"]
 
 
 class Numerics(Part):
-    """Overrules; None means that the program chooses.
-
-    Attributes
-    ----------
-    cells : int or None
-        N, cells per half span.
-    grading : float or None
-        Length of the cells at midspan over that of the cells at the clamps; 1 makes all equal.
-    order : int or None
-        k, order of the plastic strain through the thickness.
-    fibres : int or None
-        Fibres through the thickness.
-    solver : str or None
-        Name of the integrator.
-    rtol : float or None
-        Its relative tolerance.
-    backend : str
-        ``"auto"``, ``"interpreted"`` or ``"compiled"``.
-    estimate : bool
-        Whether the error is estimated, by companions of the run on a coarser grid, and the run refined until it is
-        below ``run.accuracy``.
-    """
+    """Overrules; None means that the program chooses."""
 
     table_name: ClassVar[str] = "numerics"
 
     cells: Annotated[int | None, Whole(4, 100_000)] = None
+    """N, cells per half span; chosen by the program unless given."""
     grading: Annotated[float | None, Number(above=0, below=1000)] = None
+    """Length of the cells at midspan over that at the clamps, 1: all equal; chosen by the program unless given."""
     order: Annotated[int | None, Whole(1, 20)] = None
+    """k, order of the plastic strain through the thickness; chosen by the program unless given."""
     fibres: Annotated[int | None, Whole(2, 1000)] = None
+    """Fibres through the thickness; chosen by the program unless given."""
     solver: Annotated[Solver | None, Choice(("cvodes", "idas", "rosenbrock"))] = None
+    """Integrator; chosen by the program unless given."""
     rtol: Annotated[float | None, Number(above=0, below=1)] = None
+    """Relative tolerance of the integrator; chosen by the program unless given."""
     backend: Annotated[Backend, Choice(("auto", "interpreted", "compiled"))] = "auto"
+    """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
     estimate: Annotated[bool, Flag()] = True
+    """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

@@ -15,7 +15,7 @@ class Part(BaseModel):
     Two parts are equal when their physics is: how a value was given (in shear or in tension) does not count.
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
     table_name: ClassVar[str] = ""
 
     def kinds(self) -> dict[str, Kind]:

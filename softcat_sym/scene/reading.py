@@ -100,7 +100,7 @@ def _table_of(text: str, source: str) -> dict[str, Any]:
         raise _refuse(
             source,
             f"not TOML: {shown(str(error), 200)[1:-1]}",
-            "TOML; `softcat explain no-yield -o DIR` writes a scene",
+            "TOML; `softcat new my-ink.toml` writes a scene",
         ) from None
     if not table:
         raise _refuse(source, "the file is empty", "at least the tables [filament], [material], [run], or [groups]")

@@ -11,26 +11,17 @@ Closure = Literal["material", "printed"]
 
 
 class Run(Part):
-    """What is asked of the run; times in s.
-
-    Attributes
-    ----------
-    duration : float
-        Simulated time [s].
-    frames : int
-        Number of evenly spaced output times, t = 0 included.
-    accuracy : float
-        Largest error of the midpoint over the largest midpoint.
-    effects : str or tuple of str
-        ``"auto"``, ``"paper"`` or names of effects.
-    closure : str
-        ``"material"`` or ``"printed"`` (THEORY 4).
-    """
+    """What is asked of the run; times in s."""
 
     table_name: ClassVar[str] = "run"
 
     duration: Annotated[float, Quantity("time", "2 s")]
+    """Simulated time."""
     frames: Annotated[int, Whole(2, 1_000_000)] = 201
+    """Number of evenly spaced output times, t = 0 included."""
     accuracy: Annotated[float, Number(above=0, below=1)] = 1e-3
+    """Largest error of the midpoint over the largest midpoint."""
     effects: Annotated[str | tuple[str, ...], Names(("auto", "paper"))] = "auto"
+    """Which physics is in force: auto chooses by estimates, paper is the published theory; or names of effects."""
     closure: Annotated[Closure, Choice(("material", "printed"))] = "material"
+    """Plastic state, strain measure and axial force: that of the material, or as the paper prints it."""

@@ -9,14 +9,9 @@ from softcat_sym.scene.part import Part
 
 
 class Surroundings(Part):
-    """The medium around the filament; SI.
-
-    Attributes
-    ----------
-    surface_tension : float
-        Gamma [N/m].
-    """
+    """The medium around the filament; SI."""
 
     table_name: ClassVar[str] = "surroundings"
 
     surface_tension: Annotated[float, Quantity("surface tension", "21 mN/m", "non-negative")] = 0.0
+    """Surface tension Gamma between the filament and what surrounds it."""

@@ -24,15 +24,25 @@ HEADER = "shear_rate_1_s,shear_stress_Pa\n"
         " shear_rate_1_s , shear_stress_Pa \n" + ROWS.replace(",", " ,  "),
         (HEADER + ROWS).replace("\n", "\r\n"),
         '"shear_rate_1_s","shear_stress_Pa"\n' + ROWS.replace("14", '"14"'),
-        "note,shear_stress_Pa,shear_rate_1_s\nslow,14,1\n,20,1e1\nnan,40,100\n,90,1000,extra\n",
+        "note,shear_stress_Pa,shear_rate_1_s\nslow,14,1\n,20,1e1\nnan,40,100\n,90,1000,,\n",
+        "sep=;\n" + (HEADER + ROWS.replace("20", "20,0")).replace(",", ";").replace("20;0", "20,0"),
+        (HEADER + ROWS).replace(",", "\t"),
+        "Shear rate [1/s];Shear Stress (kPa)\n1,0;0,014\n10;2e-2\n100;,04\n1000,;0.090\n",
+        "shear_rate_1/min,shear_stress_mPa\n60,14000\n600,2e4\n6e3,4e4\n60000,9e4\n",
+        "shear rate (s^-1),shear_stress_Pa\n" + ROWS,
+        "shear rate [s-1],shear stress [Pa]\n" + ROWS,
     ],
-    ids=["plain", "BOM", "comments", "spaces", "CRLF", "quotes", "other columns"],
+    ids=[
+        *("plain", "BOM", "comments", "spaces", "CRLF", "quotes", "other columns"),
+        *("decimal commas", "tabs", "units", "other units", "s^-1", "s-1"),
+    ],
 )
 def test_what_rheometers_write_is_read(tmp_path: Path, text: str) -> None:
     path = tmp_path / "curve.csv"
     path.write_bytes(text.encode())
     curve = read_flow_curve(path)
     np.testing.assert_array_equal(curve.shear_rate, [1, 10, 100, 1000])
+    assert curve.notes == ()
     np.testing.assert_array_equal(curve.shear_stress, [14, 20, 40, 90])
     assert curve.path == path
 
@@ -43,14 +53,15 @@ def test_what_rheometers_write_is_read(tmp_path: Path, text: str) -> None:
         ("", "holds no data"),
         ("# only a comment\n", "holds no data"),
         (HEADER, "0 distinct shear rates; accepted: at least 4"),
-        ("shear_rate_1_s,shear_stress_kPa\n" + ROWS, r"no column shear_stress_Pa .*called 'shear_stress_kPa'"),
-        ("shear_rate_1_s;shear_stress_Pa\n", "separated by commas"),
-        ("shear_rate_1_s,shear_stress_Pa,shear_rate_1_s\n" + ROWS, "2 columns are called shear_rate_1_s"),
+        ("shear_rate_1_s,stress_Pa\n" + ROWS, r"no column shear_stress_Pa .*called 'stress_Pa'"),
+        ("shear_rate_1_s shear_stress_Pa\n", "separated by commas, semicolons or tabs"),
+        ("shear_rate_1_s,shear_stress_Pa,shear_rate_1_s\n" + ROWS, "2 columns for one quantity: shear_rate_1_s, shear"),
+        ("shear_rate_1_s,shear stress [kbananas]\n" + ROWS, r"column 'shear stress \[kbananas\]': unknown unit"),
+        ("shear_rate_s,shear_stress\n" + ROWS, "2 faults.*'s' is a time, not a shear rate.*no unit in its name"),
+        (HEADER + "1,14,5\n" + ROWS, "line 2: 3 cells under 2 names.*decimal commas need semicolons"),
         (HEADER + ROWS.replace("20", "twenty"), "line 3, shear_stress_Pa: 'twenty' is not a number"),
-        ("# one line more\n" + HEADER + ROWS.replace("20", ""), "line 4, shear_stress_Pa: empty"),
-        (HEADER + ROWS + "5\n", "line 6, shear_stress_Pa: empty"),
+        (HEADER + ROWS.replace("20", "").replace("40", "n/a"), r"2 of 4 rows without a number \(line 3, line 4\)"),
         (HEADER + ROWS.replace("20", "1_000"), "'1_000' is not a number"),
-        (HEADER + ROWS.replace("20", "nan"), "line 3, shear_stress_Pa: nan is not finite"),
         (HEADER + ROWS.replace("20", "1e999"), "inf is not finite"),
         (HEADER + ROWS.replace("20", "-20"), "line 3, shear_stress_Pa: -20 is not positive"),
         (HEADER + ROWS.replace("\n10,", "\n0,"), "line 3, shear_rate_1_s: 0 is not positive"),
@@ -65,6 +76,14 @@ def test_a_bad_file_is_one_clear_refusal(tmp_path: Path, text: str, complaint: s
     path.write_text(text)
     with pytest.raises(SoftcatError, match=rf"(?s)flow curve {path}: .*{complaint}"):
         sc.fit_flow_curve(str(path))
+
+
+def test_rows_without_a_number_are_left_out_and_said(tmp_path: Path) -> None:
+    path = tmp_path / "curve.csv"
+    path.write_text(HEADER + ROWS + "5\n")
+    curve = read_flow_curve(path)
+    np.testing.assert_array_equal(curve.shear_rate, [1, 10, 100, 1000])
+    assert curve.warnings == ("Left out 1 of 5 rows without a number (line 6).",)
 
 
 def test_files_that_are_no_text_files(tmp_path: Path) -> None:

@@ -161,6 +161,7 @@ def test_repeated_times_are_averaged_with_their_weights(tmp_path: Path) -> None:
         ("frame,midpoint_px\n" + ROWS, "'midpoint_px': pixels, which.*no column of times"),
         ("time_m,midpoint_s\n" + ROWS, "'m' is a length, not a time.*'s' is a time, not a length"),
         ("time_s,midpoint_bananas\n" + ROWS, "unknown unit 'bananas'"),
+        ("time_s,midpoint_m,sag [bananas]\n" + ROWS, r"column 'sag \[bananas\]': unknown unit 'bananas'"),
         ("time_s,time_s,midpoint_m\n", "2 columns for one quantity: time_s, time_s"),
         ("time_s,midpoint_m,sag_mm\n", "2 columns for one quantity: midpoint_m, sag_mm"),
         ("time_s,midpoint_m,x_m,y_m\n", "both a midpoint and points of a whole shape"),

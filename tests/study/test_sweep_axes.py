@@ -123,6 +123,7 @@ def test_a_table(tmp_path: Path) -> None:
         ("groups.G,groups.V\n1\n", "line 2: 1 value, but the header has 2 keys"),
         ("groups.G,groups.V\n1,\n", "line 2, groups.V: an empty cell"),
         ("groups.G\nNaN\n", "is not finite"),
+        ("filament.span [bananas]\n4\n", "line 1, filament.span: unknown unit 'bananas'"),
         ("filament.span\n4\n", "'4' has no unit.*filament.span"),
     ],
 )

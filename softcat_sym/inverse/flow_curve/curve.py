@@ -11,21 +11,37 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SoftcatError
-from softcat_sym.inverse.csv_text import cells_of, counted, data_lines, number_in, refusal, text_of
-from softcat_sym.scene.faults import did_you_mean
-from softcat_sym.scene.units import shown
+from softcat_sym.inverse.csv_columns import (
+    Column,
+    CsvTable,
+    absent,
+    header_pattern,
+    missing_rows,
+    named,
+    numbers_in,
+    table_in,
+    unit_of,
+)
+from softcat_sym.inverse.csv_text import counted, refusal, text_of
+from softcat_sym.scene.units import NotAQuantity, shown
 
 Floats = NDArray[np.float64]
 
 RATE, STRESS = "shear_rate_1_s", "shear_stress_Pa"
-"""Names of the two columns that are read."""
+"""Names of the two columns that are read, with their SI units."""
+
+# Name without its unit: the quantity, its dimension, its SI unit, and what is accepted.
+_KNOWN = {
+    "shear_rate": (RATE, "shear rate", "1/s", f"{RATE}, or shear rate [1/s]"),
+    "shear_stress": (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]"),
+}
+_NAME = header_pattern(_KNOWN)
 
 FEWEST = 4
 """Distinct rates that are needed: one more than Herschel-Bulkley has constants."""
 
 # No rheometer measures beyond these, in 1/s or Pa: whoever writes such a number has another unit in mind.
 _LEAST, _MOST = 1e-12, 1e12
-_NAMES_SHOWN = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +56,8 @@ class FlowCurve:
         [Pa], positive; likewise.
     path : pathlib.Path or None
         The file they come from.
+    notes : tuple of str
+        What was corrected while it was read, a sentence each.
 
     Raises
     ------
@@ -51,6 +69,7 @@ class FlowCurve:
     shear_rate: Floats
     shear_stress: Floats
     path: Path | None = None
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         faults = []
@@ -83,7 +102,7 @@ class FlowCurve:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a reader must know about the data themselves."""
-        found = []
+        found = list(self.notes)
         if self.decades < 1:
             found.append(
                 f"the shear rates span a factor of {10**self.decades:.3g}, less than a decade: "
@@ -104,8 +123,10 @@ def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
     Parameters
     ----------
     path : str or path
-        Comma-separated UTF-8 text with a header that names ``shear_rate_1_s`` and ``shear_stress_Pa``; other columns
-        are not read, nor are empty lines and lines that start with ``#``.
+        UTF-8 text with a header that names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit
+        (``shear_stress_kPa``, ``Shear rate [1/s]``); other columns are not read, nor are empty lines and lines that
+        start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal points or commas;
+        rows without a number are left out, up to a third of them.
 
     Returns
     -------
@@ -118,56 +139,45 @@ def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
         With every fault and its line.
     """
     file = Path(path)
-    kept = data_lines(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
-    if not kept:
+    cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
+    if cells is None:
         raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
-    rows = [(number, cells_of(line)) for number, line in kept]
-    (header_line, header), body = rows[0], rows[1:]
-    places = _places(header, header_line, file)
+    table, faults = numbers_in(cells, _columns(cells, file), lambda _, value: _wrong(value))
+    if faults:
+        raise _refusal(file, faults)
+    missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
+    if fault:
+        raise _refusal(file, [fault])
+    return FlowCurve(table[RATE][~missing], table[STRESS][~missing], file, (said,) if said else ())
+
+
+def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
+    """Where the two columns stand, and in which units."""
+    where = f"line {table.line}"
+    columns: dict[str, list[Column]] = {RATE: [], STRESS: []}
     faults: list[Fault] = []
-    points = []
-    for number, cells in body:
-        values = []
-        for name, place in places.items():
-            text = cells[place] if place < len(cells) else ""
-            value, wrong = _number(text)
-            faults += [Fault(f"line {number}, {name}", *wrong)] if wrong else []
-            values.append(value)
-        points.append(values)
+    faulty = set()
+    for place, name in enumerate(table.header):
+        match = _NAME.fullmatch(name.strip())
+        if match is None:
+            continue
+        known, unit, _ = named(match)
+        quantity, dimension, si, accepted = _KNOWN[known]
+        try:
+            columns[quantity].append(Column(name, place, unit_of(unit, dimension, si)))
+        except NotAQuantity as found:
+            faults.append(Fault(where, f"column {shown(name)}: {found}", accepted))
+            faulty.add(quantity)
+    for quantity, _, _, accepted in _KNOWN.values():
+        several = columns[quantity]
+        if not several and quantity not in faulty:
+            faults.append(absent(f"column {quantity}", quantity, accepted, table, _NAME))
+        elif len(several) > 1:
+            names = ", ".join(column.name for column in several)
+            faults.append(Fault(where, f"{len(several)} columns for one quantity: {names}", "one of them"))
     if faults:
         raise _refusal(file, faults)
-    rate, stress = np.array(points, dtype=np.float64).reshape(-1, 2).T
-    return FlowCurve(rate, stress, file)
-
-
-def _places(header: list[str], line: int, file: Path) -> dict[str, int]:
-    """Where the two columns stand."""
-    faults = []
-    for name in (RATE, STRESS):
-        count = header.count(name)
-        if count > 1:
-            faults.append(Fault(f"line {line}", f"{count} columns are called {name}", "one"))
-        elif not count:
-            others = [other for other in header if other not in (RATE, STRESS)]
-            near = did_you_mean(name, others).replace("did you mean", "is it what is called")
-            found = ", ".join(shown(other) for other in header[:_NAMES_SHOWN])
-            # A spreadsheet set to a language with decimal commas separates by semicolons.
-            hint = "; the cells must be separated by commas" if len(header) == 1 else ""
-            faults.append(Fault(f"line {line}", f"no column {name} among {found}{near}", f"that very name{hint}"))
-    if faults:
-        raise _refusal(file, faults)
-    return {name: header.index(name) for name in (RATE, STRESS)}
-
-
-def _number(text: str) -> tuple[float, tuple[str, str] | None]:
-    """The number in a cell, or what is wrong with it."""
-    accepted = "a positive number, such as 0.5"
-    if not text:
-        return math.nan, ("empty", accepted)
-    value = number_in(text)
-    if value is None:
-        return math.nan, (f"{shown(text)} is not a number", accepted)
-    return value, _wrong(value)
+    return {quantity: several[0] for quantity, several in columns.items()}
 
 
 def _wrong(value: float) -> tuple[str, str] | None:

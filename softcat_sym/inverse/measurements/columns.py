@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
-from dataclasses import dataclass
-from decimal import Decimal
-
 from softcat_sym.errors import Fault
-from softcat_sym.scene.faults import did_you_mean
-from softcat_sym.scene.units import NotAQuantity, shown, to_si
+from softcat_sym.inverse.csv_columns import Column, CsvTable, absent, header_pattern, is_pixels, named, unit_of
+from softcat_sym.scene.units import NotAQuantity, shown
 
 TIME, MIDPOINT, X, Y, STD = "time", "midpoint", "x", "y", "std"
 """What a column may hold; STD is the standard error of the midpoint or of y."""
 
 _TIME_UNITS, _LENGTH_UNITS = ("s", "ms", "us", "min", "h"), ("m", "cm", "mm", "um")
-_NAMES_SHOWN = 8
-_PIXELS = frozenset({"px", "pix", "pixel", "pixels"})
 
 # A name before its unit: what it is, and whether it counts downwards.
 _KNOWN = {
@@ -32,68 +25,42 @@ _KNOWN = {
     "y": (Y, False),
     "y_std": (STD, False),
 }
-# time_s, time [s], Time (s): the longest name that fits comes first, so that midpoint_std_m is no midpoint.
-_NAME = re.compile(
-    rf"(?P<name>{'|'.join(sorted(_KNOWN, key=len, reverse=True))})"
-    r"(?:_(?P<suffix>[^\s\[\](),;]+)|\s*\[(?P<square>[^\[\]]+)\]|\s*\((?P<round>[^()]+)\)|)",
-    re.IGNORECASE,
-)
+_NAME = header_pattern(_KNOWN)
 
 
-@dataclass(frozen=True, slots=True)
-class Column:
-    """One column that is read.
-
-    Attributes
-    ----------
-    name : str
-        As the header writes it.
-    place : int
-        Counted from 0.
-    unit : float
-        SI value of its unit, [s] or [m].
-    down : bool
-        Whether its name says that it counts downwards.
-    """
-
-    name: str
-    place: int
-    unit: float
-    down: bool = False
-
-    def to_si(self, value: float) -> float:
-        """Return the SI value of a finite number; in decimal, so that 6 mm is the same float as 0.006 m."""
-        return float(Decimal(repr(value)) * Decimal(repr(self.unit)))
-
-
-def columns_of(header: Sequence[str], where: str = "") -> tuple[dict[str, Column], list[Fault]]:
+def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
     """Find the columns that are read; others are left alone.
 
     Parameters
     ----------
-    header : sequence of str
-        Names with their units, such as ``time_s`` or ``Time [s]``.
-    where : str
-        What the faults name as their place.
+    table : CsvTable
+        Whose header has names with their units, such as ``time_s`` or ``Time [s]``.
 
     Returns
     -------
     dict of str to Column, list of Fault
         By what they hold: TIME and MIDPOINT, or TIME, X and Y; perhaps STD.
     """
+    where = f"line {table.line}"
     candidates: dict[str, list[Column]] = {}
     unreadable: dict[str, Fault] = {}
-    for place, name in enumerate(header):
+    unknown: list[Fault] = []
+    for place, name in enumerate(table.header):
         match = _NAME.fullmatch(name.strip())
         if match is None:
             continue
-        quantity, down = _KNOWN[match["name"].lower()]
+        known, unit, bracketed = named(match)
+        quantity, down = _KNOWN[known]
         try:
-            unit = _unit(match["suffix"] or match["square"] or match["round"], quantity)
+            si = unit_of(unit, *(("time", "s") if quantity == TIME else ("length", "m")))
         except NotAQuantity as found:
-            unreadable.setdefault(quantity, Fault(where, f"column {shown(name)}: {found}", _names(quantity)))
+            fault = Fault(where, f"column {shown(name)}: {found}", _names(quantity))
+            if bracketed and not is_pixels(unit):
+                # What stands in brackets is meant as a unit, wherever else there is one of ours.
+                unknown.append(fault)
+            unreadable.setdefault(quantity, fault)
             continue
-        candidates.setdefault(quantity, []).append(Column(name, place, unit, down))
+        candidates.setdefault(quantity, []).append(Column(name, place, si, down))
     found_columns = {quantity: several[0] for quantity, several in candidates.items()}
     # Of a tracker that writes pixels besides: what is there in units will do.
     there = [{MIDPOINT} <= set(found_columns), {X, Y} <= set(found_columns)]
@@ -107,25 +74,17 @@ def columns_of(header: Sequence[str], where: str = "") -> tuple[dict[str, Column
         found_columns.pop(quantity, None)
         unreadable.pop(quantity, None)
     # A name of ours without a unit of ours is another's column (time_stamp) where ours is there too.
-    faults += [fault for quantity, fault in unreadable.items() if quantity not in found_columns]
-    return found_columns, faults + _missing(header, {*found_columns, *unreadable}, where)
+    faults += [
+        fault for quantity, fault in unreadable.items() if quantity not in found_columns and fault not in unknown
+    ]
+    return found_columns, unknown + faults + _missing(table, {*found_columns, *unreadable})
 
 
-def _unit(unit: str | None, quantity: str) -> float:
-    """SI value of a unit of time or length; raises `NotAQuantity`."""
-    if not unit:
-        raise NotAQuantity("no unit in its name")
-    # Pint knows a px of 1/96 inch, which is no camera's.
-    if unit.lower() in _PIXELS:
-        raise NotAQuantity("pixels, which only the scale of the picture turns into lengths")
-    return to_si(f"1 {unit}", "time" if quantity == TIME else "length")
-
-
-def _missing(header: Sequence[str], there: set[str], where: str) -> list[Fault]:
+def _missing(table: CsvTable, there: set[str]) -> list[Fault]:
     """What the columns that are there do not make up: a midpoint over time, or whole shapes."""
-    faults = []
+    faults, where = [], f"line {table.line}"
     if TIME not in there:
-        faults.append(_absent("column of times", TIME, header, where))
+        faults.append(absent("column of times", "time_s", _names(TIME), table, _NAME))
     if MIDPOINT in there and there & {X, Y}:
         accepted = "either midpoint_m, or x_m and y_m; two files for both"
         faults.append(Fault(where, "both a midpoint and points of a whole shape", accepted))
@@ -134,21 +93,8 @@ def _missing(header: Sequence[str], there: set[str], where: str) -> list[Fault]:
     elif X in there and Y not in there:
         faults.append(Fault(where, "x without y", "both for whole shapes; midpoint_m for the midpoint alone"))
     elif MIDPOINT not in there and Y not in there:
-        faults.append(_absent("column of midpoints", MIDPOINT, header, where))
+        faults.append(absent("column of midpoints", "midpoint_m", _names(MIDPOINT), table, _NAME))
     return faults
-
-
-def _absent(what: str, quantity: str, header: Sequence[str], where: str) -> Fault:
-    wanted = "time_s" if quantity == TIME else "midpoint_m"
-    near = (
-        ""
-        if len(header) == 1
-        else did_you_mean(wanted, [name for name in header if _NAME.fullmatch(name.strip()) is None])
-    )
-    found = ", ".join(shown(name) for name in header[:_NAMES_SHOWN]) + (", ..." if len(header) > _NAMES_SHOWN else "")
-    hint = "; cells separated by commas, semicolons or tabs" if len(header) == 1 else ""
-    is_it = near.replace("did you mean", "is it what is called")
-    return Fault(where, f"no {what} among {found}{is_it}", _names(quantity) + hint)
 
 
 def _names(quantity: str) -> str:

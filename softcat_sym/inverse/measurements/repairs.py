@@ -11,16 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault
+from softcat_sym.inverse.csv_columns import Table, listed, missing_rows
 from softcat_sym.inverse.csv_text import counted
 from softcat_sym.inverse.measurements.columns import MIDPOINT, STD, TIME, X, Y
 
 Floats = NDArray[np.float64]
-Table = dict[str, Floats]
-"""Columns of one length by what they hold, in SI; NaN where a cell is empty."""
-
-MISSING = 1 / 3
-"""Share of the rows from which on too many hold no number."""
-
 SAME_TIME = 1e-9
 """Of the last time: what two clocks' arithmetic makes of one instant; no camera is that fast for that long."""
 
@@ -28,7 +23,6 @@ SAME_TIME = 1e-9
 _AT_REST, _SAME = 0.05, 0.1
 # Standard errors by which two readings of one height may differ.
 _DEVIATIONS = 6.0
-_ROWS_SHOWN = 5
 
 
 def repaired(table: Table, row: Callable[[int], str]) -> tuple[Table, tuple[str, ...], list[Fault]]:
@@ -70,15 +64,8 @@ def _kept(table: Table, rows: NDArray[np.intp], which: NDArray[np.generic]) -> t
 
 
 def _without_missing(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
-    missing = np.any([np.isnan(values) for values in table.values()], axis=0)
-    count = int(missing.sum())
-    if not count:
-        return table, rows, "", None
-    places = _listed(rows[missing], row)
-    found = f"{count} of {counted(rows.size, 'row')} without a number ({places})"
-    if count >= MISSING * rows.size:
-        return table, rows, "", Fault("", found, "a number in every cell of at least two thirds of the rows")
-    return *_kept(table, rows, ~missing), f"Left out {found}.", None
+    missing, said, fault = missing_rows(table, lambda k: row(int(rows[k])))
+    return *(_kept(table, rows, ~missing) if said else (table, rows)), said, fault
 
 
 def _from_release(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
@@ -86,7 +73,7 @@ def _from_release(table: Table, rows: NDArray[np.intp], row: Callable[[int], str
     count = int(early.sum())
     if not count:
         return table, rows, "", None
-    found = f"{counted(count, 'row')} before time 0 ({_listed(rows[early], row)})"
+    found = f"{counted(count, 'row')} before time 0 ({listed(rows[early], row)})"
     height = table[MIDPOINT if MIDPOINT in table else Y]
     accepted = "times counted from the release of the filament, which is time 0"
     if count == rows.size:
@@ -125,7 +112,7 @@ def _averaged(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -
         worst = int(np.argmax(np.where(repeated, apart - allowed, -np.inf)))
         same = rows[time == distinct[worst]]
         found = f"midpoints of {lowest[worst]:g} m and {highest[worst]:g} m at the same time, {distinct[worst]:g} s"
-        where = _listed(same, row)
+        where = listed(same, row)
         return table, rows, "", Fault(where, found, "one height at a time; one file for each filament")
     weight = np.ones_like(height) if std is None else (std.max() / std) ** 2
     total = np.add.reduceat(weight, first)
@@ -133,7 +120,7 @@ def _averaged(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -
     if std is not None:
         averaged[STD] = std.max() / np.sqrt(total)
     count = int(repeated.sum())
-    places = _listed(rows[np.isin(time, distinct[repeated])], row)
+    places = listed(rows[np.isin(time, distinct[repeated])], row)
     said = f"Averaged the midpoints at {counted(count, 'time')} that occurred more than once ({places})."
     return averaged, rows[first], said, None
 
@@ -147,8 +134,3 @@ def _no_point_twice(table: Table, rows: NDArray[np.intp], row: Callable[[int], s
     repeat = "repeats another" if count == 1 else "repeat others"
     said = f"Left out {counted(count, 'point')} of the shapes that {repeat}."
     return *_kept(table, rows, np.sort(first)), said, None
-
-
-def _listed(rows: NDArray[np.intp], row: Callable[[int], str]) -> str:
-    names = [row(int(k)) for k in rows[:_ROWS_SHOWN]]
-    return ", ".join(names) + (", ..." if rows.size > _ROWS_SHOWN else "")

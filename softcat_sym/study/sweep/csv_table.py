@@ -13,7 +13,7 @@ from softcat_sym.inverse.csv_text import cells_of, counted, data_lines, number_i
 from softcat_sym.scene import Scene
 from softcat_sym.scene.kinds import Quantity
 from softcat_sym.scene.overriding import read_overrides
-from softcat_sym.scene.units import shown
+from softcat_sym.scene.units import NotAQuantity, shown, to_si_of_any
 from softcat_sym.study.sweep.axes import SweepAxis
 
 _KIND = "table of a sweep"
@@ -97,9 +97,19 @@ def _header(file: Path, number: int, line: str) -> list[tuple[str, str]]:
             faults.append(Fault(f"line {number}", f"{match[1]} stands there twice", "each key once"))
         else:
             found.append((match[1], match[2] or ""))
+            faults += _unit_faults(f"line {number}, {match[1]}", match[2] or "1")
     if faults:
         raise refusal(_KIND, file, faults)
     return found
+
+
+def _unit_faults(where: str, unit: str) -> list[Fault]:
+    """What is wrong with the unit of a column that nobody knows."""
+    try:
+        to_si_of_any(f"1 {unit}" if unit != "1" else 1)
+    except NotAQuantity as found:
+        return [Fault(where, str(found), "a unit, such as [mm]")]
+    return []
 
 
 def _value(key: str, unit: str, cell: str) -> object:

@@ -1,0 +1,117 @@
+"""``softcat new``: a first scene of one's own."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from softcat_sym.cli.application import EVERYDAY, QuietOption, app
+from softcat_sym.errors import SceneError, SoftcatError
+
+
+def _flag(name: str, help_text: str, *others: str) -> object:
+    return typer.Option(f"--{name}", *others, metavar="VALUE", help=help_text)
+
+
+ForceOption = Annotated[bool, typer.Option("--force", help="Replace a file that is there.")]
+
+
+@app.command(rich_help_panel=EVERYDAY)
+def new(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Where it goes: my-ink.toml.")],
+    span: Annotated[str | None, _flag("span", "Between the supports: '5 mm'.")] = None,
+    diameter: Annotated[str | None, _flag("diameter", "Of the strand: '0.4 mm'.")] = None,
+    density: Annotated[str | None, _flag("density", "'2200 kg/m^3'.")] = None,
+    law: Annotated[str | None, _flag("law", "bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
+    youngs_modulus: Annotated[str | None, _flag("youngs-modulus", "'300 kPa'; three times an ink's G'.")] = None,
+    yield_stress: Annotated[
+        str | None, _flag("yield-stress", "In shear, from a rheometer: '200 Pa'.", "--shear-yield-stress")
+    ] = None,
+    viscosity: Annotated[str | None, _flag("viscosity", "In shear: '10 Pa*s'.", "--shear-viscosity")] = None,
+    consistency: Annotated[
+        str | None, _flag("consistency", "In shear, of a law with an index: '10 Pa*s^0.5'.", "--shear-consistency")
+    ] = None,
+    index: Annotated[str | None, _flag("index", "Of herschel-bulkley or power-law: 0.5.")] = None,
+    surface_tension: Annotated[str | None, _flag("surface-tension", "'72 mN/m'.")] = None,
+    duration: Annotated[str | None, _flag("duration", "How long to look: '0.5 s'.")] = None,
+    force: ForceOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Write a first scene of your own, with comments.
+
+    On a terminal it asks. With flags, or without a terminal, what is not given is that of an ink.
+    """
+    if file.suffix != ".toml":
+        raise typer.BadParameter(f"{str(file)!r}; accepted: a name that ends in .toml", param_hint="FILE")
+    flags = {
+        "filament.span": span,
+        "filament.thickness": diameter,
+        "filament.density": density,
+        "material.law": law,
+        "material.youngs_modulus": youngs_modulus,
+        "material.shear_yield_stress": yield_stress,
+        "material.shear_viscosity": viscosity,
+        "material.shear_consistency": consistency,
+        "material.index": index,
+        "surroundings.surface_tension": surface_tension,
+        "run.duration": duration,
+    }
+    given = {path: text for path, text in flags.items() if text is not None}
+    if not given and sys.stdin.isatty() and sys.stdout.isatty():
+        given = _asked()
+    from softcat_sym.scene.template import scene_template
+
+    try:
+        text, scene = scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
+    except SceneError as error:
+        raise SceneError(error.faults, str(file)) from None
+    write_new(file.parent, {file.name: text.encode()}, force=force)
+    if not quiet:
+        for note in scene.material.notes:
+            typer.echo(note)
+        typer.echo(f"wrote {file}; next: softcat run {file}")
+
+
+def _asked() -> dict[str, str]:
+    """Ask for one value after the other, each again until it is one."""
+    from softcat_sym.scene.keys import scene_keys
+    from softcat_sym.scene.template import example_values, scene_template
+
+    meaning = {key.path: key.meaning for key in scene_keys()}
+    answers: dict[str, str] = {}
+
+    def accepted(text: str) -> str:
+        try:
+            scene_template("", {**answers, path: text})
+        except SceneError as error:
+            # Those of the values that are asked for later are none yet.
+            here = [f"{fault.found}; accepted: {fault.accepted}" for fault in error.faults if fault.path == path]
+            if here:
+                raise typer.BadParameter("; ".join(here)) from None
+        return text
+
+    while waiting := [one for one in example_values(answers) if one not in answers]:
+        path = waiting[0]
+        typer.echo(meaning[path])
+        answers[path] = typer.prompt(path, default=example_values(answers)[path], value_proc=accepted)
+    return answers
+
+
+def write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
+    """Write files where there are none yet, all or none.
+
+    Raises
+    ------
+    SoftcatError
+        If one is there, and is not to be replaced.
+    """
+    from softcat_sym.files import write_all
+
+    there = [str(path) for name in contents if (path := folder / name).exists() and not force]
+    if there:
+        raise SoftcatError(f"there already, and not replaced without --force: {', '.join(there)}")
+    write_all(folder, contents)
