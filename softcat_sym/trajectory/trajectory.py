@@ -127,8 +127,9 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    measured = measures(scene, effects, seen(scene, effects, time, places, fields))
-    warnings = warnings_of(scene, effects, time, places[0], fields, carried)
+    motion = seen(scene, effects, time, places, fields)
+    measured = measures(scene, effects, motion)
+    warnings = warnings_of(scene, effects, motion.capillary, places[0], fields, carried)
     summary = {
         "title": scene.title,
         "outcome": outcome.name,

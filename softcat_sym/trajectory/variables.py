@@ -55,6 +55,7 @@ VARIABLES: tuple[Variable, ...] = (
     Variable("core_high", "cell", "1", "zeta above which fibres yield, of a section resolved fibre by fibre"),
     Variable("energy_kinetic", "", "J", "kinetic energy", per_area=True),
     Variable("energy_elastic", "", "J", "elastic energy", per_area=True),
+    Variable("energy_surface", "", "J", "energy of the surface since t = 0: surface tension times its growth", per_area=True),
     Variable("energy_potential", "", "J", "potential energy of the weight, 0 when straight", per_area=True),
     Variable("energy_dissipated", "", "J", "plastic work since t = 0", per_area=True),
     Variable("energy_gradient", "", "J", "work against the necking gradient since t = 0", per_area=True),
