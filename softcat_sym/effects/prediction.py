@@ -67,7 +67,7 @@ def gravity_number_of(scene: Scene) -> float | None:
 
 
 def beam_share_of_surface(scene: Scene) -> float:
-    """C: what surface tension carries of the weight of the elastic beam, over what bending carries; 0 with a free end."""
+    """C: weight of the elastic beam that surface tension carries, over what bending carries; 0 with a free end."""
     modulus = instant_modulus(scene)
     return 8 * pull_of_surface(scene) / (bending_stiffness(scene) * modulus) if modulus and is_held(scene) else 0.0
 

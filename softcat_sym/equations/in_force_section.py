@@ -14,9 +14,9 @@ from softcat_sym.equations.necking import s_slope
 from softcat_sym.equations.section import NONE, Section
 from softcat_sym.equations.section_response import PLANE_STRAIN, BranchResponse
 from softcat_sym.equations.symbols import (
+    A0,
     ONE,
     STRESS,
-    A0,
     E,
     X,
     a_0,

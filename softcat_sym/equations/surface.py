@@ -30,8 +30,8 @@ class Surface:
     name : str
         Section, as in the scene.
     pressure : sympy.Expr
-        Gam, axial force over area at s = 1: gamma P_0/(2 A_0) where the whole perimeter shrinks, 2 gamma/h_0 of a sheet,
-        whose width is held.
+        Gam, axial force over area at s = 1: gamma P_0/(2 A_0) where the whole perimeter shrinks, 2 gamma/h_0 of a
+        sheet, whose width is held.
     shrinks : bool
         Whether the perimeter shrinks as the filament stretches.
     """

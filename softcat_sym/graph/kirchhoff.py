@@ -80,6 +80,7 @@ def evaluate(equations: FilamentEquations, setting: Setting, state: Recall) -> F
         axial += neck_tension(lengths, double_force)
     transverse = ca.diff(section.moment) * (per_length * per_span)
     shown = {
+        **({"axial_force": axial} if surface_energy is not None else {}),
         "shear_force": transverse / s,
         "relative_thickness": cell.section("relative_thickness", {sy.s: s}) * section.outline.relative,
     }

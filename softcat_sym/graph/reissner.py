@@ -119,7 +119,9 @@ class _Sampled:
         if surface_energy is not None or double_force is not None:
             force_x = stage("force_x", force_x + gain / stretch * slope[0])
             force_y = stage("force_y", force_y + gain / stretch * slope[1])
-        volume = length * cell.outline.area_cells
+        volume, shown = length * cell.outline.area_cells, self._shown(section, points, strains)
+        if surface_energy is not None:
+            shown["axial_force"] = (force_x * slope[0] + force_y * slope[1]) / stretch
         return Fields(
             x=x,
             y=y,
@@ -129,7 +131,7 @@ class _Sampled:
             plastic_rates=self._rates(points),
             elastic_energy=ca.dot(volume, points.energy @ ca.DM(self.rule.weight)),
             dissipation=volume * (points.dissipation @ ca.DM(self.rule.weight)),
-            observables=self._shown(section, points, strains),
+            observables=shown,
             torque=_torque(length * setting.values[sy.L_0], section, stage),
             double_force=double_force,
             surface_energy=surface_energy,

@@ -68,6 +68,7 @@ def evaluate(equations: FilamentEquations, setting: Setting, state: Recall) -> F
         axial += pull
     _, force_y = cell.force(slope, s, axial, transverse)
     shown = {"shear_force": transverse / s, "relative_thickness": every}
+    shown |= {"axial_force": axial} if surface_energy is not None else {}
     places, force = (ca.SX(grid.nodes) + displacement, y), (ca.SX(grid.cells, 1), force_y)
     return replace(section_fields(setting, places, force, section, shown), surface_energy=surface_energy)
 

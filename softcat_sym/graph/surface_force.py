@@ -13,7 +13,7 @@ from softcat_sym.printing import CellFunction
 
 
 def surface_force(surface: Surface, setting: Setting, outline: Outline, stretch: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Axial force per unit undeformed area of the scene's section, shape (cells,), and the surface energy per unit span.
+    """Axial force of each cell per unit undeformed area of the scene's section, and the surface energy per unit span.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Energy audit: kinetic + elastic + surface + potential + dissipated + gradient - work of the load must stay what it was."""
+"""Energy audit: kinetic + elastic + surface + potential + dissipated + gradient - work must stay what it was."""
 
 from __future__ import annotations
 

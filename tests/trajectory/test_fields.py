@@ -123,6 +123,7 @@ def test_names_are_unique_and_energies_are_joules() -> None:
     assert set(ENERGIES) == {
         "energy_kinetic",
         "energy_elastic",
+        "energy_surface",
         "energy_potential",
         "energy_dissipated",
         "energy_gradient",
