@@ -43,7 +43,7 @@ SURFACE_TENSION = Effect(
     estimate=_estimate,
     observable="share of the pull of the surface in the axial force, times that of the load carried in tension",
     example="ink-bridge",
-    derivation="09_shearing_filament",
+    derivation="08_necking",
     needs=("extensibility",),
     in_paper=False,
 )
