@@ -83,8 +83,8 @@ figure.tight_layout()
 # From the first yield on, hinges grow at the ends and in the middle; beyond the collapse of the beam the strand sinks
 # until it hangs, several times deeper. Smay's rule, made for pins and a sag that hardly shows, knows of neither.
 #
-# Nor does it know of the surface, which pulls with $F = \pi\gamma R$ and carries $8Ff/L^2$ of the weight at a sag $f$: no
-# strand sags by more than $\rho g R L^2/(8\gamma)$. Where the beam collapses, that is what holds it.
+# Nor does it know of the surface, which pulls with $F = \pi\gamma R$ and carries $8Ff/L^2$ of the weight at a sag $f$:
+# no strand sags by more than $\rho g R L^2/(8\gamma)$. Where the beam collapses, that is what holds it.
 
 # %%
 thick = sag_of_beam(spans, 384) * (1 + 9 / 0.9 * (D / spans) ** 2)

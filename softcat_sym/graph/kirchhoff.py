@@ -86,8 +86,8 @@ def evaluate(equations: FilamentEquations, setting: Setting, state: Recall) -> F
     }
     force_x, force_y = cell.force(slope, s, axial, transverse)
     force = stage("force_x", force_x), stage("force_y", force_y)
-    beyond = {"double_force": double_force, "surface_energy": surface_energy}
-    return replace(section_fields(setting, (x, y), force, section, shown), **beyond)
+    fields = section_fields(setting, (x, y), force, section, shown)
+    return replace(fields, double_force=double_force, surface_energy=surface_energy)
 
 
 def unstretched_places(setting: Setting) -> ca.SX:

@@ -22,7 +22,7 @@ The sections have no rotary inertia: ``psi`` makes the stored energy stationary,
 solved for by Newton's method in every right-hand side. Optional is the gradient term of a neck (Audoly & Hutchinson,
 JMPS 2016): ``n1`` gains ``-(b Lam_X)_X``, ``b = beta delta^2 T+/Lam^4``, ``T = s0/Lam``, with ``b Lam_X`` on the nodes
 between two cells, ``b`` their mean, and zero at both ends. Its power is ``sum b Lam_X Lam_Xt dX``. Optional is surface
-tension: its energy is ``2 surface s^(1/2)`` per unit ``X``, ``s = |z_X|`` and ``surface`` gamma P0/(2 A0 E), so that the
+tension: its energy is ``2 surface s^(1/2)`` per unit ``X``, ``s = |z_X|``, ``surface`` = gamma P0/(2 A0 E), so that the
 force gains ``surface s^(-1/2)`` along ``z_X``. The section is a rectangle or, with its own weights, a circle.
 """
 

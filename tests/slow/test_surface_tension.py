@@ -13,13 +13,13 @@ pytestmark = pytest.mark.slow
 
 
 def test_the_bundled_ink_is_that_of_an_independent_solver() -> None:
-    """NumPy, RK4 and Newton, its own circle: 20 equal cells, twelve fibres, with and without surface tension."""
-    cells, fibres, frames = 20, 12, 6
+    """NumPy, RK4 and Newton, its own circle: 16 equal cells, ten fibres, with and without surface tension."""
+    cells, fibres, frames = 16, 10, 6
     ink = sc.load_scene("ink-bridge")
     span, E, rho, g = ink.filament.span, ink.material.youngs_modulus, ink.filament.density, ink.load.gravity
     limit, eta = ink.material.yield_stress, ink.material.viscosity
     unit, rows = span * (rho / E) ** 0.5, []
-    for duration, gamma in ((0.06, 0.0), (0.06, 0.072), (0.5, 0.072)):
+    for duration, gamma in ((0.06, 0.0), (0.5, 0.072)):
         times = np.linspace(0, duration / unit, frames)[1:]
         expected = oracle(
             ink.filament.thickness / span, rho * g * span / limit, eta / (rho * (g * span**3) ** 0.5), cells,
