@@ -54,19 +54,21 @@ assert abs(E / 3 / (weight * (smay / D) ** 4 * D) - 1.4) < 0.02
 # %% [markdown]
 # ## The solver
 #
-# One run for each gap, all in threads.
+# One run for each gap, all in threads: without surface tension, as the rules have it, and with it.
 
 # %%
 spans = np.array([2.0, 2.5, 2.9, 3.3, 3.7, 4.2, 4.7, 5.2]) * 1e-3
-runs = sc.simulate_many(ink, {"filament.span": spans})
-sags = -runs.data.midpoint_final.values
-assert all(outcome is sc.Outcome.solved for outcome in runs.outcomes)
+bare = ink.replace({"surroundings.surface_tension": "0 N/m"})
+runs = {name: sc.simulate_many(one, {"filament.span": spans}) for name, one in (("bare", bare), ("pulled", ink))}
+sags, pulled = (-run.data.midpoint_final.values for run in runs.values())
+assert all(outcome is sc.Outcome.solved for run in runs.values() for outcome in run.outcomes)
 
 figure, axes = plt.subplots(figsize=(6.4, 4))
 fine = np.linspace(spans[0], spans[-1], 100)
 axes.semilogy(1e3 * fine, 1e6 * sag_of_beam(fine, 384 / 5), "--", label="elastic beam, pinned (Smay)")
 axes.semilogy(1e3 * fine, 1e6 * sag_of_beam(fine, 384), ":", label="elastic beam, clamped")
-axes.semilogy(1e3 * spans, 1e6 * sags, "o-", label="solver")
+axes.semilogy(1e3 * spans, 1e6 * sags, "o-", label="solver, without surface tension")
+axes.semilogy(1e3 * spans, 1e6 * pulled, "s-", label="solver")
 for gap in (first_yield, collapse):
     axes.axvline(1e3 * gap, color="0.6", lw=0.8)
 axes.axhline(1e6 * 0.05 * D, color="0.6", lw=0.8)
@@ -80,6 +82,9 @@ figure.tight_layout()
 # Short strands are beams, but stubby ones: shear adds $9 (D/L)^2/\kappa$, $\kappa = 0.9$, to a clamped circular beam.
 # From the first yield on, hinges grow at the ends and in the middle; beyond the collapse of the beam the strand sinks
 # until it hangs, several times deeper. Smay's rule, made for pins and a sag that hardly shows, knows of neither.
+#
+# Nor does it know of the surface, which pulls with $F = \pi\gamma R$ and carries $8Ff/L^2$ of the weight at a sag $f$:
+# no strand sags by more than $\rho g R L^2/(8\gamma)$. Where the beam collapses, that is what holds it.
 
 # %%
 thick = sag_of_beam(spans, 384) * (1 + 9 / 0.9 * (D / spans) ** 2)
@@ -88,13 +93,18 @@ print("solver over beam with shear:", np.round(sags / thick, 2))
 assert np.all(np.abs(sags[elastic] / thick[elastic] - 1) < 0.02)
 assert np.all(sags[spans < 0.95 * collapse] < 1.3 * thick[spans < 0.95 * collapse])
 assert np.all(sags[spans > collapse] > 5 * thick[spans > collapse])
+limit = weight * D / 2 * spans**2 / (8 * ink.surroundings.surface_tension)
+print("with surface tension over without:", np.round(pulled / sags, 2))
+assert np.all(pulled < limit)
+assert np.all(pulled < sags)
+assert pulled[-1] < sags[-1] / 4
 
 # %% [markdown]
 # Yield begins where the moment at the clamp says, between the two gaps beside it.
 
 # %%
 beside = (spans[elastic][-1], spans[~elastic][0])
-shorter, longer = (sc.simulate(ink.replace({"filament.span": f"{span} m"})) for span in beside)
+shorter, longer = (sc.simulate(bare.replace({"filament.span": f"{span} m"})) for span in beside)
 print([run.summary["regime"] for run in (shorter, longer)])
 assert float(shorter.data.yielded_fraction.max()) == 0 < float(longer.data.yielded_fraction.max())
 

@@ -4,8 +4,8 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-stress, shear, rotary-inertia
- * Digest of the structure: 035b7bf5dca9aac38b03ac47592e31134d2c1f5b218275a9f81490e53e6e2381
+ *     viscous-stress, shear, rotary-inertia, surface-tension
+ * Digest of the structure: 3d07b13d22a0b77fc97a533e647a6c3bbe9c87ee225737ba1f89971bed104a6b
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -19,18 +19,19 @@ extern "C" {
 
 /* Numbers of the parameters; all are in SI units. Values are those of the scene. */
 enum {
-    SOFTCAT_P_REST_LENGTH,   /* [m] 0.01: length of the undeformed filament */
-    SOFTCAT_P_THICKNESS,     /* [m] 0.004: of the section; the diameter of a circle */
-    SOFTCAT_P_DENSITY,       /* [kg/m^3] 970 */
-    SOFTCAT_P_GRAVITY,       /* [m/s^2] 9.81: acceleration */
-    SOFTCAT_P_VISCOSITY,     /* [Pa*s] 1470: extensional */
-    SOFTCAT_P_MOTION_0_TIME, /* [s] 0 */
-    SOFTCAT_P_MOTION_0_DX,   /* [m] 0 */
-    SOFTCAT_P_MOTION_0_DY,   /* [m] 0 */
-    SOFTCAT_P_MOTION_1_TIME, /* [s] 0.5 */
-    SOFTCAT_P_MOTION_1_DX,   /* [m] 0.04 */
-    SOFTCAT_P_MOTION_1_DY,   /* [m] 0 */
-    SOFTCAT_P_TIME_SCALE,    /* [s] 0.0319275: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
+    SOFTCAT_P_REST_LENGTH,     /* [m] 0.01: length of the undeformed filament */
+    SOFTCAT_P_THICKNESS,       /* [m] 0.004: of the section; the diameter of a circle */
+    SOFTCAT_P_DENSITY,         /* [kg/m^3] 970 */
+    SOFTCAT_P_GRAVITY,         /* [m/s^2] 9.81: acceleration */
+    SOFTCAT_P_VISCOSITY,       /* [Pa*s] 1470: extensional */
+    SOFTCAT_P_SURFACE_TENSION, /* [N/m] 0.021: of the filament's surface */
+    SOFTCAT_P_MOTION_0_TIME,   /* [s] 0 */
+    SOFTCAT_P_MOTION_0_DX,     /* [m] 0 */
+    SOFTCAT_P_MOTION_0_DY,     /* [m] 0 */
+    SOFTCAT_P_MOTION_1_TIME,   /* [s] 0.5 */
+    SOFTCAT_P_MOTION_1_DX,     /* [m] 0.04 */
+    SOFTCAT_P_MOTION_1_DY,     /* [m] 0 */
+    SOFTCAT_P_TIME_SCALE,      /* [s] 0.0319275: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
     SOFTCAT_PARAMETERS
 };
 

@@ -4,8 +4,8 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, shear
- * Digest of the structure: 5e8b6746f0eb89c69fab438db6c94ca16b58bda7c29472bbda823085cf93cfc0
+ *     viscous-flow, shear, surface-tension
+ * Digest of the structure: 53cac4ac242278b5a858ddaae42ea0e9f31b0297a54494ad8cfa5e6dca5ae14b
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -19,14 +19,15 @@ extern "C" {
 
 /* Numbers of the parameters; all are in SI units. Values are those of the scene. */
 enum {
-    SOFTCAT_P_REST_LENGTH,    /* [m] 0.08: length of the undeformed filament */
-    SOFTCAT_P_THICKNESS,      /* [m] 0.003: of the section; the diameter of a circle */
-    SOFTCAT_P_DENSITY,        /* [kg/m^3] 950 */
-    SOFTCAT_P_GRAVITY,        /* [m/s^2] 9.81: acceleration */
-    SOFTCAT_P_YOUNGS_MODULUS, /* [Pa] 300000 */
-    SOFTCAT_P_VISCOSITY,      /* [Pa*s] 3000: extensional */
-    SOFTCAT_P_POISSON,        /* [1] 0.45: used by shear only */
-    SOFTCAT_P_TIME_SCALE,     /* [s] 0.0903047: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
+    SOFTCAT_P_REST_LENGTH,     /* [m] 0.08: length of the undeformed filament */
+    SOFTCAT_P_THICKNESS,       /* [m] 0.003: of the section; the diameter of a circle */
+    SOFTCAT_P_DENSITY,         /* [kg/m^3] 950 */
+    SOFTCAT_P_GRAVITY,         /* [m/s^2] 9.81: acceleration */
+    SOFTCAT_P_YOUNGS_MODULUS,  /* [Pa] 300000 */
+    SOFTCAT_P_VISCOSITY,       /* [Pa*s] 3000: extensional */
+    SOFTCAT_P_POISSON,         /* [1] 0.45: used by shear only */
+    SOFTCAT_P_SURFACE_TENSION, /* [N/m] 0.03: of the filament's surface */
+    SOFTCAT_P_TIME_SCALE,      /* [s] 0.0903047: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
     SOFTCAT_PARAMETERS
 };
 

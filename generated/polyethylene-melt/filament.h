@@ -4,8 +4,8 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, shear
- * Digest of the structure: 7a2b507597566243e999df57397d4d624388719347902d852d29a66378d146c0
+ *     viscous-flow, shear, surface-tension
+ * Digest of the structure: 2f29ad36f3a9f6d0e6c322f00c9ebb304280e58595d46792ed074c341941986c
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -24,6 +24,7 @@ enum {
     SOFTCAT_P_DENSITY,               /* [kg/m^3] 780 */
     SOFTCAT_P_GRAVITY,               /* [m/s^2] 9.81: acceleration */
     SOFTCAT_P_POISSON,               /* [1] 0.45: used by shear only */
+    SOFTCAT_P_SURFACE_TENSION,       /* [N/m] 0.028: of the filament's surface */
     SOFTCAT_P_MODE_1_YOUNGS_MODULUS, /* [Pa] 176000 */
     SOFTCAT_P_MODE_1_VISCOSITY,      /* [Pa*s] 1760 */
     SOFTCAT_P_MODE_2_YOUNGS_MODULUS, /* [Pa] 80100 */

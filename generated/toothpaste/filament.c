@@ -4,8 +4,8 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 106146f39e781370ef4d975b013d32e0997a964e5c85b52a746532b22dad4ef4
+ *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient, surface-tension
+ * Digest of the structure: 6254dd7043fad513231a988e7028f52ef2bc2bf0799c1410f4dd682a54ac6422
  */
 #include "filament.h"
 
@@ -98,16 +98,16 @@ static void rates_6(int n, const double *p, const double *g, const double *y, do
     const double c222 = 1e-12 * c1;
     const double c223 = squared(c222);
     const double c226 = p[6];
-    const double c230 = p[8];
+    const double c230 = p[9];
     const double c231 = squared(c230);
     const double c232 = 1.0 / c231;
     const double c235 = squared(c1);
     const double c236 = 1e-18 * c235;
     const double c237 = c236 / c231;
-    const double c240 = 0.5 / p[9];
+    const double c240 = 0.5 / p[10];
     const double c241 = (-0.5) + c240;
     const double c243 = 1.0 / c230;
-    const double c248 = p[10];
+    const double c248 = p[11];
     for (int i = 0; i < n - 1; i++) {
         const double v6 = w1[i + 1];
         const double v7 = w1[i];
@@ -225,7 +225,7 @@ static void rates_7(int n, const double *p, const double *g, double *w, double *
     const double c3 = 0.03125 * c2;
     const double c10 = p[0];
     const double c11 = 1.0 / c10;
-    const double c45 = squared(p[10]);
+    const double c45 = squared(p[11]);
     const double c47 = p[2];
     const double c48 = 0.0625 * c47;
     const double c49 = c48 * c2;
@@ -248,7 +248,7 @@ static void rates_7(int n, const double *p, const double *g, double *w, double *
     }
 }
 
-static void rates_8(int n, const double *g, double *w)
+static void rates_8(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
@@ -258,15 +258,20 @@ static void rates_8(int n, const double *g, double *w)
     double *restrict w9 = w + 9 * n;
     double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
+    const double c3 = p[8] / p[1];
+    const double c4 = 2.0 * c3;
     for (int i = 1; i < n - 2; i++) {
-        const double v5 = g[7 * i + 4];
-        const double v8 = ((w9[i + 1] - w9[i]) * v5) / w5[i];
-        w10[i] = w3[i] - (v8 * ((w0[i + 1] - w0[i]) * v5));
-        w11[i] = w4[i] - (v8 * ((w2[i + 1] - w2[i]) * v5));
+        const double v9 = g[7 * i + 4];
+        const double v10 = (w0[i + 1] - w0[i]) * v9;
+        const double v15 = (w2[i + 1] - w2[i]) * v9;
+        const double v25 = (c4 / sqrt(sqrt(squared(v10) + squared(v15)))) - ((w9[i + 1] - w9[i]) * v9);
+        const double v27 = v25 / w5[i];
+        w10[i] = w3[i] + (v27 * v10);
+        w11[i] = w4[i] + (v27 * v15);
     }
 }
 
-static void rates_9(int n, const double *g, double *w)
+static void rates_9(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
@@ -276,15 +281,20 @@ static void rates_9(int n, const double *g, double *w)
     double *restrict w9 = w + 9 * n;
     double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
+    const double c3 = p[8] / p[1];
+    const double c4 = 2.0 * c3;
     const int i = n - 2;
-    const double v3 = g[7 * i + 4];
-    const double v6 = (w9[i] * v3) / w5[i];
-    w10[i] = w3[i] + (v6 * ((w0[i + 1] - w0[i]) * v3));
-    w11[i] = w4[i] + (v6 * ((w2[i + 1] - w2[i]) * v3));
+    const double v9 = g[7 * i + 4];
+    const double v10 = (w0[i + 1] - w0[i]) * v9;
+    const double v15 = (w2[i + 1] - w2[i]) * v9;
+    const double v23 = (c4 / sqrt(sqrt(squared(v10) + squared(v15)))) + (w9[i] * v9);
+    const double v25 = v23 / w5[i];
+    w10[i] = w3[i] + (v25 * v10);
+    w11[i] = w4[i] + (v25 * v15);
     (void)n;
 }
 
-static void rates_10(int n, const double *g, double *w)
+static void rates_10(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
@@ -294,18 +304,23 @@ static void rates_10(int n, const double *g, double *w)
     double *restrict w9 = w + 9 * n;
     double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
+    const double c3 = p[8] / p[1];
+    const double c4 = 2.0 * c3;
     const int i = 0;
-    const double v3 = g[7 * i + 4];
-    const double v6 = (w9[i + 1] * v3) / w5[i];
-    w10[i] = w3[i] - (v6 * ((w0[i + 1] - w0[i]) * v3));
-    w11[i] = w4[i] - (v6 * ((w2[i + 1] - w2[i]) * v3));
+    const double v9 = g[7 * i + 4];
+    const double v10 = (w0[i + 1] - w0[i]) * v9;
+    const double v15 = (w2[i + 1] - w2[i]) * v9;
+    const double v23 = (c4 / sqrt(sqrt(squared(v10) + squared(v15)))) - (w9[i + 1] * v9);
+    const double v25 = v23 / w5[i];
+    w10[i] = w3[i] + (v25 * v10);
+    w11[i] = w4[i] + (v25 * v15);
     (void)n;
 }
 
 static void rates_11(int n, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w10 = w + 10 * n;
-    const double c4 = squared(p[10]);
+    const double c4 = squared(p[11]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
     const double c8 = p[2] * c5;
@@ -318,7 +333,7 @@ static void rates_11(int n, const double *p, const double *g, double *w, double 
 static void rates_12(int n, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w11 = w + 11 * n;
-    const double c3 = p[10];
+    const double c3 = p[11];
     const double c4 = squared(c3);
     const double c5 = p[0];
     const double c6 = c4 / c5;
@@ -345,7 +360,7 @@ static void rates_12(int n, double t, const double *p, const double *g, double *
 static void rates_13(int n, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w11 = w + 11 * n;
-    const double c1 = p[10];
+    const double c1 = p[11];
     const double c2 = squared(c1);
     const double c3 = p[0];
     const double c4 = c2 / c3;
@@ -572,17 +587,17 @@ static void jacobian_6(int n, const double *p, const double *g, const double *y,
     const double c543 = 0.16666666666666663 * c123;
     const double c550 = 0.09181686914811883 * c123;
     const double c557 = 0.025995061875669103 * c123;
-    const double c1100 = p[10];
+    const double c1100 = p[11];
     const double c1108 = 1e-12 * c1;
     const double c1109 = squared(c1108);
     const double c1112 = p[6];
-    const double c1116 = p[8];
+    const double c1116 = p[9];
     const double c1117 = squared(c1116);
     const double c1118 = 1.0 / c1117;
     const double c1121 = squared(c1);
     const double c1122 = 1e-18 * c1121;
     const double c1123 = c1122 / c1117;
-    const double c1126 = 0.5 / p[9];
+    const double c1126 = 0.5 / p[10];
     const double c1127 = (-0.5) + c1126;
     const double c1129 = 1.0 / c1116;
     const double c1147 = c1127 - 1.0;
@@ -1685,7 +1700,7 @@ static void jacobian_7(int n, const double *p, const double *g, double *w, doubl
     const double c3 = 0.03125 * c2;
     const double c10 = p[0];
     const double c11 = 1.0 / c10;
-    const double c145 = squared(p[10]);
+    const double c145 = squared(p[11]);
     const double c147 = p[2];
     const double c148 = 0.0625 * c147;
     const double c149 = c148 * c2;
@@ -1791,7 +1806,7 @@ static void jacobian_7(int n, const double *p, const double *g, double *w, doubl
     }
 }
 
-static void jacobian_8(int n, const double *g, double *w)
+static void jacobian_8(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
@@ -1962,107 +1977,127 @@ static void jacobian_8(int n, const double *g, double *w)
     double *restrict w220 = w + 220 * n;
     double *restrict w221 = w + 221 * n;
     double *restrict w222 = w + 222 * n;
+    const double c3 = p[8] / p[1];
+    const double c4 = 2.0 * c3;
     for (int i = 1; i < n - 2; i++) {
-        const double v5 = g[7 * i + 4];
-        const double v8 = 1.0 / w5[i];
-        const double v9 = ((w9[i + 1] - w9[i]) * v5) * v8;
-        const double v13 = (w0[i + 1] - w0[i]) * v5;
-        const double v17 = (v13 * v8) * v5;
-        const double v18 = w110[i];
-        const double v20 = w111[i];
-        const double v22 = w110[i + 1];
-        const double v27 = w111[i + 1];
-        const double v30 = w112[i];
-        const double v32 = w113[i];
-        const double v34 = w112[i + 1];
-        const double v39 = w113[i + 1];
-        const double v42 = w114[i];
-        const double v44 = w115[i];
-        const double v46 = w114[i + 1];
-        const double v51 = w115[i + 1];
-        const double v54 = w116[i];
-        const double v56 = w117[i];
-        const double v58 = w116[i + 1];
-        const double v63 = w117[i + 1];
-        const double v66 = w118[i];
-        const double v68 = w119[i];
-        const double v70 = w118[i + 1];
-        const double v75 = w119[i + 1];
-        const double v78 = w120[i];
-        const double v80 = w121[i];
-        const double v82 = w120[i + 1];
-        const double v87 = w121[i + 1];
-        const double v90 = w122[i];
-        const double v92 = w123[i];
-        const double v94 = w122[i + 1];
-        const double v99 = w123[i + 1];
-        const double v102 = w124[i];
-        const double v104 = w125[i];
-        const double v106 = w124[i + 1];
-        const double v111 = w125[i + 1];
-        const double v114 = w126[i];
-        const double v116 = w127[i];
-        const double v118 = w126[i + 1];
-        const double v123 = w128[i];
-        const double v125 = w127[i + 1];
-        const double v130 = w128[i + 1];
-        const double v141 = w129[i];
-        const double v143 = w130[i];
-        const double v145 = w129[i + 1];
-        const double v150 = v9 * v8;
-        const double v151 = v150 * v13;
-        const double v152 = w56[i];
-        const double v155 = v9 * v5;
-        const double v156 = ((((v17 * v143) - (v17 * v145)) + w30[i]) + (v151 * v152)) + v155;
-        const double v157 = w131[i];
-        const double v159 = w130[i + 1];
-        const double v164 = w57[i];
-        const double v167 = ((((v17 * v157) - (v17 * v159)) + w31[i]) + (v151 * v164)) - v155;
-        const double v168 = w131[i + 1];
-        const double v171 = w132[i];
-        const double v173 = w133[i];
-        const double v175 = w132[i + 1];
-        const double v180 = w58[i];
-        const double v183 = w134[i];
-        const double v185 = w133[i + 1];
-        const double v190 = w59[i];
-        const double v193 = w134[i + 1];
-        const double v200 = (w2[i + 1] - w2[i]) * v5;
-        const double v204 = (v200 * v8) * v5;
-        const double v296 = v150 * v200;
-        const double v298 = (((v204 * v143) - (v204 * v145)) + w52[i]) + (v296 * v152);
-        const double v305 = (((v204 * v157) - (v204 * v159)) + w53[i]) + (v296 * v164);
-        const double v315 = (((v204 * v173) - (v204 * v175)) + w54[i]) + (v296 * v180);
-        const double v323 = (((v204 * v183) - (v204 * v185)) + w55[i]) + (v296 * v190);
-        w10[i] = w3[i] - (v9 * v13);
-        w135[i] = v17 * v18;
-        w136[i] = ((v17 * v20) - (v17 * v22)) + w12[i];
-        w137[i] = -(v17 * v27);
-        w138[i] = v17 * v30;
-        w139[i] = ((v17 * v32) - (v17 * v34)) + w13[i];
-        w140[i] = -(v17 * v39);
-        w141[i] = v17 * v42;
-        w142[i] = ((v17 * v44) - (v17 * v46)) + w14[i];
-        w143[i] = -(v17 * v51);
-        w144[i] = v17 * v54;
-        w145[i] = ((v17 * v56) - (v17 * v58)) + w15[i];
-        w146[i] = -(v17 * v63);
-        w147[i] = v17 * v66;
-        w148[i] = ((v17 * v68) - (v17 * v70)) + w16[i];
-        w149[i] = -(v17 * v75);
-        w150[i] = v17 * v78;
-        w151[i] = ((v17 * v80) - (v17 * v82)) + w17[i];
-        w152[i] = -(v17 * v87);
-        w153[i] = v17 * v90;
-        w154[i] = ((v17 * v92) - (v17 * v94)) + w18[i];
-        w155[i] = -(v17 * v99);
-        w156[i] = v17 * v102;
-        w157[i] = ((v17 * v104) - (v17 * v106)) + w19[i];
-        w158[i] = -(v17 * v111);
-        w159[i] = v17 * v114;
-        w160[i] = ((v17 * v116) - (v17 * v118)) + w20[i];
-        w161[i] = ((v17 * v123) - (v17 * v125)) + w21[i];
-        w162[i] = -(v17 * v130);
+        const double v9 = g[7 * i + 4];
+        const double v10 = (w0[i + 1] - w0[i]) * v9;
+        const double v15 = (w2[i + 1] - w2[i]) * v9;
+        const double v18 = sqrt(squared(v10) + squared(v15));
+        const double v19 = sqrt(v18);
+        const double v20 = 1.0 / v19;
+        const double v21 = c4 * v20;
+        const double v28 = 1.0 / w5[i];
+        const double v29 = (v21 - ((w9[i + 1] - w9[i]) * v9)) * v28;
+        const double v32 = v10 * v28;
+        const double v33 = v32 * v9;
+        const double v34 = w110[i];
+        const double v36 = w111[i];
+        const double v38 = w110[i + 1];
+        const double v43 = w111[i + 1];
+        const double v46 = w112[i];
+        const double v48 = w113[i];
+        const double v50 = w112[i + 1];
+        const double v55 = w113[i + 1];
+        const double v58 = w114[i];
+        const double v60 = w115[i];
+        const double v62 = w114[i + 1];
+        const double v67 = w115[i + 1];
+        const double v70 = w116[i];
+        const double v72 = w117[i];
+        const double v74 = w116[i + 1];
+        const double v79 = w117[i + 1];
+        const double v82 = w118[i];
+        const double v84 = w119[i];
+        const double v86 = w118[i + 1];
+        const double v91 = w119[i + 1];
+        const double v94 = w120[i];
+        const double v96 = w121[i];
+        const double v98 = w120[i + 1];
+        const double v103 = w121[i + 1];
+        const double v106 = w122[i];
+        const double v108 = w123[i];
+        const double v110 = w122[i + 1];
+        const double v115 = w123[i + 1];
+        const double v118 = w124[i];
+        const double v120 = w125[i];
+        const double v122 = w124[i + 1];
+        const double v127 = w125[i + 1];
+        const double v130 = w126[i];
+        const double v132 = w127[i];
+        const double v134 = w126[i + 1];
+        const double v139 = w128[i];
+        const double v141 = w127[i + 1];
+        const double v146 = w128[i + 1];
+        const double v157 = w129[i];
+        const double v159 = w130[i];
+        const double v161 = w129[i + 1];
+        const double v166 = v29 * v28;
+        const double v167 = v166 * v10;
+        const double v168 = w56[i];
+        const double v171 = 2.0 * v10;
+        const double v172 = v21 * v20;
+        const double v175 = 1.0 / (2.0 * v19);
+        const double v178 = 1.0 / (2.0 * v18);
+        const double v179 = ((v172 * v32) * v175) * v178;
+        const double v182 = (v29 - (v171 * v179)) * v9;
+        const double v183 = ((((v33 * v159) - (v33 * v161)) + w30[i]) - (v167 * v168)) - v182;
+        const double v184 = w131[i];
+        const double v186 = w130[i + 1];
+        const double v191 = w57[i];
+        const double v194 = ((((v33 * v184) - (v33 * v186)) + w31[i]) - (v167 * v191)) + v182;
+        const double v195 = w131[i + 1];
+        const double v198 = w132[i];
+        const double v200 = w133[i];
+        const double v202 = w132[i + 1];
+        const double v207 = w58[i];
+        const double v210 = 2.0 * v15;
+        const double v212 = (v210 * v179) * v9;
+        const double v213 = ((((v33 * v200) - (v33 * v202)) + w32[i]) - (v167 * v207)) + v212;
+        const double v214 = w134[i];
+        const double v216 = w133[i + 1];
+        const double v221 = w59[i];
+        const double v224 = ((((v33 * v214) - (v33 * v216)) + w33[i]) - (v167 * v221)) - v212;
+        const double v225 = w134[i + 1];
+        const double v231 = v15 * v28;
+        const double v232 = v231 * v9;
+        const double v324 = v166 * v15;
+        const double v326 = (((v232 * v159) - (v232 * v161)) + w52[i]) - (v324 * v168);
+        const double v329 = ((v172 * v231) * v175) * v178;
+        const double v331 = (v171 * v329) * v9;
+        const double v339 = (((v232 * v184) - (v232 * v186)) + w53[i]) - (v324 * v191);
+        const double v350 = (((v232 * v200) - (v232 * v202)) + w54[i]) - (v324 * v207);
+        const double v353 = (v29 - (v210 * v329)) * v9;
+        const double v361 = (((v232 * v214) - (v232 * v216)) + w55[i]) - (v324 * v221);
+        w10[i] = w3[i] + (v29 * v10);
+        w135[i] = v33 * v34;
+        w136[i] = ((v33 * v36) - (v33 * v38)) + w12[i];
+        w137[i] = -(v33 * v43);
+        w138[i] = v33 * v46;
+        w139[i] = ((v33 * v48) - (v33 * v50)) + w13[i];
+        w140[i] = -(v33 * v55);
+        w141[i] = v33 * v58;
+        w142[i] = ((v33 * v60) - (v33 * v62)) + w14[i];
+        w143[i] = -(v33 * v67);
+        w144[i] = v33 * v70;
+        w145[i] = ((v33 * v72) - (v33 * v74)) + w15[i];
+        w146[i] = -(v33 * v79);
+        w147[i] = v33 * v82;
+        w148[i] = ((v33 * v84) - (v33 * v86)) + w16[i];
+        w149[i] = -(v33 * v91);
+        w150[i] = v33 * v94;
+        w151[i] = ((v33 * v96) - (v33 * v98)) + w17[i];
+        w152[i] = -(v33 * v103);
+        w153[i] = v33 * v106;
+        w154[i] = ((v33 * v108) - (v33 * v110)) + w18[i];
+        w155[i] = -(v33 * v115);
+        w156[i] = v33 * v118;
+        w157[i] = ((v33 * v120) - (v33 * v122)) + w19[i];
+        w158[i] = -(v33 * v127);
+        w159[i] = v33 * v130;
+        w160[i] = ((v33 * v132) - (v33 * v134)) + w20[i];
+        w161[i] = ((v33 * v139) - (v33 * v141)) + w21[i];
+        w162[i] = -(v33 * v146);
         w163[i] = w22[i];
         w164[i] = w23[i];
         w165[i] = w24[i];
@@ -2071,43 +2106,43 @@ static void jacobian_8(int n, const double *g, double *w)
         w168[i] = w27[i];
         w169[i] = w28[i];
         w170[i] = w29[i];
-        w171[i] = v17 * v141;
-        w172[i] = v156;
-        w173[i] = v167;
-        w174[i] = -(v17 * v168);
-        w175[i] = v17 * v171;
-        w176[i] = (((v17 * v173) - (v17 * v175)) + w32[i]) + (v151 * v180);
-        w177[i] = (((v17 * v183) - (v17 * v185)) + w33[i]) + (v151 * v190);
-        w178[i] = -(v17 * v193);
-        w11[i] = w4[i] - (v9 * v200);
-        w179[i] = v204 * v18;
-        w180[i] = ((v204 * v20) - (v204 * v22)) + w34[i];
-        w181[i] = -(v204 * v27);
-        w182[i] = v204 * v30;
-        w183[i] = ((v204 * v32) - (v204 * v34)) + w35[i];
-        w184[i] = -(v204 * v39);
-        w185[i] = v204 * v42;
-        w186[i] = ((v204 * v44) - (v204 * v46)) + w36[i];
-        w187[i] = -(v204 * v51);
-        w188[i] = v204 * v54;
-        w189[i] = ((v204 * v56) - (v204 * v58)) + w37[i];
-        w190[i] = -(v204 * v63);
-        w191[i] = v204 * v66;
-        w192[i] = ((v204 * v68) - (v204 * v70)) + w38[i];
-        w193[i] = -(v204 * v75);
-        w194[i] = v204 * v78;
-        w195[i] = ((v204 * v80) - (v204 * v82)) + w39[i];
-        w196[i] = -(v204 * v87);
-        w197[i] = v204 * v90;
-        w198[i] = ((v204 * v92) - (v204 * v94)) + w40[i];
-        w199[i] = -(v204 * v99);
-        w200[i] = v204 * v102;
-        w201[i] = ((v204 * v104) - (v204 * v106)) + w41[i];
-        w202[i] = -(v204 * v111);
-        w203[i] = v204 * v114;
-        w204[i] = ((v204 * v116) - (v204 * v118)) + w42[i];
-        w205[i] = ((v204 * v123) - (v204 * v125)) + w43[i];
-        w206[i] = -(v204 * v130);
+        w171[i] = v33 * v157;
+        w172[i] = v183;
+        w173[i] = v194;
+        w174[i] = -(v33 * v195);
+        w175[i] = v33 * v198;
+        w176[i] = v213;
+        w177[i] = v224;
+        w178[i] = -(v33 * v225);
+        w11[i] = w4[i] + (v29 * v15);
+        w179[i] = v232 * v34;
+        w180[i] = ((v232 * v36) - (v232 * v38)) + w34[i];
+        w181[i] = -(v232 * v43);
+        w182[i] = v232 * v46;
+        w183[i] = ((v232 * v48) - (v232 * v50)) + w35[i];
+        w184[i] = -(v232 * v55);
+        w185[i] = v232 * v58;
+        w186[i] = ((v232 * v60) - (v232 * v62)) + w36[i];
+        w187[i] = -(v232 * v67);
+        w188[i] = v232 * v70;
+        w189[i] = ((v232 * v72) - (v232 * v74)) + w37[i];
+        w190[i] = -(v232 * v79);
+        w191[i] = v232 * v82;
+        w192[i] = ((v232 * v84) - (v232 * v86)) + w38[i];
+        w193[i] = -(v232 * v91);
+        w194[i] = v232 * v94;
+        w195[i] = ((v232 * v96) - (v232 * v98)) + w39[i];
+        w196[i] = -(v232 * v103);
+        w197[i] = v232 * v106;
+        w198[i] = ((v232 * v108) - (v232 * v110)) + w40[i];
+        w199[i] = -(v232 * v115);
+        w200[i] = v232 * v118;
+        w201[i] = ((v232 * v120) - (v232 * v122)) + w41[i];
+        w202[i] = -(v232 * v127);
+        w203[i] = v232 * v130;
+        w204[i] = ((v232 * v132) - (v232 * v134)) + w42[i];
+        w205[i] = ((v232 * v139) - (v232 * v141)) + w43[i];
+        w206[i] = -(v232 * v146);
         w207[i] = w44[i];
         w208[i] = w45[i];
         w209[i] = w46[i];
@@ -2116,18 +2151,18 @@ static void jacobian_8(int n, const double *g, double *w)
         w212[i] = w49[i];
         w213[i] = w50[i];
         w214[i] = w51[i];
-        w215[i] = v204 * v141;
-        w216[i] = v298;
-        w217[i] = v305;
-        w218[i] = -(v204 * v168);
-        w219[i] = v204 * v171;
-        w220[i] = v315 + v155;
-        w221[i] = v323 - v155;
-        w222[i] = -(v204 * v193);
+        w215[i] = v232 * v157;
+        w216[i] = v326 + v331;
+        w217[i] = v339 - v331;
+        w218[i] = -(v232 * v195);
+        w219[i] = v232 * v198;
+        w220[i] = v350 - v353;
+        w221[i] = v361 + v353;
+        w222[i] = -(v232 * v225);
     }
 }
 
-static void jacobian_9(int n, const double *g, double *w)
+static void jacobian_9(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
@@ -2298,75 +2333,93 @@ static void jacobian_9(int n, const double *g, double *w)
     double *restrict w220 = w + 220 * n;
     double *restrict w221 = w + 221 * n;
     double *restrict w222 = w + 222 * n;
+    const double c3 = p[8] / p[1];
+    const double c4 = 2.0 * c3;
     const int i = n - 2;
-    const double v3 = g[7 * i + 4];
-    const double v6 = 1.0 / w5[i];
-    const double v7 = (w9[i] * v3) * v6;
-    const double v11 = (w0[i + 1] - w0[i]) * v3;
-    const double v15 = (v11 * v6) * v3;
-    const double v16 = w110[i];
-    const double v18 = w111[i];
-    const double v23 = w112[i];
-    const double v25 = w113[i];
-    const double v29 = w114[i];
-    const double v31 = w115[i];
-    const double v35 = w116[i];
-    const double v37 = w117[i];
-    const double v41 = w118[i];
-    const double v43 = w119[i];
-    const double v47 = w120[i];
-    const double v49 = w121[i];
-    const double v53 = w122[i];
-    const double v55 = w123[i];
-    const double v59 = w124[i];
-    const double v61 = w125[i];
-    const double v65 = w126[i];
-    const double v67 = w127[i];
-    const double v71 = w128[i];
-    const double v83 = w129[i];
-    const double v85 = w130[i];
-    const double v89 = v7 * v6;
-    const double v90 = v89 * v11;
-    const double v91 = w56[i];
-    const double v94 = v7 * v3;
-    const double v96 = w131[i];
-    const double v100 = w57[i];
-    const double v104 = w132[i];
-    const double v106 = w133[i];
-    const double v110 = w58[i];
-    const double v113 = w134[i];
-    const double v117 = w59[i];
-    const double v124 = (w2[i + 1] - w2[i]) * v3;
-    const double v128 = (v124 * v6) * v3;
-    const double v180 = v89 * v124;
-    w10[i] = w3[i] + (v7 * v11);
-    w135[i] = v15 * v16;
-    w136[i] = (v15 * v18) + w12[i];
+    const double v9 = g[7 * i + 4];
+    const double v10 = (w0[i + 1] - w0[i]) * v9;
+    const double v15 = (w2[i + 1] - w2[i]) * v9;
+    const double v18 = sqrt(squared(v10) + squared(v15));
+    const double v19 = sqrt(v18);
+    const double v20 = 1.0 / v19;
+    const double v21 = c4 * v20;
+    const double v26 = 1.0 / w5[i];
+    const double v27 = (v21 + (w9[i] * v9)) * v26;
+    const double v30 = v10 * v26;
+    const double v31 = v30 * v9;
+    const double v32 = w110[i];
+    const double v34 = w111[i];
+    const double v39 = w112[i];
+    const double v41 = w113[i];
+    const double v45 = w114[i];
+    const double v47 = w115[i];
+    const double v51 = w116[i];
+    const double v53 = w117[i];
+    const double v57 = w118[i];
+    const double v59 = w119[i];
+    const double v63 = w120[i];
+    const double v65 = w121[i];
+    const double v69 = w122[i];
+    const double v71 = w123[i];
+    const double v75 = w124[i];
+    const double v77 = w125[i];
+    const double v81 = w126[i];
+    const double v83 = w127[i];
+    const double v87 = w128[i];
+    const double v99 = w129[i];
+    const double v101 = w130[i];
+    const double v105 = v27 * v26;
+    const double v106 = v105 * v10;
+    const double v107 = w56[i];
+    const double v110 = 2.0 * v10;
+    const double v111 = v21 * v20;
+    const double v114 = 1.0 / (2.0 * v19);
+    const double v117 = 1.0 / (2.0 * v18);
+    const double v118 = ((v111 * v30) * v114) * v117;
+    const double v121 = (v27 - (v110 * v118)) * v9;
+    const double v123 = w131[i];
+    const double v127 = w57[i];
+    const double v131 = w132[i];
+    const double v133 = w133[i];
+    const double v137 = w58[i];
+    const double v140 = 2.0 * v15;
+    const double v142 = (v140 * v118) * v9;
+    const double v144 = w134[i];
+    const double v148 = w59[i];
+    const double v155 = v15 * v26;
+    const double v156 = v155 * v9;
+    const double v208 = v105 * v15;
+    const double v213 = ((v111 * v155) * v114) * v117;
+    const double v215 = (v110 * v213) * v9;
+    const double v231 = (v27 - (v140 * v213)) * v9;
+    w10[i] = w3[i] + (v27 * v10);
+    w135[i] = v31 * v32;
+    w136[i] = (v31 * v34) + w12[i];
     w137[i] = 0.0;
-    w138[i] = v15 * v23;
-    w139[i] = (v15 * v25) + w13[i];
+    w138[i] = v31 * v39;
+    w139[i] = (v31 * v41) + w13[i];
     w140[i] = 0.0;
-    w141[i] = v15 * v29;
-    w142[i] = (v15 * v31) + w14[i];
+    w141[i] = v31 * v45;
+    w142[i] = (v31 * v47) + w14[i];
     w143[i] = 0.0;
-    w144[i] = v15 * v35;
-    w145[i] = (v15 * v37) + w15[i];
+    w144[i] = v31 * v51;
+    w145[i] = (v31 * v53) + w15[i];
     w146[i] = 0.0;
-    w147[i] = v15 * v41;
-    w148[i] = (v15 * v43) + w16[i];
+    w147[i] = v31 * v57;
+    w148[i] = (v31 * v59) + w16[i];
     w149[i] = 0.0;
-    w150[i] = v15 * v47;
-    w151[i] = (v15 * v49) + w17[i];
+    w150[i] = v31 * v63;
+    w151[i] = (v31 * v65) + w17[i];
     w152[i] = 0.0;
-    w153[i] = v15 * v53;
-    w154[i] = (v15 * v55) + w18[i];
+    w153[i] = v31 * v69;
+    w154[i] = (v31 * v71) + w18[i];
     w155[i] = 0.0;
-    w156[i] = v15 * v59;
-    w157[i] = (v15 * v61) + w19[i];
+    w156[i] = v31 * v75;
+    w157[i] = (v31 * v77) + w19[i];
     w158[i] = 0.0;
-    w159[i] = v15 * v65;
-    w160[i] = (v15 * v67) + w20[i];
-    w161[i] = (v15 * v71) + w21[i];
+    w159[i] = v31 * v81;
+    w160[i] = (v31 * v83) + w20[i];
+    w161[i] = (v31 * v87) + w21[i];
     w162[i] = 0.0;
     w163[i] = w22[i];
     w164[i] = w23[i];
@@ -2376,42 +2429,42 @@ static void jacobian_9(int n, const double *g, double *w)
     w168[i] = w27[i];
     w169[i] = w28[i];
     w170[i] = w29[i];
-    w171[i] = v15 * v83;
-    w172[i] = (((v15 * v85) + w30[i]) - (v90 * v91)) - v94;
-    w173[i] = (((v15 * v96) + w31[i]) - (v90 * v100)) + v94;
+    w171[i] = v31 * v99;
+    w172[i] = (((v31 * v101) + w30[i]) - (v106 * v107)) - v121;
+    w173[i] = (((v31 * v123) + w31[i]) - (v106 * v127)) + v121;
     w174[i] = 0.0;
-    w175[i] = v15 * v104;
-    w176[i] = ((v15 * v106) + w32[i]) - (v90 * v110);
-    w177[i] = ((v15 * v113) + w33[i]) - (v90 * v117);
+    w175[i] = v31 * v131;
+    w176[i] = (((v31 * v133) + w32[i]) - (v106 * v137)) + v142;
+    w177[i] = (((v31 * v144) + w33[i]) - (v106 * v148)) - v142;
     w178[i] = 0.0;
-    w11[i] = w4[i] + (v7 * v124);
-    w179[i] = v128 * v16;
-    w180[i] = (v128 * v18) + w34[i];
+    w11[i] = w4[i] + (v27 * v15);
+    w179[i] = v156 * v32;
+    w180[i] = (v156 * v34) + w34[i];
     w181[i] = 0.0;
-    w182[i] = v128 * v23;
-    w183[i] = (v128 * v25) + w35[i];
+    w182[i] = v156 * v39;
+    w183[i] = (v156 * v41) + w35[i];
     w184[i] = 0.0;
-    w185[i] = v128 * v29;
-    w186[i] = (v128 * v31) + w36[i];
+    w185[i] = v156 * v45;
+    w186[i] = (v156 * v47) + w36[i];
     w187[i] = 0.0;
-    w188[i] = v128 * v35;
-    w189[i] = (v128 * v37) + w37[i];
+    w188[i] = v156 * v51;
+    w189[i] = (v156 * v53) + w37[i];
     w190[i] = 0.0;
-    w191[i] = v128 * v41;
-    w192[i] = (v128 * v43) + w38[i];
+    w191[i] = v156 * v57;
+    w192[i] = (v156 * v59) + w38[i];
     w193[i] = 0.0;
-    w194[i] = v128 * v47;
-    w195[i] = (v128 * v49) + w39[i];
+    w194[i] = v156 * v63;
+    w195[i] = (v156 * v65) + w39[i];
     w196[i] = 0.0;
-    w197[i] = v128 * v53;
-    w198[i] = (v128 * v55) + w40[i];
+    w197[i] = v156 * v69;
+    w198[i] = (v156 * v71) + w40[i];
     w199[i] = 0.0;
-    w200[i] = v128 * v59;
-    w201[i] = (v128 * v61) + w41[i];
+    w200[i] = v156 * v75;
+    w201[i] = (v156 * v77) + w41[i];
     w202[i] = 0.0;
-    w203[i] = v128 * v65;
-    w204[i] = (v128 * v67) + w42[i];
-    w205[i] = (v128 * v71) + w43[i];
+    w203[i] = v156 * v81;
+    w204[i] = (v156 * v83) + w42[i];
+    w205[i] = (v156 * v87) + w43[i];
     w206[i] = 0.0;
     w207[i] = w44[i];
     w208[i] = w45[i];
@@ -2421,18 +2474,18 @@ static void jacobian_9(int n, const double *g, double *w)
     w212[i] = w49[i];
     w213[i] = w50[i];
     w214[i] = w51[i];
-    w215[i] = v128 * v83;
-    w216[i] = ((v128 * v85) + w52[i]) - (v180 * v91);
-    w217[i] = ((v128 * v96) + w53[i]) - (v180 * v100);
+    w215[i] = v156 * v99;
+    w216[i] = (((v156 * v101) + w52[i]) - (v208 * v107)) + v215;
+    w217[i] = (((v156 * v123) + w53[i]) - (v208 * v127)) - v215;
     w218[i] = 0.0;
-    w219[i] = v128 * v104;
-    w220[i] = (((v128 * v106) + w54[i]) - (v180 * v110)) - v94;
-    w221[i] = (((v128 * v113) + w55[i]) - (v180 * v117)) + v94;
+    w219[i] = v156 * v131;
+    w220[i] = (((v156 * v133) + w54[i]) - (v208 * v137)) - v231;
+    w221[i] = (((v156 * v144) + w55[i]) - (v208 * v148)) + v231;
     w222[i] = 0.0;
     (void)n;
 }
 
-static void jacobian_10(int n, const double *g, double *w)
+static void jacobian_10(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
@@ -2603,76 +2656,94 @@ static void jacobian_10(int n, const double *g, double *w)
     double *restrict w220 = w + 220 * n;
     double *restrict w221 = w + 221 * n;
     double *restrict w222 = w + 222 * n;
+    const double c3 = p[8] / p[1];
+    const double c4 = 2.0 * c3;
     const int i = 0;
-    const double v3 = g[7 * i + 4];
-    const double v6 = 1.0 / w5[i];
-    const double v7 = (w9[i + 1] * v3) * v6;
-    const double v11 = (w0[i + 1] - w0[i]) * v3;
-    const double v17 = (v11 * v6) * v3;
-    const double v18 = w110[i + 1];
-    const double v21 = w111[i + 1];
-    const double v25 = w112[i + 1];
-    const double v28 = w113[i + 1];
-    const double v32 = w114[i + 1];
-    const double v35 = w115[i + 1];
-    const double v39 = w116[i + 1];
-    const double v42 = w117[i + 1];
-    const double v46 = w118[i + 1];
-    const double v49 = w119[i + 1];
-    const double v53 = w120[i + 1];
-    const double v56 = w121[i + 1];
-    const double v60 = w122[i + 1];
-    const double v63 = w123[i + 1];
-    const double v67 = w124[i + 1];
-    const double v70 = w125[i + 1];
-    const double v74 = w126[i + 1];
-    const double v78 = w127[i + 1];
-    const double v81 = w128[i + 1];
-    const double v93 = w129[i + 1];
-    const double v96 = v7 * v6;
-    const double v97 = v96 * v11;
-    const double v98 = w56[i];
-    const double v101 = v7 * v3;
-    const double v104 = w130[i + 1];
-    const double v107 = w57[i];
-    const double v111 = w131[i + 1];
-    const double v115 = w132[i + 1];
-    const double v118 = w58[i];
-    const double v122 = w133[i + 1];
-    const double v125 = w59[i];
-    const double v128 = w134[i + 1];
-    const double v135 = (w2[i + 1] - w2[i]) * v3;
-    const double v140 = (v135 * v6) * v3;
-    const double v199 = v96 * v135;
-    w10[i] = w3[i] - (v7 * v11);
+    const double v9 = g[7 * i + 4];
+    const double v10 = (w0[i + 1] - w0[i]) * v9;
+    const double v15 = (w2[i + 1] - w2[i]) * v9;
+    const double v18 = sqrt(squared(v10) + squared(v15));
+    const double v19 = sqrt(v18);
+    const double v20 = 1.0 / v19;
+    const double v21 = c4 * v20;
+    const double v26 = 1.0 / w5[i];
+    const double v27 = (v21 - (w9[i + 1] * v9)) * v26;
+    const double v32 = v10 * v26;
+    const double v33 = v32 * v9;
+    const double v34 = w110[i + 1];
+    const double v37 = w111[i + 1];
+    const double v41 = w112[i + 1];
+    const double v44 = w113[i + 1];
+    const double v48 = w114[i + 1];
+    const double v51 = w115[i + 1];
+    const double v55 = w116[i + 1];
+    const double v58 = w117[i + 1];
+    const double v62 = w118[i + 1];
+    const double v65 = w119[i + 1];
+    const double v69 = w120[i + 1];
+    const double v72 = w121[i + 1];
+    const double v76 = w122[i + 1];
+    const double v79 = w123[i + 1];
+    const double v83 = w124[i + 1];
+    const double v86 = w125[i + 1];
+    const double v90 = w126[i + 1];
+    const double v94 = w127[i + 1];
+    const double v97 = w128[i + 1];
+    const double v109 = w129[i + 1];
+    const double v112 = v27 * v26;
+    const double v113 = v112 * v10;
+    const double v114 = w56[i];
+    const double v117 = 2.0 * v10;
+    const double v118 = v21 * v20;
+    const double v121 = 1.0 / (2.0 * v19);
+    const double v124 = 1.0 / (2.0 * v18);
+    const double v125 = ((v118 * v32) * v121) * v124;
+    const double v128 = (v27 - (v117 * v125)) * v9;
+    const double v131 = w130[i + 1];
+    const double v134 = w57[i];
+    const double v138 = w131[i + 1];
+    const double v142 = w132[i + 1];
+    const double v145 = w58[i];
+    const double v148 = 2.0 * v15;
+    const double v150 = (v148 * v125) * v9;
+    const double v153 = w133[i + 1];
+    const double v156 = w59[i];
+    const double v160 = w134[i + 1];
+    const double v167 = v15 * v26;
+    const double v168 = v167 * v9;
+    const double v227 = v112 * v15;
+    const double v232 = ((v118 * v167) * v121) * v124;
+    const double v234 = (v117 * v232) * v9;
+    const double v251 = (v27 - (v148 * v232)) * v9;
+    w10[i] = w3[i] + (v27 * v10);
     w135[i] = 0.0;
-    w136[i] = w12[i] - (v17 * v18);
-    w137[i] = -(v17 * v21);
+    w136[i] = w12[i] - (v33 * v34);
+    w137[i] = -(v33 * v37);
     w138[i] = 0.0;
-    w139[i] = w13[i] - (v17 * v25);
-    w140[i] = -(v17 * v28);
+    w139[i] = w13[i] - (v33 * v41);
+    w140[i] = -(v33 * v44);
     w141[i] = 0.0;
-    w142[i] = w14[i] - (v17 * v32);
-    w143[i] = -(v17 * v35);
+    w142[i] = w14[i] - (v33 * v48);
+    w143[i] = -(v33 * v51);
     w144[i] = 0.0;
-    w145[i] = w15[i] - (v17 * v39);
-    w146[i] = -(v17 * v42);
+    w145[i] = w15[i] - (v33 * v55);
+    w146[i] = -(v33 * v58);
     w147[i] = 0.0;
-    w148[i] = w16[i] - (v17 * v46);
-    w149[i] = -(v17 * v49);
+    w148[i] = w16[i] - (v33 * v62);
+    w149[i] = -(v33 * v65);
     w150[i] = 0.0;
-    w151[i] = w17[i] - (v17 * v53);
-    w152[i] = -(v17 * v56);
+    w151[i] = w17[i] - (v33 * v69);
+    w152[i] = -(v33 * v72);
     w153[i] = 0.0;
-    w154[i] = w18[i] - (v17 * v60);
-    w155[i] = -(v17 * v63);
+    w154[i] = w18[i] - (v33 * v76);
+    w155[i] = -(v33 * v79);
     w156[i] = 0.0;
-    w157[i] = w19[i] - (v17 * v67);
-    w158[i] = -(v17 * v70);
+    w157[i] = w19[i] - (v33 * v83);
+    w158[i] = -(v33 * v86);
     w159[i] = 0.0;
-    w160[i] = w20[i] - (v17 * v74);
-    w161[i] = w21[i] - (v17 * v78);
-    w162[i] = -(v17 * v81);
+    w160[i] = w20[i] - (v33 * v90);
+    w161[i] = w21[i] - (v33 * v94);
+    w162[i] = -(v33 * v97);
     w163[i] = w22[i];
     w164[i] = w23[i];
     w165[i] = w24[i];
@@ -2682,42 +2753,42 @@ static void jacobian_10(int n, const double *g, double *w)
     w169[i] = w28[i];
     w170[i] = w29[i];
     w171[i] = 0.0;
-    w172[i] = ((w30[i] - (v17 * v93)) + (v97 * v98)) + v101;
-    w173[i] = ((w31[i] - (v17 * v104)) + (v97 * v107)) - v101;
-    w174[i] = -(v17 * v111);
+    w172[i] = ((w30[i] - (v33 * v109)) - (v113 * v114)) - v128;
+    w173[i] = ((w31[i] - (v33 * v131)) - (v113 * v134)) + v128;
+    w174[i] = -(v33 * v138);
     w175[i] = 0.0;
-    w176[i] = (w32[i] - (v17 * v115)) + (v97 * v118);
-    w177[i] = (w33[i] - (v17 * v122)) + (v97 * v125);
-    w178[i] = -(v17 * v128);
-    w11[i] = w4[i] - (v7 * v135);
+    w176[i] = ((w32[i] - (v33 * v142)) - (v113 * v145)) + v150;
+    w177[i] = ((w33[i] - (v33 * v153)) - (v113 * v156)) - v150;
+    w178[i] = -(v33 * v160);
+    w11[i] = w4[i] + (v27 * v15);
     w179[i] = 0.0;
-    w180[i] = w34[i] - (v140 * v18);
-    w181[i] = -(v140 * v21);
+    w180[i] = w34[i] - (v168 * v34);
+    w181[i] = -(v168 * v37);
     w182[i] = 0.0;
-    w183[i] = w35[i] - (v140 * v25);
-    w184[i] = -(v140 * v28);
+    w183[i] = w35[i] - (v168 * v41);
+    w184[i] = -(v168 * v44);
     w185[i] = 0.0;
-    w186[i] = w36[i] - (v140 * v32);
-    w187[i] = -(v140 * v35);
+    w186[i] = w36[i] - (v168 * v48);
+    w187[i] = -(v168 * v51);
     w188[i] = 0.0;
-    w189[i] = w37[i] - (v140 * v39);
-    w190[i] = -(v140 * v42);
+    w189[i] = w37[i] - (v168 * v55);
+    w190[i] = -(v168 * v58);
     w191[i] = 0.0;
-    w192[i] = w38[i] - (v140 * v46);
-    w193[i] = -(v140 * v49);
+    w192[i] = w38[i] - (v168 * v62);
+    w193[i] = -(v168 * v65);
     w194[i] = 0.0;
-    w195[i] = w39[i] - (v140 * v53);
-    w196[i] = -(v140 * v56);
+    w195[i] = w39[i] - (v168 * v69);
+    w196[i] = -(v168 * v72);
     w197[i] = 0.0;
-    w198[i] = w40[i] - (v140 * v60);
-    w199[i] = -(v140 * v63);
+    w198[i] = w40[i] - (v168 * v76);
+    w199[i] = -(v168 * v79);
     w200[i] = 0.0;
-    w201[i] = w41[i] - (v140 * v67);
-    w202[i] = -(v140 * v70);
+    w201[i] = w41[i] - (v168 * v83);
+    w202[i] = -(v168 * v86);
     w203[i] = 0.0;
-    w204[i] = w42[i] - (v140 * v74);
-    w205[i] = w43[i] - (v140 * v78);
-    w206[i] = -(v140 * v81);
+    w204[i] = w42[i] - (v168 * v90);
+    w205[i] = w43[i] - (v168 * v94);
+    w206[i] = -(v168 * v97);
     w207[i] = w44[i];
     w208[i] = w45[i];
     w209[i] = w46[i];
@@ -2727,13 +2798,13 @@ static void jacobian_10(int n, const double *g, double *w)
     w213[i] = w50[i];
     w214[i] = w51[i];
     w215[i] = 0.0;
-    w216[i] = (w52[i] - (v140 * v93)) + (v199 * v98);
-    w217[i] = (w53[i] - (v140 * v104)) + (v199 * v107);
-    w218[i] = -(v140 * v111);
+    w216[i] = ((w52[i] - (v168 * v109)) - (v227 * v114)) + v234;
+    w217[i] = ((w53[i] - (v168 * v131)) - (v227 * v134)) - v234;
+    w218[i] = -(v168 * v138);
     w219[i] = 0.0;
-    w220[i] = ((w54[i] - (v140 * v115)) + (v199 * v118)) + v101;
-    w221[i] = ((w55[i] - (v140 * v122)) + (v199 * v125)) - v101;
-    w222[i] = -(v140 * v128);
+    w220[i] = ((w54[i] - (v168 * v142)) - (v227 * v145)) - v251;
+    w221[i] = ((w55[i] - (v168 * v153)) - (v227 * v156)) + v251;
+    w222[i] = -(v168 * v160);
     (void)n;
 }
 
@@ -2783,7 +2854,7 @@ static void jacobian_11(int n, const double *p, const double *g, double *w, doub
     double *restrict w176 = w + 176 * n;
     double *restrict w177 = w + 177 * n;
     double *restrict w178 = w + 178 * n;
-    const double c1 = squared(p[10]);
+    const double c1 = squared(p[11]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c5 = p[2] * c2;
@@ -2902,7 +2973,7 @@ static void jacobian_12(int n, const double *p, const double *g, double *w, doub
     double *restrict w220 = w + 220 * n;
     double *restrict w221 = w + 221 * n;
     double *restrict w222 = w + 222 * n;
-    const double c1 = squared(p[10]);
+    const double c1 = squared(p[11]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c5 = p[2] * c2;
@@ -3021,7 +3092,7 @@ static void jacobian_13(int n, const double *p, const double *g, double *w, doub
     double *restrict w220 = w + 220 * n;
     double *restrict w221 = w + 221 * n;
     double *restrict w222 = w + 222 * n;
-    const double c1 = squared(p[10]);
+    const double c1 = squared(p[11]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c5 = p[2] * c2;
@@ -3091,16 +3162,16 @@ static void work_0(int n, const double *p, const double *g, const double *y, dou
     const double c62 = 1e-12 * c2;
     const double c63 = squared(c62);
     const double c67 = p[6];
-    const double c71 = p[8];
+    const double c71 = p[9];
     const double c72 = squared(c71);
     const double c73 = 1.0 / c72;
     const double c76 = squared(c2);
     const double c77 = 1e-18 * c76;
     const double c78 = c77 / c72;
-    const double c81 = 0.5 / p[9];
+    const double c81 = 0.5 / p[10];
     const double c82 = (-0.5) + c81;
     const double c84 = 1.0 / c71;
-    const double c285 = p[10];
+    const double c285 = p[11];
     const double c287 = c11 / c285;
     const double c288 = squared(c287);
     const double c289 = p[2] * c288;
@@ -3174,7 +3245,7 @@ static void work_1(int n, double t, const double *p, const double *g, double *w,
     const double c2 = p[2];
     const double c3 = c1 * c2;
     const double c6 = 30.0 * p[3];
-    const double c10 = p[10];
+    const double c10 = p[11];
     const double c11 = t * c10;
     const double c12 = p[4];
     const double c13 = c11 / c12;
@@ -3239,7 +3310,7 @@ static void work_6(int n, const double *p, const double *g, double *w, double *q
     double *restrict w9 = w + 9 * n;
     double *restrict w223 = w + 223 * n;
     double *restrict w224 = w + 224 * n;
-    const double c48 = p[0] / p[10];
+    const double c48 = p[0] / p[11];
     const double c49 = squared(c48);
     const double c50 = p[2] * c49;
     const double c51 = 1.0 / c50;
@@ -3272,16 +3343,16 @@ static void work_slope_0(int n, const double *p, const double *g, const double *
     const double c52 = 2.0 + c51;
     const double c53 = c49 / c52;
     const double c72 = p[6];
-    const double c76 = p[8];
+    const double c76 = p[9];
     const double c77 = squared(c76);
     const double c78 = 1.0 / c77;
     const double c81 = squared(c0);
     const double c82 = 1e-18 * c81;
     const double c83 = c82 / c77;
-    const double c86 = 0.5 / p[9];
+    const double c86 = 0.5 / p[10];
     const double c87 = (-0.5) + c86;
     const double c89 = 1.0 / c76;
-    const double c93 = p[10];
+    const double c93 = p[11];
     const double c95 = c10 / c93;
     const double c96 = squared(c95);
     const double c97 = p[2] * c96;
@@ -3508,7 +3579,7 @@ static void work_slope_1(int n, double t, const double *p, const double *g, doub
     const double c2 = p[2];
     const double c3 = c1 * c2;
     const double c6 = 30.0 * p[3];
-    const double c10 = p[10];
+    const double c10 = p[11];
     const double c11 = t * c10;
     const double c12 = p[4];
     const double c13 = c11 / c12;
@@ -3602,7 +3673,7 @@ static void work_slope_6(int n, const double *p, const double *g, double *w, dou
     double *restrict w134 = w + 134 * n;
     double *restrict w223 = w + 223 * n;
     double *restrict w224 = w + 224 * n;
-    const double c48 = p[0] / p[10];
+    const double c48 = p[0] / p[11];
     const double c49 = squared(c48);
     const double c50 = p[2] * c49;
     const double c51 = 1.0 / c50;
@@ -3690,9 +3761,9 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
     rates_5(n, g, w);
     rates_6(n, p, g, y, w, f);
     rates_7(n, p, g, w, f);
-    rates_8(n, g, w);
-    rates_9(n, g, w);
-    rates_10(n, g, w);
+    rates_8(n, p, g, w);
+    rates_9(n, p, g, w);
+    rates_10(n, p, g, w);
     rates_11(n, p, g, w, f);
     rates_12(n, t, p, g, w, f);
     rates_13(n, t, p, g, w, f);
@@ -3715,9 +3786,9 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
     jacobian_5(n, g, w);
     jacobian_6(n, p, g, y, w, e);
     jacobian_7(n, p, g, w, e);
-    jacobian_8(n, g, w);
-    jacobian_9(n, g, w);
-    jacobian_10(n, g, w);
+    jacobian_8(n, p, g, w);
+    jacobian_9(n, p, g, w);
+    jacobian_10(n, p, g, w);
     jacobian_11(n, p, g, w, e);
     jacobian_12(n, p, g, w, e);
     jacobian_13(n, p, g, w, e);
@@ -3767,23 +3838,23 @@ static const int offset[] = {0, 0, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -
 static const int column[] = {2, 3, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 1, 4, 0, 1, 4, 5, 13, 0, 1, 4, 0, 1, 4, 6, 14, 0, 1, 4, 0, 1, 4, 7, 15, 0, 1, 4, 0, 1, 4, 8, 16, 0, 1, 4, 0, 1, 4, 9, 17, 0, 1, 4, 0, 1, 4, 10, 18, 0, 1, 4, 0, 1, 4, 11, 19, 0, 1, 4, 0, 1, 4, 12, 20, 0, 1, 4, 0, 1, 4, 5, 13, 0, 1, 4, 0, 1, 4, 6, 14, 0, 1, 4, 0, 1, 4, 7, 15, 0, 1, 4, 0, 1, 4, 8, 16, 0, 1, 4, 0, 1, 4, 9, 17, 0, 1, 4, 0, 1, 4, 10, 18, 0, 1, 4, 0, 1, 4, 11, 19, 0, 1, 4, 0, 1, 4, 12, 20, 0, 1, 4};
 
 const softcat_model softcat_filament_model = {
-    21, 16, 11, 7, 225, 297, 3, 1,
+    21, 16, 12, 7, 225, 297, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };
 
 static const char *const described_parameters[] = {
     "rest_length", "thickness", "density", "gravity", "ramp", "youngs_modulus", "yield_stress",
-    "poisson", "viscosity", "index", "time_scale"};
+    "poisson", "surface_tension", "viscosity", "index", "time_scale"};
 static const char *const described_units[] = {
-    "m", "m", "kg/m^3", "m/s^2", "s", "Pa", "Pa", "1", "Pa*s^n", "1", "s"};
+    "m", "m", "kg/m^3", "m/s^2", "s", "Pa", "Pa", "1", "N/m", "Pa*s^n", "1", "s"};
 static const softcat_range described_ranges[] = {
     SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_NOT_NEGATIVE,
-    SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_POISSON, SOFTCAT_POSITIVE,
-    SOFTCAT_POSITIVE, SOFTCAT_NOT_NEGATIVE};
+    SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_POISSON,
+    SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_NOT_NEGATIVE};
 static const double described_values[] = {
-    0.02, 0.006, 1300.0, 9.81, 0.05, 9000.0, 346.41016151377545, 0.45, 68.38521170864333, 0.5,
-    0.04515236409857309};
+    0.02, 0.006, 1300.0, 9.81, 0.05, 9000.0, 346.41016151377545, 0.45, 0.04, 68.38521170864333,
+    0.5, 0.04515236409857309};
 static const char *const described_slots[] = {
     "x", "y", "u", "v", "psi", "axial_0", "axial_1", "axial_2", "axial_3", "axial_4", "axial_5",
     "axial_6", "axial_7", "shear_0", "shear_1", "shear_2", "shear_3", "shear_4", "shear_5",
@@ -3822,7 +3893,7 @@ const softcat_structure softcat_filament_structure = {
     .y = 1,
     .psi = 4,
     .rest_length = 0,
-    .time_scale = 10,
+    .time_scale = 11,
     .gravity = 3,
     .density = 2,
     .span = -1,

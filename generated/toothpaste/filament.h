@@ -4,8 +4,8 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 106146f39e781370ef4d975b013d32e0997a964e5c85b52a746532b22dad4ef4
+ *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient, surface-tension
+ * Digest of the structure: 6254dd7043fad513231a988e7028f52ef2bc2bf0799c1410f4dd682a54ac6422
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -19,17 +19,18 @@ extern "C" {
 
 /* Numbers of the parameters; all are in SI units. Values are those of the scene. */
 enum {
-    SOFTCAT_P_REST_LENGTH,    /* [m] 0.02: length of the undeformed filament */
-    SOFTCAT_P_THICKNESS,      /* [m] 0.006: of the section; the diameter of a circle */
-    SOFTCAT_P_DENSITY,        /* [kg/m^3] 1300 */
-    SOFTCAT_P_GRAVITY,        /* [m/s^2] 9.81: acceleration */
-    SOFTCAT_P_RAMP,           /* [s] 0.05: time within which gravity comes on, 0 at once */
-    SOFTCAT_P_YOUNGS_MODULUS, /* [Pa] 9000 */
-    SOFTCAT_P_YIELD_STRESS,   /* [Pa] 346.41: in tension */
-    SOFTCAT_P_POISSON,        /* [1] 0.45: used by shear only */
-    SOFTCAT_P_VISCOSITY,      /* [Pa*s^n] 68.3852: consistency K of the flow */
-    SOFTCAT_P_INDEX,          /* [1] 0.5: exponent n of the flow */
-    SOFTCAT_P_TIME_SCALE,     /* [s] 0.0451524: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
+    SOFTCAT_P_REST_LENGTH,     /* [m] 0.02: length of the undeformed filament */
+    SOFTCAT_P_THICKNESS,       /* [m] 0.006: of the section; the diameter of a circle */
+    SOFTCAT_P_DENSITY,         /* [kg/m^3] 1300 */
+    SOFTCAT_P_GRAVITY,         /* [m/s^2] 9.81: acceleration */
+    SOFTCAT_P_RAMP,            /* [s] 0.05: time within which gravity comes on, 0 at once */
+    SOFTCAT_P_YOUNGS_MODULUS,  /* [Pa] 9000 */
+    SOFTCAT_P_YIELD_STRESS,    /* [Pa] 346.41: in tension */
+    SOFTCAT_P_POISSON,         /* [1] 0.45: used by shear only */
+    SOFTCAT_P_SURFACE_TENSION, /* [N/m] 0.04: of the filament's surface */
+    SOFTCAT_P_VISCOSITY,       /* [Pa*s^n] 68.3852: consistency K of the flow */
+    SOFTCAT_P_INDEX,           /* [1] 0.5: exponent n of the flow */
+    SOFTCAT_P_TIME_SCALE,      /* [s] 0.0451524: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
     SOFTCAT_PARAMETERS
 };
 

@@ -42,6 +42,7 @@ _MEANINGS = {
     "poisson": "used by shear only",
     "curvature": "natural",
     "aspect": "width over thickness",
+    "surface_tension": "of the filament's surface",
     "span": "horizontal distance between the supports",
     "drop": "of the right support below the left one",
     "left_angle": "of the clamp, counterclockwise",
@@ -199,5 +200,5 @@ def _bound(scene: Scene, name: str) -> str:
     free = ("curvature", "drop", "left_angle", "right_angle")
     if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
         return "any"
-    zero = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale")
+    zero = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", "surface_tension")
     return "not-negative" if name in zero or name.startswith("motion_") else "positive"

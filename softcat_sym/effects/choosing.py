@@ -16,6 +16,7 @@ from softcat_sym.effects.outrunning import outrunning_faults
 from softcat_sym.effects.refusing import refuse, refuse_closure, refuse_law, refuse_without, why_not
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
+from softcat_sym.effects.surface_tension import SURFACE_TENSION, unstable_faults
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.equations.filament import Terms
@@ -136,9 +137,10 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
     refuse_closure(scene, chosen)
     refuse_without(scene, chosen)
-    outrun = outrunning_faults(scene) if INERTIA in chosen else []
-    if outrun:
-        raise SceneError(outrun)
+    faults = outrunning_faults(scene) if INERTIA in chosen else []
+    faults += unstable_faults(scene) if SURFACE_TENSION in chosen else []
+    if faults:
+        raise SceneError(faults)
     decisions = tuple(_decision(effect, scene, reasons) for effect in REGISTRY)
     return Effects(decisions, _bare(scene))
 
@@ -179,6 +181,9 @@ def _reasons(scene: Scene, shown: Mapping[str, str]) -> dict[str, str]:
         return dict.fromkeys(asked, "named in run.effects") | implied
     if _is_published(scene):
         reasons = {e.name: "in the paper's list" for e in REGISTRY if e.in_paper and e.applies(scene)}
+        if asked == "auto" and scene.run.closure != "printed":
+            # The small-deflection model takes the pull of the surface as one more tension.
+            reasons |= _called_for(scene, (SURFACE_TENSION,))
         reasons |= {e.name: why for e in (GRAVITY_SHAKING,) if e.applies(scene) and (why := e.indispensable(scene))}
         return _implied(scene, reasons) | reasons
     return _completed(scene, _called_for(scene) | dict(shown) | _implied(scene, ()))
@@ -188,10 +193,10 @@ def _is_published(scene: Scene) -> bool:
     return scene.run.effects == "paper" or scene.run.closure == "printed" or scene.model == "small-deflection"
 
 
-def _called_for(scene: Scene) -> dict[str, str]:
+def _called_for(scene: Scene, among: Iterable[Effect] = REGISTRY) -> dict[str, str]:
     """What ``auto`` takes in: what the scene cannot do without, and what its estimate calls for."""
     reasons = {}
-    for effect in REGISTRY:
+    for effect in among:
         if not effect.applies(scene):
             continue
         needed = effect.indispensable(scene)

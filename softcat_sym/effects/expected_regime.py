@@ -16,7 +16,10 @@ from softcat_sym.effects.prediction import (
     duration_star,
     first_yield_gravity_number,
     gravity_number_of,
+    holding_stress_of,
     instant_modulus,
+    pull_of_surface,
+    share_of_yield,
     viscous_number,
     weight_stress,
     yield_stress_of,
@@ -66,7 +69,8 @@ class ExpectedRegime:
     reason : str
         In words, with the numbers that decide.
     gravity_number : float or None
-        G (3.10) of the most stressed section, with a point mass at midspan counted twice.
+        G (3.10) of the most stressed section, with a point mass at midspan counted twice; with surface tension
+        rho g L/(sigma_Y + gamma P/(2 A)), and the thresholds below are of this number.
     first_yield : float or None
         G from which a fibre yields, (3.11) with stretching, overshoot and initial stress.
     collapse : float or None
@@ -161,18 +165,22 @@ def _with_yield_stress(scene: Scene, effects: Collection[str], gravity_number: f
         ExpectedRegime,
         gravity_number=gravity_number,
         first_yield=first_yield_under_load(scene, effects),
-        collapse=float(collapse.subs(regimes.delta, groups_of(scene).delta)),
+        collapse=float(collapse.subs(regimes.delta, groups_of(scene).delta)) * share_of_yield(scene),
         arrest_paper=paper,
         arrest_exact=exact,
         stopping_depth_paper=_depth_paper(gravity_number) if held and 0 < gravity_number < paper else None,
         stopping_depth_exact=_depth_exact(gravity_number) if held and 0 < gravity_number < exact else None,
     )
     blank = found("no-yield", "")
+    limit, pull = yield_stress_of(scene) or 0.0, pull_of_surface(scene)
+    if pull > limit and not held and gravity_number < exact:
+        thicker = f"its surface alone makes it yield ({pull:.3g} over {limit:.3g} Pa)"
+        return found("arrested-overdamped", f"{thicker}: it thickens until gamma P/(2 A) is the yield stress")
     if gravity_number < (blank.first_yield or 0.0) and not _pulled_beyond_yield(scene):
-        return found("no-yield", f"G = {gravity_number:.3g} is below first yield at {blank.first_yield:.3g}")
+        return found("no-yield", f"{_said(scene, gravity_number)} is below first yield at {blank.first_yield:.3g}")
     if gravity_number >= exact:
         what = "no catenary rests" if held else "not even hanging straight down does it rest"
-        return found("descending", f"{what}: G = {gravity_number:.3g} is beyond {exact:.4g}")
+        return found("descending", f"{what}: {_said(scene, gravity_number)} is beyond {exact:.4g}")
     if scene.ends.motion and scene.ends.motion[-1][0] > 0.9 * scene.run.duration:
         return found("descending", "its support still moves when the run ends")
     if scene.load.shake > 0:
@@ -184,7 +192,7 @@ def _arrested(
     scene: Scene, effects: Collection[str], numbers: ExpectedRegime, found: functools.partial[ExpectedRegime]
 ) -> ExpectedRegime:
     """Overdamped, underdamped, or still creeping when the run ends."""
-    gravity_number, modulus, limit = numbers.gravity_number or 0.0, instant_modulus(scene), yield_stress_of(scene)
+    gravity_number, modulus, limit = numbers.gravity_number or 0.0, instant_modulus(scene), holding_stress_of(scene)
     viscous = viscous_number(scene) or 0.0
     if gravity_number == 0 or not modulus or not limit:
         return found("arrested-overdamped", "nothing but its supports makes it flow")
@@ -215,8 +223,13 @@ def _swing(scene: Scene, effects: Collection[str], gravity_number: float) -> flo
     return 2 * left / (1 + left)
 
 
+def _said(scene: Scene, gravity_number: float) -> str:
+    what = "G = rho g L/(sigma_Y + gamma P/(2 A))" if pull_of_surface(scene) and is_held(scene) else "G"
+    return f"{what} = {gravity_number:.3g}"
+
+
 def _how_it_is_held(scene: Scene, numbers: ExpectedRegime) -> str:
-    value = f"G = {numbers.gravity_number:.3g}"
+    value = _said(scene, numbers.gravity_number or 0.0)
     if (numbers.gravity_number or 0.0) < (numbers.collapse or 0.0):
         return f"some fibres yield and the beam itself holds it ({value} is below its plastic collapse at " + (
             f"{numbers.collapse:.3g})"
@@ -261,7 +274,8 @@ def _static_first_yield(scene: Scene) -> float:
     linear, strain = first_yield_gravity_number(scene), groups_of(scene).eps_Y
     if beam_of(scene) != regimes.CLAMPED or not strain:
         return linear
-    return max(linear, _stretched_first_yield(scene.filament.section, groups_of(scene).delta, strain))
+    stretched = _stretched_first_yield(scene.filament.section, groups_of(scene).delta, strain)
+    return max(linear, stretched * share_of_yield(scene))
 
 
 @functools.cache

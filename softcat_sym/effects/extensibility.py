@@ -10,7 +10,10 @@ from softcat_sym.effects.motion import Motion
 from softcat_sym.equations.filament import Terms
 from softcat_sym.scene import Scene, distance, is_held, rest_length
 
-_MEANINGLESS_WITHOUT = {"finite-stretch", "thinning", "large-rotation", "shear", "fibres", "necking-gradient"}
+_MEANINGLESS_WITHOUT = {
+    *("finite-stretch", "thinning", "large-rotation", "shear", "fibres", "necking-gradient"),
+    "surface-tension",
+}
 
 
 def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:

@@ -12,11 +12,16 @@ from softcat_sym.effects.missed_inertia import missed_from_rest, missed_inertia
 from softcat_sym.effects.motion import Motion
 from softcat_sym.effects.necks import neck_folds
 from softcat_sym.effects.prediction import (
+    beam_share_of_surface,
     bending_stiffness,
     duration_star,
     effective_viscosity_at,
+    first_yield_gravity_number,
+    gravity_number_of,
     instant_modulus,
+    pull_of_surface,
     static_modulus,
+    surface_stress,
     weight_stress,
     yield_stress_of,
 )
@@ -52,7 +57,10 @@ def forecast(scene: Scene) -> Motion:
     scene : Scene
         Any scene.
     """
-    history, rings = quasi_static_history(scene), ringing(scene)
+    free, rings = quasi_static_history(scene), ringing(scene)
+    history = free
+    if pull_of_surface(scene):
+        history = History(free.time, np.array([sag / (1 + _carried(scene, float(sag))) for sag in free.sag]))
     span, first = scene.filament.span, float(history.time[1])
     sag = max(float(np.max(history.sag)), _shaken_sag(scene), 1e-12)
     scale = max(sag, abs(sag + scene.ends.drop / span / 2))
@@ -76,7 +84,45 @@ def forecast(scene: Scene) -> Motion:
         retarded=_retarded(scene, rings, amplitude),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=neck_folds(scene, strain_of(scene, sag)),
+        capillary=_capillary(scene, float(np.max(free.sag))),
     )
+
+
+def _carried(scene: Scene, sag: float) -> float:
+    """C: weight that surface tension carries at a sag without it, over the rest of it; its share of the sag is C/(1+C).
+
+    C = m 8 Gam f/(rho g L^2). Of a string m = 1/3 by its cubic law, of a beam 1; where the section yields 3 as long as
+    the beam carries on (Haythornthwaite 1957), and 1 where the membrane does.
+    """
+    weight = weight_stress(scene) * load_factor(scene)
+    if weight == 0 or not is_held(scene):
+        return 0.0
+    number = gravity_number_of(scene)
+    if number is not None and number > first_yield_gravity_number(scene):
+        power = 3.0 if sag < groups_of(scene).delta else 1.0
+    else:
+        power = 1 - 2 / 3 * tension_share(scene, sag)
+    return power * 8 * surface_stress(scene) / weight * sag
+
+
+def _capillary(scene: Scene, sag: float) -> float:
+    """Share of the sag that surface tension takes; with a free end, what it shortens the filament by, five times."""
+    if surface_stress(scene) == 0:
+        return 0.0
+    if not is_held(scene):
+        return min(1.0, 5 * _shortened(scene, surface_stress(scene)))
+    if weight_stress(scene) == 0:
+        return 1.0
+    carried = _carried(scene, sag)
+    return carried / (1 + carried)
+
+
+def _shortened(scene: Scene, pull: float) -> float:
+    """Strain of a filament with a free end that its surface pulls together: elastic, and flowing beyond yield."""
+    modulus, limit = instant_modulus(scene), yield_stress_of(scene) or 0.0
+    viscosity = effective_viscosity_at(scene, pull - limit) if pull > limit else None
+    flown = scene.run.duration * (pull - limit) / viscosity if viscosity else 0.0
+    return min(1.0, (pull / modulus if modulus else 0.0) + flown)
 
 
 def _shaken_sag(scene: Scene) -> float:
@@ -113,8 +159,9 @@ def missed_by(scene: Scene, time: Floats, sag: Floats) -> float:
 def strain_of(scene: Scene, sag: float) -> float:
     """Largest mean strain: (8/3) H^2 beyond the slack, what the supports impose, or the weight of a hanging end."""
     if not is_held(scene):
-        modulus = instant_modulus(scene)
-        return weight_stress(scene) / modulus if modulus else sag**2
+        modulus, pull = instant_modulus(scene), pull_of_surface(scene)
+        shortened = _shortened(scene, pull) if pull else 0.0
+        return (weight_stress(scene) / modulus if modulus else sag**2) + shortened
     imposed = farthest(scene) / distance(scene) - 1 + max(0.0, -slackness(scene), scene.initial.stretch - 1)
     return max(0.0, 8 / 3 * (sag**2 - start_sag(scene) ** 2)) + imposed
 
@@ -177,7 +224,9 @@ def _overstress(scene: Scene, rings: Ringing) -> float:
     limit, modulus = yield_stress_of(scene), instant_modulus(scene)
     if limit is None or modulus is None:
         return math.inf
-    return modulus * largest_strain(scene, rings) / limit
+    strained = largest_strain(scene, rings) / (1 + beam_share_of_surface(scene))
+    squeezed = 0.0 if is_held(scene) else pull_of_surface(scene)
+    return max(modulus * strained, squeezed) / limit
 
 
 def largest_strain(scene: Scene, rings: Ringing) -> float:

@@ -39,6 +39,8 @@ class Motion:
         Share of the sag that shear makes, of a filament that does not flow beyond a yield stress.
     folds : float
         Growth of a neck, e-folds.
+    capillary : float
+        Share of the sag that surface tension would take, or takes.
     """
 
     sag: float
@@ -55,6 +57,7 @@ class Motion:
     retarded: float
     sheared: float
     folds: float
+    capillary: float
 
     def amplified(self, change: float) -> float:
         """A relative change of the sag as it shows in the midpoint and in the phase of its ringing; 1 at the most."""

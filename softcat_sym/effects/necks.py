@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 
+from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.prediction import (
-    duration_star,
+    effective_viscosity,
     first_yield_gravity_number,
     gravity_number_of,
-    viscous_number,
+    pull_of_surface,
+    yield_stress_of,
 )
 from softcat_sym.equations.necking import NECKS, aspect
 from softcat_sym.scene import Scene
@@ -22,9 +24,12 @@ def neck_length(scene: Scene) -> float:
 
 
 def neck_folds(scene: Scene, strain: float) -> float:
-    """E-folds by which an unevenness grows: sigma/eta = sigma_Y/eta + the rate of strain, as long as the run lasts."""
-    gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
-    folds = strain
-    if gravity_number and viscous and gravity_number > first_yield_gravity_number(scene):
-        folds += duration_star(scene) / (gravity_number * viscous)
-    return folds
+    """E-folds by which an unevenness grows, sigma/eta = sigma_Y/eta + the rate of strain, as long as the run lasts.
+
+    Surface tension adds half its pull to sigma (Plateau & Rayleigh).
+    """
+    gravity_number, limit = gravity_number_of(scene), yield_stress_of(scene)
+    viscosity = effective_viscosity(scene)
+    stress = (limit or 0.0) + pull_of_surface(scene) / 2
+    yields = limit is None or (gravity_number or 0.0) > first_yield_gravity_number(scene)
+    return strain + (stress / viscosity * scene.run.duration if viscosity and yields and not is_solid(scene) else 0.0)

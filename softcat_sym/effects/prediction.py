@@ -7,8 +7,11 @@ from functools import lru_cache
 
 from softcat_sym.effects.law import is_solid
 from softcat_sym.equations import regimes
+from softcat_sym.equations.necking import aspect
 from softcat_sym.equations.section import SECTIONS
-from softcat_sym.scene import Scene, gravity_time, groups_of
+from softcat_sym.equations.surface import SURFACES, surface_tension
+from softcat_sym.equations.symbols import h0
+from softcat_sym.scene import Scene, gravity_time, groups_of, is_held
 
 
 def instant_modulus(scene: Scene) -> float | None:
@@ -32,10 +35,41 @@ def yield_stress_of(scene: Scene) -> float | None:
     return material.yield_stress if material.yield_stress is not None else material.threshold or None
 
 
-def gravity_number_of(scene: Scene) -> float | None:
-    """G = rho g L/sigma_Y (3.10), of any law that yields."""
+def surface_stress(scene: Scene) -> float:
+    """Gam [Pa]: axial force of surface tension over the area, gamma P/(2 A) of the undeformed section."""
+    filament = scene.filament
+    per_tension = _surface_stress(filament.section, filament.thickness, filament.width / filament.thickness)
+    return scene.surroundings.surface_tension * per_tension
+
+
+@lru_cache(maxsize=256)
+def _surface_stress(section: str, thickness: float, ratio: float) -> float:
+    return float(SURFACES[section].pressure.subs({surface_tension: 1, h0: thickness, aspect: ratio}))
+
+
+def pull_of_surface(scene: Scene) -> float:
+    """Gam [Pa] where surface tension is not left out by name: by a list of effects, the paper's, or its closure."""
+    asked, run = scene.run.effects, scene.run
+    listed = asked == "auto" if isinstance(asked, str) else "surface-tension" in asked
+    return surface_stress(scene) if listed and run.closure != "printed" else 0.0
+
+
+def holding_stress_of(scene: Scene) -> float | None:
+    """Tension over area at which a filament between supports is at rest [Pa]: sigma_Y and what its surface pulls."""
     limit = yield_stress_of(scene)
+    return limit if limit is None or not is_held(scene) else limit + pull_of_surface(scene)
+
+
+def gravity_number_of(scene: Scene) -> float | None:
+    """G = rho g L/sigma_Y (3.10), of any law that yields; with surface tension rho g L/(sigma_Y + gamma P/(2 A))."""
+    limit = holding_stress_of(scene)
     return None if limit is None else weight_stress(scene) / limit
+
+
+def beam_share_of_surface(scene: Scene) -> float:
+    """C: weight of the elastic beam that surface tension carries, over what bending carries; 0 with a free end."""
+    modulus = instant_modulus(scene)
+    return 8 * pull_of_surface(scene) / (bending_stiffness(scene) * modulus) if modulus and is_held(scene) else 0.0
 
 
 def weight_stress(scene: Scene) -> float:
@@ -98,8 +132,18 @@ def _stiffness_of(section: str, beam: regimes.Beam) -> float:
 
 
 def first_yield_gravity_number(scene: Scene) -> float:
-    """G below which no fibre yields under a slowly applied weight: 2 delta for a clamped rectangle (3.11)."""
-    return _first_yield(scene.filament.section, beam_of(scene), groups_of(scene).delta)
+    """G below which no fibre yields under a slowly applied weight: 2 delta for a clamped rectangle (3.11).
+
+    In the G of :func:`gravity_number_of`, and with what surface tension carries of the weight.
+    """
+    plain = _first_yield(scene.filament.section, beam_of(scene), groups_of(scene).delta)
+    return plain * (1 + beam_share_of_surface(scene)) * share_of_yield(scene)
+
+
+def share_of_yield(scene: Scene) -> float:
+    """Yield stress over the holding stress: 1 without surface tension, which no bending fibre feels."""
+    limit, holding = yield_stress_of(scene), holding_stress_of(scene)
+    return limit / holding if limit and holding else 1.0
 
 
 @lru_cache(maxsize=256)

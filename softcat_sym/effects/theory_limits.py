@@ -2,23 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 from softcat_sym.effects.expected_regime import ExpectedRegime
-from softcat_sym.effects.forecast import expected_sag, expected_strain
-from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.forecast import expected_sag, expected_strain, forecast
 from softcat_sym.effects.plastic_overshoot import neck_draw
-from softcat_sym.effects.prediction import (
-    effective_viscosity,
-    instant_modulus,
-    viscous_number,
-    weight_stress,
-    yield_stress_of,
-)
+from softcat_sym.effects.prediction import viscous_number
+from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
 from softcat_sym.scene import Scene, groups_of
-
-SMALL = 0.1
-"""Capillary numbers below which surface tension is nothing, as a finished run is judged."""
 
 THICK = 0.1
 """h0/L above which the end zones, a thickness long at each end (Saint-Venant), fill more than a fifth of the span."""
@@ -53,39 +42,9 @@ def theory_limits(scene: Scene, regime: ExpectedRegime) -> tuple[str, ...]:
     regime : ExpectedRegime
         What it should show.
     """
-    found = (_surface_tension(scene), _thickness(scene), _rupture(scene, regime), _descent(regime), *_reductions(scene))
+    surface = (neglected_surface(scene, forecast(scene).capillary), rounded_corners(scene))
+    found = (*surface, _thickness(scene), _rupture(scene, regime), _descent(regime), *_reductions(scene))
     return tuple(filter(None, found))
-
-
-def fastest(scene: Scene) -> float:
-    """Largest mean speed of the midpoint over the run or a fourth, a sixteenth or a 64th of it, past the ramp [m/s]."""
-    span, duration = scene.filament.span, scene.run.duration
-    parts = {max(duration / share, min(scene.load.ramp, duration)) for share in (1, 4, 16, 64)}
-    shorter = (scene.model_copy(update={"run": scene.run.model_copy(update={"duration": part})}) for part in parts)
-    return max(expected_sag(part) * span / part.run.duration for part in shorter)
-
-
-def _surface_tension(scene: Scene) -> str:
-    """Gamma/(rho g R L) against the weight, 1/Ca against viscosity, gamma/(R E) against elasticity."""
-    gamma, radius = scene.surroundings.surface_tension, scene.filament.thickness / 2
-    if gamma == 0:
-        return ""
-    weight, viscosity, modulus = weight_stress(scene), effective_viscosity(scene), instant_modulus(scene)
-    speed, limit = fastest(scene), yield_stress_of(scene)
-    static = gamma / (radius * weight) if weight > 0 else math.inf
-    dynamic = gamma / (viscosity * speed) if viscosity and speed > 0 else math.inf
-    if min(static, dynamic) < SMALL or (is_solid(scene) and modulus and _is_stiff(scene, gamma, radius, modulus)):
-        return ""
-    numbers = [f"gamma/(rho g R L) = {static:.2g}", f"1/Ca = gamma/(eta U) = {dynamic:.2g}"]
-    numbers += [f"gamma/(R E) = {gamma / (radius * modulus):.2g}"] if modulus else []
-    numbers += [f"gamma/(R sigma_Y) = {gamma / (radius * limit):.2g}"] if limit else []
-    ends = "; it would make the thread yield by itself" if limit and gamma > radius * limit else ""
-    return f"surface tension is left out, but {', '.join(numbers)}: neither of the first two is below {SMALL}{ends}"
-
-
-def _is_stiff(scene: Scene, gamma: float, radius: float, modulus: float) -> bool:
-    """Whether the capillary strain is little beside that of stretching and of buckling."""
-    return gamma / (radius * modulus) < SMALL * max(expected_strain(scene), groups_of(scene).delta ** 2)
 
 
 def _thickness(scene: Scene) -> str:
@@ -124,7 +83,7 @@ def _descent(regime: ExpectedRegime) -> str:
         return ""
     return (
         f"it never stops (G = {number:.3g}, nothing rests beyond {threshold:.4g}): in a longer run it thins until "
-        "surface tension or rupture, neither of which is in the theory, ends it"
+        "beads or rupture, neither of which is in the theory, end it"
     )
 
 

@@ -11,6 +11,7 @@ from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.outrunning import outrunning_faults
 from softcat_sym.effects.refusing import refuse_closure, refuse_law, refuse_without, why_not
+from softcat_sym.effects.surface_tension import SURFACE_TENSION, unstable_faults
 from softcat_sym.ensemble.grouped import constants_of, is_group
 from softcat_sym.ensemble.table import SOURCE, Row, kind_of, written
 from softcat_sym.errors import Fault, SceneError
@@ -177,9 +178,10 @@ def _admit(scene: Scene, effects: Effects) -> None:
     refuse_law(scene)
     refuse_closure(scene, chosen)
     refuse_without(scene, chosen)
-    outrun = outrunning_faults(scene) if INERTIA in chosen else []
-    if outrun:
-        raise SceneError(outrun)
+    faults = outrunning_faults(scene) if INERTIA in chosen else []
+    faults += unstable_faults(scene) if SURFACE_TENSION in chosen else []
+    if faults:
+        raise SceneError(faults)
 
 
 @dataclass

@@ -18,6 +18,7 @@ from softcat_sym.equations.fibres import ResolvedSection, resolve
 from softcat_sym.equations.law import ELASTIC, Law
 from softcat_sym.equations.necking import NECKS, Neck
 from softcat_sym.equations.section_response import SectionResponse, Shape, respond
+from softcat_sym.equations.surface import SURFACES, Surface
 from softcat_sym.equations.symbols import g, s
 
 
@@ -49,6 +50,8 @@ class Terms:
         Whether the plastic strain has any profile through the thickness, instead of a linear one.
     necking_gradient : bool
         Whether a neck's slope stiffens it.
+    surface_tension : bool
+        Whether the energy of the surface pulls the filament together.
     gravity, gravity_rate : sympy.Expr
         Gravity and its rate where it does not shake.
     shaking, shaking_rate : sympy.Expr
@@ -70,6 +73,7 @@ class Terms:
     rotary_inertia: bool = False
     resolved: bool = False
     necking_gradient: bool = False
+    surface_tension: bool = False
     gravity: sp.Expr = g
     gravity_rate: sp.Expr = sp.S.Zero
     # Not in its representation, from which a structure has its name: one that does not shake keeps it.
@@ -112,6 +116,8 @@ class FilamentEquations:
         The section point by point, where shear or fibres are in force; it then replaces `response`.
     neck : Neck or None
         The gradient term, if in force.
+    surface : Surface or None
+        Surface tension, if in force.
     force : InternalForce
         Q t + N n of a filament that does not shear.
     """
@@ -123,6 +129,7 @@ class FilamentEquations:
     response: SectionResponse
     resolved: ResolvedSection | None
     neck: Neck | None
+    surface: Surface | None
     force: InternalForce
 
     @property
@@ -166,6 +173,7 @@ def derive(terms: Terms, shape: section.Section, closure_name: str) -> FilamentE
         response=respond(outline, closed, law),
         resolved=resolved,
         neck=NECKS[shape.name] if terms.necking_gradient else None,
+        surface=SURFACES[shape.name] if terms.surface_tension else None,
         force=internal_force(terms.centreline, bending=terms.bending, stretches=terms.stretches),
     )
 
@@ -181,6 +189,7 @@ def _refuse_stretching(terms: Terms) -> None:
         "shear": terms.shear,
         "a section resolved point by point": terms.resolved,
         "a necking gradient": terms.necking_gradient,
+        "surface tension": terms.surface_tension,
     }
     if any(present.values()):
         found = ", ".join(name for name, there in present.items() if there)

@@ -10,7 +10,7 @@ from softcat_sym.equations.balance import F_x, F_y, mass_per_length
 from softcat_sym.equations.closure import CLOSURES
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.equations.in_force_resolved import resolved_section
-from softcat_sym.equations.in_force_section import gradient_term, plastic_rates, stresses
+from softcat_sym.equations.in_force_section import gradient_term, plastic_rates, stresses, surface_term
 from softcat_sym.equations.necking import s_slope
 from softcat_sym.equations.paper_section import A, h
 from softcat_sym.equations.section import NONE
@@ -109,10 +109,11 @@ def _section(equations: FilamentEquations) -> Iterator[Stated]:
     if terms.bending:
         yield stated("bending moment", M, response.moment, "2.10")
     if terms.stretches:
-        gain = gradient_term(equations)
+        gain, pull = gradient_term(equations), surface_term(equations)
         source = "THEORY 4" if response.axial_correction != 0 else "2.4"
         source += "; Audoly & Hutchinson 2016" if gain else ""
-        yield stated("axial force, conjugate to the stretch", Q, T + response.axial_correction + gain, source)
+        source += "; Eggers & Dupont 1994" if pull else ""
+        yield stated("axial force, conjugate to the stretch", Q, T + response.axial_correction + gain + pull, source)
         if gain:
             yield stated("slope of a neck", s_slope, Rate(s, X, 1), "Audoly & Hutchinson 2016")
     if terms.bending:
@@ -125,7 +126,7 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     if equations.resolved is None:
         if along:
             yield stated("internal force, horizontal", F_x, force.horizontal, "2.4, corrected")
-        upwards = force.vertical.subs(Q, T) if reduced else force.vertical
+        upwards = force.vertical.subs(Q, T + surface_term(equations)) if reduced else force.vertical
         yield stated("internal force, vertical", F_y, upwards, "2.14" if reduced else "2.4, corrected")
     mass, source = mass_per_length(), "2.14" if reduced else "2.1, 2.2"
     if not terms.inertia:

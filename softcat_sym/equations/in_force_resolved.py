@@ -11,7 +11,7 @@ from softcat_sym.equations.balance import F_x, F_y
 from softcat_sym.equations.bulk import sigma_eq
 from softcat_sym.equations.fibres import ResolvedSection
 from softcat_sym.equations.filament import FilamentEquations
-from softcat_sym.equations.in_force_section import gradient_term, plain_rate
+from softcat_sym.equations.in_force_section import gradient_term, plain_rate, surface_term
 from softcat_sym.equations.laws.flow_rule import plastic_rate
 from softcat_sym.equations.necking import s_slope
 from softcat_sym.equations.paper_section import A, h
@@ -118,12 +118,17 @@ def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iter
         yield stated("shear force", S, cell.shear_force.xreplace(means), _SOURCE)
     along = cell.normal_force if resolved.shears else cell.normal_force.subs(Gam, 0)
     gain = gradient_term(equations).subs(s, Lam)
+    pull = surface_term(equations)
+    outward, aside = (pull * Lam / s, pull * Gam / s) if resolved.shears else (pull.subs(s, Lam), sp.S.Zero)
     source = "THEORY 4; Audoly & Hutchinson 2016" if gain else "THEORY 4"
-    yield stated("force along the section's normal", n_1, along + gain, source)
+    source += "; Eggers & Dupont 1994" if pull else ""
+    if aside:
+        yield stated("stretch of the centreline", s, sp.sqrt(Lam**2 + Gam**2), _SOURCE)
+    yield stated("force along the section's normal", n_1, along + gain + outward, source)
     if equations.neck is not None:
         yield stated("slope of a neck", s_slope, Rate(Lam, X, 1), "Audoly & Hutchinson 2016")
     if resolved.shears:
-        yield stated("force along the section", n_2, cell.section_force, _SOURCE)
+        yield stated("force along the section", n_2, cell.section_force + aside, _SOURCE)
     yield stated("couple", m_c, cell.couple, _SOURCE)
     yield stated("internal force, horizontal", F_x, cell.force[0], _SOURCE)
     yield stated("internal force, vertical", F_y, cell.force[1], _SOURCE)

@@ -14,6 +14,7 @@ from softcat_sym.equations.necking import s_slope
 from softcat_sym.equations.section import NONE, Section
 from softcat_sym.equations.section_response import PLANE_STRAIN, BranchResponse
 from softcat_sym.equations.symbols import (
+    A0,
     ONE,
     STRESS,
     E,
@@ -119,6 +120,11 @@ def plain_rate(flow: Flow) -> sp.Expr:
 def gradient_term(equations: FilamentEquations) -> sp.Expr:
     """What a neck adds to the axial force; zero if it is not in force."""
     return sp.Integer(0) if equations.neck is None else -Rate(equations.neck.stiffness() * s_slope, X, 1)
+
+
+def surface_term(equations: FilamentEquations) -> sp.Expr:
+    """What surface tension adds to the axial force; zero if it is not in force."""
+    return sp.Integer(0) if equations.surface is None else A0 * equations.surface.force()
 
 
 def names(number: int, *, several: bool) -> Rename:

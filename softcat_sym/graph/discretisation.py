@@ -152,6 +152,8 @@ class Fields:
         What turns the section angle of each node [Pa m], where it is independent.
     double_force : casadi.SX or None, shape (cells - 1,)
         Conjugate of the change of the stretch at inner nodes [Pa], where the necking gradient is in force.
+    surface_energy : casadi.SX or None
+        Energy of the surface per unit span [Pa], where surface tension is in force.
     """
 
     x: ca.SX
@@ -165,6 +167,7 @@ class Fields:
     observables: Mapping[str, ca.SX]
     torque: ca.SX | None = None
     double_force: ca.SX | None = None
+    surface_energy: ca.SX | None = None
 
 
 @dataclass(frozen=True)

@@ -166,6 +166,7 @@ def observables_of(now: Instant) -> dict[str, ca.SX]:
     # Velocities that are unknown for the sake of a viscous stress alone carry no energy.
     moving = now.moves * ca.dot(node, now.u**2 + now.v**2) * speed**2 * now.density / 2
     turning = now.spins * ca.dot(now.setting.lengths.node, now.omega**2) * now.rotary_inertia / (2 * now.time_scale**2)
+    surface = fields.surface_energy if fields.surface_energy is not None else ca.SX(1, 1)
     double_force = fields.double_force if fields.double_force is not None else ca.SX(now.setting.grid.cells - 1, 1)
     return {
         "x": fields.x * span,
@@ -175,5 +176,6 @@ def observables_of(now: Instant) -> dict[str, ca.SX]:
         "double_force": double_force,
         "energy_kinetic": (moving + turning) * span,
         "energy_elastic": fields.elastic_energy * span,
+        "energy_surface": surface * span,
         "energy_potential": ca.dot(node, fields.y) * span * now.density * now.gravity * span,
     }

@@ -7,6 +7,7 @@ the exact derivatives of the discrete energy.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 import casadi as ca
@@ -21,6 +22,7 @@ from softcat_sym.graph.layout import Block, cell_block, node_block
 from softcat_sym.graph.linear_section import Strained, plastic_names, section_fields, stress_section
 from softcat_sym.graph.means import to_cells, to_nodes
 from softcat_sym.graph.neck_force import neck_double_force, neck_tension
+from softcat_sym.graph.surface_force import surface_force
 
 
 def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
@@ -68,18 +70,24 @@ def evaluate(equations: FilamentEquations, setting: Setting, state: Recall) -> F
     section = stress_section(cell, setting, state.field, strained)
     turned = {sy.s: strained.stretch_node, sy.theta_X: strained.turning, sy.M: section.moment}
     axial = section.tension + to_cells(stage("axial_correction", cell.section("axial_correction", turned)))
+    surface_energy = None
+    if equations.surface is not None:
+        pull, surface_energy = surface_force(equations.surface, setting, section.outline, s)
+        axial += pull
     double_force = None
     if equations.neck is not None:
         double_force = neck_double_force(equations.neck, setting, s, section.tension)
         axial += neck_tension(lengths, double_force)
     transverse = ca.diff(section.moment) * (per_length * per_span)
     shown = {
+        **({"axial_force": axial} if surface_energy is not None else {}),
         "shear_force": transverse / s,
         "relative_thickness": cell.section("relative_thickness", {sy.s: s}) * section.outline.relative,
     }
     force_x, force_y = cell.force(slope, s, axial, transverse)
     force = stage("force_x", force_x), stage("force_y", force_y)
-    return section_fields(setting, (x, y), force, section, shown, double_force)
+    fields = section_fields(setting, (x, y), force, section, shown)
+    return replace(fields, double_force=double_force, surface_energy=surface_energy)
 
 
 def unstretched_places(setting: Setting) -> ca.SX:
@@ -153,9 +161,13 @@ def free_nodes(grid: Grid) -> tuple[list[int], list[int]]:
 
 def expressions(equations: FilamentEquations) -> Iterable[Any]:
     """Whatever is printed of these equations, besides the balance."""
-    response, neck = equations.response, equations.neck
-    printed = response.expressions()
-    return [*printed, neck.double_force()] if neck is not None else printed
+    return [*equations.response.expressions(), *beyond_the_section(equations)]
+
+
+def beyond_the_section(equations: FilamentEquations) -> Iterable[Any]:
+    """What neck and surface add to the axial force."""
+    neck, surface = equations.neck, equations.surface
+    return [*([neck.double_force()] if neck else []), *([surface.energy()] if surface else [])]
 
 
 KIRCHHOFF = Discretisation("kirchhoff", unknowns, evaluate, expressions)

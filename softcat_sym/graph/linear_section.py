@@ -142,7 +142,6 @@ def section_fields(
     force: tuple[ca.SX, ca.SX],
     section: LinearSection,
     shown: Mapping[str, ca.SX],
-    double_force: ca.SX | None = None,
 ) -> Fields:
     """Gather rates, energies and observables from cells (stretching) and nodes (bending).
 
@@ -180,7 +179,6 @@ def section_fields(
             "stress_mean": sum((part.mean for part in section.parts), ca.SX(grid.cells, 1)),
             "stress_bending": section.stress_bending,
         },
-        double_force=double_force,
     )
 
 

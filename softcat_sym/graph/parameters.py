@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from softcat_sym.equations import symbols
 from softcat_sym.equations.bulk import nu
 from softcat_sym.equations.necking import aspect
+from softcat_sym.equations.surface import surface_tension
 from softcat_sym.graph.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN, path_name
 from softcat_sym.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 
@@ -36,6 +37,7 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("poisson", nu, "1"),
     Parameter("curvature", symbols.kappa_0, "1/m"),
     Parameter("aspect", aspect, "1"),
+    Parameter("surface_tension", surface_tension, "N/m"),
     Parameter("shake", symbols.a_g, "1"),
     Parameter("shake_frequency", symbols.f_g, "Hz"),
 )
@@ -67,6 +69,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "shake_frequency": scene.load.shake_frequency,
         "aspect": filament.width / filament.thickness,
         "curvature": filament.curvature,
+        "surface_tension": scene.surroundings.surface_tension,
         POINT_MASS: scene.load.point_mass / undeformed_area(scene),
         SPAN: filament.span,
         DROP: ends.drop,

@@ -19,13 +19,14 @@ from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import Pair
 from softcat_sym.graph.discretisation import Discretisation, Fields, Recall, Setting, Stage, Unknowns
 from softcat_sym.graph.grid import Grid
-from softcat_sym.graph.kirchhoff import free_nodes
+from softcat_sym.graph.kirchhoff import beyond_the_section, free_nodes
 from softcat_sym.graph.layout import cell_block, node_block
 from softcat_sym.graph.linear_section import branch_name
 from softcat_sym.graph.means import to_cells
 from softcat_sym.graph.neck_force import neck_double_force, neck_tension
 from softcat_sym.graph.resolved_printer import Points, ResolvedPrinter, Resultants, StrainRates, Strains
 from softcat_sym.graph.section_rule import SectionRule
+from softcat_sym.graph.surface_force import surface_force
 
 
 def reissner(rule: SectionRule) -> Discretisation:
@@ -36,7 +37,7 @@ def reissner(rule: SectionRule) -> Discretisation:
 
 def expressions(equations: FilamentEquations) -> Iterable[Any]:
     """Whatever is printed of these equations, besides the balance."""
-    resolved, neck = equations.resolved, equations.neck
+    resolved = equations.resolved
     if resolved is None:
         return []
     printed = [resolved.cell.moment.subs(sy.A0, 1)]
@@ -45,7 +46,7 @@ def expressions(equations: FilamentEquations) -> Iterable[Any]:
         printed += [] if branch.flow is None else [branch.flow.speed]
     if resolved.viscous is not None:
         printed += [resolved.viscous.axial_stress, resolved.viscous.shear_stress]
-    return [*printed, neck.double_force()] if neck is not None else printed
+    return [*printed, *beyond_the_section(equations)]
 
 
 def _angle_nodes(grid: Grid) -> list[int]:
@@ -107,14 +108,20 @@ class _Sampled:
         section = cell.resultants(strains, angle, points)
         stretch = ca.sqrt(slope[0] ** 2 + slope[1] ** 2)
         force_x, force_y = stage("section_force_x", section.force[0]), stage("section_force_y", section.force[1])
-        double_force = None
+        # Along the tangent of the centreline, not along the normal of the section: conjugate to its stretch.
+        double_force, surface_energy, gain = None, None, ca.SX(0)
+        if equations.surface is not None:
+            gain, surface_energy = surface_force(equations.surface, setting, cell.outline, stretch)
         if equations.neck is not None:
             stretch = stage("stretch", stretch)
             double_force = neck_double_force(equations.neck, setting, stretch, stage("tension", section.tension))
-            gain = neck_tension(setting.lengths, double_force) / stretch
-            force_x = stage("force_x", force_x + gain * slope[0])
-            force_y = stage("force_y", force_y + gain * slope[1])
-        volume = length * cell.outline.area_cells
+            gain += neck_tension(setting.lengths, double_force)
+        if surface_energy is not None or double_force is not None:
+            force_x = stage("force_x", force_x + gain / stretch * slope[0])
+            force_y = stage("force_y", force_y + gain / stretch * slope[1])
+        volume, shown = length * cell.outline.area_cells, self._shown(section, points, strains)
+        if surface_energy is not None:
+            shown["axial_force"] = (force_x * slope[0] + force_y * slope[1]) / stretch
         return Fields(
             x=x,
             y=y,
@@ -124,9 +131,10 @@ class _Sampled:
             plastic_rates=self._rates(points),
             elastic_energy=ca.dot(volume, points.energy @ ca.DM(self.rule.weight)),
             dissipation=volume * (points.dissipation @ ca.DM(self.rule.weight)),
-            observables=self._shown(section, points, strains),
+            observables=shown,
             torque=_torque(length * setting.values[sy.L_0], section, stage),
             double_force=double_force,
+            surface_energy=surface_energy,
         )
 
     def _angles(self, setting: Setting, state: Recall) -> ca.SX:

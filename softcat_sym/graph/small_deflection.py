@@ -7,6 +7,8 @@ relax.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import casadi as ca
 import numpy as np
 
@@ -18,6 +20,7 @@ from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.kirchhoff import bending_nodes, expressions, free_nodes, linear_profiles, turning
 from softcat_sym.graph.layout import Block, block, node_block
 from softcat_sym.graph.linear_section import Strained, plastic_names, section_fields, stress_section
+from softcat_sym.graph.surface_force import surface_force
 
 
 def unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
@@ -59,11 +62,15 @@ def evaluate(equations: FilamentEquations, setting: Setting, state: Recall) -> F
 
     section = stress_section(cell, setting, recall, strained)
     transverse = ca.diff(section.moment) * (per_length * per_span)
-    _, force_y = cell.force(slope, s, section.tension, transverse)
+    axial, surface_energy = section.tension, None
+    if equations.surface is not None:
+        pull, surface_energy = surface_force(equations.surface, setting, section.outline, s)
+        axial += pull
+    _, force_y = cell.force(slope, s, axial, transverse)
     shown = {"shear_force": transverse / s, "relative_thickness": every}
-    return section_fields(
-        setting, (ca.SX(grid.nodes) + displacement, y), (ca.SX(grid.cells, 1), force_y), section, shown
-    )
+    shown |= {"axial_force": axial} if surface_energy is not None else {}
+    places, force = (ca.SX(grid.nodes) + displacement, y), (ca.SX(grid.cells, 1), force_y)
+    return replace(section_fields(setting, places, force, section, shown), surface_energy=surface_energy)
 
 
 SMALL_DEFLECTION = Discretisation("small-deflection", unknowns, evaluate, expressions)

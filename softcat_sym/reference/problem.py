@@ -24,6 +24,7 @@ _ONLY: tuple[tuple[str, object], ...] = (
     ("ends.motion", ()),
     ("load.point_mass", 0.0),
     ("load.shake", 0.0),
+    ("surroundings.surface_tension", 0.0),
     ("initial.stretch", 1.0),
     ("initial.P", ()),
     ("initial.C", ()),

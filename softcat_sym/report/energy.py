@@ -18,18 +18,19 @@ from softcat_sym.report.units import energy_unit, share_unit, time_unit
 TERMS = (
     ("energy_potential", "potential", style.BLUE, "-", 1.0),
     ("energy_elastic", "elastic", style.GREEN, "-", 1.0),
+    ("energy_surface", "surface", style.BLACK, "--", 1.0),
     ("energy_kinetic", "kinetic", style.ORANGE, "--", 1.0),
     ("energy_dissipated", "dissipated", style.VERMILLION, "-", 1.0),
     ("energy_gradient", "gradient", style.SKY, ":", 1.0),
     ("work_external", "external work", style.PURPLE, "-.", -1.0),
 )
 # Drawn only where it is in force.
-OPTIONAL = ("energy_gradient",)
+OPTIONAL = ("energy_gradient", "energy_surface")
 _HEIGHT, _LEFT, _RIGHT, _BOTTOM, _SMALL, _GAP = 4.8, 0.85, 1.35, 0.55, 0.95, 0.32
 
 
 def energy_imbalance(data: xr.Dataset) -> tuple[NDArray[np.float64], float]:
-    """Kinetic + elastic + potential + dissipated + gradient - work, less its first value.
+    """Kinetic + elastic + surface + potential + dissipated + gradient - work, less its first value.
 
     Parameters
     ----------

@@ -73,6 +73,9 @@ def read_run(place: str | Path) -> StoredRun:
     except (OSError, ValueError, KeyError, RuntimeError) as error:
         reason = " ".join(str(error).split())[:120]
         raise SoftcatError(f"{path}: cannot be read as netCDF4 ({reason}); {_FORM}") from None
+    if "energy_gradient" in data and "energy_surface" not in data:
+        # Of a run from before there was surface tension.
+        data["energy_surface"] = 0 * data["energy_gradient"]
     missing = [name for name in _NEEDED if name not in data]
     text = data.attrs.get("scene")
     if missing or not isinstance(text, str) or not data.sizes.get("time"):

@@ -85,9 +85,9 @@ class _Slope:
         self._solver = ca.Linsol("slope", "qr", self._system.sparsity_out(1))
 
     def energy(self, z: Floats) -> float:
-        """Elastic and potential energy per undeformed area."""
+        """Elastic, surface and potential energy per undeformed area."""
         seen = self._observables(time=self._time, state=self._x, algebraic=z, parameters=self._p)
-        return float(seen["energy_elastic"]) + float(seen["energy_potential"])
+        return sum(float(seen[f"energy_{kind}"]) for kind in ("elastic", "surface", "potential"))
 
     def descended(self, start: Floats) -> Floats:
         """The minimum that a shape creeps into.

@@ -1,4 +1,4 @@
-"""Energy audit: kinetic + elastic + potential + dissipated + gradient - work of the load must stay what it was."""
+"""Energy audit: kinetic + elastic + surface + potential + dissipated + gradient - work must stay what it was."""
 
 from __future__ import annotations
 
@@ -8,7 +8,14 @@ import numpy as np
 
 from softcat_sym.graph.grid import Floats
 
-_STORED = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated", "energy_gradient")
+_STORED = (
+    "energy_kinetic",
+    "energy_elastic",
+    "energy_surface",
+    "energy_potential",
+    "energy_dissipated",
+    "energy_gradient",
+)
 
 
 def energy_residual(fields: Mapping[str, Floats], least: float = 0.0) -> float:
@@ -17,7 +24,7 @@ def energy_residual(fields: Mapping[str, Floats], least: float = 0.0) -> float:
     Parameters
     ----------
     fields : mapping of str to ndarray, shape (frames,)
-        The five energies and ``work_external`` [J].
+        The six energies and ``work_external`` [J].
     least : float
         Energy that counts as none [J]: where all are smaller, as in a filament that rests without stress, an imbalance
         is measured by this.

@@ -29,6 +29,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     observed["energy_dissipated"] = solution.quad[0][:, None] * unit
     observed["work_external"] = solution.quad[1][:, None] * unit
     observed["energy_gradient"] = _gradient_energy(graph, observed, solution.quad[2] * unit, span)[:, None]
+    observed["energy_surface"] = observed["energy_surface"] - observed["energy_surface"][:1]
     observed["thickness"] = observed["relative_thickness"] * scene.filament.thickness
     area = undeformed_area(scene)
     known = [v for v in VARIABLES if v.name in observed]

@@ -80,7 +80,8 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
         Energy that counts as none [J].
     """
     held = fields["energy_kinetic"] + fields["energy_elastic"]
-    given = held[0] + fields["energy_potential"][0] - fields["energy_potential"] + fields["work_external"]
+    stored = fields["energy_potential"] + fields["energy_surface"]
+    given = held[0] + stored[0] - stored + fields["work_external"]
     noise = _NOISE * np.max(held) + least
     excess = held - (1 + _GIFT) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
     frame = int(np.argmax(excess))

@@ -10,12 +10,19 @@ import numpy as np
 from softcat_sym.effects import Effects
 from softcat_sym.effects.forecast import flowing_overstress, forecast, missed_by, tension_share
 from softcat_sym.effects.motion import Motion
-from softcat_sym.effects.prediction import effective_viscosity_at, yield_stress_of
-from softcat_sym.effects.quasi_static import retardation
+from softcat_sym.effects.prediction import (
+    effective_viscosity_at,
+    pull_of_surface,
+    surface_stress,
+    weight_stress,
+    yield_stress_of,
+)
+from softcat_sym.effects.quasi_static import load_factor, retardation
 from softcat_sym.effects.ringing import ringing
 from softcat_sym.effects.shearing import compliant_sag, lagging, sheared_share
+from softcat_sym.equations.surface import SURFACES
 from softcat_sym.graph.grid import Floats
-from softcat_sym.scene import Scene, is_held, is_slack
+from softcat_sym.scene import Scene, is_held, is_slack, undeformed_area
 
 _LEAST = 1e-12
 """Sag over span below which nothing has moved."""
@@ -38,7 +45,7 @@ def seen(
         Material coordinates [m] of nodes and cells.
     fields : mapping of str to ndarray
         (frames, nodes), (frames, cells): ``x``, ``y``, ``stretch``, ``shear_force``, ``stress_mean``,
-        ``stress_bending``, ``yielded_fraction``.
+        ``stress_bending``, ``yielded_fraction``, ``tension``.
     """
     span, length = scene.filament.span, np.diff(places[0])
     midpoint, chord = _midpoint(scene, fields)
@@ -59,6 +66,7 @@ def seen(
         flowing_overstress=flowing_overstress(scene, sag),
         sheared=max(sheared_share(scene, sag, shared), _compliance(scene, effects, time, fields, length) / sag),
         folds=_folds(scene, strain, time, fields),
+        capillary=_capillary(scene, depth, fields, length),
     )
     return _what_was_left_out(scene, effects, time, midpoint, shown)
 
@@ -124,12 +132,26 @@ def _overstress(scene: Scene, fields: Mapping[str, Floats]) -> float:
     return float(np.max(np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"]))) / limit
 
 
+def _capillary(scene: Scene, depth: Floats, fields: Mapping[str, Floats], length: Floats) -> float:
+    """Largest share of the pull of the surface in the axial force, times the share of the load carried by that."""
+    load, pull = weight_stress(scene) * load_factor(scene), surface_stress(scene)
+    if pull == 0 or load == 0 or not is_held(scene):
+        return forecast(scene).capillary
+    shrinks = SURFACES[scene.filament.section].shrinks
+    surface = pull * (1 / np.sqrt(fields["stretch"]) if shrinks else np.ones_like(fields["stretch"]))
+    taut = np.maximum(fields["tension"], 0.0) / undeformed_area(scene)
+    pulled, tension = (values @ length / np.sum(length) for values in (surface, taut))
+    carried = np.minimum(1.0, 8 * (pulled + tension) * depth / load)
+    return float(np.max(pulled / (pulled + tension) * carried))
+
+
 def _folds(scene: Scene, strain: float, time: Floats, fields: Mapping[str, Floats]) -> float:
     """E-folds of an unevenness: the strain, and beyond a yield stress sigma/eta for as long as a section flows."""
     limit = yield_stress_of(scene)
     viscosity = effective_viscosity_at(scene, limit) if limit is not None else None
     if not viscosity or "stress_mean" not in fields or len(time) < 2:
         return strain
-    rate = np.maximum(fields["stress_mean"], 0.0) * fields["yielded_fraction"] / viscosity
+    stress = np.maximum(fields["stress_mean"] + pull_of_surface(scene) / 2, 0.0)
+    rate = stress * fields["yielded_fraction"] / viscosity
     grown = np.trapezoid(rate, time, axis=0)
     return max(strain, float(np.max(grown)))

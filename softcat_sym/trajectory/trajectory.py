@@ -129,10 +129,11 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    measured = measures(scene, effects, seen(scene, effects, time, places, fields))
+    motion = seen(scene, effects, time, places, fields)
+    measured = measures(scene, effects, motion)
     per_period = frames_a_period(time, midpoint, ringing(scene).frequency)
     warnings = [
-        *warnings_of(scene, effects, time, places[0], fields, carried),
+        *warnings_of(scene, effects, motion.capillary, places[0], fields, carried),
         *(too_few_frames(time, per_period) if outcome.is_success else []),
     ]
     summary = {

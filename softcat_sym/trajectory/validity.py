@@ -5,12 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from softcat_sym.effects import Effects
-from softcat_sym.effects.prediction import effective_viscosity
+from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
 from softcat_sym.graph.grading import choose_grading
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
-
-_SMALL = 0.1
 
 SHORTEST_CELL = 1 / 18
 """Of the thickness. A ringing filament whose hinge has cells of h0/17 stops where elements do, on 40, 80 and 160 cells;
@@ -18,7 +16,7 @@ with cells of h0/19 to h0/35 it sags a tenth to four times further, differently 
 
 
 def warnings_of(
-    scene: Scene, effects: Effects, time: Floats, nodes: Floats, fields: dict[str, Floats], residual: float
+    scene: Scene, effects: Effects, capillary: float, nodes: Floats, fields: dict[str, Floats], residual: float
 ) -> list[str]:
     """Warnings in words, none if the theory holds.
 
@@ -26,18 +24,17 @@ def warnings_of(
     ----------
     effects : Effects
         In force.
-    time : ndarray, shape (frames,)
-        [s].
+    capillary : float
+        Share of the sag that surface tension would take.
     nodes : ndarray, shape (nodes,)
         X of the nodes [m].
     fields : dict of str to ndarray
-        Of the whole span: ``y`` at nodes, ``yielded_fraction`` in cells.
+        Of the whole span: ``yielded_fraction`` in cells.
     residual : float
         Of the energy balance; zero for a sequence of equilibria, which has none.
     """
-    midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     return [
-        *_surface_tension(scene, time, midpoint),
+        *filter(None, (neglected_surface(scene, capillary), rounded_corners(scene))),
         *_short_hinge_cells(scene, effects, nodes, fields["yielded_fraction"]),
         *_swelling(scene, effects, residual),
     ]
@@ -78,24 +75,6 @@ def _short_hinge_cells(scene: Scene, effects: Effects, nodes: Floats, yielded: F
         f"cells of the hinge at a clamp are 1/{1 / shortest:.0f} of the thickness long: below "
         f"1/{1 / SHORTEST_CELL:.0f} a hinge may neck as the grid lets it; leave out numerics.grading or take fewer "
         "numerics.cells"
-    ]
-
-
-def _surface_tension(scene: Scene, time: Floats, midpoint: Floats) -> list[str]:
-    """Capillary forces are left out: Ca = eta U/gamma must be large, or gamma/(rho g R L) small."""
-    gamma = scene.surroundings.surface_tension
-    if gamma == 0 or len(time) < 2:
-        return []
-    filament, viscosity = scene.filament, effective_viscosity(scene)
-    weight = filament.density * scene.load.gravity * filament.thickness / 2 * filament.span
-    static = gamma / weight if weight > 0 else np.inf
-    speed = float(np.max(np.abs(np.diff(midpoint) / np.diff(time))))
-    dynamic = gamma / (viscosity * speed) if viscosity and speed > 0 else np.inf
-    if min(static, dynamic) < _SMALL:
-        return []
-    return [
-        f"surface tension is left out, but gamma/(rho g R L) = {static:.2g} and 1/Ca = {dynamic:.2g}: "
-        f"neither is below {_SMALL}"
     ]
 
 

@@ -37,6 +37,7 @@ VARIABLES: tuple[Variable, ...] = (
     Variable("curvature", "cell", "1/m", "curvature theta_s of the centreline, k/Lam of a filament that shears"),
     Variable("shear", "cell", "1", "shear strain of the section"),
     Variable("tension", "cell", "N", "tension T = A <sigma>", per_area=True),
+    Variable("axial_force", "cell", "N", "force along the centreline, tension and surface tension", per_area=True),
     Variable("moment", "cell", "N*m", "bending moment M", per_area=True),
     Variable(
         "shear_force", "cell", "N", "transverse force N = M_X/s, A <tau> of a filament that shears", per_area=True
@@ -55,6 +56,7 @@ VARIABLES: tuple[Variable, ...] = (
     Variable("core_high", "cell", "1", "zeta above which fibres yield, of a section resolved fibre by fibre"),
     Variable("energy_kinetic", "", "J", "kinetic energy", per_area=True),
     Variable("energy_elastic", "", "J", "elastic energy", per_area=True),
+    Variable("energy_surface", "", "J", "surface tension times the growth of the area since t = 0", per_area=True),
     Variable("energy_potential", "", "J", "potential energy of the weight, 0 when straight", per_area=True),
     Variable("energy_dissipated", "", "J", "plastic work since t = 0", per_area=True),
     Variable("energy_gradient", "", "J", "work against the necking gradient since t = 0", per_area=True),

@@ -61,7 +61,7 @@ def verdict(
     if not solution.outcome.is_success:
         return solution.outcome, solution.complaint
     if "bending" not in effects.names:
-        pushed = _pushed_string(solution.time * time_scale(scene), fields["tension"])
+        pushed = _pushed_string(solution.time * time_scale(scene), fields.get("axial_force", fields["tension"]))
         if pushed:
             return Outcome.compressed, pushed
     gained = gained_energy(fields, least_energy(scene)) if solution.steps else ""

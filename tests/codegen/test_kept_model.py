@@ -56,6 +56,17 @@ def test_what_is_read_is_what_was_written(name: str) -> None:
     assert model_kept(of.key, never) == written
 
 
+def test_surface_tension_is_another_structure_and_its_size_is_not() -> None:
+    """A library without it must never be taken for one that has it: the answer would be six times off, silently."""
+    bare = structure_in("ink-bridge", surroundings__surface_tension="0 N/m")
+    pulled = structure_in("ink-bridge")
+    assert set(pulled.effects) - set(bare.effects) == {"surface-tension"}
+    assert pulled.key != bare.key
+    assert model_for(pulled).text != model_for(bare).text
+    assert "surface_tension" in model_for(pulled).parameters
+    assert structure_in("ink-bridge", surroundings__surface_tension="50 mN/m").key == pulled.key
+
+
 def test_a_further_process_writes_none() -> None:
     model_for.cache_clear()
     of = structure_in("maxwell-fast", run__effects="paper")

@@ -34,6 +34,20 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
     "point mass, no inertia": ("beam-viscometer", {}),
     "supports apart": ("slime-slope", {}),
     "several modes": ("polyethylene-melt", {}),
+    "surface tension": ("silicone-thread", {"run.effects": [*PAPER, "surface-tension"]}),
+    "surface tension, profile, fibres, necking": (
+        "ink-bridge",
+        {"filament.profile": [1, 0.8, 1], "run.effects": [*WITH_FIBRES, "surface-tension"], "numerics.fibres": 3},
+    ),
+    "surface tension of a rectangle": (
+        "continual-descent",
+        {
+            "filament.width": "3 mm",
+            "filament.profile": [1, 0.8, 1],
+            "surroundings.surface_tension": "2 N/m",
+            "run.effects": [*PAPER, "yielding", "surface-tension"],
+        },
+    ),
 }
 
 

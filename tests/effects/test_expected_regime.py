@@ -159,12 +159,33 @@ def test_rupture_is_foretold_where_runs_have_shown_it(G: float, V: float, ruptur
 def test_warnings_of_bundled_scenes() -> None:
     assert "near rupture" in warned("edge-of-rupture")
     assert "never stops" in warned("continual-descent")
-    assert "surface tension" in warned("ink-bridge")
+    assert warned("ink-bridge") == ""
     assert "too thick" in warned("toothpaste")
     for sound in ("arrested-overdamped", "arrested-underdamped", "no-yield", "maxwell-slow", "cold-honey", "glass-rod"):
         assert warned(sound) == ""
 
 
-def test_surface_tension_is_nothing_beside_a_large_weight() -> None:
-    assert "surface tension" not in warned("ink-bridge", "surroundings.surface_tension=1 mN/m")
-    assert "by itself" in warned("ink-bridge", "material.shear_yield_stress=100 Pa")
+def test_surface_tension_left_out_by_name_is_told_with_its_worth() -> None:
+    assert "surface tension is left out by run.effects, but would take about" in warned(
+        "ink-bridge", "run.effects=paper"
+    )
+    assert "by run.closure = 'printed'" in warned("ink-bridge", "run.closure=printed")
+    assert warned("ink-bridge", "run.effects=paper", "surroundings.surface_tension=0.1 mN/m") == ""
+
+
+def test_surface_tension_adds_to_the_yield_stress_where_tension_holds() -> None:
+    """G = rho g L/(sigma_Y + gamma/R) of a circle, and no number of bending feels it."""
+    pulled, bare = of("ink-bridge"), of("ink-bridge", "surroundings.surface_tension=0 N/m")
+    number, limit, added = bare.gravity_number, 3**0.5 * 200, 0.072 / 0.2e-3
+    assert number is not None
+    assert bare.collapse is not None
+    assert pulled.gravity_number == pytest.approx(number * limit / (limit + added))
+    assert pulled.collapse == pytest.approx(bare.collapse * limit / (limit + added))
+    assert pulled.stopping_depth_paper == pytest.approx(pulled.gravity_number / 8, rel=0.01)
+    assert "gamma" in pulled.reason
+
+
+def test_a_free_end_that_its_surface_makes_yield_is_told() -> None:
+    free = ("run.effects=auto", 'ends.right="free"', "load.gravity=0.01 m/s^2")
+    assert "its surface alone makes it yield" in of("ink-bridge", *free).reason
+    assert of("ink-bridge", *free, "material.shear_yield_stress=1 kPa").name == "no-yield"

@@ -37,7 +37,7 @@ ALL = (
     "gravity-ramp",
 )
 """The published list."""
-BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking")
+BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking", "surface-tension")
 
 
 @cache
@@ -74,6 +74,7 @@ def test_one_that_does_not_always_apply_says_why(effect: object) -> None:
     scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
     scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
     scenes.append(scenes[0].replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
+    scenes.append(scenes[0].replace({"surroundings.surface_tension": "20 mN/m"}))
     applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
     assert any(applies)
     assert bool(effect.without_it) is not all(applies)  # type: ignore[attr-defined]
@@ -121,10 +122,11 @@ def test_contributing_twice_is_contributing_once(effect: object) -> None:
         (("necking-gradient",), "aspect"),
         (("gravity-shaking",), "shake"),
         (("gravity-shaking",), "shake_frequency"),
+        (("surface-tension",), "surface_tension"),
     ],
 )
 def test_an_absent_effect_leaves_no_parameter(absent: tuple[str, ...], parameter: str) -> None:
-    everything = (*ALL, *({"shear", "rotary-inertia", "necking-gradient", "gravity-shaking"} & {*absent}))
+    everything = (*ALL, *({*BEYOND} & {*absent}))
     assert parameter in graph_of(everything).parameters
     assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
 
@@ -283,7 +285,11 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
     scene = scene_of(run={"effects": ["bending", "inertia", "viscous-flow"]})
     effects = choose_effects(scene)
     assert effects.names == ("inertia", "bending", "viscous-flow")
-    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {"viscous-stress", "gravity-shaking"}
+    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {
+        "viscous-stress",
+        "gravity-shaking",
+        "surface-tension",
+    }
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 
 

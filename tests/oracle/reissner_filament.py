@@ -21,7 +21,9 @@ plastic strains. With ``s0 = <sigma>, s1 = <sigma zeta>, t0 = <tau>, B = (h/2)/L
 The sections have no rotary inertia: ``psi`` makes the stored energy stationary, ``m_X + Lam n2 - Gam n1 = 0``, and is
 solved for by Newton's method in every right-hand side. Optional is the gradient term of a neck (Audoly & Hutchinson,
 JMPS 2016): ``n1`` gains ``-(b Lam_X)_X``, ``b = beta delta^2 T+/Lam^4``, ``T = s0/Lam``, with ``b Lam_X`` on the nodes
-between two cells, ``b`` their mean, and zero at both ends. Its power is ``sum b Lam_X Lam_Xt dX``.
+between two cells, ``b`` their mean, and zero at both ends. Its power is ``sum b Lam_X Lam_Xt dX``. Optional is surface
+tension: its energy is ``2 surface s^(1/2)`` per unit ``X``, ``s = |z_X|``, ``surface`` = gamma P0/(2 A0 E), so that the
+force gains ``surface s^(-1/2)`` along ``z_X``. The section is a rectangle or, with its own weights, a circle.
 """
 
 from __future__ import annotations
@@ -52,7 +54,7 @@ class Result:
     midpoint: Array  # y of the first node: half span
     z: Complex  # (times, nodes)
     psi: Array  # (times, nodes)
-    energies: dict[str, Array]  # (times,): kinetic, elastic, dissipated, gradient, work
+    energies: dict[str, Array]  # (times,): kinetic, elastic, surface, dissipated, gradient, work
     rhs_microseconds: float  # each includes a quarter of an RK4 update
     steps: int
 
@@ -89,15 +91,22 @@ class Filament:
     """
 
     def __init__(self, nodes: Array, delta: float, g: float, tau: float, eps_Y: float, fibres: int, ramp: float = 10.0,
-                 beta: float | None = None, kappa_s: float = 5 / 6, nu: float = 0.45) -> None:  # fmt: skip
+                 beta: float | None = None, kappa_s: float = 5 / 6, nu: float = 0.45, surface: float = 0.0,
+                 circle: bool = False) -> None:  # fmt: skip
         self.X, self.dX = np.asarray(nodes, float), np.diff(nodes)
         if self.X.size < 4 or self.dX.min() <= 0.0 or fibres < 2:
             raise ValueError("needs three cells of positive length and two fibres")
         self.delta, self.g, self.tau, self.eps_Y, self.ramp, self.beta = delta, g, tau, eps_Y, ramp, beta
         self.c = kappa_s / (2 * (1 + nu))
-        self.zeta, weight = np.polynomial.legendre.leggauss(fibres)
-        self.mean = 0.5 * weight  # of a rectangle
+        if circle:  # Chebyshev points of the second kind: the width is a semicircle
+            angle = np.pi * np.arange(fibres, 0, -1) / (fibres + 1)
+            self.zeta, self.mean = np.cos(angle), 2 / (fibres + 1) * np.sin(angle) ** 2
+        else:
+            self.zeta, weight = np.polynomial.legendre.leggauss(fibres)
+            self.mean = 0.5 * weight
         self.moment = self.mean * self.zeta
+        self.spread = float(self.moment @ self.zeta)  # <zeta^2>
+        self.surface = surface
         self.symmetric = bool(self.X[0] == 0.0)
         self.n, self.fibres = self.X.size, fibres
         self.mass = np.zeros(self.n)
@@ -135,7 +144,7 @@ class Filament:
         Lam, Gam, k = turned.real, turned.imag, (psi[1:] - psi[:-1]) / self.dX
         B = 0.5 * self.delta * Lam**-1.5
         gam = Gam / Lam
-        s0, s1, t0 = np.log(Lam) - P[0], -k * B / 3.0 - P[1], self.c * (gam - P[2])  # <zeta^2> = 1/3
+        s0, s1, t0 = np.log(Lam) - P[0], -k * B * self.spread - P[1], self.c * (gam - P[2])
         n1 = (s0 + 1.5 * k * B * s1 - t0 * gam) / Lam
         return Section(Lam, Gam, k, s0, s1, t0, B, n1, t0 / Lam, -B * s1)
 
@@ -153,11 +162,13 @@ class Filament:
         """Second derivatives of a cell's energy by ``(p, p)``, ``(p, k)``, ``(k, k)``, the gradient term left out."""
         Lam, Gam, k, _, s1, t0, B, n1, n2, _ = q
         gam = Gam / Lam
-        W_LL = ((1.0 + 0.75 * k * B * (k * B - 3.0 * s1) + gam * (self.c * gam + t0)) / Lam - n1) / Lam
+        W_LL = (
+            (1.0 + 0.75 * k * B * (3.0 * self.spread * k * B - 3.0 * s1) + gam * (self.c * gam + t0)) / Lam - n1
+        ) / Lam
         W_LG, W_GG = -(self.c * gam + t0) / Lam**2, self.c / Lam**2
-        W_Lk = 0.5 * B * (3.0 * s1 - k * B) / Lam
+        W_Lk = 0.5 * B * (3.0 * s1 - 3.0 * self.spread * k * B) / Lam
         W_pp = Gam * Gam * W_LL - 2.0 * Lam * Gam * W_LG + Lam * Lam * W_GG - Lam * n1 - Gam * n2
-        return W_pp, Gam * W_Lk, B * B / 3.0
+        return W_pp, Gam * W_Lk, B * B * self.spread
 
     def solve_angles(self, z: Complex, P: tuple[Array, Array, Array]) -> Section:
         """Section angles that balance moments, from those of the last call; ``psi = 0`` at both ends."""
@@ -192,6 +203,8 @@ class Filament:
         state, rate = self.views(Y), self.views(out)
         q = self.solve_angles(state.z, self.means(state))
         force = (q.n1 + 1j * q.n2) * np.exp(0.5j * (self.psi[1:] + self.psi[:-1]))
+        z_X = (state.z[1:] - state.z[:-1]) / self.dX
+        force += self.surface * np.abs(z_X) ** -1.5 * z_X
         rate.z[:] = state.v
         rate.v[1:-1] = (force[1:] - force[:-1]) / self.mass[1:-1] - 1j * self.gravity(t)
         rate.v[-1] = 0.0
@@ -214,6 +227,7 @@ class Filament:
         return {
             "kinetic": float(0.5 * self.mass @ np.abs(state.v) ** 2),
             "elastic": float(0.5 * self.dX @ (self.mean @ (sigma**2 + tau**2 / self.c))),
+            "surface": float(2 * self.surface * self.dX @ (np.abs(np.diff(state.z) / self.dX) ** 0.5 - 1)),
             "dissipated": float(state.sums[1]),
             "gradient": self.gradient_work,
             "work": float(state.sums[0]),
@@ -251,7 +265,8 @@ class Filament:
 
 def run(delta: float, G: float, V: float, nodes: int | Array, fibres: int = 6, duration: float = 460.0,
         ramp: float = 10.0, beta: float | None = None, kappa_s: float = 5 / 6, nu: float = 0.45,
-        times: Sequence[float] = (46.0, 115.0, 230.0, 460.0), step: float = 1.0) -> Result:  # fmt: skip
+        times: Sequence[float] = (46.0, 115.0, 230.0, 460.0), step: float = 1.0, surface: float = 0.0,
+        circle: bool = False, stiffness: float = E_STAR) -> Result:  # fmt: skip
     """Drop a straight Bingham filament, clamped at both ends, under ramped gravity.
 
     Parameters
@@ -272,6 +287,12 @@ def run(delta: float, G: float, V: float, nodes: int | Array, fibres: int = 6, d
         Output times before the end. The step is fixed between outputs and lands on them.
     step : float
         Time step in parts of `Filament.stable_step`.
+    surface : float
+        gamma P0/(2 A0 E).
+    circle : bool
+        Whether the section is one, of diameter ``h0``; else a rectangle.
+    stiffness : float
+        ``E/(rho g L)``.
 
     Raises
     ------
@@ -279,8 +300,8 @@ def run(delta: float, G: float, V: float, nodes: int | Array, fibres: int = 6, d
         The solution is lost or the section angles do not settle: unstable step or a broken filament.
     """
     X = np.linspace(0.0, 0.5, nodes + 1) if isinstance(nodes, int) else nodes
-    g = 1.0 / E_STAR
-    f = Filament(X, delta, g, V * g**0.5, g / G, fibres, ramp, beta, kappa_s, nu)
+    g = 1.0 / stiffness
+    f = Filament(X, delta, g, V * g**0.5, g / G, fibres, ramp, beta, kappa_s, nu, surface, circle)
     ends = np.array(sorted({float(o) for o in times if o < duration} | {float(duration)}))
     dt, Y, t, steps, wall = step * f.stable_step(), f.initial(), 0.0, 0, 0.0
     shapes, angles, table = [], [], []

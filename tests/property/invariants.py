@@ -14,7 +14,14 @@ from softcat_sym.trajectory.fields import least_energy
 
 Array = npt.NDArray[np.float64]
 
-_STORED = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated", "energy_gradient")
+_STORED = (
+    "energy_kinetic",
+    "energy_elastic",
+    "energy_potential",
+    "energy_dissipated",
+    "energy_gradient",
+    "energy_surface",
+)
 
 PLACE = 1e-6
 """How far a support may be from its place, over the span: what algebraic constraints and steps leave open."""

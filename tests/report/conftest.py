@@ -90,6 +90,7 @@ def run_of(scene: Scene, sags: np.ndarray, times: np.ndarray, cells: int = 160) 
     energies |= {
         "energy_dissipated": dissipated,
         "energy_gradient": 0 * dissipated,
+        "energy_surface": 0 * dissipated,
         "work_external": kinetic + elastic + potential + dissipated - residual,
     }
     return xr.Dataset(

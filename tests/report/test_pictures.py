@@ -125,6 +125,7 @@ def test_imbalance_is_what_is_missing_from_the_budget():
         "energy_potential": [10.0, 7.0, 3.0],
         "energy_dissipated": [0.0, 1.0, 4.0],
         "energy_gradient": [0.0, 0.0, 0.5],
+        "energy_surface": [0.0, 0.0, 0.0],
         "work_external": [0.0, -1.0, -0.5],
     }
     data = xr.Dataset({name: ("time", value) for name, value in energies.items()})

@@ -30,9 +30,11 @@ def test_the_first_frame_beyond_counts_and_is_told() -> None:
     assert rupture_frame(scene_of("maxwell"), np.full((2, 3), np.nan)) == 0
 
 
-def energies(kinetic: float, elastic: float, potential: float, work: float) -> dict[str, np.ndarray]:
-    names = ("energy_kinetic", "energy_elastic", "energy_potential", "work_external")
-    pairs = zip(names, (kinetic, elastic, potential, work), strict=True)
+def energies(
+    kinetic: float, elastic: float, potential: float, work: float, surface: float = 0.0
+) -> dict[str, np.ndarray]:
+    names = ("energy_kinetic", "energy_elastic", "energy_potential", "work_external", "energy_surface")
+    pairs = zip(names, (kinetic, elastic, potential, work, surface), strict=True)
     return {name: np.array([0.0, value]) for name, value in pairs}
 
 
@@ -40,6 +42,7 @@ def test_nothing_holds_more_than_it_was_given() -> None:
     assert not gained_energy(energies(0.5, 0.4, -1.0, 0.0), 0.0)
     assert not gained_energy(energies(0.5, 1.4, -1.0, 1.0), 0.0)
     assert "weight and supports gave 1 J" in gained_energy(energies(1.0, 0.4, -1.0, 0.0), 0.0)
+    assert not gained_energy(energies(1.0, 0.4, -1.0, 0.0, -0.4), 0.0)
     assert not gained_energy(energies(1e-9, 0.0, 0.0, 0.0), 1e-8)
 
 

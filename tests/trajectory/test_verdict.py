@@ -197,6 +197,7 @@ ENERGY = (
     "energy_dissipated",
     "work_external",
     "energy_gradient",
+    "energy_surface",
 )
 
 
@@ -296,65 +297,25 @@ def test_a_viscous_thread_that_thins_at_its_clamps_is_not_refused() -> None:
 
 
 TIME = np.linspace(0, 1, 11)
-STILL = np.zeros(11)
-FALLING = -0.01 * TIME
 
 
-def told(scene: Scene, midpoint: np.ndarray, time: np.ndarray = TIME) -> list[str]:
-    """Warnings of a rigid filament of two cells whose midpoint moves so."""
-    fields = {"y": np.repeat(midpoint[:, None], 3, axis=1), "yielded_fraction": np.zeros((len(time), 2))}
-    half = rest_length(scene) / 2
-    return warnings_of(scene, choose_effects(scene), time, np.array([-half, 0.0, half]), fields, 0.0)
-
-
-def test_without_surface_tension_nothing_is_said() -> None:
-    assert told(scene_of(), FALLING) == []
-
-
-def test_small_surface_tension_is_not_worth_a_word() -> None:
-    # gamma/(rho g R L) = 0.02/(1900 x 9.81 x 0.003 x 0.2) = 0.0018
-    scene = scene_of(surroundings={"surface_tension": "20 mN/m"})
-    assert told(scene, STILL) == []
-
-
-def thread(viscosity: str) -> Scene:
-    # gamma/(rho g R L) = 0.07/(1900 x 9.81 x 5e-5 x 5e-3) = 15
-    return scene_of(
-        "maxwell",
-        filament={"span": "5 mm", "thickness": "0.1 mm"},
-        material={"viscosity": viscosity},
-        surroundings={"surface_tension": "70 mN/m"},
-    )
-
-
-def test_a_thin_thread_of_thin_fluid_is_warned_of() -> None:
-    (text,) = told(thread("1 Pa*s"), FALLING)
-    assert "surface tension" in text
-    assert "15" in text
-    assert "1/Ca = 7" in text
-
-
-def test_a_viscous_thread_that_moves_outruns_it() -> None:
-    assert told(thread("1000 Pa*s"), FALLING) == []
-    assert len(told(thread("1000 Pa*s"), STILL)) == 1
-
-
-def test_one_frame_warns_of_nothing() -> None:
-    assert told(thread("1 Pa*s"), STILL[:1], TIME[:1]) == []
-
-
-def test_the_warning_reaches_the_summary() -> None:
-    thin = simulate(
-        scene_of(
-            "elastic",
-            filament={"span": "5 mm", "thickness": "0.2 mm"},
-            run={"duration": "5 ms"},
-            load={"ramp": "2 ms"},
-            surroundings={"surface_tension": "0.5 N/m"},
-        )
-    )
-    assert len(thin.summary["warnings"]) == 1
-    assert run().summary["warnings"] == []
+def test_surface_tension_left_out_by_name_is_told() -> None:
+    """Where it is in force, or is nothing beside the weight, not a word is lost on it."""
+    thin = {
+        "filament": {"span": "5 mm", "thickness": "0.2 mm"},
+        "run": {"duration": "5 ms", "effects": "paper"},
+        "load": {"ramp": "2 ms"},
+        "surroundings": {"surface_tension": "0.5 N/m"},
+    }
+    (text,) = simulate(scene_of("elastic", **thin)).summary["warnings"]
+    assert "surface tension is left out by run.effects, but would take about" in text
+    thin["run"] = {"duration": "5 ms"}
+    taken = simulate(scene_of("elastic", **thin))
+    assert "surface-tension" in taken.summary["effects"]
+    assert taken.summary["warnings"] == []
+    small = simulate(scene_of(surroundings={"surface_tension": "0.2 mN/m"}))
+    assert "surface-tension" in small.summary["left_out"]
+    assert small.summary["warnings"] == run().summary["warnings"] == []
 
 
 def test_a_trajectory_is_frozen() -> None:
@@ -370,7 +331,7 @@ def test_cells_of_a_hinge_graded_too_short_by_hand_are_warned_of(of_the_limit: f
     half = rest_length(scene) / 2
     nodes = np.array([-half, -half + shortest, 0.0, half - shortest, half])
     for yielded in (1.0, 0.2):
-        fields = {"y": np.zeros((2, 5)), "yielded_fraction": np.full((2, 4), yielded)}
-        warnings = warnings_of(scene, choose_effects(scene), TIME[:2], nodes, fields, 0.0)
+        fields = {"yielded_fraction": np.full((2, 4), yielded)}
+        warnings = warnings_of(scene, choose_effects(scene), 0.0, nodes, fields, 0.0)
         expected = by_hand and of_the_limit < 1 and yielded > 0.5
         assert ["numerics.grading" in text for text in warnings] == [True] * expected

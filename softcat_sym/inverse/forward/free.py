@@ -96,9 +96,9 @@ def free_parameters(scene: Scene, names: Sequence[str], bounds: Bounds | None = 
     names : sequence of str
         Leaf names (``youngs_modulus``, ``viscosity``, ``yield_stress``, ``index``, ``second_modulus``,
         ``mode_1_viscosity``, ``density``, ``thickness``, ``width``, ``span``, ``rest_length``, ``gravity``, ``ramp``,
-        ``shake``, ``shake_frequency``, a constant of the user's own law, ...) or dotted paths; shear data by their
-        names (``shear_viscosity``, ``shear_consistency``, ``shear_yield_stress``), whose value is then the one in
-        shear. And two that are the camera's:
+        ``shake``, ``shake_frequency``, ``surface_tension``, a constant of the user's own law, ...) or dotted paths;
+        shear data by their names (``shear_viscosity``, ``shear_consistency``, ``shear_yield_stress``), whose value is
+        then the one in shear. And two that are the camera's:
 
         ``time_offset`` [s]
             The camera's clock minus the filament's: time in the data = time since the load came on + offset.

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from numbers import Real
 
 from softcat_sym.effects.forecast import expected_sag
+from softcat_sym.effects.prediction import pull_of_surface
 from softcat_sym.errors import Fault
 from softcat_sym.graph.parameters import time_scale
 from softcat_sym.scene import Scene, distance, is_slack, is_symmetric, rest_length
@@ -173,6 +174,7 @@ def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
     yield _positive("load.shake", "", load.shake)
     yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
     yield _positive("load.point_mass", "kg", load.point_mass)
+    yield _surface_tension(scene)
     yield _stretch(scene)
     for table, name in _SIGNED:
         value, path = float(getattr(getattr(scene, table), name)), f"{table}.{name}"
@@ -189,6 +191,14 @@ def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
             yield Candidate(**{**vars(plain), "trouble": found, "remedy": "clamps at different angles in the scene"})
         else:
             yield plain
+
+
+def _surface_tension(scene: Scene) -> Candidate:
+    plain = _positive("surroundings.surface_tension", "N/m", scene.surroundings.surface_tension)
+    if plain.trouble or pull_of_surface(scene) > 0:
+        return plain
+    found, remedy = "left out by run.effects or run.closure", "surface-tension in run.effects, and the material closure"
+    return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
 
 
 def _stretch(scene: Scene) -> Candidate:

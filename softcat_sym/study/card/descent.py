@@ -124,4 +124,5 @@ def largest_fibre_stress(run: Trajectory, frame: int | None = None) -> float:
 def support_pull(run: Trajectory) -> float:
     """Force of the left support at the end over the area of the undeformed section [Pa]."""
     last = run.data.isel(time=-1, cell=0)
-    return float(np.hypot(last["tension"], last["shear_force"])) / undeformed_area(run.scene)
+    along = last["axial_force"] if "axial_force" in last else last["tension"]
+    return float(np.hypot(along, last["shear_force"])) / undeformed_area(run.scene)

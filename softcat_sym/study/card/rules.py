@@ -204,11 +204,11 @@ def _with_sag(expression: object, sag: float, scene: Scene) -> float:
     return _value(expression.subs(regimes.H, sag), scene)  # type: ignore[attr-defined]
 
 
-_BENT = ("ends", "flow", "stretching", "shear", "inertia")
-_TAUT = ("flow", "bending", "slopes", "inertia")
+_BENT = ("ends", "flow", "stretching", "shear", "inertia", "surface")
+_TAUT = ("flow", "bending", "slopes", "inertia", "surface")
 _HUNG = ("bending", "elasticity", "inertia")
-_CREEPS = ("yield stress", "stretching", "elasticity", "shear", "inertia")
-_DRAWN = ("yield stress", "bending", "slopes")
+_CREEPS = ("yield stress", "stretching", "elasticity", "shear", "inertia", "surface")
+_DRAWN = ("yield stress", "bending", "slopes", "surface")
 _CARRIED = ("bending", "slopes", "inertia")
 
 RULES: tuple[RuleOfTheField, ...] = (
@@ -227,7 +227,7 @@ RULES: tuple[RuleOfTheField, ...] = (
         "[3.11]",
         FIBRE,
         _first_yield,
-        ("flow", "stretching", "shear", "inertia"),
+        ("flow", "stretching", "shear", "inertia", "surface"),
     ),
     RuleOfTheField("catenary-stress", "catenary stress", "before [3.12]", SUPPORT, _catenary(exact=False), _CARRIED),
     RuleOfTheField(

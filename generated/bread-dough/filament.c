@@ -1,11 +1,11 @@
 /*
- * Oobleck: a cornstarch strand that thickens as it flows
+ * Rope of bread dough, shear-thinning
  *
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, shear, fibres, rotary-inertia
- * Digest of the structure: 8518f157fa4049ad25063ba076dd3a696a80d41f9f116be351b0c2e47df2eb32
+ *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
+ * Digest of the structure: 42b0163864a28e320a4a9763b7cf3720da69a4c6e807c48330adf68a1f23898c
  */
 #include "filament.h"
 
@@ -84,28 +84,28 @@ static void rates_6(int n, const double *p, const double *g, const double *y, do
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w6 = w + 6 * n;
-    const double c1 = p[4];
+    const double c1 = p[5];
     const double c4 = p[1];
     const double c5 = (-0.5) * c4;
     const double c11 = p[0];
     const double c12 = 1.0 / c11;
     const double c119 = 0.9 * c1;
-    const double c121 = 2.0 * p[5];
+    const double c121 = 2.0 * p[6];
     const double c122 = 2.0 + c121;
     const double c123 = c119 / c122;
     const double c169 = 0.5 * c4;
     const double c217 = 1e-12 * c1;
     const double c218 = squared(c217);
-    const double c220 = p[6];
+    const double c220 = p[7];
     const double c221 = squared(c220);
     const double c222 = 1.0 / c221;
     const double c225 = squared(c1);
     const double c226 = 1e-18 * c225;
     const double c227 = c226 / c221;
-    const double c230 = 0.5 / p[7];
+    const double c230 = 0.5 / p[8];
     const double c231 = (-0.5) + c230;
     const double c233 = 1.0 / c220;
-    const double c236 = p[8];
+    const double c236 = p[9];
     for (int i = 0; i < n - 1; i++) {
         const double v6 = w1[i + 1];
         const double v7 = w1[i];
@@ -206,7 +206,7 @@ static void rates_7(int n, const double *p, const double *g, double *w, double *
     double *restrict w3 = w + 3 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w6 = w + 6 * n;
-    const double c4 = squared(p[8]);
+    const double c4 = squared(p[9]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
     const double c7 = p[2];
@@ -224,31 +224,57 @@ static void rates_7(int n, const double *p, const double *g, double *w, double *
     }
 }
 
-static void rates_8(int n, const double *p, const double *g, double *w, double *f)
+static void rates_8(int n, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w4 = w + 4 * n;
-    const double c4 = squared(p[8]);
+    const double c3 = p[9];
+    const double c4 = squared(c3);
     const double c5 = p[0];
     const double c6 = c4 / c5;
     const double c8 = p[2] * c5;
     const double c9 = c6 / c8;
-    const double c15 = p[3] * c6;
+    const double c18 = t * c3;
+    const double c20 = c18 / p[4];
+    const double c21 = larger(0.0, c20);
+    const double c22 = smaller(1.0, c21);
+    const double c23 = squared(c22);
+    const double c24 = c23 * c22;
+    const double c25 = p[3] * c24;
+    const double c29 = 6.0 * c22;
+    const double c30 = (-15.0) + c29;
+    const double c31 = c30 * c22;
+    const double c32 = 10.0 + c31;
+    const double c33 = c25 * c32;
+    const double c34 = c33 * c6;
     for (int i = 1; i < n - 1; i++) {
-        f[22 * i + 3] = ((w4[i] - w4[i - 1]) * (c9 * g[7 * i + 6])) - c15;
+        f[22 * i + 3] = ((w4[i] - w4[i - 1]) * (c9 * g[7 * i + 6])) - c34;
     }
 }
 
-static void rates_9(int n, const double *p, const double *g, double *w, double *f)
+static void rates_9(int n, double t, const double *p, const double *g, double *w, double *f)
 {
     double *restrict w4 = w + 4 * n;
-    const double c2 = squared(p[8]);
+    const double c1 = p[9];
+    const double c2 = squared(c1);
     const double c3 = p[0];
     const double c4 = c2 / c3;
     const double c6 = p[2] * c3;
     const double c7 = c4 / c6;
-    const double c13 = p[3] * c4;
+    const double c16 = t * c1;
+    const double c18 = c16 / p[4];
+    const double c19 = larger(0.0, c18);
+    const double c20 = smaller(1.0, c19);
+    const double c21 = squared(c20);
+    const double c22 = c21 * c20;
+    const double c23 = p[3] * c22;
+    const double c27 = 6.0 * c20;
+    const double c28 = (-15.0) + c27;
+    const double c29 = c28 * c20;
+    const double c30 = 10.0 + c29;
+    const double c31 = c23 * c30;
+    const double c32 = c31 * c4;
     const int i = 0;
-    f[22 * i + 3] = (w4[i] * (c7 * g[7 * i + 6])) - c13;
+    f[22 * i + 3] = (w4[i] * (c7 * g[7 * i + 6])) - c32;
     (void)n;
 }
 
@@ -396,13 +422,13 @@ static void jacobian_6(int n, const double *p, const double *g, const double *y,
     double *restrict w84 = w + 84 * n;
     double *restrict w85 = w + 85 * n;
     double *restrict w86 = w + 86 * n;
-    const double c1 = p[4];
+    const double c1 = p[5];
     const double c4 = p[1];
     const double c5 = (-0.5) * c4;
     const double c11 = p[0];
     const double c12 = 1.0 / c11;
     const double c119 = 0.9 * c1;
-    const double c121 = 2.0 * p[5];
+    const double c121 = 2.0 * p[6];
     const double c122 = 2.0 + c121;
     const double c123 = c119 / c122;
     const double c169 = 0.5 * c4;
@@ -436,16 +462,16 @@ static void jacobian_6(int n, const double *p, const double *g, const double *y,
     const double c543 = 0.16666666666666663 * c123;
     const double c550 = 0.09181686914811883 * c123;
     const double c557 = 0.025995061875669103 * c123;
-    const double c1079 = p[8];
+    const double c1079 = p[9];
     const double c1086 = 1e-12 * c1;
     const double c1087 = squared(c1086);
-    const double c1089 = p[6];
+    const double c1089 = p[7];
     const double c1090 = squared(c1089);
     const double c1091 = 1.0 / c1090;
     const double c1094 = squared(c1);
     const double c1095 = 1e-18 * c1094;
     const double c1096 = c1095 / c1090;
-    const double c1099 = 0.5 / p[7];
+    const double c1099 = 0.5 / p[8];
     const double c1100 = (-0.5) + c1099;
     const double c1102 = 1.0 / c1089;
     const double c1106 = c1100 - 1.0;
@@ -1229,7 +1255,7 @@ static void jacobian_7(int n, const double *p, const double *g, double *w, doubl
     double *restrict w84 = w + 84 * n;
     double *restrict w85 = w + 85 * n;
     double *restrict w86 = w + 86 * n;
-    const double c1 = squared(p[8]);
+    const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c4 = p[2];
@@ -1355,7 +1381,7 @@ static void jacobian_8(int n, const double *p, const double *g, double *w, doubl
     double *restrict w48 = w + 48 * n;
     double *restrict w49 = w + 49 * n;
     double *restrict w50 = w + 50 * n;
-    const double c1 = squared(p[8]);
+    const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c5 = p[2] * c2;
@@ -1430,7 +1456,7 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     double *restrict w48 = w + 48 * n;
     double *restrict w49 = w + 49 * n;
     double *restrict w50 = w + 50 * n;
-    const double c1 = squared(p[8]);
+    const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c5 = p[2] * c2;
@@ -1467,26 +1493,26 @@ static void work_0(int n, const double *p, const double *g, const double *y, dou
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
-    const double c2 = p[4];
+    const double c2 = p[5];
     const double c6 = (-0.5) * p[1];
     const double c11 = p[0];
     const double c12 = 1.0 / c11;
     const double c46 = 0.9 * c2;
-    const double c48 = 2.0 * p[5];
+    const double c48 = 2.0 * p[6];
     const double c49 = 2.0 + c48;
     const double c50 = c46 / c49;
     const double c62 = 1e-12 * c2;
     const double c63 = squared(c62);
-    const double c65 = p[6];
+    const double c65 = p[7];
     const double c66 = squared(c65);
     const double c67 = 1.0 / c66;
     const double c70 = squared(c2);
     const double c71 = 1e-18 * c70;
     const double c72 = c71 / c66;
-    const double c75 = 0.5 / p[7];
+    const double c75 = 0.5 / p[8];
     const double c76 = (-0.5) + c75;
     const double c78 = 1.0 / c65;
-    const double c243 = p[8];
+    const double c243 = p[9];
     const double c245 = c11 / c243;
     const double c246 = squared(c245);
     const double c247 = p[2] * c246;
@@ -1542,31 +1568,61 @@ static void work_0(int n, const double *p, const double *g, const double *y, dou
     }
 }
 
+static void work_1(int n, double t, const double *p, const double *g, double *w, double *q)
+{
+    double *restrict w2 = w + 2 * n;
+    const double c1 = p[0];
+    const double c2 = p[2];
+    const double c3 = c1 * c2;
+    const double c6 = 30.0 * p[3];
+    const double c10 = p[9];
+    const double c11 = t * c10;
+    const double c12 = p[4];
+    const double c13 = c11 / c12;
+    const double c14 = larger(0.0, c13);
+    const double c15 = smaller(1.0, c14);
+    const double c16 = 1.0 - c15;
+    const double c17 = squared(c16);
+    const double c18 = c6 * c17;
+    const double c19 = squared(c15);
+    const double c20 = c18 * c19;
+    const double c21 = c20 / c12;
+    const double c22 = c3 * c21;
+    const double c23 = c1 / c10;
+    const double c24 = squared(c23);
+    const double c25 = c2 * c24;
+    const double c26 = c10 / c25;
+    const double c27 = c22 * c26;
+    for (int i = 0; i < n; i++) {
+        q[1] += (g[7 * i + 3] * c27) * w2[i];
+    }
+}
+
 static void work_slope_0(int n, const double *p, const double *g, const double *y, double *w, double *s)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
-    const double c0 = p[4];
+    const double c0 = p[5];
     const double c4 = (-0.5) * p[1];
     const double c10 = p[0];
     const double c11 = 1.0 / c10;
     const double c44 = 1e-12 * c0;
     const double c45 = squared(c44);
     const double c49 = 0.9 * c0;
-    const double c51 = 2.0 * p[5];
+    const double c51 = 2.0 * p[6];
     const double c52 = 2.0 + c51;
     const double c53 = c49 / c52;
-    const double c70 = p[6];
+    const double c70 = p[7];
     const double c71 = squared(c70);
     const double c72 = 1.0 / c71;
     const double c75 = squared(c0);
     const double c76 = 1e-18 * c75;
     const double c77 = c76 / c71;
-    const double c80 = 0.5 / p[7];
+    const double c80 = 0.5 / p[8];
     const double c81 = (-0.5) + c80;
     const double c83 = 1.0 / c70;
-    const double c86 = p[8];
+    const double c86 = p[9];
     const double c88 = c10 / c86;
     const double c89 = squared(c88);
     const double c90 = p[2] * c89;
@@ -1739,13 +1795,41 @@ static void work_slope_0(int n, const double *p, const double *g, const double *
     }
 }
 
+static void work_slope_1(int n, double t, const double *p, const double *g, double *s)
+{
+    const double c1 = p[0];
+    const double c2 = p[2];
+    const double c3 = c1 * c2;
+    const double c6 = 30.0 * p[3];
+    const double c10 = p[9];
+    const double c11 = t * c10;
+    const double c12 = p[4];
+    const double c13 = c11 / c12;
+    const double c14 = larger(0.0, c13);
+    const double c15 = smaller(1.0, c14);
+    const double c16 = 1.0 - c15;
+    const double c17 = squared(c16);
+    const double c18 = c6 * c17;
+    const double c19 = squared(c15);
+    const double c20 = c18 * c19;
+    const double c21 = c20 / c12;
+    const double c22 = c3 * c21;
+    const double c23 = c1 / c10;
+    const double c24 = squared(c23);
+    const double c25 = c2 * c24;
+    const double c26 = c10 / c25;
+    const double c27 = c22 * c26;
+    for (int i = 0; i < n; i++) {
+        s[22 * n + 22 * i + 1] += g[7 * i + 3] * c27;
+    }
+}
+
 static int rates(const softcat_filament *filament, double t, const double *y, double *f,
                  double *w)
 {
     const int n = filament->sites;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    (void)t;
     for (int k = 0; k < n * 22; k++) f[k] = 0.0;
     rates_0(n, y, f);
     rates_1(n, y, f);
@@ -1755,8 +1839,8 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
     rates_5(n, g, w);
     rates_6(n, p, g, y, w, f);
     rates_7(n, p, g, w, f);
-    rates_8(n, p, g, w, f);
-    rates_9(n, p, g, w, f);
+    rates_8(n, t, p, g, w, f);
+    rates_9(n, t, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -1787,9 +1871,9 @@ static int work(const softcat_filament *filament, double t, const double *y, dou
     const int n = filament->sites;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    (void)t;
     for (int k = 0; k < 3; k++) q[k] = 0.0;
     work_0(n, p, g, y, w, q);
+    work_1(n, t, p, g, w, q);
     return SOFTCAT_SOLVED;
 }
 
@@ -1799,9 +1883,9 @@ static int work_slope(const softcat_filament *filament, double t, const double *
     const int n = filament->sites;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    (void)t;
     for (int k = 0; k < n * 66; k++) s[k] = 0.0;
     work_slope_0(n, p, g, y, w, s);
+    work_slope_1(n, t, p, g, s);
     return SOFTCAT_SOLVED;
 }
 
@@ -1814,21 +1898,22 @@ static const int offset[] = {0, 0, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -
 static const int column[] = {2, 3, 0, 1, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 1, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 1, 4, 0, 1, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 1, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 1, 4, 5, 0, 1, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 1, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 1, 4, 0, 1, 4, 6, 14, 0, 1, 4, 0, 1, 4, 7, 15, 0, 1, 4, 0, 1, 4, 8, 16, 0, 1, 4, 0, 1, 4, 9, 17, 0, 1, 4, 0, 1, 4, 10, 18, 0, 1, 4, 0, 1, 4, 11, 19, 0, 1, 4, 0, 1, 4, 12, 20, 0, 1, 4, 0, 1, 4, 13, 21, 0, 1, 4, 0, 1, 4, 6, 14, 0, 1, 4, 0, 1, 4, 7, 15, 0, 1, 4, 0, 1, 4, 8, 16, 0, 1, 4, 0, 1, 4, 9, 17, 0, 1, 4, 0, 1, 4, 10, 18, 0, 1, 4, 0, 1, 4, 11, 19, 0, 1, 4, 0, 1, 4, 12, 20, 0, 1, 4, 0, 1, 4, 13, 21, 0, 1, 4};
 
 const softcat_model softcat_filament_model = {
-    22, 16, 9, 7, 87, 254, 3, 0,
+    22, 16, 10, 7, 87, 254, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };
 
 static const char *const described_parameters[] = {
-    "rest_length", "thickness", "density", "gravity", "youngs_modulus", "poisson", "viscosity",
-    "index", "time_scale"};
+    "rest_length", "thickness", "density", "gravity", "ramp", "youngs_modulus", "poisson",
+    "viscosity", "index", "time_scale"};
 static const char *const described_units[] = {
-    "m", "m", "kg/m^3", "m/s^2", "Pa", "1", "Pa*s^n", "1", "s"};
+    "m", "m", "kg/m^3", "m/s^2", "s", "Pa", "1", "Pa*s^n", "1", "s"};
 static const softcat_range described_ranges[] = {
     SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_NOT_NEGATIVE,
-    SOFTCAT_POSITIVE, SOFTCAT_POISSON, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_NOT_NEGATIVE};
+    SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POISSON, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE,
+    SOFTCAT_NOT_NEGATIVE};
 static const double described_values[] = {
-    0.06, 0.006, 1200.0, 9.81, 30000.0, 0.45, 236.89332233144864, 1.5, 0.0782061887005775};
+    0.1, 0.015, 1100.0, 9.81, 0.5, 30000.0, 0.45, 10211.718159726757, 0.3, 0.10096375546923045};
 static const char *const described_slots[] = {
     "x", "y", "u", "v", "psi", "omega", "axial_0", "axial_1", "axial_2", "axial_3", "axial_4",
     "axial_5", "axial_6", "axial_7", "shear_0", "shear_1", "shear_2", "shear_3", "shear_4",
@@ -1848,7 +1933,7 @@ static const double described_bending[] = {
 
 const softcat_structure softcat_filament_structure = {
     .model = &softcat_filament_model,
-    .title = "Oobleck: a cornstarch strand that thickens as it flows",
+    .title = "Rope of bread dough, shear-thinning",
     .parameter_names = described_parameters,
     .parameter_units = described_units,
     .parameter_ranges = described_ranges,
@@ -1867,7 +1952,7 @@ const softcat_structure softcat_filament_structure = {
     .y = 1,
     .psi = 4,
     .rest_length = 0,
-    .time_scale = 8,
+    .time_scale = 9,
     .gravity = 3,
     .density = 2,
     .span = -1,
@@ -1887,7 +1972,7 @@ const softcat_structure softcat_filament_structure = {
     .grading = 3.0,
     .relative = 1.2e-05,
     .absolute = 1.2000000000000002e-07,
-    .duration = 0.2,
+    .duration = 2.0,
     .cells = 40,
     .frames = 201,
 };

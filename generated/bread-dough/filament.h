@@ -1,11 +1,11 @@
 /*
- * Oobleck: a cornstarch strand that thickens as it flows
+ * Rope of bread dough, shear-thinning
  *
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, shear, fibres, rotary-inertia
- * Digest of the structure: 8518f157fa4049ad25063ba076dd3a696a80d41f9f116be351b0c2e47df2eb32
+ *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
+ * Digest of the structure: 42b0163864a28e320a4a9763b7cf3720da69a4c6e807c48330adf68a1f23898c
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -19,15 +19,16 @@ extern "C" {
 
 /* Numbers of the parameters; all are in SI units. Values are those of the scene. */
 enum {
-    SOFTCAT_P_REST_LENGTH,    /* [m] 0.06: length of the undeformed filament */
-    SOFTCAT_P_THICKNESS,      /* [m] 0.006: of the section; the diameter of a circle */
-    SOFTCAT_P_DENSITY,        /* [kg/m^3] 1200 */
+    SOFTCAT_P_REST_LENGTH,    /* [m] 0.1: length of the undeformed filament */
+    SOFTCAT_P_THICKNESS,      /* [m] 0.015: of the section; the diameter of a circle */
+    SOFTCAT_P_DENSITY,        /* [kg/m^3] 1100 */
     SOFTCAT_P_GRAVITY,        /* [m/s^2] 9.81: acceleration */
+    SOFTCAT_P_RAMP,           /* [s] 0.5: time within which gravity comes on, 0 at once */
     SOFTCAT_P_YOUNGS_MODULUS, /* [Pa] 30000 */
     SOFTCAT_P_POISSON,        /* [1] 0.45: used by shear only */
-    SOFTCAT_P_VISCOSITY,      /* [Pa*s^n] 236.893: consistency K of the flow */
-    SOFTCAT_P_INDEX,          /* [1] 1.5: exponent n of the flow */
-    SOFTCAT_P_TIME_SCALE,     /* [s] 0.0782062: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
+    SOFTCAT_P_VISCOSITY,      /* [Pa*s^n] 10211.7: consistency K of the flow */
+    SOFTCAT_P_INDEX,          /* [1] 0.3: exponent n of the flow */
+    SOFTCAT_P_TIME_SCALE,     /* [s] 0.100964: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
     SOFTCAT_PARAMETERS
 };
 
@@ -63,7 +64,7 @@ enum {
 #define SOFTCAT_SCENE_GRADING 3.0
 #define SOFTCAT_SCENE_RELATIVE 1.2e-05
 #define SOFTCAT_SCENE_ABSOLUTE 1.2000000000000002e-07
-#define SOFTCAT_SCENE_DURATION 0.2
+#define SOFTCAT_SCENE_DURATION 2.0
 #define SOFTCAT_SCENE_FRAMES 201
 
 extern const softcat_structure softcat_filament_structure;

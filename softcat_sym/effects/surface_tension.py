@@ -1,0 +1,85 @@
+"""Surface tension: the surface pulls the filament together with the force that its energy has along the centreline."""
+
+from dataclasses import replace
+
+from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.prediction import instant_modulus, pull_of_surface, surface_stress, yield_stress_of
+from softcat_sym.equations.filament import Terms
+from softcat_sym.errors import Fault
+from softcat_sym.scene import Scene
+
+_STARTS = "it acts at once, on a strand laid down without stress"
+
+_UNSTABLE = 2.0
+"""Gam over E from which a stretched filament pulls less than an unstretched one, dQ/ds = A_0 (E - Gam/2): it would
+gather into beads (gamma > 6 mu R of a circle, Mora et al. 2010)."""
+
+_SQUARE = 0.1
+"""Relative difference of the sides of a rectangle from which surface tension would even them out."""
+
+
+def _contribute(terms: Terms) -> Terms:
+    return replace(terms, surface_tension=True)
+
+
+def _applies(scene: Scene) -> bool:
+    return scene.surroundings.surface_tension > 0
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del scene
+    meaning = f"share of the sag that the pull of the surface takes, C/(1+C), C = m 4 P gamma f/(q L^2) ({_STARTS})"
+    return Estimate(min(1.0, motion.capillary), meaning)
+
+
+SURFACE_TENSION = Effect(
+    name="surface-tension",
+    summary="axial force gamma P_0/2 s^-1/2 along the centreline (of a sheet 2 gamma D_0), energy gamma times the area",
+    source="Eggers & Dupont 1994",
+    contribute=_contribute,
+    applies=_applies,
+    without_it="the scene states no surface tension",
+    estimate=_estimate,
+    observable="share of the pull of the surface in the axial force, times that of the load carried in tension",
+    example="ink-bridge",
+    derivation="08_necking",
+    needs=("extensibility",),
+    in_paper=False,
+)
+
+
+def unstable_faults(scene: Scene) -> list[Fault]:
+    """Refuse a surface tension that no elastic filament of this thickness withstands as a cylinder."""
+    modulus, pull = instant_modulus(scene), surface_stress(scene)
+    if modulus is None or scene.filament.section == "sheet" or pull <= _UNSTABLE * modulus:
+        return []
+    most = scene.surroundings.surface_tension * _UNSTABLE * modulus / pull
+    found = f"{scene.surroundings.surface_tension:.3g} N/m, at which the filament gathers into beads"
+    return [Fault("surroundings.surface_tension", found, f"at most {most:.3g} N/m for this modulus and thickness")]
+
+
+def neglected_surface(scene: Scene, share: float) -> str:
+    """Say that surface tension is left out by name although it matters; an empty text otherwise.
+
+    Parameters
+    ----------
+    share : float
+        Of the sag, that it would take.
+    """
+    if pull_of_surface(scene) or share <= scene.run.accuracy:
+        return ""
+    key = "run.closure = 'printed'" if scene.run.closure == "printed" else "run.effects"
+    return f"surface tension is left out by {key}, but would take about {share:.0%} of the sag"
+
+
+def rounded_corners(scene: Scene) -> str:
+    """Warn of a rectangle whose sides surface tension would even out; an empty text where it would not."""
+    filament, limit = scene.filament, yield_stress_of(scene) or instant_modulus(scene) or 0.0
+    uneven = filament.section == "rectangle" and abs(filament.width / filament.thickness - 1) > _SQUARE
+    if not uneven or pull_of_surface(scene) <= limit:
+        return ""
+    return (
+        f"surface tension ({pull_of_surface(scene):.3g} Pa) would round the rectangle, whose sides are taken to shrink "
+        "alike; take section = 'circle' if it does"
+    )

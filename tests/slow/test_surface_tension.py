@@ -1,0 +1,81 @@
+"""Surface tension at length: the bundled ink against an independent solver, and what it is worth in other scenes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from tests.acceptance.table import show
+from tests.oracle.reissner_filament import run as oracle
+
+pytestmark = pytest.mark.slow
+
+
+EFFECTS = (
+    *("inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow"),
+    *("yielding", "gravity-ramp", "shear", "fibres", "necking-gradient"),
+)
+
+
+def test_the_bundled_ink_is_that_of_an_independent_solver() -> None:
+    """NumPy, RK4 and Newton, its own circle: 8 equal cells, six fibres, with and without surface tension."""
+    cells, fibres, frames, duration = 8, 6, 6, 0.12
+    ink = sc.load_scene("ink-bridge")
+    span, E, rho, g = ink.filament.span, ink.material.youngs_modulus, ink.filament.density, ink.load.gravity
+    limit, eta = ink.material.yield_stress, ink.material.viscosity
+    unit, rows = span * (rho / E) ** 0.5, []
+    for gamma in (0.0, 0.072):
+        times = np.linspace(0, duration / unit, frames)[1:]
+        expected = oracle(
+            ink.filament.thickness / span, rho * g * span / limit, eta / (rho * (g * span**3) ** 0.5), cells,
+            fibres=fibres, duration=duration / unit, ramp=ink.load.ramp / unit, times=tuple(times), beta=1 / 32,
+            kappa_s=0.9, surface=2 * gamma / ink.filament.thickness / E, circle=True, stiffness=E / (rho * g * span),
+        )  # fmt: skip
+        asked = {
+            "surroundings.surface_tension": f"{gamma} N/m",
+            "run.duration": f"{duration} s",
+            "run.frames": frames,
+            "numerics.cells": cells,
+            "numerics.grading": 1.0,
+            "numerics.fibres": fibres,
+            "numerics.rtol": 1e-7,
+            "numerics.estimate": False,
+            "run.effects": [*EFFECTS, *(["surface-tension"] if gamma else [])],
+        }
+        run = sc.simulate(ink.replace(asked))
+        found = run.data["midpoint"].values[1:]
+        errors = found / (expected.midpoint * span) - 1
+        worst = float(np.max(np.abs(errors)))
+        rows.append((gamma, f"{-1e6 * found[-1]:.4f}", f"{-1e6 * span * expected.midpoint[-1]:.4f}", f"{worst:.0e}"))
+        assert worst < 2e-5
+    show("Ink, sag [um]", ("gamma [N/m]", "package", "oracle", "largest error"), rows)
+
+
+SCENES = (
+    "ink-bridge",
+    "cold-honey",
+    "silicone-thread",
+    "oobleck",
+    "drawn-blob",
+    "hot-glue-string",
+    "polyethylene-melt",
+)
+
+
+def test_what_surface_tension_is_worth_in_the_bundled_scenes() -> None:
+    """The share foretold is that of the runs to a factor of two; the energy is closed in all of them."""
+    rows = []
+    for name in SCENES:
+        pulled = sc.simulate(sc.load_scene(name))
+        bare = sc.simulate(sc.load_scene(name, {"surroundings.surface_tension": "0 N/m"}))
+        sags = [-1e3 * run.summary["midpoint_final_m"] for run in (bare, pulled)]
+        taken = 1 - sags[1] / sags[0]
+        foretold = float(pulled.summary["effects"]["surface-tension"].rpartition("= ")[2])
+        residual = pulled.summary["energy_residual"]
+        rows.append((name, f"{sags[0]:.4g}", f"{sags[1]:.4g}", f"{taken:.3f}", f"{foretold:.3f}", f"{residual:.0e}"))
+        assert taken / 2.5 < foretold < 2.5 * taken, name
+        assert residual < max(1e-5, 2 * bare.summary["energy_residual"]), name
+        if name == "ink-bridge":
+            assert 27.5e-3 < sags[1] < 28.2e-3
+    show("Sag [mm]", ("scene", "without", "with", "taken", "foretold", "energy residual"), rows)
