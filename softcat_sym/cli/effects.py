@@ -53,7 +53,7 @@ def effects(
 
 
 def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) -> None:
-    from softcat_sym.report.fit_progress import FitProgressBar
+    from softcat_sym.report.progress import FitProgressBar
     from softcat_sym.report.pricing import print_pricing, write_pricing
     from softcat_sym.study.pricing import price_effects
 

@@ -7,7 +7,15 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import QuietOption, SceneArgument, SetOption, app, check_directory, scene_of
+from softcat_sym.cli.application import (
+    QuietOption,
+    SceneArgument,
+    SetOption,
+    VerboseOption,
+    app,
+    check_directory,
+    scene_of,
+)
 
 
 @app.command()
@@ -18,6 +26,7 @@ def explain(
         typer.Option("--output", "-o", metavar="DIR", help="Write explain.json, equations.tex, scene.toml."),
     ] = None,
     changes: SetOption = None,
+    verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Say what a scene calls for: groups, regime, each effect in or out and why, equations, size, limits."""
@@ -30,6 +39,6 @@ def explain(
     explanation = explained(asked)
     written = [] if output is None else write_explanation(explanation, asked, output)
     if not quiet:
-        print_explanation(explanation)
+        print_explanation(explanation, verbose=verbose)
         if written:
             typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")

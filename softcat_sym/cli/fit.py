@@ -107,7 +107,7 @@ def fit(
     asked = scene_of(scene, changes)
     from softcat_sym.inverse import read_measurements
     from softcat_sym.report.fit_files import write_fit
-    from softcat_sym.report.fit_progress import FitProgressBar
+    from softcat_sym.report.progress import FitProgressBar
 
     how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
     films = read_measurements(data)

@@ -14,6 +14,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    VerboseOption,
     app,
     check_directory,
     complain,
@@ -60,6 +61,7 @@ def run(
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
+    verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Run a scene: trajectory.nc, summary.json, scene.toml, pictures and a table in DIR.
@@ -78,10 +80,12 @@ def run(
 
     try:
         with without_dask():
-            with IntegrationProgress(asked.run.duration, asked.title or "integrating", quiet=quiet) as progress:
+            with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+                progress.doing("reading")
                 trajectory = simulate(asked, Resumable(progress, checkpoints))
-            with made(output), written_together():
-                written = write_run(trajectory, output, drawn)
+                progress.stage("drawing pictures")
+                with made(output), written_together():
+                    written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:
         complain(f"interrupted; {_kept(checkpoints)}")
         raise typer.Exit(INTERRUPTED) from None
@@ -95,11 +99,10 @@ def run(
     if not quiet:
         from softcat_sym.report.terminal import print_summary
 
-        print_summary(written.summary, asked)
+        films = (output / order.name,) if order else ()
+        print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
         if resume:
             typer.echo(_resumed(checkpoints))
-        names = [path.name for path in written.files] + ([order.name] if order else [])
-        typer.echo(f"wrote {', '.join(names)} to {output}")
     judge(trajectory.outcome, trajectory.summary["complaint"], quiet=quiet)
 
 
