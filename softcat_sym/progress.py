@@ -30,7 +30,7 @@ _KEPT, _WORTH = 6, 0.5
 _SURE, _PATIENT = 0.02, 1.0
 """Share of a stage, and seconds of it, from which on its pace tells how long the rest will take."""
 
-_BAR = 16
+_BAR = 12
 
 
 @dataclass
@@ -84,10 +84,10 @@ class Stage:
 
 
 class Display:
-    """Tells on standard error which stage a command is in, for how long, and how long it still takes where that is known.
+    """Tells on standard error which stage a command is in, for how long, and how long it still takes if that is known.
 
-    On a terminal there is a line for each stage, from a second on, and none is left at the end. Elsewhere, as in a pipe,
-    plain lines are written: at each stage that lasts, and every five seconds.
+    On a terminal there is a line for each stage, from a second on, and none is left at the end. Elsewhere, as in a
+    pipe, plain lines are written: at each stage that lasts, and every five seconds.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ class Display:
         stage.doing, stage.share, stage.state = what, None, ""
 
     def reach(self, share: float, state: str, left: float | None = None) -> None:
-        """Say how much of what is being done is done, in words too, and how long it takes still if that is known [s]."""
+        """Say how much of it is done, in words too, and how long it still takes if that is known [s]."""
         if self.stages:
             self.stages[-1].reach(time.monotonic(), min(1.0, share), state, left)
 
@@ -200,10 +200,10 @@ class Display:
         lines = self._lines(now)
         if self._live is None:
             # The integrators redirect both streams for themselves, and would restore them in the wrong order.
-            still = {"auto_refresh": False, "redirect_stdout": False, "redirect_stderr": False}
-            live = Live(lines, console=console, transient=True, **still)
-            live.start(refresh=True)
-            self._live = live
+            self._live = Live(
+                lines, console=console, transient=True, auto_refresh=False, redirect_stdout=False, redirect_stderr=False
+            )
+            self._live.start(refresh=True)
         else:
             self._live.update(lines, refresh=True)
 
@@ -213,15 +213,15 @@ class Display:
         from rich.text import Text
 
         grid = Table.grid(padding=(0, 1, 0, 0))
-        for _ in range(4):
-            grid.add_column(no_wrap=True, overflow="ellipsis")
+        for width in (20, _BAR + 1, 17, 15):
+            grid.add_column(no_wrap=True, overflow="ellipsis", min_width=width)
         finished = [one for one in self.stages if one.ended is not None and one.ended - one.began >= _WORTH]
         for one in finished[-_KEPT:]:
             took = seconds((one.ended or now) - one.began)
             grid.add_row(*(Text(text, style="dim") for text in (one.name, "", "done", took)))
         stage = self.stages[-1]
-        bar = Text("") if stage.share is None else ProgressBar(1.0, stage.share, width=_BAR)
-        times = ", ".join(filter(None, (seconds(now - stage.began), _left(stage.left()))))
+        bar = Text("") if stage.share is None else ProgressBar(1.0, stage.share, width=_BAR, complete_style="green")
+        times = _left(stage.left()) or seconds(now - stage.began)
         grid.add_row(Text(stage.name, style="bold"), bar, Text(stage.state or stage.doing), Text(times))
         return grid
 

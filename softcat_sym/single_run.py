@@ -21,9 +21,7 @@ OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
 """Outcomes that shorter steps may cure."""
 
 
-def build(
-    scene: Scene, effects: Effects, clock: Clock | None = None, progress: Progress | None = None
-) -> Prepared:
+def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: Progress | None = None) -> Prepared:
     """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready.
 
     Parameters

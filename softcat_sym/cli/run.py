@@ -79,13 +79,12 @@ def run(
     from softcat_sym.solve.checkpoint import Resumable
 
     try:
-        with without_dask():
-            with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
-                progress.doing("reading")
-                trajectory = simulate(asked, Resumable(progress, checkpoints))
-                progress.stage("drawing pictures")
-                with made(output), written_together():
-                    written = write_run(trajectory, output, drawn)
+        with without_dask(), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+            progress.doing("reading")
+            trajectory = simulate(asked, Resumable(progress, checkpoints))
+            progress.stage("drawing pictures")
+            with made(output), written_together():
+                written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:
         complain(f"interrupted; {_kept(checkpoints)}")
         raise typer.Exit(INTERRUPTED) from None

@@ -39,7 +39,11 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.amplified(motion.tension_share), "share of the load that tension carries", "(64/3) (H/L)^2 against the stiffness of the beam")
+    return Estimate(
+        motion.amplified(motion.tension_share),
+        "share of the load that tension carries",
+        "(64/3) (H/L)^2 against the stiffness of the beam",
+    )
 
 
 EXTENSIBILITY = Effect(

@@ -40,7 +40,11 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.amplified(motion.sheared), "share of the sag that shear makes", "of Timoshenko's beam, bent ends and hinges")
+    return Estimate(
+        motion.amplified(motion.sheared),
+        "share of the sag that shear makes",
+        "of Timoshenko's beam, bent ends and hinges",
+    )
 
 
 def _eases(scene: Scene) -> str:

@@ -24,7 +24,7 @@ _STYLES = {"warning": "bold yellow", "because": "bold red"}
 _STILL = 0.5
 """Share of its largest distance below which a midpoint's error is told as a length: it swings, or has come back."""
 
-_NAMED, _NARROW = 3, 30
+_NAMED, _NARROW = 2, 30
 
 Rows = list[tuple[str, str]]
 
@@ -147,7 +147,7 @@ def _place(summary: Summary, scene: PicturedScene, *, refused: bool) -> Rows:
         return []
     estimate = summary.get("error_estimate") or {}
     rest = summary.get("midpoint_settled_m") or {}
-    place = float(rest.get("mean", final))
+    place = float(final if rest.get("mean") is None else rest["mean"])
     ruler = length_unit(abs(place), scene.filament.span)
     error = _error(place, estimate.get("total"), float(summary.get("midpoint_largest_m", abs(place))))
     ends = scene.ends
@@ -218,6 +218,6 @@ def _wall(stages: Mapping[str, float] | None) -> str:
 def _files(files: Sequence[Path], *, verbose: bool) -> str:
     """The folder, and what is in it."""
     names, folder = [path.name for path in files], files[0].parent
-    shown = names if verbose else names[:_NAMED]
-    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
-    return f"{folder}: {', '.join(shown)}{more}"
+    if verbose or len(names) <= _NAMED:
+        return f"{folder}: {', '.join(names)}"
+    return f"{folder} ({len(names)}: {', '.join(names[:_NAMED])}, ...)"

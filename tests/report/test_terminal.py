@@ -112,7 +112,7 @@ def test_a_clean_run_is_told_in_a_few_lines_and_in_full_where_asked(summary, sce
     print_summary(summary, scene, files, console=short)
     print_summary(summary, scene, files, verbose=True, console=full)
     assert len(written(short).splitlines()) <= 6
-    assert "files    /somewhere: trajectory.nc, summary.json, scene.toml and 1 more" in written(short).splitlines()
+    assert "files    /somewhere (4: trajectory.nc, summary.json, ...)" in written(short).splitlines()
     assert "midpoint.csv" in written(full) and "inertia: on, always" in written(full)
     assert "inertia" not in written(short)
 
