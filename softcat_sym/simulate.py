@@ -24,7 +24,7 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
     scene : Scene
         What is asked, from :func:`softcat_sym.load_scene` or ``Scene.model_validate``.
     progress : Progress, optional
-        Told about simulated time and step size while the integration runs.
+        Told which stage begins, and the simulated time while an integration runs.
 
     Returns
     -------
@@ -67,6 +67,7 @@ def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
         if last or not trajectory.overlooked:
             return trajectory.repeated(repeats)
         clock.set_aside()
+        listener.stage(f"again, with {', '.join(trajectory.overlooked)}")
         shown |= trajectory.overlooked
         repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.overlooked.items()))
 

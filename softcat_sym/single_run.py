@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from softcat_sym.clock import Clock
 from softcat_sym.effects import Effects
 from softcat_sym.scene import Scene
-from softcat_sym.solve import Outcome, Prepared, Progress, choose_backend, prepare, settings_for
+from softcat_sym.solve import Outcome, Prepared, Progress, Silence, choose_backend, prepare, settings_for
 from softcat_sym.solve.assembled import assembled
 from softcat_sym.solve.keeping import kept
 from softcat_sym.trajectory import Trajectory, judge
@@ -21,7 +21,7 @@ OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
 """Outcomes that shorter steps may cure."""
 
 
-def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepared:
+def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: Progress | None = None) -> Prepared:
     """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready.
 
     Parameters
@@ -32,12 +32,18 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None) -> Prepare
         From :func:`softcat_sym.effects.choose_effects`.
     clock : Clock
         Told what the compilation took.
+    progress : Progress
+        Told what begins.
     """
+    listener = progress or Silence()
+    listener.doing("building")
     backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
     filament = assembled(scene, effects)
     if clock is not None and backend.compiled:
         clock.lap("build")
+    if backend.compiled:
+        listener.doing("compiling")
     code = filament.code(backend, settings)
     if clock is not None and backend.compiled:
         clock.lap("compile")
@@ -78,10 +84,12 @@ def run_texts(effects: Effects) -> tuple[str, str]:
 def _run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
     tried = resolved
     for left in reversed(range(_TRIES)):
-        prepared = build(tried, effects, clock)
+        prepared = build(tried, effects, clock, progress)
         clock.lap("build")
+        progress.doing("solving" if left == _TRIES - 1 else "solving again, in shorter steps")
         solution = prepared.solve(progress)
         clock.lap("solve")
+        progress.doing("checking the answer")
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
         if trajectory.outcome not in OF_A_STEP_TOO_LONG or scene.numerics.rtol is not None or not left:
             break

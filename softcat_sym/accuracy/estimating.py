@@ -66,7 +66,7 @@ class _Runs:
     """The answer so far, and runs beside it."""
 
     def __init__(self, first: Trajectory, effects: Effects, clock: Clock, progress: Progress) -> None:
-        self.last, self._waiting = first, True
+        self.last, self._waiting, self._beside = first, True, 0
         self._effects, self._clock, self._progress = effects, clock, progress
 
     def answer(self, at: Resolution) -> Floats | None:
@@ -77,12 +77,16 @@ class _Runs:
             self._clock.lap("estimate")
             self._clock.set_aside()
             scene = self.last.scene
+            self._progress.stage(f"refining to {at.cells} cells" + (f", {at.fibres} fibres" if at.fibres else ""))
+            self._beside = 0
             self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress)
         return np.asarray(self.last.data["midpoint"]) if self.last.outcome.is_success else None
 
     def companion(self, at: Resolution) -> Floats | None:
         """Run for the midpoint only, in the same units."""
         scene = at.of(self.last.scene)
+        self._beside += 1
+        self._progress.stage(f"estimating {self._beside} of {3 if at.fibres or at.order else 2}")
         found = kept(
             lambda: ("companion", scene.to_toml(), *run_texts(self._effects)), lambda: self._midpoint(scene), _MIDPOINT
         )
@@ -90,7 +94,8 @@ class _Runs:
 
     def _midpoint(self, scene: Scene) -> Floats:
         """Heights of the midpoint [m]; none without an answer."""
-        prepared = build(scene, self._effects)
+        prepared = build(scene, self._effects, progress=self._progress)
+        self._progress.doing("solving")
         solution = prepared.solve(self._progress)
         if not solution.outcome.is_success:
             return np.zeros(0)

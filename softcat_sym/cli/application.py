@@ -66,6 +66,7 @@ OutputOption = Annotated[
     typer.Option("--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE-COMMAND"),
 ]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
+VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Say everything, reasons and formulas too.")]
 
 
 def _version(asked: bool) -> None:

@@ -146,7 +146,7 @@ def _asked(
 def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: bool) -> None:
     from softcat_sym.report.card_files import write_card
     from softcat_sym.report.card_terminal import print_card
-    from softcat_sym.report.fit_progress import FitProgressBar as Bar
+    from softcat_sym.report.progress import FitProgressBar as Bar
     from softcat_sym.report.progress import IntegrationProgress
     from softcat_sym.study.card import card as made
 

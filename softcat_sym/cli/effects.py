@@ -55,8 +55,8 @@ def effects(
 
 
 def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) -> None:
-    from softcat_sym.report.fit_progress import FitProgressBar
     from softcat_sym.report.pricing import print_pricing, write_pricing
+    from softcat_sym.report.progress import FitProgressBar
     from softcat_sym.study.pricing import price_effects
 
     with going_on(output, "effects", {"scene": asked.to_toml()}, resume=resume):

@@ -87,7 +87,7 @@ def experiment(
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
     from softcat_sym.inverse import design_experiment
     from softcat_sym.report.experiment_files import write_experiment
-    from softcat_sym.report.fit_progress import FitProgressBar as Bar
+    from softcat_sym.report.progress import FitProgressBar as Bar
 
     how = _How(nuisance=nuisance or [], frames_at_most=frames_at_most, rough=rough, sag_at_most=sag_at_most)
     told = {"scene": asked.to_toml(), "free": free, "noise": noise, "within": within, "how": how, "sag": sag}

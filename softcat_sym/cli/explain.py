@@ -12,6 +12,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    VerboseOption,
     app,
     scene_and_directory,
     scene_of,
@@ -26,6 +27,7 @@ def explain(
         typer.Option("--output", "-o", metavar="DIR", help="Write explain.json, equations.tex, scene.toml."),
     ] = None,
     changes: SetOption = None,
+    verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Say what a scene calls for, before it is run.
@@ -42,6 +44,6 @@ def explain(
     explanation = explained(asked)
     written = [] if output is None else write_explanation(explanation, asked, output)
     if not quiet:
-        print_explanation(explanation)
+        print_explanation(explanation, verbose=verbose)
         if written:
             typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")

@@ -107,7 +107,7 @@ def fit(
     asked, output = scene_and_directory(scene, changes, output, "fit")
     from softcat_sym.inverse import read_measurements
     from softcat_sym.report.fit_files import write_fit
-    from softcat_sym.report.fit_progress import FitProgressBar
+    from softcat_sym.report.progress import FitProgressBar
 
     how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
     films = read_measurements(data)

@@ -14,6 +14,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SceneArgument,
     SetOption,
+    VerboseOption,
     app,
     complain,
     judge,
@@ -63,6 +64,7 @@ def run(
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
+    verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Simulate one filament.
@@ -80,9 +82,10 @@ def run(
     from softcat_sym.solve.checkpoint import Resumable
 
     try:
-        with without_dask():
-            with IntegrationProgress(asked.run.duration, asked.title or "integrating", quiet=quiet) as progress:
-                trajectory = simulate(asked, Resumable(progress, checkpoints))
+        with without_dask(), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+            progress.doing("reading")
+            trajectory = simulate(asked, Resumable(progress, checkpoints))
+            progress.stage("drawing pictures")
             with made(output), written_together():
                 written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:
@@ -98,11 +101,10 @@ def run(
     if not quiet:
         from softcat_sym.report.terminal import print_summary
 
-        print_summary(written.summary, asked)
+        films = (output / order.name,) if order else ()
+        print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
         if resume:
             typer.echo(_resumed(checkpoints))
-        names = [path.name for path in written.files] + ([order.name] if order else [])
-        typer.echo(f"wrote {', '.join(names)} to {output}")
     judge(trajectory.outcome, trajectory.summary["complaint"], quiet=quiet)
 
 

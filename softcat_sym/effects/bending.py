@@ -35,7 +35,7 @@ def bending_share(scene: Scene, motion: Motion) -> float:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     share = motion.amplified(bending_share(scene, motion))
-    return Estimate(share, "share of the load carried in bending, at least h0/(2 H), between pins a fifth of it")
+    return Estimate(share, "share of the load that bending carries", "at least h0/(2 H), between pins a fifth of it")
 
 
 BENDING = Effect(

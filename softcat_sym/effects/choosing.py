@@ -26,7 +26,8 @@ from softcat_sym.scene import Scene
 SHARE = 1 / 3
 """Share of the accuracy asked above which an effect is called for: several that are left out add up."""
 
-BY_ESTIMATE = "called for by its estimate"
+BY_ESTIMATE = ""
+"""What is in force for no other reason than what it is worth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,13 +43,20 @@ class Decision:
     estimate : Estimate or None
         How much it should matter; None where the scene cannot have it.
     reason : str
-        Why it is in force or not, without the estimate.
+        Why it is in force or not, where that is not its estimate.
     """
 
     effect: Effect
     in_force: bool
     estimate: Estimate | None
     reason: str
+
+    @property
+    def why(self) -> str:
+        """Why, with the estimate: ``worth about 90 % of the sag``."""
+        if self.estimate is None:
+            return self.reason
+        return f"{self.reason} ({self.estimate})" if self.reason else f"worth {self.estimate}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +87,7 @@ class Effects:
     @property
     def reasons(self) -> dict[str, str]:
         """Why each effect in force is, with its estimate."""
-        chosen = [decision for decision in self.decisions if decision.in_force]
-        return {decision.effect.name: f"{decision.reason}; {decision.estimate}" for decision in chosen}
+        return {decision.effect.name: decision.why for decision in self.decisions if decision.in_force}
 
     @property
     def left_out(self) -> dict[str, float]:
@@ -167,7 +174,7 @@ def _why_not(effect: Effect, scene: Scene, estimate: Estimate) -> str:
     if _is_published(scene):
         return "not in the paper's list"
     if estimate.value <= SHARE * scene.run.accuracy:
-        return "its estimate is below a third of the accuracy asked"
+        return "worth less than a third of the accuracy asked"
     return effect.spared(scene)
 
 
@@ -218,10 +225,10 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
     for effect in reversed(REGISTRY):
         if effect.name in complete:
             for need in effect.needs:
-                complete.setdefault(need, f"{effect.name} needs it")
+                complete.setdefault(need, f"needed by {effect.name}")
     flow = complete.get(VISCOUS_FLOW.name, BY_ESTIMATE)
     if flow != BY_ESTIMATE and YIELDING.applies(scene):
-        complete.setdefault(YIELDING.name, "what is not expected to flow is held by its yield stress")
+        complete.setdefault(YIELDING.name, "what does not flow is held by its yield stress")
     return complete
 
 
@@ -241,4 +248,4 @@ def _implied(scene: Scene, asked: Iterable[str]) -> dict[str, str]:
         found = f"{getattr(numerics, key)}, but {why_not(FIBRES, scene)}"
         accepted = "leaving it out" if key == "fibres" else "1, or leaving it out"
         raise SceneError([Fault(f"numerics.{key}", found, accepted)])
-    return {} if FIBRES.name in asked else {FIBRES.name: "numerics.fibres or numerics.order asks for it"}
+    return {} if FIBRES.name in asked else {FIBRES.name: "asked for by numerics.fibres or numerics.order"}

@@ -20,14 +20,29 @@ class Estimate:
         Change of the midpoint, relative to the largest, that leaving the effect out would make; compared with the
         accuracy asked.
     meaning : str
-        What the number is, with its formula.
+        What the number is, in plain words.
+    formula : str
+        How it is worked out, in symbols.
     """
 
     value: float
     meaning: str
+    formula: str = ""
 
     def __str__(self) -> str:
-        return f"{self.meaning} = {self.value:.2g}"
+        return amount(self.value)
+
+
+_WHOLE, _NOTHING = 0.95, 1e-6
+
+
+def amount(value: float) -> str:
+    """A change of the sag as people say it, to the one digit that an estimate has: ``about 90 % of the sag``."""
+    if value >= _WHOLE:
+        return "the whole sag"
+    if value < _NOTHING:
+        return "nothing"
+    return f"about {float(f'{100 * value:.1g}'):g} % of the sag"
 
 
 def dispensable(scene: Scene) -> str:

@@ -21,7 +21,7 @@ def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str
     if EXTENSIBILITY.name in asked or not of_large_deflections(scene):
         return {}
     if (needed := EXTENSIBILITY.indispensable(scene)) or set(asked) & _MEANINGLESS_WITHOUT:
-        return {EXTENSIBILITY.name: needed or "named effects need it"}
+        return {EXTENSIBILITY.name: needed or "needed by effects that are named"}
     return {} if BENDING.name in asked else {EXTENSIBILITY.name: "without bending nothing else carries the load"}
 
 
@@ -42,7 +42,11 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.amplified(motion.tension_share), "share of the load carried in tension")
+    return Estimate(
+        motion.amplified(motion.tension_share),
+        "share of the load that tension carries",
+        "(64/3) (H/L)^2 against the stiffness of the beam",
+    )
 
 
 EXTENSIBILITY = Effect(

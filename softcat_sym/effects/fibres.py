@@ -27,8 +27,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     reserve = float(2 * shape.overstress_mean.subs(c, 0) / shape.zeta_squared) - 1
     nonlinear = flow_nonlinearity(scene, motion.flowing_overstress)
     share = reserve * bending_share(scene, motion) * motion.relaxed * nonlinear
-    meaning = "plastic reserve M_p/M_Y - 1 of the load carried in bending, of what flows by a nonlinear rule"
-    return Estimate(min(1.0, share), meaning)
+    meaning = "what fibres that yield one after another carry beyond a linear profile"
+    return Estimate(min(1.0, share), meaning, "M_p/M_Y - 1 of the load in bending, of what flows by a nonlinear rule")
 
 
 FIBRES = Effect(

@@ -15,7 +15,11 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.amplified(0.4 * motion.strain), "difference of s - 1 and log s, 0.4 of the strain")
+    return Estimate(
+        motion.amplified(0.4 * motion.strain),
+        "difference of true strain and engineering strain",
+        "0.4 of the mean strain",
+    )
 
 
 FINITE_STRETCH = Effect(

@@ -24,7 +24,9 @@ def _indispensable(scene: Scene) -> str:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del motion
-    return Estimate(shaken_share(scene), "amplitude a times (1 + r)/|1 - r^2| of the first mode, r = f/f_1")
+    return Estimate(
+        shaken_share(scene), "swing that the shaking adds", "a (1 + r)/|1 - r^2| of the first mode, r = f/f_1"
+    )
 
 
 GRAVITY_SHAKING = Effect(

@@ -14,7 +14,9 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.missed, "share of the sag that a filament in balance at every instant misses")
+    return Estimate(
+        motion.missed, "how far it lags behind its weight, or rings", "|y - y balanced| over the largest sag"
+    )
 
 
 INERTIA = Effect(

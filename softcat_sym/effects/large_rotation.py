@@ -18,7 +18,7 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     share = _HELD if is_held(scene) else _FREE
-    return Estimate(motion.amplified(share * motion.slope**2), f"slope squared times {share:g}")
+    return Estimate(motion.amplified(share * motion.slope**2), "error of small slopes", f"{share:g} slope^2")
 
 
 LARGE_ROTATION = Effect(

@@ -31,8 +31,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     grown = _UNEVENNESS * math.expm1(min(motion.folds, _MANY_FOLDS))
     hinged = YIELDING.applies(scene) and "clamped" in (scene.ends.left, scene.ends.right)
     spread = _HINGE * groups_of(scene).delta * motion.relaxed if hinged else 0.0
-    meaning = f"an unevenness of {_UNEVENNESS:g} grown by {motion.folds:.2g} e-folds, or the spread of hinges, 0.1 h0/L"
-    return Estimate(min(1.0, max(grown, spread)), meaning)
+    formula = f"an unevenness of {_UNEVENNESS:g} grown by {motion.folds:.2g} e-folds, or 0.1 h0/L"
+    return Estimate(min(1.0, max(grown, spread)), "growth of necks, or spread of the hinges at the clamps", formula)
 
 
 NECKING_GRADIENT = Effect(

@@ -23,7 +23,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     gyration = float(regimes.gyration(SECTIONS[scene.filament.section]))
     slower = _SLOPE / 2 * gyration * groups_of(scene).delta ** 2
     share = min(1.0, slower * (motion.missed + motion.swings))
-    return Estimate(share, "change of the frequency, 6.2 (h0/L)^2 <zeta^2>/4, as far as it swings")
+    return Estimate(share, "how much slower it swings", "6.2 (h0/L)^2 <zeta^2>/4 of the frequency, as far as it swings")
 
 
 def _spared(scene: Scene) -> str:

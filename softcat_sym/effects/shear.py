@@ -40,14 +40,18 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.amplified(motion.sheared), "share of the sag that shear makes")
+    return Estimate(
+        motion.amplified(motion.sheared),
+        "share of the sag that shear makes",
+        "of Timoshenko's beam, bent ends and hinges",
+    )
 
 
 def _eases(scene: Scene) -> str:
     flows = [branch.flow for branch in law_in(scene).branches if branch.flow is not None]
     if all(flow.closed_means for flow in flows) or flow_nonlinearity(scene, math.inf) == 0:
         return ""
-    return "its flow rule has no mean in closed form: sections of points are quicker than quadrature"
+    return "taken in because its flow rule is quicker to run with it"
 
 
 SHEAR = Effect(

@@ -14,7 +14,9 @@ def _contribute(terms: Terms) -> Terms:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.amplified(0.5 * motion.strain), "loss of stiffness with the area, half the strain")
+    return Estimate(
+        motion.amplified(0.5 * motion.strain), "stiffness lost as the section thins", "half the mean strain"
+    )
 
 
 THINNING = Effect(

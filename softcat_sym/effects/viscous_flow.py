@@ -25,7 +25,11 @@ def _applies(scene: Scene) -> bool:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.amplified(motion.relaxed), "share of the stress that relaxes during the run")
+    return Estimate(
+        motion.amplified(motion.relaxed),
+        "share of the stress that relaxes during the run",
+        "1 - exp(-t E/eta), beyond yield",
+    )
 
 
 VISCOUS_FLOW = Effect(

@@ -24,7 +24,7 @@ def _applies(scene: Scene) -> bool:
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
-    return Estimate(motion.retarded, "lag of the sag behind its load, or loss of its ringing")
+    return Estimate(motion.retarded, "how far the sag lags behind its load, or its ringing dies out")
 
 
 VISCOUS_STRESS = Effect(

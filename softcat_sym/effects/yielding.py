@@ -21,7 +21,11 @@ def _applies(scene: Scene) -> bool:
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # Where the state is plastic from the beginning, whether it flows at once is what the yield stress decides.
     flows = 1.0 if VISCOUS_FLOW.indispensable(scene) else VISCOUS_FLOW.estimate(scene, motion).value
-    return Estimate(flows / max(1.0, motion.flowing_overstress), "yield stress over the stress, of what flows")
+    return Estimate(
+        flows / max(1.0, motion.flowing_overstress),
+        "flow that the yield stress holds back",
+        "sigma_Y over the mean stress, of what flows",
+    )
 
 
 YIELDING = Effect(

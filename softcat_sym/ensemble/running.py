@@ -19,7 +19,7 @@ from softcat_sym.ensemble.verdict import verdict
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import rest_length
-from softcat_sym.solve import Outcome, Solution
+from softcat_sym.solve import Outcome, Silence, Solution
 from softcat_sym.trajectory.midpoint import midpoint_heights
 
 Item = TypeVar("Item")
@@ -57,7 +57,7 @@ class Record:
     wall: float
 
 
-class Stop:
+class Stop(Silence):
     """Ends integrations from outside: as their listener, it raises when told to.
 
     Attributes

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from softcat_sym.report.units import length_unit, significant, stress_unit, time_unit
+from softcat_sym.report.words import REGIMES
 from softcat_sym.study.card.causes import percent
 from softcat_sym.study.card.rules import smay_modulus_needed, unusual
 
@@ -24,16 +25,8 @@ def verdict(card: Card) -> tuple[bool, str]:
     if not outcome.is_success:
         complaint = str(card.summary.get("complaint") or "")
         return False, f"Not to be trusted: {outcome.name}; " + "; ".join(filter(None, [complaint, outcome.value]))
-    names = {
-        "no-yield": "It holds: no fibre yields.",
-        "arrested-overdamped": "It yields, sags and stops.",
-        "arrested-underdamped": "It yields, overshoots, swings back and stops.",
-        "descending": "It does not stop within this run.",
-        "viscous": "It flows for as long as it is loaded.",
-        "shaken": "It has yielded, is shaken, and flows no further.",
-        "elastic": "It is elastic and sags no further than its modulus lets it.",
-    }
-    return True, names.get(card.regime, card.regime)
+    words = REGIMES.get(card.regime, card.regime)
+    return True, f"{words[:1].upper()}{words[1:]}."
 
 
 def facts(card: Card) -> list[tuple[str, str]]:

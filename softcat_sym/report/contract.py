@@ -60,6 +60,14 @@ class PicturedEnds(Protocol):
     def right(self) -> str:
         """Likewise."""
 
+    @property
+    def drop(self) -> float:
+        """Right support below the left one [m]."""
+
+    @property
+    def motion(self) -> tuple[tuple[float, float, float], ...]:
+        """Path of the right support; empty where it stays."""
+
 
 class PicturedRun(Protocol):
     """What was asked of the run."""

@@ -7,21 +7,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from softcat_sym.files import write_all
+from softcat_sym.report.terminal import left_out_words, print_rows
 from softcat_sym.report.tex import article
 from softcat_sym.report.units import significant
+from softcat_sym.report.words import regime_words
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
     from softcat_sym.scene import Scene
-    from softcat_sym.study.explanation import Explanation
+    from softcat_sym.study.explanation import Decided, Explanation
 
 Rows = list[tuple[str, ...]]
 
 
-def print_explanation(explanation: Explanation, console: Console | None = None) -> None:
-    """Print what a scene calls for, table by table.
+def print_explanation(explanation: Explanation, console: Console | None = None, *, verbose: bool = False) -> None:
+    """Print what a scene calls for.
 
     Parameters
     ----------
@@ -29,18 +31,48 @@ def print_explanation(explanation: Explanation, console: Console | None = None) 
         From :func:`softcat_sym.study.explanation.explain`.
     console : rich.console.Console or None
         Where to; standard output by default.
+    verbose : bool
+        Print groups, formulas, equations and sizes too, table by table.
     """
     from rich.console import Console
     from rich.text import Text
 
     out = console or Console()
     out.print(Text(explanation.title or "Filament", style="bold"))
+    if verbose:
+        _print_tables(explanation, out)
+    else:
+        print_rows(short_rows(explanation), out)
+
+
+def short_rows(explanation: Explanation) -> list[tuple[str, str]]:
+    """What a user asks first: what it will do, which physics that takes, what it costs, and where the theory ends."""
+    regime, graph, integrator = explanation.regime, explanation.graph, explanation.integrator
+    inside = [one for one in explanation.effects if one.in_force]
+    outside = {one.effect: one.estimate for one in explanation.effects if not one.in_force and one.estimate is not None}
+    rows = [
+        ("expected", regime_words(regime.name)),
+        ("because", regime.reason),
+        ("sag", f"about {float(f'{100 * explanation.sag:.2g}'):g} % of the span"),
+        ("effects", "\n".join(f"{one.effect}: on, {one.reason}" for one in inside) or "none"),
+    ]
+    if outside:
+        rows.append(("left out", left_out_words(list(outside), sum(outside.values()))))
+    unknowns = graph.differential + graph.algebraic
+    rows.append(("solver", f"{integrator.solver}, {integrator.backend}; {graph.cells} cells, {unknowns} unknowns"))
+    rows += [("warning", warning) for warning in explanation.warnings]
+    return [*rows, ("more", "-v for groups, equations, formulas and limits")]
+
+
+def _print_tables(explanation: Explanation, out: Console) -> None:
+    from rich.text import Text
+
     for title, heads, rows in (
         ("Groups", ("group", "value", "meaning"), group_rows(explanation)),
         ("Expected", (), regime_rows(explanation)),
         (
             f"Effects; the accuracy asked is {significant(explanation.accuracy)}",
-            ("effect", "", "change if left out", "why"),
+            ("effect", "", "why", "what the estimate is"),
             effect_rows(explanation),
         ),
         ("Equations in force", ("equation", "", "source"), equation_rows(explanation)),
@@ -59,7 +91,7 @@ def group_rows(explanation: Explanation) -> Rows:
 def regime_rows(explanation: Explanation) -> Rows:
     """Regime, why, stopping depth and the thresholds that decide."""
     regime = explanation.regime
-    rows: Rows = [("regime", regime.name), ("because", regime.reason)]
+    rows: Rows = [("regime", regime_words(regime.name)), ("because", regime.reason)]
     rows.append(
         (
             "largest sag",
@@ -95,16 +127,20 @@ def _depths(explanation: Explanation) -> str:
 
 
 def effect_rows(explanation: Explanation) -> Rows:
-    """Each effect, whether it is in, its estimate and the reason."""
+    """Each effect, whether it is on, why, and what its estimate is."""
     return [
         (
             decided.effect,
-            "in" if decided.in_force else "out",
-            "" if decided.estimate is None else significant(decided.estimate),
-            f"{decided.reason}" + (f" [{decided.meaning}]" if decided.meaning else ""),
+            "on" if decided.in_force else "off",
+            decided.reason,
+            "" if decided.estimate is None else f"{significant(decided.estimate)}: {_in_full(decided)}",
         )
         for decided in explanation.effects
     ]
+
+
+def _in_full(decided: Decided) -> str:
+    return f"{decided.meaning} [{decided.formula}]" if decided.formula else decided.meaning
 
 
 def equation_rows(explanation: Explanation) -> Rows:
@@ -164,6 +200,6 @@ def _table(title: str, heads: tuple[str, ...], rows: Rows) -> Table:
         head = heads[number] if heads else ""
         table.add_column(head, no_wrap=number == 0 and title != "Equations in force", overflow="fold")
     for row in rows:
-        style = "dim" if title.startswith("Effects") and row[1] == "out" else ""
+        style = "dim" if title.startswith("Effects") and row[1] == "off" else ""
         table.add_row(*(Text(cell, style=style) for cell in row))
     return table

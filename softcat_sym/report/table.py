@@ -16,7 +16,11 @@ def midpoint_csv(data: xr.Dataset) -> bytes:
     Returns
     -------
     bytes
-        A CSV file with the columns ``time_s`` and ``midpoint_m``; every number reads back exactly.
+        A CSV file with the columns ``time_s`` and ``midpoint_m``; every number reads back exactly. Of an answer that is
+        refused it has a third column, ``refused``, that holds the outcome.
     """
+    outcome = data.attrs.get("outcome", "solved")
+    head, stamp = ("", "") if outcome == "solved" else (",refused", f",{outcome}")
     pairs = zip(data["time"].values.tolist(), data["midpoint"].values.tolist(), strict=True)
-    return "".join(["time_s,midpoint_m\n", *(f"{time!r},{height!r}\n" for time, height in pairs)]).encode()
+    lines = (f"{time!r},{height!r}{stamp}\n" for time, height in pairs)
+    return "".join([f"time_s,midpoint_m{head}\n", *lines]).encode()

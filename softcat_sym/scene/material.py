@@ -161,10 +161,9 @@ class Material(Part):
             if shear is not None:
                 unit = kind_of_constant(one.constant, self.law, self.index).unit or "Pa s"
                 unit = "Pa" if one.constant == "yield_stress" else unit.replace("*", " ")
-                words = one.words.replace("n+1", f"{self.index:g}+1")
-                notes.append(
-                    f"{one.constant} = {words}: {getattr(self, one.constant):.6g} {unit} from {shear:.6g} {unit}"
-                )
+                words, tensile = one.words.replace("n+1", f"{self.index:g}+1"), getattr(self, one.constant)
+                what = one.shear.removeprefix("shear_").replace("_", " ")
+                notes.append(f"{what} {shear:.6g} {unit} in shear = {tensile:.6g} {unit} in tension, {words}")
         return tuple(notes)
 
 

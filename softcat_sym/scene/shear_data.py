@@ -20,7 +20,7 @@ class Conversion:
     indexed : bool or None
         Whether the law must have an index; None if that does not matter.
     words : str
-        The rule.
+        The rule, by von Mises' equivalence; Trouton's 3 of a Newtonian fluid.
     """
 
     constant: str
@@ -50,9 +50,9 @@ def power(base: float, exponent: float) -> float:
 
 
 FROM_SHEAR = (
-    Conversion("viscosity", "shear_viscosity", False, "3 x shear_viscosity (Trouton)"),
-    Conversion("viscosity", "shear_consistency", True, "3^((n+1)/2) x shear_consistency (von Mises)"),
-    Conversion("yield_stress", "shear_yield_stress", None, "sqrt(3) x shear_yield_stress (von Mises)"),
+    Conversion("viscosity", "shear_viscosity", False, "times 3"),
+    Conversion("viscosity", "shear_consistency", True, "times 3^((n+1)/2)"),
+    Conversion("yield_stress", "shear_yield_stress", None, "times sqrt(3)"),
 )
 
 

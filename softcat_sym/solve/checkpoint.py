@@ -186,6 +186,14 @@ class Resumable:
     def __init__(self, listener: Progress, checkpoints: Checkpoints) -> None:
         self._listener, self.checkpoints = listener, checkpoints
 
+    def stage(self, name: str) -> None:
+        """Pass on."""
+        self._listener.stage(name)
+
+    def doing(self, what: str) -> None:
+        """Pass on."""
+        self._listener.doing(what)
+
     def update(self, simulated_time: float, step_size: float | None) -> None:
         """Pass on."""
         self._listener.update(simulated_time, step_size)

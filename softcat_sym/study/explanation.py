@@ -66,8 +66,8 @@ class Decided:
         Whether the run holds it.
     estimate : float or None
         Change of the midpoint that leaving it out would make, over the largest; None where it cannot be had.
-    meaning, reason : str
-        What the estimate is, and why the effect is in or out.
+    meaning, formula, reason : str
+        What the estimate is, in words and in symbols, and why the effect is in or out.
     """
 
     effect: str
@@ -75,6 +75,7 @@ class Decided:
     in_force: bool
     estimate: float | None
     meaning: str
+    formula: str
     reason: str
 
 
@@ -198,7 +199,8 @@ def explain(scene: Scene) -> Explanation:
             in_force=decision.in_force,
             estimate=decision.estimate.value if decision.estimate else None,
             meaning=decision.estimate.meaning if decision.estimate else "",
-            reason=decision.reason,
+            formula=decision.estimate.formula if decision.estimate else "",
+            reason=decision.why,
         )
         for decision in effects.decisions
     )

@@ -47,7 +47,7 @@ def overlooked(scene: Scene, effects: Effects, measured: dict[str, Estimate], ou
         wanted = [e for e in omitted if e.in_paper or (turning and e is ROTARY_INERTIA)]
         return {e.name: "the run without it failed" for e in wanted}
     return {
-        effect.name: f"called for by the finished run without it; there {measured[effect.name]}"
+        effect.name: f"the run without it shows that it is worth {measured[effect.name]}"
         for effect in omitted
         if measured[effect.name].value > scene.run.accuracy and not effect.spared(scene)
     }
@@ -58,7 +58,7 @@ def spared(scene: Scene, effects: Effects, measured: dict[str, Estimate]) -> lis
     if scene.run.effects != "auto":
         return []
     return [
-        f"{decision.effect.name} is left out ({why}), but may change the midpoint by {measured[decision.effect.name]}; "
+        f"{decision.effect.name} is left out ({why}), but may be worth {measured[decision.effect.name]}; "
         "name it in run.effects to have it"
         for decision in effects.decisions
         if decision.effect.name in measured

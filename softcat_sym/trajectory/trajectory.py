@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from softcat_sym.effects import Effects
 from softcat_sym.effects.ringing import ringing
 from softcat_sym.scene import Scene, rest_length
@@ -143,7 +145,9 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "complaint": complaint,
         # An answer that is not to be trusted has no regime.
         "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
+        "accuracy": scene.run.accuracy,
         "midpoint_final_m": float(midpoint[-1]),
+        "midpoint_largest_m": float(np.max(np.abs(midpoint))),
         "time_final_s": float(time[-1]),
         "frames_a_period": per_period,
         "error_estimate": None,

@@ -35,7 +35,7 @@ def test_ctrl_c_keeps_what_is_finished_and_the_same_command_writes_the_files(
     heard = []
 
     def stop(self: IntegrationProgress, simulated_time: float, step_size: float | None) -> None:
-        heard.append(self._description)
+        heard.append(self.stages[-1].name)
         if heard[-1].startswith("groups.delta = 0.045, 4 x 4"):
             signal.raise_signal(signal.SIGINT)
 

@@ -81,7 +81,7 @@ def test_a_scene_is_handed_on(
     assert scene.material.youngs_modulus == 40e3
     assert scene.material.yield_stress == pytest.approx(tensile.yield_stress, rel=1e-9)
     assert scene.material.viscosity == pytest.approx(tensile.viscosity, rel=1e-9)
-    assert "shear_viscosity (Trouton)" in (output / "scene.toml").read_text()
+    assert "in tension, times 3" in (output / "scene.toml").read_text()
     assert json.loads((output / "flow_curve.json").read_text())["handed_on"] == "bingham"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -31,6 +32,7 @@ def test_run_writes_its_files_and_tells_the_regime(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert {path.name for path in output.iterdir()} == FILES
     assert "arrested-overdamped" in done.stdout
+    assert all(line.startswith("softcat: ") for line in done.stderr.splitlines()), "what goes on, and nothing else"
     summary = json.loads((output / "summary.json").read_text())
     assert summary["outcome"] == "solved"
     assert summary["cells"] == 10
@@ -39,6 +41,32 @@ def test_run_writes_its_files_and_tells_the_regime(tmp_path: Path) -> None:
         assert dict(data.sizes) == {"time": 21, "node": 21, "cell": 20}
         assert data.midpoint.values[-1] == pytest.approx(summary["midpoint_final_m"])
         assert data.time.dtype.kind == "f"
+
+
+def test_the_screen_is_short_and_in_full_where_asked(tmp_path: Path) -> None:
+    title = "title=[red]ink[/] at [5 mm]"
+    asked = ("run", "arrested-overdamped", "-o", str(tmp_path / "out"), "--set", title)
+    short, full = (softcat(*asked, *QUICK, *more) for more in ((), ("-v",)))
+    lines = short.stdout.splitlines()
+    assert lines[:2] == ["[red]ink[/] at [5 mm]", "outcome  solved"]
+    assert re.fullmatch(r"sag      13\.\d mm ± [\d.]+ %, 6\.\d % of the span", lines[2])
+    assert len(lines) <= 12 and max(map(len, lines)) <= 80 + len(str(tmp_path))
+    assert f"files    {tmp_path / 'out'} (8: trajectory.nc, summary.json, ...)" in " ".join(map(str.strip, lines))
+    reasons = json.loads((tmp_path / "out" / "summary.json").read_text())["effects"]
+    assert reasons["inertia"] == "worth about 90 % of the sag"
+    for said in ("inertia: on, worth about 90 % of the sag", "left out", "wall time", "energy", *FILES):
+        assert said in full.stdout
+        assert said in FILES or said not in short.stdout
+    assert "\x1b" not in short.stdout + short.stderr, "no colour in a pipe"
+
+
+def test_a_refused_answer_is_stamped_where_it_is_told(tmp_path: Path) -> None:
+    done = softcat("run", "edge-of-rupture", "-o", str(tmp_path), "--set", "run.effects=paper", *QUICK)
+    assert done.returncode == 1
+    assert done.stdout.startswith("NOT TO BE TRUSTED (localised): ")
+    table = (tmp_path / "midpoint.csv").read_text().splitlines()
+    assert table[0] == "time_s,midpoint_m,refused"
+    assert all(line.endswith(",localised") for line in table[1:])
 
 
 def test_the_resolved_scene_runs_to_the_same_answer(tmp_path: Path) -> None:

@@ -168,15 +168,20 @@ def test_the_listener_is_told_of_every_member() -> None:
     assert listener.told[-1][2] == 0.0 < listener.told[0][2]
 
 
-def test_the_bar_draws_on_a_terminal_only() -> None:
+def test_the_bar_draws_at_once_on_a_terminal_only(monkeypatch: pytest.MonkeyPatch) -> None:
     from io import StringIO
 
     from rich.console import Console
 
+    from softcat_sym import progress
+
+    monkeypatch.setattr(progress, "_DELAY", 0.0)
     drawn, plain = StringIO(), StringIO()
     with MembersBar("arrested", console=Console(file=drawn, force_terminal=True, width=100)) as bar:
         sc.simulate_many(SCENE, TABLE, progress=bar)
-    assert "arrested" in drawn.getvalue() and "4/4" in drawn.getvalue()
+        bar.tick()
+    assert "arrested" in drawn.getvalue() and "4 of 4" in drawn.getvalue()
     with MembersBar(console=Console(file=plain)) as bar:
         bar.update(1, 2, 3.0)
-    assert not plain.getvalue()
+        bar.tick()
+    assert not plain.getvalue(), "plain lines come after two seconds"

@@ -30,7 +30,7 @@ def prepared(name: str, changes: Mapping[str, object]) -> Prepared:
     return build(scene, choose_effects(scene))
 
 
-class Interrupting:
+class Interrupting(Silence):
     """Presses Ctrl-C once a time is reached [s]."""
 
     def __init__(self, at: float) -> None:
@@ -112,7 +112,7 @@ def test_a_finished_integration_is_not_repeated(tmp_path: Path) -> None:
     run = prepared("continual-descent", {})
     whole = run.solve(Resumable(Silence(), Checkpoints(tmp_path, b"owner", every=0.0)))
 
-    class Deaf:
+    class Deaf(Silence):
         def update(self, simulated_time: float, step_size: float | None) -> None:
             raise AssertionError("it integrates")
 

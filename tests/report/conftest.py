@@ -14,6 +14,8 @@ import xarray as xr
 class Ends:
     left: str = "pinned"
     right: str = "pinned"
+    drop: float = 0.0
+    motion: tuple[tuple[float, float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -136,7 +138,7 @@ def descent(scene: Scene) -> xr.Dataset:
 def summary() -> dict[str, object]:
     return {
         "outcome": "solved",
-        "advice": "The run reached its end within the accuracy asked.",
+        "advice": "the whole run was integrated; no check refuses the answer",
         "regime": "descending",
         "midpoint_final_m": -0.05,
         "error_estimate": None,

@@ -15,7 +15,7 @@ from softcat_sym.graph import Graph, assemble
 from softcat_sym.graph.choosing import choose_grid
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene
-from softcat_sym.solve import Prepared, Settings, choose_settings, prepare
+from softcat_sym.solve import Prepared, Settings, Silence, choose_settings, prepare
 
 _MATERIALS: dict[str, dict[str, Any]] = {
     "elastic": {"law": "elastic", "youngs_modulus": "4 MPa"},
@@ -71,7 +71,7 @@ def midpoint(run: Prepared, states: Floats) -> Floats:
 
 
 @dataclass
-class Listener:
+class Listener(Silence):
     """Remembers what a run tells."""
 
     times: list[float] = field(default_factory=list)

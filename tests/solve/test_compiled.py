@@ -186,7 +186,7 @@ def test_ctrl_c_stops_a_long_run_within_a_second() -> None:
         sent.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
 
-    class Started:
+    class Started(Silence):
         timer = threading.Timer(0.3, press)
 
         def update(self, simulated_time: float, step_size: float | None) -> None:
@@ -206,7 +206,7 @@ def test_a_listener_that_raises_stops_it_too() -> None:
     class Enough(Exception):  # noqa: N818
         pass
 
-    class Fed:
+    class Fed(Silence):
         def update(self, simulated_time: float, step_size: float | None) -> None:
             raise Enough
 

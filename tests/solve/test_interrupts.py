@@ -10,6 +10,7 @@ import time
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.solve import Silence
 from softcat_sym.solve.interrupts import watched
 
 
@@ -18,7 +19,7 @@ def test_a_signal_in_the_middle_of_the_integration_stops_it() -> None:
     scene = sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-9"})
     started: list[float] = []
 
-    class Started:
+    class Started(Silence):
         def update(self, simulated_time: float, step_size: float | None) -> None:
             del simulated_time, step_size
             if not started:

@@ -19,6 +19,7 @@ from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.graph import assemble
 from softcat_sym.graph.choosing import choose_grid, choose_theory
 from softcat_sym.reference import Mesh
+from softcat_sym.solve import Silence
 from softcat_sym.study.clamp_strain import filament_clamp_strain
 from softcat_sym.study.compare import Comparison, compare
 from softcat_sym.study.discrepancy import aligned, discrepancy
@@ -148,7 +149,7 @@ def test_width_is_warned_of(yielding: Comparison) -> None:
 def test_what_runs_is_told_and_an_interrupted_run_goes_on(yielding: Comparison, tmp_path: Path) -> None:
     checkpoint, told = tmp_path / "new" / "elements.npz", []
 
-    class Listener:
+    class Listener(Silence):
         def __init__(self, stop: bool) -> None:
             self.stop = stop
 

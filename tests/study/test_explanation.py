@@ -22,7 +22,7 @@ SCENES = ["no-yield", "cold-honey", "thermoforming-sheet", "cooked-spaghetti"]
 
 def printed(explanation: Explanation, width: int = 150) -> str:
     out = io.StringIO()
-    print_explanation(explanation, Console(file=out, width=width))
+    print_explanation(explanation, Console(file=out, width=width), verbose=True)
     return out.getvalue()
 
 

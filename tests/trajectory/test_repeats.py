@@ -63,7 +63,7 @@ def test_what_a_run_shows_to_matter_is_taken_in(effect: str, monkeypatch: pytest
     print(done.summary["repeats"])
     assert done.outcome is Outcome.solved
     (text,) = done.summary["repeats"]
-    assert text.startswith(f"{effect}: called for by the finished run without it")
+    assert text.startswith(f"{effect}: the run without it shows that it is worth")
     assert text.removeprefix(f"{effect}: ") in done.summary["effects"][effect]
     assert done.summary["warnings"] == []
     assert effect not in done.summary["checked"]
