@@ -31,6 +31,6 @@ class Run(Part):
 
     duration: Annotated[float, Quantity("time", "2 s")]
     frames: Annotated[int, Whole(2, 1_000_000)] = 201
-    accuracy: Annotated[float, Number(above=0, below=1)] = 1e-3
+    accuracy: Annotated[float, Number(above=0, below=1)] = 0.01
     effects: Annotated[str | tuple[str, ...], Names(("auto", "paper"))] = "auto"
     closure: Annotated[Closure, Choice(("material", "printed"))] = "material"
