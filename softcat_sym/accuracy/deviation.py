@@ -9,6 +9,7 @@ more, height and amplitude are compared, window by window; the phase is told bes
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -75,7 +76,7 @@ class Judge:
         if number < 2:
             return cls(answer, ())
         edges = np.linspace(0, frames, number + 1).astype(int)
-        windows = tuple(slice(int(a), int(b)) for a, b in zip(edges[:-1], edges[1:], strict=True))
+        windows = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
         rings = _swing(answer[windows[-1]])[1] > accuracy * scale
         return cls(answer, windows if rings else ())
 
