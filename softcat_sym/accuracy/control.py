@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from softcat_sym.accuracy.companions import Differences, Runner, differences
+from softcat_sym.accuracy.companions import Before, Differences, Runner, differences
+from softcat_sym.accuracy.deviation import Judge
 from softcat_sym.accuracy.refining import refined
 from softcat_sym.accuracy.resolution import Resolution
 from softcat_sym.scene import Scene
@@ -34,7 +35,12 @@ class Controlled:
 
 
 def controlled(
-    scene: Scene, first: Resolution, answer: Runner, companion: Runner, grading: Callable[[int], float]
+    scene: Scene,
+    first: Resolution,
+    answer: Runner,
+    companion: Runner,
+    grading: Callable[[int], float],
+    periods: float = 0.0,
 ) -> Controlled:
     """Run until the estimated error is below the accuracy asked, or nothing that may be chosen would help.
 
@@ -50,19 +56,21 @@ def controlled(
         Runs for the estimate.
     grading : callable
         Of grids of so many cells.
+    periods : float
+        Of the lowest mode in the run; zero where nothing rings.
     """
-    at, said = first, list[str]()
+    at, said, before = first, list[str](), None
     for left in reversed(range(ROUNDS)):
         midpoint = answer(at)
         if midpoint is None:
             return Controlled(at, None, tuple(said))
-        found = differences(midpoint, at, companion)
-        total = sum(part for part in (found.space, found.time, found.section) if part is not None)
+        judge = Judge.of(midpoint, periods, scene.run.accuracy)
+        found = differences(midpoint, at, companion, judge, scene.run.accuracy, before)
         following = refined(at, found, scene, grading)
-        if total <= scene.run.accuracy or following == at or not left:
+        if found.total <= scene.run.accuracy or following == at or not left:
             break
-        said.append(f"{_worded(at, following)}: estimated error {total:.2g} against {scene.run.accuracy:g}")
-        at = following
+        said.append(f"{_worded(at, following)}: estimated error {found.total:.2g} against {scene.run.accuracy:g}")
+        at, before = following, Before(at, found)
     return Controlled(at, found, tuple(said))
 
 

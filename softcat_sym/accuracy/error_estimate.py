@@ -9,6 +9,9 @@ from dataclasses import dataclass
 class ErrorEstimate:
     """Largest error of the midpoint over the run, relative to the largest midpoint; None where it was not found.
 
+    Of a filament that rings on to the end for ten periods or more it is that of the height about which it rings and of
+    the amplitude, over every five periods: see :mod:`softcat_sym.accuracy.deviation`.
+
     Attributes
     ----------
     space : float or None
@@ -21,12 +24,16 @@ class ErrorEstimate:
     effects : float
         What the effects that were left out would change, as the finished run measures them. It is no part of the
         total: the answer is held to the accuracy asked with the effects in force.
+    phase : float or None
+        Of a filament that rings on: periods by which its ringing may be ahead or late at the end of the run, which is
+        no part of the total either. None where the midpoint is compared instant by instant.
     """
 
     space: float | None
     time: float | None
     section: float | None
     effects: float
+    phase: float | None = None
 
     @property
     def total(self) -> float | None:
@@ -43,4 +50,5 @@ class ErrorEstimate:
             "time": self.time,
             "section": self.section,
             "effects": self.effects,
+            "phase": self.phase,
         }

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, replace
 
 import numpy as np
 
 from softcat_sym.accuracy.companions import Differences
 from softcat_sym.accuracy.control import Controlled, controlled
+from softcat_sym.accuracy.deviation import FEWEST_PERIODS
 from softcat_sym.accuracy.error_estimate import ErrorEstimate
 from softcat_sym.accuracy.resolution import Resolution, resolution_of
 from softcat_sym.clock import Clock
 from softcat_sym.effects import Effects
+from softcat_sym.effects.ringing import ringing
 from softcat_sym.graph.grading import choose_grading
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
@@ -21,6 +24,18 @@ from softcat_sym.solve.keeping import Form, kept, packed, unpacked
 from softcat_sym.trajectory import Trajectory
 from softcat_sym.trajectory.midpoint import midpoint_heights
 from softcat_sym.trajectory.validity import shortest_hinge_cell
+
+MISSED_BY_LITTLE = 2.0
+"""Times the accuracy asked: an estimated error up to there is an answer with its error bar, beyond it a failure."""
+
+FRAMES_PER_PERIOD = 8
+"""Of a ringing that is looked at by its height and amplitude."""
+
+MOST_NUMBERS = 10_000_000
+"""Of all output times together: what a run that is looked at closely may hold in memory."""
+
+_STATES = 10
+"""Unknowns of a cell that are no fibre's, or more."""
 
 CERTAIN = 3.0
 """An estimate is up to three times too large: one above so many times the accuracy tells that it is missed for sure."""
@@ -49,15 +64,15 @@ def as_accurate_as_asked(
     Trajectory
         With ``error_estimate``, and with the outcome ``inaccurate`` where the accuracy could not be reached.
     """
-    runs = _Runs(first, effects, clock, progress or Silence())
     guess = resolution_of(first.scene, effects, compiled=first.summary["backend"] == "compiled")
     start = replace(guess, rtol=first.summary["rtol"])
-    scene = first.scene
+    scene, periods = first.scene, _periods(first)
+    runs = _Runs(first, effects, clock, progress or Silence(), periods)
 
     def grading(cells: int) -> float:
         return scene.numerics.grading or choose_grading(scene, cells, effects)
 
-    found = controlled(scene, start, runs.answer, runs.companion, grading)
+    found = controlled(scene, start, runs.answer, runs.companion, grading, periods)
     clock.lap("estimate")
     return _told(runs.last, effects, found, clock)
 
@@ -65,9 +80,10 @@ def as_accurate_as_asked(
 class _Runs:
     """The answer so far, and runs beside it."""
 
-    def __init__(self, first: Trajectory, effects: Effects, clock: Clock, progress: Progress) -> None:
+    def __init__(self, first: Trajectory, effects: Effects, clock: Clock, progress: Progress, periods: float) -> None:
         self.last, self._waiting, self._beside = first, True, 0
-        self._effects, self._clock, self._progress = effects, clock, progress
+        self._effects, self._clock, self._progress, self._periods = effects, clock, progress, periods
+        self._known: dict[str, Floats] = {}
 
     def answer(self, at: Resolution) -> Floats | None:
         """Run for good; the first answer is there already."""
@@ -80,17 +96,31 @@ class _Runs:
             self._progress.stage(f"refining to {at.cells} cells" + (f", {at.fibres} fibres" if at.fibres else ""))
             self._beside = 0
             self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress)
-        return np.asarray(self.last.data["midpoint"]) if self.last.outcome.is_success else None
+        if not self.last.outcome.is_success:
+            return None
+        unseen = self._frames(at) > self.last.scene.run.frames
+        return self.companion(at) if unseen else np.asarray(self.last.data["midpoint"])
 
     def companion(self, at: Resolution) -> Floats | None:
         """Run for the midpoint only, in the same units."""
-        scene = at.of(self.last.scene)
-        self._beside += 1
-        self._progress.stage(f"estimating {self._beside} of {3 if at.fibres or at.order else 2}")
-        found = kept(
-            lambda: ("companion", scene.to_toml(), *run_texts(self._effects)), lambda: self._midpoint(scene), _MIDPOINT
-        )
-        return found if found.size else None
+        scene = at.of(self.last.scene).replace({"run.frames": self._frames(at)})
+        key = scene.to_toml()
+        if key not in self._known:
+            self._beside += 1
+            usual = 3 if at.fibres or at.order else 2
+            self._progress.stage(f"estimating {self._beside} of {max(usual, self._beside)}")
+            self._known[key] = kept(
+                lambda: ("companion", key, *run_texts(self._effects)), lambda: self._midpoint(scene), _MIDPOINT
+            )
+        return self._known[key] if self._known[key].size else None
+
+    def _frames(self, at: Resolution) -> int:
+        """Output times: enough to see a long ringing, which is not told frame by frame."""
+        asked = self.last.scene.run.frames
+        if self._periods < FEWEST_PERIODS:
+            return asked
+        fits = MOST_NUMBERS // (at.cells * (_STATES + 2 * (at.fibres or 0)))
+        return max(asked, min(math.ceil(FRAMES_PER_PERIOD * self._periods) + 1, fits))
 
     def _midpoint(self, scene: Scene) -> Floats:
         """Heights of the midpoint [m]; none without an answer."""
@@ -112,7 +142,7 @@ def _told(answer: Trajectory, effects: Effects, found: Controlled, clock: Clock)
     }
     if parts is None:
         return answer.estimated(told, (), "")
-    errors = ErrorEstimate(parts.space, parts.time, parts.section, sum(answer.summary["checked"].values()))
+    errors = ErrorEstimate(parts.space, parts.time, parts.section, sum(answer.summary["checked"].values()), parts.phase)
     told["error_estimate"] = errors.as_table()
     warnings = [f"the error is not fully estimated: the run with {what} has no answer" for what in parts.failed]
     fields = answer.data
@@ -122,25 +152,34 @@ def _told(answer: Trajectory, effects: Effects, found: Controlled, clock: Clock)
 
 
 def _missed(scene: Scene, parts: Differences, *, undecided: bool) -> tuple[str, str]:
-    """By how much the accuracy is missed, or else what to warn of where a number of the user's may miss it.
+    """By how much the accuracy is missed, or else what to warn of where it is missed by little or by the user's choice.
 
     Few cells are only coarse, and their error is told. Cells too short for the theory leave the answer `undecided`.
     """
     numerics, accuracy = scene.numerics, scene.run.accuracy
-    fixed = {
-        "space": "numerics.cells" if numerics.cells is not None else "",
-        "time": "numerics.rtol" if numerics.rtol is not None else "",
-        "section": "numerics.fibres or numerics.order" if numerics.fibres or numerics.order else "",
-    }
     errors = {"space": parts.space or 0.0, "time": parts.time or 0.0, "section": parts.section or 0.0}
-    free = sum(error for name, error in errors.items() if not fixed[name])
-    total = sum(errors.values())
+    fixed = {
+        "space": ["numerics.cells"] if numerics.cells is not None else [],
+        "time": ["numerics.rtol"] if numerics.rtol is not None else [],
+        "section": [f"numerics.{name}" for name in ("fibres", "order") if getattr(numerics, name) is not None],
+    }
+    free, total = sum(error for name, error in errors.items() if not fixed[name]), sum(errors.values())
     if total <= accuracy:
         return "", ""
-    by_hand = [fixed[name] for name, error in errors.items() if fixed[name] and error > 0]
-    undecided = undecided and total > CERTAIN * accuracy
-    if numerics.grading is not None:
-        by_hand.append("numerics.grading")
+    by_hand = [key for name, error in errors.items() if error > 0 for key in fixed[name]]
+    by_hand += ["numerics.grading"] if numerics.grading is not None else []
     advice = f": leave out {' and '.join(by_hand)}, and the program chooses" if by_hand else ""
-    text = f"the estimated error, {total:.2g}, exceeds the accuracy of {accuracy:g}{advice}"
-    return (text, "") if free > accuracy or undecided else ("", text)
+    if free > MISSED_BY_LITTLE * accuracy or (undecided and total > CERTAIN * accuracy):
+        parts_called = {"space": "the grid", "time": "the time steps", "section": "the fibres"}
+        most = parts_called[max(errors, key=errors.__getitem__)]
+        text = f"the estimated error, {total:.2g}, most of it of {most}, exceeds twice the accuracy of {accuracy:g}"
+        return f"{text}{advice}", ""
+    return "", f"accuracy {total:.2g} instead of {accuracy:g}{advice}"
+
+
+def _periods(run: Trajectory) -> float:
+    """Periods of the lowest mode in a run whose load sets it ringing; zero where none does."""
+    if "inertia" not in run.summary["effects"]:
+        return 0.0
+    rings = ringing(run.scene)
+    return rings.frequency * run.summary["time_final_s"] / (2 * math.pi) if rings.amplitude > 0 else 0.0

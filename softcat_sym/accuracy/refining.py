@@ -2,33 +2,43 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from softcat_sym.accuracy.companions import LOOSER, ORDER, SECTION_ORDER, Differences, with_more_fibres
+from softcat_sym.accuracy.companions import FIBRES, ORDER, SECTION_ORDER, Differences
 from softcat_sym.accuracy.resolution import Resolution
 from softcat_sym.scene import Scene
 
-SPACE, TIME, SECTION = 0.5, 0.1, 0.25
-"""Shares of the accuracy that grid, time steps and section are given when they are refined."""
+AIM = 0.8
+"""Share of the accuracy that the estimated error is to come down to: extrapolated, it is a little wrong."""
 
 MOST_CELLS, MOST_FIBRES, LEAST_RTOL = 1280, 64, 1e-11
 
 MOST_POINTS = 32_000
 """Cells times fibres: what a filament of so many points takes is a matter of minutes, and is not begun unasked."""
 
-SLACK = 1.15
-"""An error so close above its share is left: the shares leave that much room."""
-
 _LEAP = 8.0
 """At most so many times as many cells at once: an error far from its order foretells badly."""
 
-_LEAST_GAIN = 1.25  # of the number of fibres, which come in pairs
+_TIGHTEST = 64.0
+"""At most so much tighter at once."""
+
+_STEPS = 0.2
+"""The number of steps goes with the tolerance to minus this power, of a method of fifth order."""
+
+_STATES = 6
+"""Unknowns of a cell that are no fibre's, counted in fibres: there are two of each."""
+
+_COMPILING = 80.0
+"""Cells that are integrated, with their companions, in the time in which a library for as many fibres is compiled."""
 
 
 def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[[int], float]) -> Resolution:
-    """What to run next; the same resolution where nothing that the program may choose would help.
+    """What to run next: of all that should be accurate enough, by the order of each error, the cheapest.
+
+    The same resolution where nothing that the program may choose would help.
 
     Parameters
     ----------
@@ -42,25 +52,50 @@ def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[
         Ratio of the longest cell to the shortest for so many cells: at a hinge no cell may become much shorter than the
         thickness, below which a sheared section has no resistance left to necking.
     """
-    accuracy, fixed, now = scene.run.accuracy, scene.numerics, at
-    space, time, section = (
-        _excess(found.space, SPACE * accuracy),
-        _excess(found.time, TIME * accuracy),
-        _excess(found.section, SECTION * accuracy),
-    )
-    if fixed.cells is None and space > SLACK:
-        cells = math.ceil(min(_LEAP, space ** (1 / ORDER)) * at.cells)
-        now = replace(now, cells=max(at.cells, min(MOST_CELLS, cells)))
-    if fixed.rtol is None and time > SLACK:
-        now = replace(now, rtol=min(at.rtol, max(LEAST_RTOL, at.rtol / min(LOOSER**2, time))))
-    if fixed.fibres is None and fixed.order is None and at.fibres is not None and section > SLACK:
-        more = with_more_fibres(now, max(_LEAST_GAIN, min(_LEAP, section ** (1 / SECTION_ORDER)))).fibres
-        now = replace(now, fibres=max(at.fibres, min(MOST_FIBRES, more or MOST_FIBRES)))
-    if now.fibres is not None:
-        now = replace(now, cells=max(at.cells, min(now.cells, MOST_POINTS // now.fibres)))
+    aim = AIM * scene.run.accuracy
+    tried = [
+        replace(at, cells=cells, fibres=fibres, rtol=rtol)
+        for cells, fibres, rtol in itertools.product(_cells(at, scene), _fibres(at, scene), _tolerances(at, scene))
+        if fibres is None or cells == at.cells or cells * fibres <= MOST_POINTS
+    ]
+    enough = [one for one in tried if _foretold(one, at, found) <= aim]
+    now = min(enough, key=lambda one: _cost(one, at)) if enough else min(tried, key=lambda o: _foretold(o, at, found))
     return now if now.cells == at.cells else replace(now, grading=grading(now.cells))
 
 
-def _excess(error: float | None, share: float) -> float:
-    """An error over its share of the accuracy; zero where it is not known."""
-    return 0.0 if error is None else error / share
+def _cells(at: Resolution, scene: Scene) -> Iterable[int]:
+    """Numbers of cells to choose from, an eighth of an octave apart."""
+    if scene.numerics.cells is not None:
+        return (at.cells,)
+    eighths = range(1, round(8 * math.log2(_LEAP)) + 1)
+    more = {min(MOST_CELLS, math.ceil(at.cells * 2 ** (k / 8))) for k in eighths}
+    return (at.cells, *sorted(n for n in more if n > at.cells))
+
+
+def _fibres(at: Resolution, scene: Scene) -> Iterable[int | None]:
+    numerics = scene.numerics
+    if at.fibres is None or numerics.fibres is not None or numerics.order is not None:
+        return (at.fibres,)
+    return (at.fibres, *(n for n in FIBRES if at.fibres < n <= MOST_FIBRES))
+
+
+def _tolerances(at: Resolution, scene: Scene) -> Iterable[float]:
+    if scene.numerics.rtol is not None:
+        return (at.rtol,)
+    tighter = (at.rtol / 2**k for k in range(1, round(math.log2(_TIGHTEST)) + 1))
+    return (at.rtol, *(rtol for rtol in tighter if rtol >= LEAST_RTOL))
+
+
+def _foretold(one: Resolution, at: Resolution, found: Differences) -> float:
+    """Estimated error at a resolution, from that at another."""
+    space, time, section = (part or 0.0 for part in (found.space, found.time, found.section))
+    fewer = (at.fibres or 1) / (one.fibres or 1)
+    return space * (at.cells / one.cells) ** ORDER + time * one.rtol / at.rtol + section * fewer**SECTION_ORDER
+
+
+def _cost(one: Resolution, at: Resolution) -> float:
+    """Time that a resolution takes, in that of a cell with one fibre."""
+    fibres = one.fibres or 0
+    steps = (at.rtol / one.rtol) ** _STEPS
+    compiling = _COMPILING * fibres if one.fibres != at.fibres else 0.0
+    return one.cells * (fibres + _STATES) * steps + compiling

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from softcat_sym.effects import Effects
 from softcat_sym.effects.fibres import FIBRES
-from softcat_sym.graph.choosing import DEFAULT_FIBRES, choose_cells
+from softcat_sym.graph.choosing import choose_cells, choose_fibres
 from softcat_sym.graph.grading import choose_grading
 from softcat_sym.scene import Scene
 from softcat_sym.solve import settings_for
@@ -67,7 +67,7 @@ def resolution_of(scene: Scene, effects: Effects, *, compiled: bool) -> Resoluti
     return Resolution(
         cells,
         numerics.grading or choose_grading(scene, cells, effects),
-        (numerics.fibres or DEFAULT_FIBRES) if resolved and numerics.order is None else None,
+        choose_fibres(scene) if resolved and numerics.order is None else None,
         numerics.order if resolved else None,
         settings_for(scene, effects, compiled=compiled).rtol,
     )

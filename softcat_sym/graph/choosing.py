@@ -7,11 +7,12 @@ import math
 from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.fibres import FIBRES
+from softcat_sym.effects.prediction import first_yield_gravity_number, gravity_number_of
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.body import Body
 from softcat_sym.graph.discretisation import Discretisation
-from softcat_sym.graph.grading import choose_grading
+from softcat_sym.graph.grading import choose_grading, may_yield
 from softcat_sym.graph.grid import End, Grid, half_span, whole_span
 from softcat_sym.graph.kirchhoff import KIRCHHOFF
 from softcat_sym.graph.profile import Profile
@@ -37,7 +38,13 @@ LINEAR_FIBRES = 2
 """Points that follow a linear profile exactly."""
 
 DEFAULT_FIBRES = 8
-"""Points through the thickness where fibres yield in turn: a rectangle's M_p is then 1.2 % high, with 12 by 0.5 %."""
+"""Points through the thickness where fibres yield in turn."""
+
+HINGE_FIBRES = 16
+"""Where hinges carry much of the load: while they turn the midpoint is 5 % off with 8, 2 % with 12, 0.4 % with 16."""
+
+_MOST_OF_FIRST_YIELD = 4.0
+"""Weight, in that of first yield, beyond which tension carries it: a rectangle collapses at 2, a circle at 2.3."""
 
 DEFAULT_PROJECTION = 24
 """Points that project a flow rule on polynomials: it has kinks."""
@@ -53,6 +60,16 @@ def choose_cells(scene: Scene, effects: Effects | None = None) -> int:
         return DEFAULT_CELLS
     fewer = CLAMPED_CELLS * math.sqrt(_THOUSANDTH / scene.run.accuracy)
     return int(min(CLAMPED_CELLS, max(DEFAULT_CELLS, round(fewer))))
+
+
+def choose_fibres(scene: Scene) -> int:
+    """Points through the thickness where fibres yield in turn: as many as the scene says, or as its hinges need."""
+    if scene.numerics.fibres is not None:
+        return scene.numerics.fibres
+    gravity_number = gravity_number_of(scene)
+    hinges = gravity_number is not None and gravity_number < _MOST_OF_FIRST_YIELD * first_yield_gravity_number(scene)
+    bent = "clamped" in (scene.ends.left, scene.ends.right)
+    return HINGE_FIBRES if bent and hinges and may_yield(scene) else DEFAULT_FIBRES
 
 
 def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
@@ -99,5 +116,5 @@ def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:
     numerics, shape = scene.numerics, equations.shape
     if numerics.order is not None:
         return order_rule(shape, numerics.order, numerics.fibres or DEFAULT_PROJECTION)
-    default = DEFAULT_FIBRES if equations.terms.resolved else LINEAR_FIBRES
-    return fibre_rule(shape, numerics.fibres or default)
+    fibres = choose_fibres(scene) if equations.terms.resolved else numerics.fibres or LINEAR_FIBRES
+    return fibre_rule(shape, fibres)

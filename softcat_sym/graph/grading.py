@@ -50,7 +50,7 @@ def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> 
     names = (effects or choose_effects(scene)).names
     if "clamped" not in (scene.ends.left, scene.ends.right) or "bending" not in names:
         return 1.0
-    hinge = "yielding" in names and _may_yield(scene)
+    hinge = "yielding" in names and may_yield(scene)
     if scene.model == "small-deflection":
         return LEAST
     if "shear" in names or "fibres" in names:
@@ -58,7 +58,7 @@ def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> 
     return MOST if hinge else SMOOTH_KIRCHHOFF
 
 
-def _may_yield(scene: Scene) -> bool:
+def may_yield(scene: Scene) -> bool:
     """Whether a fibre yields under a load at once, with at most twice the static moment, and what shaking adds."""
     gravity_number = gravity_number_of(scene)
     bound = float(beam_of(scene).overshoot_bound) + shaken_share(scene)

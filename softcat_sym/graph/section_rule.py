@@ -1,7 +1,7 @@
 """How a section is sampled through its thickness, and what its plastic state stands for.
 
-Fibres: one plastic strain at each point of a Gauss rule. Order k: amplitudes of the orthogonal polynomials p_0 ... p_k
-(A 1), whose rates are projections by the same kind of rule (A 2). With k + 1 points both are the same.
+Fibres: one plastic strain at each point of a Gauss rule in either half of the thickness. Order k: amplitudes of the
+orthogonal polynomials p_0 ... p_k (A 1), whose rates are projections by one Gauss rule through the whole of it (A 2).
 """
 
 from __future__ import annotations
@@ -15,6 +15,12 @@ from softcat_sym.equations.symbols import zeta
 from softcat_sym.equations.through_thickness import mean_square, polynomial
 from softcat_sym.graph.grid import Floats
 from softcat_sym.printing import evaluate
+
+_FEWEST_IN_HALVES = 6
+"""Points from which on rules in the two halves are as good as one for what is smooth."""
+
+_MOMENT_POINTS = 200
+"""Of the sums that stand for integrals over a half; they are exact for what they are taken of."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +59,15 @@ class SectionRule:
 
 
 def fibre_rule(section: Section, fibres: int) -> SectionRule:
-    """A plastic state for each of the `fibres` points of the section's Gauss rule."""
-    nodes, weights = _gauss(section, fibres)
+    """A plastic state for each of `fibres` points: of a Gauss rule in either half of the thickness.
+
+    A section that yields in bending has a stress that jumps in the middle. A rule through the whole thickness gives it
+    a plastic moment 0.75/n^2 too high, and a hinge near collapse goes by that moment: rules that end in the middle have
+    it exactly. An odd number of points, or fewer than six, make one rule through the whole.
+    """
+    nodes, weights = (
+        _gauss(section, fibres) if fibres % 2 or fibres < _FEWEST_IN_HALVES else _in_halves(section, fibres)
+    )
     return SectionRule(nodes, weights, np.eye(fibres), np.eye(fibres))
 
 
@@ -73,3 +86,30 @@ def _gauss(section: Section, points: int) -> tuple[Floats, Floats]:
         return np.cos(angle), 2 / (points + 1) * np.sin(angle) ** 2
     nodes, weights = np.polynomial.legendre.leggauss(points)
     return nodes, weights / 2
+
+
+def _in_halves(section: Section, points: int) -> tuple[Floats, Floats]:
+    """Nodes and weights of a Gauss rule for the width of the section in the upper half, and their mirror image."""
+    if section.name == "circle":
+        angle, share = np.polynomial.legendre.leggauss(_MOMENT_POINTS)
+        angle = (angle + 1) * np.pi / 4
+        nodes, weights = _gauss_of_sums(np.cos(angle), share / 2 * np.sin(angle) ** 2, points // 2)
+    else:
+        nodes, weights = np.polynomial.legendre.leggauss(points // 2)
+        nodes, weights = (nodes + 1) / 2, weights / 4
+    return np.concatenate([-nodes[::-1], nodes]), np.concatenate([weights[::-1], weights])
+
+
+def _gauss_of_sums(places: Floats, masses: Floats, points: int) -> tuple[Floats, Floats]:
+    """Gauss rule of a weight that is given as many masses: its three-term recurrence (Stieltjes; Golub & Welsch)."""
+    before, now = np.zeros_like(places), np.ones_like(places)
+    centre, spread, norm = np.zeros(points), np.zeros(points), float(np.sum(masses))
+    for k in range(points):
+        centre[k] = np.sum(masses * places * now**2) / np.sum(masses * now**2)
+        following = (places - centre[k]) * now - spread[k] * before
+        if k + 1 < points:
+            spread[k + 1] = np.sum(masses * following**2) / np.sum(masses * now**2)
+        before, now = now, following
+    beside = np.sqrt(spread[1:])
+    nodes, vectors = np.linalg.eigh(np.diag(centre) + np.diag(beside, 1) + np.diag(beside, -1))
+    return nodes, norm * vectors[0] ** 2

@@ -19,7 +19,7 @@ class Run(Part):
     """Simulated time."""
     frames: Annotated[int, Whole(2, 1_000_000)] = 201
     """Number of evenly spaced output times, t = 0 included."""
-    accuracy: Annotated[float, Number(above=0, below=1)] = 1e-3
+    accuracy: Annotated[float, Number(above=0, below=1)] = 0.01
     """Largest error of the midpoint over the largest midpoint."""
     effects: Annotated[str | tuple[str, ...], Names(("auto", "paper"))] = "auto"
     """Which physics is in force: auto chooses by estimates, paper is the published theory; or names of effects."""

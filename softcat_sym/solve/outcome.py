@@ -25,8 +25,8 @@ class Outcome(Enum):
         "or ask for a smaller run.accuracy"
     )
     inaccurate = (
-        "the estimated error stayed above the accuracy asked after whatever refinement the scene allows: leave out the "
-        "numerics set by hand, ask for a larger run.accuracy, or shorten the run"
+        "the estimated error stayed above twice the accuracy asked after whatever refinement the scene allows: ask for "
+        "a larger run.accuracy, or shorten the run"
     )
     overlooked = (
         "an effect that was left out matters more than the accuracy asked, and the run was not repeated once more: "

@@ -6,10 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from softcat_sym.accuracy.companions import differences, with_more_fibres
+from softcat_sym.accuracy.companions import Before, Differences, differences, with_more_fibres
+from softcat_sym.accuracy.deviation import Judge
 from softcat_sym.accuracy.resolution import Resolution
 
 from .known import FIRST, LINEAR, Known
+
+ACCURACY = 1e-3
 
 
 @pytest.mark.parametrize(
@@ -20,7 +23,7 @@ from .known import FIRST, LINEAR, Known
 def test_each_error_is_found_in_its_place(known: Known) -> None:
     answer = known(FIRST)
     assert answer is not None
-    found = differences(answer, FIRST, known)
+    found = differences(answer, FIRST, known, Judge(answer, ()), ACCURACY)
     # Relative to the largest midpoint of the answer, which is itself off by no more than 1 %.
     assert (found.space, found.time, found.section) == pytest.approx(known.parts(FIRST), rel=1e-2, abs=1e-12)
     assert found.failed == ()
@@ -32,7 +35,7 @@ def test_another_order_is_missed_by_a_known_factor(order: float, least: float, m
     known = Known(space=2.0, order=order)
     answer = known(FIRST)
     assert answer is not None
-    found = differences(answer, FIRST, known)
+    found = differences(answer, FIRST, known, Judge(answer, ()), ACCURACY)
     assert found.space is not None
     assert least < known.parts(FIRST)[0] / found.space < most
 
@@ -41,7 +44,7 @@ def test_what_has_nothing_to_resolve_is_not_run() -> None:
     known = Known(space=2.0)
     answer = known(LINEAR)
     assert answer is not None
-    found = differences(answer, LINEAR, known)
+    found = differences(answer, LINEAR, known, Judge(answer, ()), ACCURACY)
     assert found.section is None
     assert len(known.asked) == 3
 
@@ -50,7 +53,7 @@ def test_a_companion_without_an_answer_is_told() -> None:
     known = Known(space=2.0, fails_below=30)
     answer = known(FIRST)
     assert answer is not None
-    found = differences(answer, FIRST, known)
+    found = differences(answer, FIRST, known, Judge(answer, ()), ACCURACY)
     assert (found.space, found.failed) == (None, ("20 cells",))
 
 
@@ -58,7 +61,7 @@ def test_companions_lie_on_one_map() -> None:
     known = Known(space=2.0)
     answer = known(FIRST)
     assert answer is not None
-    differences(answer, FIRST, known)
+    differences(answer, FIRST, known, Judge(answer, ()), ACCURACY)
     assert {one.grading for one in known.asked} == {FIRST.grading}
 
 
@@ -72,3 +75,40 @@ def test_companions_lie_on_one_map() -> None:
 )
 def test_more_fibres(before: Resolution, after: Resolution) -> None:
     assert with_more_fibres(before, 1.5) == after
+
+
+def test_what_is_known_and_was_not_refined_is_not_run_again() -> None:
+    """Of a finer grid and shorter steps only the grid is asked: the fibres are the same, the steps were good enough."""
+    known = Known(space=2.0, time=1e-4, section=0.1)
+    before = Before(FIRST, Differences(space=1e-2, time=1e-4 * FIRST.rtol, section=0.1 / 64, phase=None, failed=()))
+    finer = replace(FIRST, cells=80, rtol=FIRST.rtol / 2)
+    answer = known(finer)
+    assert answer is not None
+    known.asked.clear()
+    found = differences(answer, finer, known, Judge(answer, ()), ACCURACY, before)
+    assert known.asked == [replace(finer, cells=40)]
+    assert (found.space, found.time, found.section) == pytest.approx(known.parts(finer), rel=1e-2)
+
+
+def test_more_fibres_than_before_are_judged_by_those_before() -> None:
+    """So that no library is compiled for a companion alone."""
+    known = Known(space=2.0, section=0.1)
+    before = Before(FIRST, Differences(space=1e-3, time=0.0, section=0.1 / 64, phase=None, failed=()))
+    finer = replace(FIRST, fibres=12)
+    answer = known(finer)
+    assert answer is not None
+    known.asked.clear()
+    found = differences(answer, finer, known, Judge(answer, ()), ACCURACY, before)
+    assert {one.fibres for one in known.asked} == {8, 12}
+    assert found.section == pytest.approx(known.parts(finer)[2], rel=1e-2)
+
+
+def test_steps_that_were_too_long_are_judged_again() -> None:
+    known = Known(space=0.1, time=20.0)
+    before = Before(FIRST, Differences(space=1e-4, time=20 * FIRST.rtol, section=0.0, phase=None, failed=()))
+    tighter = replace(FIRST, rtol=FIRST.rtol / 8)
+    answer = known(tighter)
+    assert answer is not None
+    known.asked.clear()
+    differences(answer, tighter, known, Judge(answer, ()), ACCURACY, before)
+    assert [one.rtol for one in known.asked] == [tighter.rtol, 8 * tighter.rtol]
