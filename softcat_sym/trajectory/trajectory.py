@@ -148,7 +148,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "repeats": [],
         "closure": scene.run.closure,
         **_numerics(prepared, solution),
-        "converted": list(scene.material.notes),
+        "converted": list(scene.notes),
         "warnings": [*warnings, *spared(scene, effects, measured)],
         "wall_s": wall,
     }
