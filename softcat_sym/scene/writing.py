@@ -64,6 +64,8 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
         return part.law not in INDEXED
     if name in _IDLE_AT_ZERO.get(part.table_name, ()):
         return value == 0
+    if part.table_name == "run" and name == "until":
+        return value == "duration"
     return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
 
 

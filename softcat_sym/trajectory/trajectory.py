@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 from softcat_sym.effects import Effects
 from softcat_sym.scene import Scene, rest_length
-from softcat_sym.solve import Outcome, Prepared, Solution
+from softcat_sym.solve import Outcome, Prepared, Silence, Solution
 from softcat_sym.trajectory.checking import measures, overlooked, spared
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
 from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.rupture import rupture_frame
 from softcat_sym.trajectory.seen import seen
+from softcat_sym.trajectory.settling import ringing_at_last
 from softcat_sym.trajectory.validity import warnings_of
 from softcat_sym.trajectory.verdict import verdict
 
@@ -64,6 +65,11 @@ class Trajectory:
             changed |= {"complaint": complaint, "regime": None}
         self.data.attrs["outcome"] = outcome.name
         return replace(self, summary=self.summary | changed, outcome=outcome)
+
+    def settled(self, scene: Scene, time: float | None) -> Trajectory:
+        """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
+        self.data.attrs["scene"] = scene.to_toml()
+        return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
 
     def estimated(self, told: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Trajectory:
         """The same run with what its companions tell about its error.
@@ -128,6 +134,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     measured = measures(scene, effects, seen(scene, effects, time, places, fields))
+    rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
     warnings = warnings_of(scene, effects, time, places[0], fields, carried)
     summary = {
         "title": scene.title,
@@ -137,7 +144,10 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         # An answer that is not to be trusted has no regime.
         "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
         "midpoint_final_m": float(midpoint[-1]),
+        "midpoint_settled_m": rings,
+        "midpoint_settled_why": why,
         "time_final_s": float(time[-1]),
+        "settled_s": None,
         "error_estimate": None,
         "resolution": None,
         "refinements": [],
