@@ -16,8 +16,6 @@ from softcat_sym.equations.section import SECTIONS, Section
 from softcat_sym.equations.section_response import PLANE_STRAIN
 from softcat_sym.scene import Scene, chord_angle, distance, is_held, rest_length, stress_free_length, undeformed_area
 
-FORMULA = "omega_1^2 = phi.K phi/phi.M phi, K of bending, tension and stretching about the elastic shape under the weight"
-
 _ELEMENTS = 40
 _HALVINGS = 100
 _EXCITED = 0.05
@@ -99,6 +97,18 @@ def solid_decay(scene: Scene) -> float:
     if vibration is None:
         return 0.0
     return solid_retardation(scene) * vibration.frequency**2 * vibration.material_share / 2
+
+
+def damping_note(scene: Scene) -> str:
+    """The first natural frequency, and what the loss below yield is at it; empty without a loss."""
+    vibration = first_vibration(scene) if scene.material.has_loss else None
+    if vibration is None:
+        return ""
+    tangent = f"loss tangent {vibration.frequency * solid_retardation(scene):.3g}"
+    viscosity = f"solid viscosity {solid_viscosity(scene):.4g} Pa s"
+    given = scene.material.solid_viscosity is not None
+    words = f"{viscosity} -> {tangent}" if given else f"{tangent} -> {viscosity} (loss_tangent E/omega_1)"
+    return f"first natural frequency {vibration.frequency / (2 * math.pi):.4g} Hz; {words}"
 
 
 def _fibre_ratio(scene: Scene) -> float:

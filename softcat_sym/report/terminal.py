@@ -13,6 +13,9 @@ if TYPE_CHECKING:
 
     from softcat_sym.report.contract import PicturedScene, Summary
 
+_RINGS = 1e-3
+"""Amplitude over mean from which on the ringing at the end is told."""
+
 STAGES = ("build", "compile", "solve", "estimate", "write", "total")
 
 
@@ -40,6 +43,7 @@ def summary_rows(summary: Summary, scene: PicturedScene) -> list[tuple[str, str]
     if final is not None:
         share = significant(final / scene.filament.span)
         rows.append(("final midpoint", f"{significant(1e3 * final)} mm = {share} of the span"))
+    rows.extend(_settled(summary))
     rows.append(("error estimate", _estimate(summary.get("error_estimate"))))
     if summary.get("energy_residual") is not None:
         rows.append(("energy residual", f"{significant(summary['energy_residual'])} of the largest energy"))
@@ -106,6 +110,15 @@ def print_summary(summary: Summary, scene: PicturedScene, console: Console | Non
     from rich.console import Console
 
     (console or Console()).print(summary_table(summary, scene))
+
+
+def _settled(summary: Summary) -> list[tuple[str, str]]:
+    """When it has settled, and about which height it rings where it still does."""
+    rings, at = summary.get("midpoint_settled_m"), summary.get("settled_s")
+    rows = [] if at is None else [("settled", f"after {significant(at)} s")]
+    if rings and rings["amplitude"] > _RINGS * abs(rings["mean"]):
+        rows.append(("rings about", f"{significant(1e3 * rings['mean'])} mm by {significant(1e3 * rings['amplitude'])} mm"))
+    return rows
 
 
 def _outcome(summary: Summary) -> str:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from softcat_sym.errors import Fault
+from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.geometry import chord_angle, distance, is_held, is_slack, rest_length
 from softcat_sym.scene.laws import SOLIDS
 from softcat_sym.scene.support_path import farthest, motion_faults
@@ -40,6 +40,18 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
         _of_loss,
     )
     return [fault for check in checks for fault in check(scene)]
+
+
+def refuse_settled(scene: Scene, why: str) -> None:
+    """Refuse a run that ends when it has settled, where several answers are compared at the same times.
+
+    Raises
+    ------
+    SceneError
+        If the scene asks for that.
+    """
+    if scene.run.until == "settled":
+        raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
 
 
 def _of_ends(scene: Scene) -> Iterator[Fault]:

@@ -55,7 +55,7 @@ def seen(
         slope=_slope(fields),
         tension_share=shared,
         swings=_swings(midpoint),
-        relaxed=max(forecast(scene).relaxed, _relaxed(fields)),
+        relaxed=max(forecast(scene).relaxed, _relaxed(effects, fields)),
         overstress=_overstress(scene, fields),
         flowing_overstress=flowing_overstress(scene, sag),
         sheared=max(sheared_share(scene, sag, shared), _compliance(scene, effects, time, fields, length) / sag),
@@ -111,8 +111,10 @@ def _swings(midpoint: Floats) -> float:
     return np.pi / 2 * max(0.0, travelled) / largest
 
 
-def _relaxed(fields: Mapping[str, Floats]) -> float:
-    """What flow has dissipated, of that and the most that was stored."""
+def _relaxed(effects: Effects, fields: Mapping[str, Floats]) -> float:
+    """What flow has dissipated, of that and the most that was stored; unknown where a solid dissipates too."""
+    if "solid-damping" in effects.names:
+        return 0.0
     lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
     return lost / (lost + stored) if lost > 0 else 0.0
 

@@ -52,13 +52,14 @@ def ringing_of(heights: Floats) -> Ringing:
     amplitude is what is left beside a steady drift. Where nothing turns back the mean is the last height.
     """
     along = np.linspace(-1.0, 1.0, len(heights))
-    drift = np.polyfit(along, heights, 1)[0] * along
+    weights = 1 + np.cos(np.pi * along) + 1e-12
+    drift = np.polyfit(along, heights, 1, w=np.sqrt(weights))[0] * along
     amplitude = float(np.ptp(heights - drift)) / 2
     steps = np.diff(heights)
     steps = steps[np.abs(steps) > 1e-9 * float(np.max(np.abs(heights), initial=1e-300))]
     if np.count_nonzero(steps[1:] * steps[:-1] < 0) < 2:
         return Ringing(float(heights[-1]), min(amplitude, float(np.ptp(heights)) / 2))
-    return Ringing(float(np.average(heights, weights=1 + np.cos(np.pi * along) + 1e-12)), amplitude)
+    return Ringing(float(np.average(heights, weights=weights)), amplitude)
 
 
 def ringing_at_last(

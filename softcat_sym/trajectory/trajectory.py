@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softcat_sym.effects import Effects
+from softcat_sym.effects.natural_frequency import damping_note
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Silence, Solution
 from softcat_sym.trajectory.checking import measures, overlooked, spared
@@ -158,7 +159,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "repeats": [],
         "closure": scene.run.closure,
         **_numerics(prepared, solution),
-        "converted": list(scene.notes),
+        "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
         "warnings": [*warnings, *spared(scene, effects, measured)],
         "wall_s": wall,
     }
