@@ -128,8 +128,10 @@ def _refuse(scene: Scene, effects: tuple[str, ...]) -> None:
         With the reason.
     """
     from softcat_sym.errors import Fault, SceneError
+    from softcat_sym.scene.consistency import refuse_settled
     from softcat_sym.solve.backend import NOTHING_TO_INTEGRATE, ONE_TENSION, integrates
 
+    refuse_settled(scene, "a generated program runs to the end of its duration")
     if scene.model == "small-deflection":
         raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
     if not integrates(effects):

@@ -54,18 +54,21 @@ def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
     from softcat_sym.accuracy import as_accurate_as_asked
     from softcat_sym.clock import Clock
     from softcat_sym.effects import choose_effects
-    from softcat_sym.single_run import run_once
+    from softcat_sym.single_run import rest_of, run_once
 
     clock, shown = Clock(), dict[str, str]()
     repeats: list[str] = []
     while True:
         effects = choose_effects(scene, shown)
-        trajectory = run_once(scene, scene, effects, clock, listener)
+        ends = rest_of(scene, effects, listener) if scene.run.until == "settled" else None
+        clock.lap("estimate")
+        asked = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
+        trajectory = run_once(asked, asked, effects, clock, listener)
         last = len(repeats) == _REPEATS
         if scene.numerics.estimate and (last or not trajectory.overlooked):
             trajectory = as_accurate_as_asked(trajectory, effects, clock, listener)
         if last or not trajectory.overlooked:
-            return trajectory.repeated(repeats)
+            return trajectory.repeated(repeats).settled(scene, ends)
         clock.set_aside()
         listener.stage(f"again, with {', '.join(trajectory.overlooked)}")
         shown |= trajectory.overlooked

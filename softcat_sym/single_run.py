@@ -7,12 +7,16 @@ from collections.abc import Iterator
 
 from softcat_sym.clock import Clock
 from softcat_sym.effects import Effects
+from softcat_sym.graph.choosing import choose_cells
 from softcat_sym.scene import Scene
 from softcat_sym.solve import Outcome, Prepared, Progress, Silence, choose_backend, prepare, settings_for
 from softcat_sym.solve.assembled import assembled
 from softcat_sym.solve.keeping import kept
 from softcat_sym.trajectory import Trajectory, judge
 from softcat_sym.trajectory.keeping import trajectory_form
+from softcat_sym.trajectory.settling import settling_time
+
+_FEWEST_CELLS = 8
 
 _TRIES, _TIGHTER = 3, 30.0
 """Runs that end by a step too long for them, and how much tighter each is than the one before."""
@@ -74,6 +78,25 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         return _run_once(scene, resolved, effects, clock, progress)
 
     return kept(identity, run, trajectory_form(scene))
+
+
+def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:
+    """When a filament has settled [s], found on half the cells: its frames are spaced evenly up to then.
+
+    Parameters
+    ----------
+    scene, effects
+        What is asked, and the physics in force.
+    progress : Progress
+        Told about simulated time.
+
+    Returns
+    -------
+    float or None
+        None if it still moves at the end of the run.
+    """
+    coarse = scene.replace({"numerics.cells": max(_FEWEST_CELLS, choose_cells(scene, effects) // 2)})
+    return settling_time(coarse, effects, build(coarse, effects), progress)
 
 
 def run_texts(effects: Effects) -> tuple[str, str]:

@@ -113,6 +113,7 @@ class Effects:
             inertia=False,
             rotary_inertia=False,
             viscous=False,
+            damped=False,
             gravity=bare.gravity,
             gravity_rate=bare.gravity_rate,
             shaking=bare.shaking,

@@ -10,6 +10,7 @@ import numpy as np
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.missed_inertia import missed_from_rest, missed_inertia
 from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.natural_frequency import solid_decay, solid_retardation
 from softcat_sym.effects.necks import neck_folds
 from softcat_sym.effects.prediction import (
     beam_share_of_surface,
@@ -82,6 +83,7 @@ def forecast(scene: Scene) -> Motion:
         overstress=overstress,
         flowing_overstress=flowing_overstress(scene, sag),
         retarded=_retarded(scene, rings, amplitude),
+        damped=_damped(scene, scale, first),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=neck_folds(scene, strain_of(scene, sag)),
         capillary=_capillary(scene, float(np.max(free.sag))),
@@ -241,12 +243,27 @@ def largest_strain(scene: Scene, rings: Ringing) -> float:
     return max(0.0, 8 / 3 * (deep**2 - start_sag(scene) ** 2)) + begins + bent
 
 
+def _damped(scene: Scene, scale: float, first: float) -> float:
+    """What the loss below yield takes from the ringing of a run, or how far it lets the sag lag at the first frame."""
+    if not scene.material.has_loss or is_slack(scene):
+        return 0.0
+    rings = ringing(scene, lossless=True)
+    lost = -math.expm1(-solid_decay(scene) * scene.run.duration)
+    return max(min(1.0, rings.lasting(first) / scale) * lost, _lag(scene, solid_retardation(scene)))
+
+
 def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:
     """What the sag of a solid lags behind, or what its ringing loses."""
     late = retardation(scene)
     if late == 0 or is_slack(scene):
         return 0.0
     lost = -math.expm1(-rings.decay * scene.run.duration) if math.isfinite(rings.frequency) else 0.0
-    times = np.linspace(0.0, scene.run.duration, min(scene.run.frames, 201))[1]
-    lag = math.exp(-min(700.0, float(times) / late)) if scene.load.ramp == 0 else min(1.0, late / scene.load.ramp)
-    return max(lag, amplitude * lost)
+    return max(_lag(scene, late), amplitude * lost)
+
+
+def _lag(scene: Scene, late: float) -> float:
+    """Share of the sag that a retardation time [s] keeps from the first frame, or from a load that comes on."""
+    if scene.load.ramp > 0:
+        return min(1.0, late / scene.load.ramp)
+    first = float(np.linspace(0.0, scene.run.duration, min(scene.run.frames, 201))[1])
+    return math.exp(-min(700.0, first / late)) if late > 0 else 0.0

@@ -35,6 +35,8 @@ class Motion:
         Mean stress of the flowing filament over the yield stress; infinite without one.
     retarded : float
         Change of the midpoint, in scales, by a solid that does not resist the rate of its strain.
+    damped : float
+        Change of the midpoint, in scales, by a solid that loses nothing below yield.
     sheared : float
         Share of the sag that shear makes, of a filament that does not flow beyond a yield stress.
     folds : float
@@ -55,6 +57,7 @@ class Motion:
     overstress: float
     flowing_overstress: float
     retarded: float
+    damped: float
     sheared: float
     folds: float
     capillary: float

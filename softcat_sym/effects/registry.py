@@ -14,6 +14,7 @@ from softcat_sym.effects.large_rotation import LARGE_ROTATION
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.shear import SHEAR
+from softcat_sym.effects.solid_damping import SOLID_DAMPING
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
 from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
@@ -37,4 +38,5 @@ REGISTRY: tuple[Effect, ...] = (
     ROTARY_INERTIA,
     GRAVITY_SHAKING,
     SURFACE_TENSION,
+    SOLID_DAMPING,
 )

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.natural_frequency import solid_decay
 from softcat_sym.effects.prediction import (
     effective_viscosity,
     first_yield_gravity_number,
@@ -58,8 +59,16 @@ class Ringing:
         return self.frequency * min(duration, 1 / self.decay if self.decay > 0 else math.inf)
 
 
-def ringing(scene: Scene) -> Ringing:
-    """Ringing that the load of a scene sets off."""
+def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
+    """Ringing that the load of a scene sets off.
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+    lossless : bool
+        Without the loss below yield (``material.loss_tangent``, ``material.solid_viscosity``).
+    """
     modulus, weight = instant_modulus(scene), weight_stress(scene) * load_factor(scene)
     if modulus is None or weight == 0 or is_slack(scene):
         return Ringing(math.inf, 0.0, 0.0)
@@ -68,7 +77,7 @@ def ringing(scene: Scene) -> Ringing:
     if deep <= 0:
         return Ringing(math.inf, 0.0, 0.0)
     frequency = math.sqrt(_FREQUENCY * scene.load.gravity / (deep * scene.filament.span))
-    decay = _decay(scene, frequency)
+    decay = _decay(scene, frequency) + (0.0 if lossless else solid_decay(scene))
     left = min(1.0, _left_by_ramp(scene, frequency, deep)) if scene.load.ramp > 0 else 1.0
     return Ringing(frequency, decay, deep * left if decay < frequency else 0.0)
 

@@ -16,6 +16,7 @@ from softcat_sym.ensemble.grouped import constants_of, is_group
 from softcat_sym.ensemble.table import SOURCE, Row, kind_of, written
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene import Scene
+from softcat_sym.scene.consistency import refuse_settled
 from softcat_sym.scene.kinds import Number, Quantity
 from softcat_sym.scene.overriding import Override, apply
 from softcat_sym.solve import Backend, choose_backend, settings_for
@@ -75,6 +76,7 @@ def members_of(scene: Scene, rows: Sequence[Row], choosing: Choosing) -> list[Me
     SceneError
         With every fault at once, and the rows that have it.
     """
+    refuse_settled(scene, "members share their output times")
     faults = _Faults()
     base = _Rows(scene)
     read = [faults.gather(number, base.scene, row) for number, row in enumerate(rows)]

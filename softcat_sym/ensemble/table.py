@@ -11,7 +11,7 @@ import numpy as np
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene import Scene
 from softcat_sym.scene.kinds import Kind, Quantity
-from softcat_sym.scene.laws import kind_of_constant
+from softcat_sym.scene.laws import OF_THE_INDEX, kind_of_constant
 from softcat_sym.scene.part import Part
 from softcat_sym.scene.units import Dimension, shown, si_unit
 
@@ -58,7 +58,7 @@ def kind_of(scene: Scene, row: Row, key: str) -> Kind | None:
     part = getattr(scene, table, None) if table in type(scene).model_fields else None
     if not isinstance(part, Part):
         return scene.kinds().get(key)
-    if table == "material" and name in ("viscosity", "shear_viscosity", "shear_consistency"):
+    if table == "material" and name in OF_THE_INDEX:
         # Its unit depends on the index, which the row may change.
         index = row.get("material.index", scene.material.index)
         law = str(row.get("material.law", scene.material.law))

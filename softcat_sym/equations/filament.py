@@ -19,7 +19,7 @@ from softcat_sym.equations.law import ELASTIC, Law
 from softcat_sym.equations.necking import NECKS, Neck
 from softcat_sym.equations.section_response import SectionResponse, Shape, respond
 from softcat_sym.equations.surface import SURFACES, Surface
-from softcat_sym.equations.symbols import g, s
+from softcat_sym.equations.symbols import eta_s, g, s
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +42,8 @@ class Terms:
         The law of the material, of which the effects pick what is in force.
     flows, yields, viscous : bool
         Whether its branches flow, whether they do so only beyond the yield stress, and whether its viscous stress acts.
+    damped : bool
+        Whether a viscous stress acts beside a law that has none of its own.
     curved : bool
         Whether the relaxed filament is curved.
     shear, rotary_inertia : bool
@@ -68,6 +70,7 @@ class Terms:
     flows: bool = False
     yields: bool = False
     viscous: bool = False
+    damped: bool = False
     curved: bool = False
     shear: bool = False
     rotary_inertia: bool = False
@@ -93,7 +96,8 @@ class Terms:
     def law_in_force(self) -> Law:
         """The law with the flow rules and the viscous stress that the effects have left."""
         branches = tuple(branch.in_force(flows=self.flows, yields=self.yields) for branch in self.law.branches)
-        return replace(self.law, branches=branches, viscosity=self.law.viscosity if self.viscous else None)
+        own = self.law.viscosity if self.viscous else None
+        return replace(self.law, branches=branches, viscosity=eta_s if self.damped and own is None else own)
 
 
 @dataclass(frozen=True, slots=True)

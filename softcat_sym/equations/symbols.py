@@ -96,6 +96,7 @@ kappa_0 = enter("kappa_0", r"\kappa_0", PER_LENGTH, "natural curvature", "2.11")
 # material
 E = enter("E", "E", STRESS, "Young's modulus", "2.8", positive=True)
 eta = enter("eta", r"\eta", VISCOSITY, "extensional (tensile) viscosity", "2.7", positive=True)
+eta_s = enter("eta_s", r"\eta_s", VISCOSITY, "tensile viscosity beside spring and flow", "Voigt 1892", positive=True)
 sigma_Y = enter("sigma_Y", r"\sigma_Y", STRESS, "tensile yield stress", "2.25", positive=True)
 rho = enter("rho", r"\rho", DENSITY, "density", "2.1", positive=True)
 

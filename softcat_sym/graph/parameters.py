@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from softcat_sym.effects.natural_frequency import solid_viscosity
 from softcat_sym.equations import symbols
 from softcat_sym.equations.bulk import nu
 from softcat_sym.equations.necking import aspect
@@ -33,6 +34,7 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("ramp", symbols.g_on, "s"),
     Parameter("youngs_modulus", symbols.E, "Pa"),
     Parameter("viscosity", symbols.eta, "Pa*s"),
+    Parameter("solid_viscosity", symbols.eta_s, "Pa*s"),
     Parameter("yield_stress", symbols.sigma_Y, "Pa"),
     Parameter("poisson", nu, "1"),
     Parameter("curvature", symbols.kappa_0, "1/m"),
@@ -77,6 +79,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         RIGHT_ANGLE: ends.right_angle,
         TIME_SCALE: time_scale(scene),
         "poisson": scene.material.poisson,
+        "solid_viscosity": solid_viscosity(scene),
         **scene.material.values(),
         **path,
     }

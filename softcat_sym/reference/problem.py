@@ -22,6 +22,9 @@ _ONLY: tuple[tuple[str, object], ...] = (
     ("ends.left_angle", 0.0),
     ("ends.right_angle", 0.0),
     ("ends.motion", ()),
+    ("material.loss_tangent", 0.0),
+    ("material.solid_viscosity", None),
+    ("run.until", "duration"),
     ("load.point_mass", 0.0),
     ("load.shake", 0.0),
     ("surroundings.surface_tension", 0.0),
@@ -106,4 +109,4 @@ def _value(scene: Scene, path: str) -> object:
 
 
 def _fault(path: str, value: object, wanted: object) -> Fault:
-    return Fault(path, f"{value!r} has no finite elements", "leaving it out" if wanted == () else f"{wanted!r}")
+    return Fault(path, f"{value!r} has no finite elements", "leaving it out" if wanted in ((), None) else f"{wanted!r}")

@@ -171,8 +171,17 @@ def _error(place: float, total: float | None, largest: float) -> str:
 
 
 def _settled(summary: Summary) -> str:
-    when = summary["settled_s"]
-    return "no: it still moves when the run ends" if when is None else f"from {time_unit(when).text(when)} on"
+    """Whether anything still moves by more than the accuracy asked when the run ends."""
+    when, rest = summary["settled_s"], summary.get("midpoint_settled_m")
+    if when is not None:
+        return f"from {time_unit(when).text(when)} on"
+    least = float(summary.get("accuracy", 0.0)) * float(summary.get("midpoint_largest_m", 0.0))
+    if rest is not None and rest["amplitude"] > least:
+        return "no: it still swings when the run ends"
+    moved = abs(float(summary.get("midpoint_last_fifth_m", 0.0)))
+    if rest is not None and moved <= least:
+        return "yes, to the accuracy asked"
+    return f"no: it moved by {length_unit(moved).text(moved)} in the last fifth of the run"
 
 
 def _estimate(estimate: Mapping[str, Any] | None) -> str:

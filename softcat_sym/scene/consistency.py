@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from softcat_sym.errors import Fault
+from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.geometry import chord_angle, distance, is_held, is_slack, rest_length
 from softcat_sym.scene.laws import SOLIDS
 from softcat_sym.scene.support_path import farthest, motion_faults
@@ -37,8 +37,21 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     checks = (
         *(_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection),
         _of_shaking,
+        _of_loss,
     )
     return [fault for check in checks for fault in check(scene)]
+
+
+def refuse_settled(scene: Scene, why: str) -> None:
+    """Refuse a run that ends when it has settled, where several answers are compared at the same times.
+
+    Raises
+    ------
+    SceneError
+        If the scene asks for that.
+    """
+    if scene.run.until == "settled":
+        raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
 
 
 def _of_ends(scene: Scene) -> Iterator[Fault]:
@@ -57,12 +70,32 @@ def _of_ends(scene: Scene) -> Iterator[Fault]:
 
 def _of_shaking(scene: Scene) -> Iterator[Fault]:
     load = scene.load
+    if load.shake > 0 and scene.run.until == "settled":
+        found = f"'settled', but load.shake is {load.shake:g}: what is shaken does not come to rest"
+        yield Fault("run.until", found, "duration")
     if load.shake > 0 and load.shake_frequency == 0:
         found = f"zero or missing, but load.shake is {load.shake:g}"
         yield Fault("load.shake_frequency", found, 'a positive frequency, such as "5 Hz", or no load.shake')
     if load.shake_frequency > 0 and load.shake == 0:
         found = f"zero or missing, but load.shake_frequency is {load.shake_frequency:g} Hz"
         yield Fault("load.shake", found, "a positive number without a unit, such as 0.3, or no load.shake_frequency")
+
+
+def _of_loss(scene: Scene) -> Iterator[Fault]:
+    """A loss below yield is a stress that only the filament of the material closure has."""
+    material, ends = scene.material, scene.ends
+    if not material.has_loss:
+        return
+    key = "loss_modulus" if material.loss_modulus else "loss_tangent" if material.loss_tangent else "solid_viscosity"
+    path, accepted = f"material.{key}", "leaving it out"
+    if scene.model == "small-deflection":
+        yield Fault(path, "given with model 'small-deflection'", f'{accepted}, or model = "filament"')
+    if scene.run.closure == "printed":
+        found = "given with run.closure = 'printed', whose section has no viscous stress beside its flow"
+        yield Fault(path, found, f'{accepted}, or run.closure = "material"')
+    if key != "solid_viscosity" and sorted((ends.left, ends.right)) == ["free", "pinned"]:
+        found = "given, but a strand that a pin alone holds has no elastic natural frequency at which it holds"
+        yield Fault(path, found, f"material.solid_viscosity, or {accepted}")
 
 
 def _of_reach(scene: Scene) -> Iterator[Fault]:

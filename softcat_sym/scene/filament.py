@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator
+from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator, model_validator
 
 from softcat_sym.scene.kinds import Choice, Numbers, Quantity, refusal
 from softcat_sym.scene.part import Part
 from softcat_sym.scene.units import shown
 
 Section = Literal["rectangle", "circle", "sheet"]
-Length = Annotated[float, Quantity("length", "6 mm")]
+_THICKNESS = Quantity("length", "6 mm")
+Length = Annotated[float, _THICKNESS]
 
 
 class Filament(Part):
@@ -24,7 +25,9 @@ class Filament(Part):
     """Horizontal distance between the supports, L."""
     rest_length: Annotated[float | None, Quantity("length", "0.21 m")] = None
     """Length of the reference configuration; the distance between the supports over initial.stretch unless given."""
-    thickness: Length
+    diameter: Annotated[float | None, Quantity("length", "6 mm")] = Field(default=None, exclude=True, repr=False)
+    """Diameter of a circle, which the section then is; instead of thickness."""
+    thickness: Length = Field(default=None, validate_default=True)
     """h0, in the plane of bending; the diameter of a circle."""
     section: Annotated[Section, Choice(("rectangle", "circle", "sheet"))] = "rectangle"
     """Shape of the cross-section."""
@@ -37,14 +40,38 @@ class Filament(Part):
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
     """Natural curvature."""
 
+    @model_validator(mode="before")
+    @classmethod
+    def _round_if_it_has_a_diameter(cls, data: Any) -> Any:
+        return {"section": "circle", **data} if isinstance(data, dict) and data.get("diameter") is not None else data
+
     @field_validator("thickness", mode="wrap")
     @classmethod
     def _thinner_than_long(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        thickness = handler(value)
+        diameter = info.data.get("diameter", math.nan)
+        if value is None and diameter is None:
+            raise refusal("missing", f"{_THICKNESS.accepted}, or filament.diameter")
+        if value is not None and diameter is not None:
+            raise refusal("given twice, here and as filament.diameter", "one of the two")
+        thickness = diameter if value is None else handler(value)
         span = info.data.get("span")
         if span is not None and thickness >= span:
-            raise refusal(f"{shown(value)} is not less than the span", f"a thickness below the span, {span:g} m")
+            found = shown(value) if diameter is None else f"the diameter, {diameter:g} m,"
+            raise refusal(f"{found} is not less than the span", f"a thickness below the span, {span:g} m")
         return thickness
+
+    @field_validator("section", mode="wrap")
+    @classmethod
+    def _round_where_it_has_a_diameter(
+        cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo
+    ) -> Any:
+        section = handler(value)
+        if section != "circle" and info.data.get("diameter") is not None:
+            raise refusal(
+                f"{shown(value)}, but filament.diameter is given",
+                "circle, or filament.thickness instead of filament.diameter",
+            )
+        return section
 
     @field_validator("width", mode="wrap")
     @classmethod
@@ -57,6 +84,11 @@ class Filament(Part):
         if info.data.get("section") == "circle" and math.isfinite(thickness) and width != thickness:
             raise refusal("a circle has no width of its own", "leaving it out; the diameter is filament.thickness")
         return width
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was given under another name, in words and numbers."""
+        return () if self.diameter is None else (f"thickness = diameter of a circle: {self.thickness:.6g} m",)
 
     def follows(self) -> dict[str, str]:
         """Name the values that only repeat another, and need not be written: ``{field: the other}``."""

@@ -42,17 +42,34 @@ SOLIDS = ("elastic", "kelvin-voigt", "standard-linear")
 _LISTS = {"modes": "multimode-maxwell", "flow": "custom", "parameters": "custom"}
 _NEEDED = ("modes", "flow")
 
+OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency", "consistency")
+"""Keys whose unit may depend on the law and its index."""
+
 _STRESS = Quantity("stress", "9.32 kPa")
 
 
 def kind_of_constant(name: str, law: str | None, index: float) -> Quantity:
     """Return how a constant is read and written: a consistency has a unit of its own."""
-    if name not in ("viscosity", "shear_viscosity", "shear_consistency"):
+    if name not in OF_THE_INDEX:
         return _STRESS
-    if name == "shear_consistency" or (name == "viscosity" and law in INDEXED):
+    if name in ("shear_consistency", "consistency") or (name == "viscosity" and law in INDEXED):
         unit = consistency_unit(index)
         return Quantity("consistency", f"120 {unit}", unit=unit)
     return Quantity("viscosity", "13.84 kPa*s")
+
+
+def check_loss(law: str | None) -> None:
+    """Refuse a loss below yield of a law that has no spring, or whose only stress beside it is a viscous one already.
+
+    Raises
+    ------
+    PydanticCustomError
+        A `refusal`.
+    """
+    why = {"newtonian": "has no spring that could ring", "kelvin-voigt": "has this viscosity as material.viscosity"}
+    if law in why:
+        others = ", ".join(other for other in CONSTANTS if other not in why)
+        raise refusal(f"given, but the law '{law}' {why[law]}", f"leaving it out, or one of the laws {others}")
 
 
 def check_against_law(name: str, law: str | None, value: object, accepted: str) -> None:

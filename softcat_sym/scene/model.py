@@ -88,6 +88,11 @@ class Scene(Part):
             raise SceneError(faults)
         return scene
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was converted from other names or data, in all tables."""
+        return tuple(note for part in (self.filament, self.material) for note in part.notes)
+
     def given(self) -> dict[str, object]:
         """Return the raw table as it was asked for, after `groups` were resolved."""
         table = super().given()

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from softcat_sym.errors import Fault
-from softcat_sym.scene.shear_data import shear_names, tensile_name
+from softcat_sym.scene.shear_data import twins
 from softcat_sym.scene.units import shown
 
 _FORM = "dotted.key=value, such as material.yield_stress=5 kPa"
@@ -75,10 +75,11 @@ def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
             here.pop(key, None)
         else:
             here[key] = override.value
-            if tables == ["material"]:
-                # The same constant given the other way: overruled, or it would be given twice.
-                for twin in (*shear_names(key), tensile_name(key)):
-                    here.pop(twin, None)
+            # The same quantity given the other way: overruled, or it would be given twice.
+            for twin in twins(override.path):
+                if here.pop(twin.partition(".")[2], None) is not None and twin == "filament.diameter":
+                    # What was round stays so.
+                    here.setdefault("section", "circle")
     return faults
 
 

@@ -26,6 +26,11 @@ class Part(BaseModel):
         """Values that make a difference to the answer, by field name; SI."""
         return {name: getattr(self, name) for name, info in type(self).model_fields.items() if not info.exclude}
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was converted from other names or data, in words and numbers."""
+        return ()
+
     def given(self) -> dict[str, object]:
         """Return the raw table as it was asked for: only what was set, so that what follows from it still follows."""
         return {

@@ -14,6 +14,7 @@ from softcat_sym.scene.faults import did_you_mean
 from softcat_sym.scene.model import LATE, Scene
 from softcat_sym.scene.overriding import Override, apply, read_overrides
 from softcat_sym.scene.resolving import determined_by_groups
+from softcat_sym.scene.shear_data import physical_path
 from softcat_sym.scene.units import shown
 
 # A scene has some kilobytes; whatever is a thousand times longer was given by mistake (a device, a result).
@@ -66,7 +67,7 @@ def _is_group(change: Override) -> bool:
 
 
 def _overrules(change: Override, determined: frozenset[str]) -> bool:
-    return change.path in determined or change.path.replace("material.shear_", "material.") in determined
+    return physical_path(change.path) in determined
 
 
 def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:

@@ -15,7 +15,7 @@ from softcat_sym.scene.filament import Filament
 from softcat_sym.scene.groups import GroupBlock
 from softcat_sym.scene.laws import CONSTANTS, GROUPED, kind_of_constant
 from softcat_sym.scene.load import Load
-from softcat_sym.scene.material import Material
+from softcat_sym.scene.material import POISSON, Material
 from softcat_sym.scene.part import kinds_of
 from softcat_sym.scene.relations import GROUND, RELATES, Relation, faults_of, solve
 from softcat_sym.scene.shear_data import FROM_SHEAR, INDEXED, power, shear_names
@@ -151,6 +151,8 @@ def _given_twice(raw: Mapping[str, Any], rest: Table) -> list[Fault]:
         table, _, name = path.partition(".")
         if key in raw and name in _section(rest, table):
             faults.append(Fault(path, f"given twice, here and as groups.{key}", "one of the two"))
+    if "delta" in raw and "diameter" in _section(rest, "filament"):
+        faults.append(Fault("filament.diameter", "given twice, here and as groups.delta", "one of the two"))
     return faults
 
 
@@ -161,6 +163,13 @@ def _index(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None) -> flo
         return float(kinds_of(Material)["index"].read(_section(rest, "material").get("index", 1.0)))
     except PydanticCustomError:
         return 1.0
+
+
+def _poisson(rest: Table) -> float:
+    try:
+        return float(kinds_of(Material)["poisson"].read(_section(rest, "material").get("poisson", POISSON)))
+    except PydanticCustomError:
+        return POISSON
 
 
 def _of_another_index(raw: Mapping[str, Any], law: str, index: float) -> list[Fault]:
@@ -187,10 +196,10 @@ def _scales(rest: Table, faults: list[Fault], index: float) -> _Scales | None:
 
 def _relations(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, at: _Scales | None) -> list[Relation]:
     """All that was said of the constants. Without numbers (a fault elsewhere) the ratios are 0: only who fixes whom."""
-    relations = []
+    relations, poisson = [], _poisson(rest)
     for name in ("youngs_modulus", "viscosity", "yield_stress"):
         index = at.index if at else 1.0
-        shear = [(one.shear, one.factor(index)) for one in FROM_SHEAR if one.constant == name]
+        shear = [(one.shear, one.factor(index, poisson)) for one in FROM_SHEAR if one.constant == name]
         for key, times in ((name, 1.0), *shear):
             if key in _section(rest, "material"):
                 value = times * _number(rest["material"][key], key, raw.get("law"), index)
@@ -199,7 +208,8 @@ def _relations(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, at
         if raw.get(key) is not None:
             ratio = _ratio(key, getattr(block, key), at) if block and at else 0.0
             relations.append(Relation(f"groups.{key}", constant, other, ratio))
-    if not any(key in raw for key in _MODULUS_GROUPS) and "youngs_modulus" not in _section(rest, "material"):
+    moduli = {"youngs_modulus", *shear_names("youngs_modulus")}
+    if not any(key in raw for key in _MODULUS_GROUPS) and not moduli & set(_section(rest, "material")):
         relations.append(Relation("groups", "youngs_modulus", GROUND, _number(PAPER_MODULUS, "youngs_modulus")))
     return relations
 

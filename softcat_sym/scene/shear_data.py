@@ -1,4 +1,4 @@
-"""Shear data: what the tensile constants of a von Mises material are when its shear ones were measured (THEORY 3)."""
+"""Other names of one quantity: shear data (THEORY 3), what a rheometer prints, and which of them exclude each other."""
 
 from __future__ import annotations
 
@@ -32,8 +32,10 @@ class Conversion:
         """Tell whether a law takes this datum."""
         return self.indexed is None or self.indexed == (law in INDEXED)
 
-    def factor(self, index: float) -> float:
+    def factor(self, index: float, poisson: float) -> float:
         """Return the tensile value over the shear one; infinite where it overflows."""
+        if self.constant == "youngs_modulus":
+            return 2 * (1 + poisson)
         if self.constant == "yield_stress":
             return math.sqrt(3.0)
         if not self.indexed:
@@ -52,13 +54,45 @@ def power(base: float, exponent: float) -> float:
 FROM_SHEAR = (
     Conversion("viscosity", "shear_viscosity", False, "times 3"),
     Conversion("viscosity", "shear_consistency", True, "times 3^((n+1)/2)"),
+    Conversion("viscosity", "consistency", True, "times 3^((n+1)/2)"),
     Conversion("yield_stress", "shear_yield_stress", None, "times sqrt(3)"),
+    Conversion("youngs_modulus", "storage_modulus", None, "times 2 (1 + poisson)"),
 )
+
+_SAME = (
+    *(
+        {constant, *(one.shear for one in FROM_SHEAR if one.constant == constant)}
+        for constant in ("youngs_modulus", "viscosity", "yield_stress")
+    ),
+    {"loss_tangent", "loss_modulus", "solid_viscosity"},
+)
+"""Keys of [material] of which a scene has one at most."""
 
 
 def shear_names(constant: str) -> tuple[str, ...]:
     """Name the shear data that a tensile constant may come from."""
     return tuple(conversion.shear for conversion in FROM_SHEAR if conversion.constant == constant)
+
+
+def physical_path(path: str) -> str:
+    """Name the key that a value given in another way stands for: ``filament.thickness`` for the diameter."""
+    table, _, key = path.partition(".")
+    if path == "filament.diameter":
+        return "filament.thickness"
+    return f"material.{tensile_name(key) or key}" if table == "material" else path
+
+
+def twins(path: str) -> tuple[str, ...]:
+    """Name the other keys that say the same as this one, by their dotted paths."""
+    table, _, key = path.partition(".")
+    if table == "filament":
+        return tuple(
+            f"filament.{other}"
+            for other in ("thickness", "diameter")
+            if key in ("thickness", "diameter") and other != key
+        )
+    groups = [same for same in _SAME if key in same] if table == "material" else []
+    return tuple(f"material.{other}" for same in groups for other in sorted(same - {key}))
 
 
 def tensile_name(shear: str) -> str:

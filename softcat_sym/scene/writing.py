@@ -6,13 +6,16 @@ import json
 from typing import TYPE_CHECKING
 
 from softcat_sym.scene.filament import Filament
-from softcat_sym.scene.load import Load
 from softcat_sym.scene.material import Material
 from softcat_sym.scene.part import Part
 from softcat_sym.scene.shear_data import INDEXED
 
 if TYPE_CHECKING:
     from softcat_sym.scene.model import Scene
+
+
+_IDLE_AT_ZERO = {"load": ("shake", "shake_frequency"), "material": ("loss_tangent",)}
+"""Keys that say nothing where they are zero."""
 
 
 def toml_of(scene: Scene, *, every_default: bool = False) -> str:
@@ -57,7 +60,7 @@ def _table_lines(part: Part, every_default: bool) -> list[str]:
             lines.append(f"# {name} = {follows[name]}")
         else:
             lines.append(f"{name} = {toml_value(kinds[name].write(value))}")
-    if isinstance(part, Material):
+    if part.table_name:
         lines += [f"# {note}" for note in part.notes]
     return lines
 
@@ -66,8 +69,10 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
     """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
     if isinstance(part, Material) and name == "index":
         return part.law not in INDEXED
-    if isinstance(part, Load) and name in ("shake", "shake_frequency"):
+    if name in _IDLE_AT_ZERO.get(part.table_name, ()):
         return value == 0
+    if part.table_name == "run" and name == "until":
+        return value == "duration"
     return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
 
 

@@ -7,6 +7,7 @@ from softcat_sym.solve.progress import Progress, Silence
 from softcat_sym.solve.run import Prepared, prepare
 from softcat_sym.solve.settings import Settings, choose_settings, compiled_settings, settings_for
 from softcat_sym.solve.solution import Solution
+from softcat_sym.solve.starting import Start
 
 __all__ = [
     "Backend",
@@ -16,6 +17,7 @@ __all__ = [
     "Settings",
     "Silence",
     "Solution",
+    "Start",
     "choose_backend",
     "choose_settings",
     "compiled_settings",

@@ -23,6 +23,7 @@ from softcat_sym.solve.settings import Settings
 from softcat_sym.solve.solution import Solution
 from softcat_sym.solve.starting import Start
 
+_BESIDE = 1e-9
 _LOOK = 0.1  # s between two looks at how far it has got
 _MOST_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs more gets nowhere
 _OUTCOMES = {
@@ -119,25 +120,58 @@ class CompiledIntegration:
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solve.integrate.Integration.run`."""
-        asked = Run(
-            parameters=np.ascontiguousarray(p),
-            places=self.filament.places,
-            state=self.filament.sites.state(start.x, start.z),
-            times=np.linspace(0.0, duration, self.frames),
-            relative=self.settings.rtol,
-            absolute=self.settings.absolute(slot.name for slot in self.filament.model.model.slots),
-            # Without inertia only flow limits the steps: where little flows the work would be left to chance.
-            work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
-            kinks=self.kinks,
-            most_steps=max(_MOST_STEPS, _STEPS_PER_FRAME * self.frames),
-        )
-        status, checkpoint = Status(), checkpoint_of(progress, lambda: self._identity(asked))
+        asked = self._asked(start, p, np.linspace(0.0, duration, self.frames))
+        checkpoint = checkpoint_of(progress, lambda: self._identity(asked))
         known = checkpoint.before if checkpoint is not None else None
         known = known or at_start(start.x, start.z)
         if known.frames == self.frames:
             return Solution(asked.times, known.x, known.z, known.quad, Outcome.solved, "", known.steps)
         state = self.filament.sites.state(known.x[:, -1], known.z[:, -1])
         run = replace(asked, state=state, times=asked.times[known.frames - 1 :])
+        return self._integrated(run, asked.times, known, scale, progress, checkpoint)
+
+    def piece(
+        self,
+        start: Start,
+        p: Floats,
+        times: tuple[float, float, float],
+        samples: int,
+        scale: float,
+        progress: Progress,
+    ) -> Solution:
+        """Integrate a part; parameters as :meth:`softcat_sym.solve.run.Prepared.piece`."""
+        begin, first, end = times
+        # Where there is nothing before the samples, the first of them lies just behind the start.
+        first = max(first, begin + _BESIDE * (end - begin))
+        every = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
+        run = self._asked(start, p, every)
+        return self._integrated(run, every, at_start(start.x, start.z), scale, progress, None)
+
+    def _asked(self, start: Start, p: Floats, times: Floats) -> Run:
+        return Run(
+            parameters=np.ascontiguousarray(p),
+            places=self.filament.places,
+            state=self.filament.sites.state(start.x, start.z),
+            times=times,
+            relative=self.settings.rtol,
+            absolute=self.settings.absolute(slot.name for slot in self.filament.model.model.slots),
+            # Without inertia only flow limits the steps: where little flows the work would be left to chance.
+            work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
+            kinks=self.kinks,
+            most_steps=max(_MOST_STEPS, _STEPS_PER_FRAME * len(times)),
+        )
+
+    def _integrated(
+        self,
+        run: Run,
+        times: Floats,
+        known: Reached,
+        scale: float,
+        progress: Progress,
+        checkpoint: Checkpoint | None,
+    ) -> Solution:
+        """Integrate, and put what comes of it behind what is known already."""
+        status = Status()
         under_way = _UnderWay(self.filament, run, self.filament.model.room(run, status), known)
         self._watched(under_way, scale, progress, checkpoint)
         c_model.refuse(status.code, self.filament.model.message(status.code))
@@ -145,7 +179,7 @@ class CompiledIntegration:
         outcome, complaint = Outcome.solved, ""
         if status.code != c_model.SOLVED:
             outcome, complaint = _OUTCOMES[status.code], self._complaint(status, scale)
-        return Solution(asked.times[: found.frames], found.x, found.z, found.quad, outcome, complaint, found.steps)
+        return Solution(times[: found.frames], found.x, found.z, found.quad, outcome, complaint, found.steps)
 
     def _identity(self, run: Run) -> Iterator[bytes]:
         """All that decides the numbers."""

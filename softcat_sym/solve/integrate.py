@@ -6,7 +6,7 @@ import contextlib
 import io
 import itertools
 from collections.abc import Callable, Iterator
-from functools import partial
+from functools import cached_property, partial
 from importlib.metadata import version
 from typing import Any
 
@@ -139,6 +139,7 @@ class Integration:
     ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
         self._external = external
+        self._samples: FrameIntegrator | None = None
         intervals = 1 if len(kinks) else max(1, -(-(frames - 1) // _chunks(graph, settings)))
         self._chunk = FrameIntegrator(graph, settings, intervals, external)
 
@@ -179,6 +180,49 @@ class Integration:
         if checkpoint is not None and solution.outcome.is_success:
             checkpoint.finish(partial(record.so_far, self._frames))
         return solution
+
+    def piece(
+        self,
+        start: Start,
+        p: Floats,
+        times: tuple[float, float, float],
+        samples: int,
+        scale: float,
+        progress: Progress,
+    ) -> Solution:
+        """Integrate a part; parameters as :meth:`softcat_sym.solve.run.Prepared.piece`."""
+        begin, first, end = times
+        record = Record(at_start(start.x, start.z))
+        inside = self._kinks[(self._kinks > begin) & (self._kinks < first)].tolist()
+        state = record.last
+        try:
+            for low, high in itertools.pairwise((begin, *inside, first)):
+                if high > low:
+                    x, z, quad, _ = self._single.advance(
+                        state, p, low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)
+                    )
+                    state = State(x[:, -1], z[:, -1], quad[:, -1])
+            record.extend(state.x[:, None], state.z[:, None], state.quad[:, None], 0)
+            record.extend(*self._sampling(samples).advance(state, p, first, (end - first) / samples))
+        except RuntimeError as error:
+            found = record.so_far(samples + 2)
+            return Solution(
+                np.full(found.frames, begin), found.x, found.z, found.quad, Outcome.no_convergence, str(error), 0
+            )
+        progress.update(end * scale, None)
+        found = record.so_far(samples + 2)
+        time = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
+        return Solution(time, found.x, found.z, found.quad, Outcome.solved, "", found.steps)
+
+    @cached_property
+    def _single(self) -> FrameIntegrator:
+        return FrameIntegrator(self._graph, self._settings, 1, self._external)
+
+    def _sampling(self, samples: int) -> FrameIntegrator:
+        """An integrator of so many samples; there is no second number of them in a run."""
+        if self._samples is None or self._samples.intervals != samples:
+            self._samples = FrameIntegrator(self._graph, self._settings, samples, self._external)
+        return self._samples
 
     def _identity(self, start: Start, p: Floats, duration: float) -> Iterator[bytes]:
         """All that decides the numbers."""

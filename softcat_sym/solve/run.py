@@ -33,6 +33,18 @@ class Integrates(Protocol):
         """Integrate."""
         ...
 
+    def piece(
+        self,
+        start: Start,
+        p: Floats,
+        times: tuple[float, float, float],
+        samples: int,
+        scale: float,
+        progress: Progress,
+    ) -> Solution:
+        """Integrate a part, as :meth:`Prepared.piece`."""
+        ...
+
 
 @dataclass(frozen=True)
 class Prepared:
@@ -74,6 +86,34 @@ class Prepared:
         if self.integration is None:
             return march(self.graph, self.start.z, self.p, self.times, self.scale, progress)
         return self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)
+
+    def piece(self, start: Start, times: tuple[float, float, float], samples: int, progress: Progress) -> Solution:
+        """Integrate from a state at one time to a later one, and on with so many even samples to a third.
+
+        Parameters
+        ----------
+        start : Start
+            State at the first time.
+        times : tuple of float
+            Begin, begin of the samples, end; in units of the time scale. The first two may be the same.
+        samples : int
+            Intervals from the second to the third.
+        progress : Progress
+            Told about simulated time.
+
+        Returns
+        -------
+        Solution
+            The start, and the samples with both ends.
+
+        Raises
+        ------
+        ValueError
+            If this is a row of equilibria.
+        """
+        if self.integration is None:
+            raise ValueError("a row of equilibria is not integrated")
+        return self.integration.piece(start, self.p, times, samples, self.scale, progress)
 
     def _nothing(self) -> Solution:
         frame = np.zeros((3, 1))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
 from collections import Counter
 from dataclasses import dataclass
@@ -11,6 +12,8 @@ from typing import Any
 from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
+from softcat_sym.effects.natural_frequency import damping_note, first_vibration
+from softcat_sym.effects.ringing import ringing
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.equations.in_force import equations_in_force
 from softcat_sym.equations.written import Stated
@@ -19,6 +22,24 @@ from softcat_sym.graph.parameters import parameter_values
 from softcat_sym.scene import Scene, groups_of
 from softcat_sym.solve import choose_backend, settings_for
 from softcat_sym.solve.assembled import assembled
+
+STEPS_PER_PERIOD = {"sudden": (170.0, 0.55), "ramp": (60.0, 0.35), "damped": (20.0, 0.35)}
+"""Steps of the compiled Rosenbrock method per period of the first mode at an accuracy of 0.01, and the power of
+0.01/accuracy with which they grow (tests/slow/test_ringing_cost.py).
+
+A load that comes on at once excites all modes, of which the accuracy needs the more the finer it is. Measured at 0.01
+and 0.001: elastic strands of 1 mm over 20 mm 253, 895 (450 kPa) and 167, 583 (45 kPa); a gel of 0.2 mm over 2 mm 119 to
+187, 390 to 630; with a ramp 60, 132 (no-yield); damped 15, 33 (rubber-strand) and 44, 73 (cooked-spaghetti).
+"""
+
+SECONDS_PER_UNKNOWN = 0.35e-6
+"""Of the processor, each step and unknown, of compiled models; 0.29 to 0.45 us were measured."""
+
+BESIDE = 3.0
+"""What a run and those beside it that estimate its error take, over the run."""
+
+LONG = 5.0
+"""Seconds from which on the advice is given what to do about it."""
 
 GROUP_MEANINGS = {
     "delta": "thickness over span, h0/L [3.9]",
@@ -138,6 +159,9 @@ class Explanation:
         How large they make the graph.
     integrator : Integrator
         How it is integrated.
+    damping, ringing : str
+        First natural frequency and the loss below yield at it, and for how long it rings and what that costs; empty
+        where there is none.
     warnings : tuple of str
         Where the theory itself ends.
     """
@@ -156,6 +180,8 @@ class Explanation:
     unknowns: tuple[Unknown, ...]
     graph: GraphSize
     integrator: Integrator
+    damping: str
+    ringing: str
     warnings: tuple[str, ...]
 
     @property
@@ -219,8 +245,35 @@ def explain(scene: Scene) -> Explanation:
         unknowns=_unknowns(graph),
         graph=_size(scene, graph),
         integrator=_integrator(scene, effects),
+        damping=damping_note(scene),
+        ringing=_ringing(scene, effects, graph),
         warnings=theory_limits(scene, regime),
     )
+
+
+def _ringing(scene: Scene, effects: Effects, graph: Graph) -> str:
+    """For how many periods of the first mode the filament rings, and the seconds of the processor that takes.
+
+    Right to a factor of two or so where it is compiled; see :data:`STEPS_PER_PERIOD`.
+    """
+    vibration, rings = first_vibration(scene), ringing(scene)
+    if (
+        vibration is None
+        or "inertia" not in effects.names
+        or rings.amplitude < scene.run.accuracy * expected_sag(scene)
+    ):
+        return ""
+    frequency = vibration.frequency / (2 * math.pi)
+    damped = rings.decay > 0
+    lasts = min(scene.run.duration, -math.log(scene.run.accuracy) / rings.decay if damped else math.inf)
+    at_first, power = STEPS_PER_PERIOD["damped" if damped else "ramp" if scene.load.ramp > 0 else "sudden"]
+    steps = frequency * lasts * at_first * (0.01 / scene.run.accuracy) ** power
+    runs = BESIDE if scene.numerics.estimate else 1.0
+    seconds = steps * (graph.x.numel() + graph.z.numel()) * SECONDS_PER_UNKNOWN * runs
+    text = (
+        f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {seconds:.1g} s of the processor"
+    )
+    return text if damped or seconds < LONG else f"{text}; set load.ramp or material.loss_tangent"
 
 
 def _groups(scene: Scene) -> tuple[Group, ...]:

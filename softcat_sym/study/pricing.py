@@ -11,6 +11,7 @@ import numpy as np
 
 from softcat_sym.effects import REGISTRY, Decision, Estimate, choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.scene.consistency import refuse_settled
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solve import Progress, Silence
 from softcat_sym.study.base_run import base_run, on_grid
@@ -180,6 +181,7 @@ def price_effects(
     KeyboardInterrupt
         On Ctrl-C.
     """
+    refuse_settled(scene, "variants are compared frame by frame")
     known = [effect.name for effect in REGISTRY]
     wanted = known if only is None else only
     if unknown := [one for one in wanted if one not in known]:

@@ -53,7 +53,9 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
         return "no-yield" if limit is not None and float(np.max(stress)) < limit else "elastic"
     if "yielding" not in effects.names:
         return "viscous"
-    if not np.any(fields["yielded_fraction"] > 0) and not np.any(fields["energy_dissipated"] > 0):
+    # What has yielded between two frames has dissipated; but so has a loss below yield.
+    lost = np.any(fields["energy_dissipated"] > 0) and "solid-damping" not in effects.names
+    if not np.any(fields["yielded_fraction"] > 0) and not lost:
         return "no-yield"
     if not is_arrested(scene, fields["plastic_rate"]):
         return "descending"

@@ -10,6 +10,7 @@ import numpy as np
 from softcat_sym.effects import Effects
 from softcat_sym.effects.forecast import flowing_overstress, forecast, missed_by, tension_share
 from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.natural_frequency import solid_decay
 from softcat_sym.effects.prediction import (
     effective_viscosity_at,
     pull_of_surface,
@@ -61,7 +62,7 @@ def seen(
         slope=_slope(fields),
         tension_share=shared,
         swings=_swings(midpoint),
-        relaxed=max(forecast(scene).relaxed, _relaxed(fields)),
+        relaxed=max(forecast(scene).relaxed, _relaxed(effects, fields)),
         overstress=_overstress(scene, fields),
         flowing_overstress=flowing_overstress(scene, sag),
         sheared=max(sheared_share(scene, sag, shared), _compliance(scene, effects, time, fields, length) / sag),
@@ -80,15 +81,20 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: F
         # Below the yield stress nothing flows, whatever was foreseen.
         shown = replace(shown, relaxed=1 - 1 / max(1.0, shown.overstress))
     if "viscous-stress" not in names and retardation(scene):
-        rings = ringing(scene)
-        lost = -np.expm1(-rings.decay * scene.run.duration)
-        swing = shown.swings / max(1.0, rings.frequency * scene.run.duration)
-        shown = replace(shown, retarded=max(shown.retarded, float(swing * lost)))
+        shown = replace(shown, retarded=max(shown.retarded, _lost(scene, shown.swings, ringing(scene).decay)))
+    if "solid-damping" not in names and scene.material.has_loss:
+        shown = replace(shown, damped=max(shown.damped, _lost(scene, shown.swings, solid_decay(scene))))
     if "gravity-ramp" not in names and scene.load.ramp > 0:
         moved = np.abs(midpoint - midpoint[0] * is_slack(scene))
         risen = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), _LEAST)
         shown = replace(shown, risen=risen)
     return shown
+
+
+def _lost(scene: Scene, swings: float, decay: float) -> float:
+    """What a decay [1/s] would have taken from the swings that a run without it shows."""
+    swing = swings / max(1.0, ringing(scene, lossless=True).frequency * scene.run.duration)
+    return float(-swing * np.expm1(-decay * scene.run.duration))
 
 
 def _midpoint(scene: Scene, fields: Mapping[str, Floats]) -> tuple[Floats, Floats]:
@@ -113,8 +119,10 @@ def _swings(midpoint: Floats) -> float:
     return np.pi / 2 * max(0.0, travelled) / largest
 
 
-def _relaxed(fields: Mapping[str, Floats]) -> float:
-    """What flow has dissipated, of that and the most that was stored."""
+def _relaxed(effects: Effects, fields: Mapping[str, Floats]) -> float:
+    """What flow has dissipated, of that and the most that was stored; unknown where a solid dissipates too."""
+    if "solid-damping" in effects.names:
+        return 0.0
     lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
     return lost / (lost + stored) if lost > 0 else 0.0
 

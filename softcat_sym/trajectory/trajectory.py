@@ -11,15 +11,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from softcat_sym.effects import Effects
+from softcat_sym.effects.natural_frequency import damping_note
 from softcat_sym.effects.ringing import ringing
 from softcat_sym.scene import Scene, rest_length
-from softcat_sym.solve import Outcome, Prepared, Solution
+from softcat_sym.solve import Outcome, Prepared, Silence, Solution
 from softcat_sym.trajectory.checking import measures, overlooked, spared
 from softcat_sym.trajectory.energy import energy_residual
 from softcat_sym.trajectory.fields import least_energy, node_positions, whole_span_fields
 from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.rupture import rupture_frame
 from softcat_sym.trajectory.seen import seen
+from softcat_sym.trajectory.settling import ringing_at_last
 from softcat_sym.trajectory.swing import frames_a_period, too_few_frames
 from softcat_sym.trajectory.validity import warnings_of
 from softcat_sym.trajectory.verdict import verdict
@@ -68,6 +70,11 @@ class Trajectory:
             changed |= {"complaint": complaint, "regime": None}
         self.data.attrs["outcome"] = outcome.name
         return replace(self, summary=self.summary | changed, outcome=outcome)
+
+    def settled(self, scene: Scene, time: float | None) -> Trajectory:
+        """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
+        self.data.attrs["scene"] = scene.to_toml()
+        return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
 
     def estimated(self, told: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Trajectory:
         """The same run with what its companions tell about its error.
@@ -138,6 +145,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         *warnings_of(scene, effects, motion.capillary, places[0], fields, carried),
         *(too_few_frames(time, per_period) if outcome.is_success else []),
     ]
+    rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
     summary = {
         "title": scene.title,
         "outcome": outcome.name,
@@ -148,8 +156,12 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "accuracy": scene.run.accuracy,
         "midpoint_final_m": float(midpoint[-1]),
         "midpoint_largest_m": float(np.max(np.abs(midpoint))),
-        "time_final_s": float(time[-1]),
+        "midpoint_last_fifth_m": float(midpoint[-1] - np.interp(0.8 * time[-1], time, midpoint)),
         "frames_a_period": per_period,
+        "midpoint_settled_m": rings,
+        "midpoint_settled_why": why,
+        "time_final_s": float(time[-1]),
+        "settled_s": None,
         "error_estimate": None,
         "resolution": None,
         "refinements": [],
@@ -160,7 +172,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "repeats": [],
         "closure": scene.run.closure,
         **_numerics(prepared, solution),
-        "converted": list(scene.material.notes),
+        "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
         "warnings": [*warnings, *spared(scene, effects, measured)],
         "wall_s": wall,
     }

@@ -37,7 +37,10 @@ ALL = (
     "gravity-ramp",
 )
 """The published list."""
-BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking", "surface-tension")
+BEYOND = (
+    *("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking"),
+    *("surface-tension", "solid-damping"),
+)
 
 
 @cache
@@ -73,6 +76,7 @@ def test_one_that_does_not_always_apply_says_why(effect: object) -> None:
     laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
     scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
     scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
+    scenes.append(scenes[0].replace({"material.loss_tangent": 0.1}))
     scenes.append(scenes[0].replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
     scenes.append(scenes[0].replace({"surroundings.surface_tension": "20 mN/m"}))
     applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
@@ -123,10 +127,11 @@ def test_contributing_twice_is_contributing_once(effect: object) -> None:
         (("gravity-shaking",), "shake"),
         (("gravity-shaking",), "shake_frequency"),
         (("surface-tension",), "surface_tension"),
+        (("solid-damping",), "solid_viscosity"),
     ],
 )
 def test_an_absent_effect_leaves_no_parameter(absent: tuple[str, ...], parameter: str) -> None:
-    everything = (*ALL, *({*BEYOND} & {*absent}))
+    everything = (*ALL, *(set(BEYOND) & {*absent}))
     assert parameter in graph_of(everything).parameters
     assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
 
@@ -289,6 +294,7 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
         "viscous-stress",
         "gravity-shaking",
         "surface-tension",
+        "solid-damping",
     }
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 

@@ -113,7 +113,7 @@ def test_a_constant_too_many_is_one_fault(law: str) -> None:
         ({"index": -0.4}, "index", "-0.4 is out of range"),
         ({"index": "0.4"}, "index", "'0.4' is not a number"),
         ({"viscosity": None, "shear_viscosity": "1 Pa*s"}, "shear_viscosity", "accepted: shear_consistency"),
-        ({"shear_consistency": "1 Pa*s^0.4"}, "viscosity", "given twice, here and as shear_consistency"),
+        ({"shear_consistency": "1 Pa*s^0.4"}, "viscosity", "given twice, here and as material.shear_consistency"),
         ({"viscosity": None, "shear_consistency": "1 Pa*s"}, "shear_consistency", "not a consistency in Pa*s^0.4"),
     ],
 )

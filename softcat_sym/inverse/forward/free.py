@@ -15,6 +15,7 @@ from pydantic_core import PydanticCustomError
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.inverse.forward.free_candidates import INITIAL_SAG, TIME_OFFSET, Candidate, candidates, why_not_free
 from softcat_sym.scene import Scene
+from softcat_sym.scene.consistency import refuse_settled
 
 __all__ = ["INITIAL_SAG", "TIME_OFFSET", "FreeParameter", "free_parameters"]
 
@@ -121,6 +122,7 @@ def free_parameters(scene: Scene, names: Sequence[str], bounds: Bounds | None = 
     SceneError
         With every name that is unknown, given twice, or no number of this scene, and every bound that makes no sense.
     """
+    refuse_settled(scene, "the filament is compared at the times of its measurements")
     found, faults = _found(scene, names)
     chosen, wrong = _with_bounds([_free(candidate) for candidate in found], found, bounds or {})
     if faults or wrong:

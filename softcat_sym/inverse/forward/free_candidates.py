@@ -122,8 +122,10 @@ def _of_material(scene: Scene) -> Iterator[Candidate]:
         for rule in FROM_SHEAR:
             if rule.constant == name and rule.suits(material.law):
                 shear = getattr(material, rule.shear)
-                begins = value / rule.factor(material.index) if shear is None else shear
+                begins = value / rule.factor(material.index, material.poisson) if shear is None else shear
                 yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
+    if material.solid_viscosity is not None:
+        yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
     if material.law in INDEXED:
         yield _positive("material.index", "", material.index, _INDEX)
     poisson = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)

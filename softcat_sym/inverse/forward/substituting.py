@@ -49,13 +49,13 @@ def _filament(filament: Filament, changes: dict[str, float]) -> Filament:
     follows = filament.section == "circle" or "width" not in filament.model_fields_set
     if "thickness" not in changes or "width" in changes or not follows:
         return filament.model_copy(update=changes)
-    return _copied(filament, changes, {"width": changes["thickness"]})
+    return _copied(filament, changes, {"width": changes["thickness"], "diameter": None})
 
 
 def _material(material: Material, changes: dict[str, float]) -> Material:
     given: dict[str, object] = {}
     follows: dict[str, object] = {}
-    index = changes.get("index", material.index)
+    index, poisson = changes.get("index", material.index), changes.get("poisson", material.poisson)
     for rule in FROM_SHEAR:
         if not rule.suits(material.law):
             continue
@@ -65,7 +65,7 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
             continue
         shear = changes.get(rule.shear, getattr(material, rule.shear))
         if shear is not None:
-            follows[rule.constant] = rule.factor(index) * shear
+            follows[rule.constant] = rule.factor(index, poisson) * shear
     modes, parameters = list(material.modes), {one.name: one for one in material.parameters}
     for key, value in changes.items():
         if key.startswith("mode_"):

@@ -74,7 +74,7 @@ def card(
     longest, why = _longest_span(scene, limit, told, given=sag is not None) if span else (None, "not sought")
     certificate = None if descent is None else certificate_of(run, descent)
     rules = _rules(run, told) if descent is not None else ()
-    notes = (*notes, *scene.material.notes)
+    notes = (*notes, *scene.notes)
     return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, notes)
 
 

@@ -16,6 +16,7 @@ from softcat_sym.ensemble.table import is_number, kind_of
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene import Scene
 from softcat_sym.scene.kinds import Quantity, Whole
+from softcat_sym.scene.laws import OF_THE_INDEX
 from softcat_sym.scene.overriding import read_overrides
 from softcat_sym.scene.units import NotAQuantity, shown, to_si
 
@@ -26,9 +27,6 @@ _SPACED = "two ends and at least 2 values, a:b:n or a:b:n:log; positive ends for
 _SCALES = ("lin", "log")
 _MOST = 10_000_000
 _UNIT = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$")
-
-_OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency")
-"""Constants whose unit depends on the index of the law."""
 
 _TOLD = 10
 
@@ -116,7 +114,7 @@ def refuse_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
         With every such text.
     """
     if {"material.index", "material.law"} & {axis.key for axis in axes}:
-        axes = [axis for axis in axes if axis.key.rpartition(".")[2] not in _OF_THE_INDEX]
+        axes = [axis for axis in axes if axis.key.rpartition(".")[2] not in OF_THE_INDEX]
     faults = []
     for axis in axes:
         kind = kind_of(scene, {}, axis.key)
