@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -38,7 +39,18 @@ SetOption = Annotated[
         autocompletion=complete_change,
     ),
 ]
-OutputOption = Annotated[Path, typer.Option("--output", "-o", metavar="DIR", help="Where the files go.")]
+
+
+def directory(text: str) -> Path:
+    """Read the name of a folder; an empty one, as of a variable that is not set, does not mean this folder."""
+    if not text.strip():
+        raise typer.BadParameter("an empty name is no folder; accepted: the folder of the files, . for this one")
+    return Path(text)
+
+
+OutputOption = Annotated[
+    Path, typer.Option("--output", "-o", metavar="DIR", help="Where the files go.", parser=directory)
+]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
 
 
@@ -88,4 +100,5 @@ def check_directory(directory: Path) -> None:
 
 def complain(text: str) -> None:
     """Say what is wrong, where errors go."""
-    typer.echo(f"softcat: {text}", err=True)
+    with contextlib.suppress(BrokenPipeError):  # nobody reads them: the exit status tells
+        typer.echo(f"softcat: {text}", err=True)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import QuietOption, SceneArgument, SetOption, app, check_directory, scene_of
+from softcat_sym.cli.application import QuietOption, SceneArgument, SetOption, app, check_directory, directory, scene_of
 
 
 @app.command()
@@ -15,7 +15,9 @@ def explain(
     scene: SceneArgument,
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", metavar="DIR", help="Write explain.json, equations.tex, scene.toml."),
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Write explain.json, equations.tex, scene.toml.", parser=directory
+        ),
     ] = None,
     changes: SetOption = None,
     quiet: QuietOption = False,

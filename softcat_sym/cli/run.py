@@ -73,13 +73,13 @@ def run(
     from softcat_sym.files import made, written_together
     from softcat_sym.report.progress import IntegrationProgress
     from softcat_sym.report.run_files import write_run
-    from softcat_sym.simulate import simulate
+    from softcat_sym.simulate import simulated
     from softcat_sym.solve.checkpoint import Resumable
 
     try:
         with without_dask():
             with IntegrationProgress(asked.run.duration, asked.title or "integrating", quiet=quiet) as progress:
-                trajectory = simulate(asked, Resumable(progress, checkpoints))
+                trajectory = simulated(asked, Resumable(progress, checkpoints))
             with made(output), written_together():
                 written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:

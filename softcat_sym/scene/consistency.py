@@ -36,7 +36,7 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     """
     checks = (
         *(_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection),
-        _of_shaking,
+        *(_of_shaking, _of_section),
     )
     return [fault for check in checks for fault in check(scene)]
 
@@ -53,6 +53,13 @@ def _of_ends(scene: Scene) -> Iterator[Fault]:
         yield Fault("ends.drop", "given, but one end is free", "leaving it out, or two ends that are held")
     if ends.motion and ends.right == "free":
         yield Fault("ends.motion", "given, but the right end is free", "leaving it out, or a right end that is held")
+
+
+def _of_section(scene: Scene) -> Iterator[Fault]:
+    numerics = scene.numerics
+    if numerics.order is not None and numerics.fibres is not None:
+        found = f"{numerics.order}, but numerics.fibres is {numerics.fibres}: polynomials stand in the place of fibres"
+        yield Fault("numerics.order", found, "one of the two")
 
 
 def _of_shaking(scene: Scene) -> Iterator[Fault]:

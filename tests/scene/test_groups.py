@@ -205,7 +205,7 @@ BAD: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
     ({"groups.time_unit": "s"}, [("groups.time_unit", "accepted: gravity, elastic")]),
     ({"groups.Gee": 1}, [("groups.Gee", "unknown key")]),
     ({"groups": 3}, [("groups", "3 is not a table")]),
-    ({"groups.V": 1e-320, "groups.tau": 1e10}, [("groups", "no finite")]),
+    ({"groups.V": 1e-320, "groups.tau": 1e10}, [("groups", "beyond 1e-30 to 1e+30 in SI units")]),
     ({"filament.thickness": "6 mm"}, [("filament.thickness", "given twice, here and as groups.delta")]),
     ({"material.law": "bingham"}, [("material.law", "given twice, here and as groups.law")]),
     ({"run.duration": "2 s"}, [("run.duration", "given twice, here and as groups.duration")]),
