@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia
- * Digest of the structure: 035b7bf5dca9aac38b03ac47592e31134d2c1f5b218275a9f81490e53e6e2381
+ * Digest of the structure: 69953f0e93edfd2a80d8aa9a67b7888bef9682032b2d94a0bcc06705054de98d
  */
 #include "filament.h"
 
@@ -15,9 +15,6 @@
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

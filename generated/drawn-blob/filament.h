@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia
- * Digest of the structure: 035b7bf5dca9aac38b03ac47592e31134d2c1f5b218275a9f81490e53e6e2381
+ * Digest of the structure: 69953f0e93edfd2a80d8aa9a67b7888bef9682032b2d94a0bcc06705054de98d
  */
 
 #ifndef SOFTCAT_FILAMENT_H

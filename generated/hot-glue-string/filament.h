@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear
- * Digest of the structure: 5e8b6746f0eb89c69fab438db6c94ca16b58bda7c29472bbda823085cf93cfc0
+ * Digest of the structure: c3d456a3f23bffc7015fc717bba5051b0146435335b91224ab746006ad6c0529
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, fibres, rotary-inertia
- * Digest of the structure: 8518f157fa4049ad25063ba076dd3a696a80d41f9f116be351b0c2e47df2eb32
+ * Digest of the structure: 2e2e00943757a2469191197184d9f2f539ff688424157deed901d5b5dbb1116e
  */
 #include "filament.h"
 
@@ -13,11 +13,7 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

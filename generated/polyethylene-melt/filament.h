@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear
- * Digest of the structure: 7a2b507597566243e999df57397d4d624388719347902d852d29a66378d146c0
+ * Digest of the structure: 00e15ba1727a63f838262c2898dfc20fcdc9787198df866da3531d0d3f729de0
  */
 
 #ifndef SOFTCAT_FILAMENT_H

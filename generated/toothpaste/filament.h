@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 106146f39e781370ef4d975b013d32e0997a964e5c85b52a746532b22dad4ef4
+ * Digest of the structure: ac5c4162ef3c470f9073ee28bcf5dfd3dc8900d727cab0418f5dd5fb847541be
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from softcat_sym.scene.model import Scene
 
 _ROUNDING = 1e-12
+# Beyond, the two supports are one point.
+_LONGEST = 1000
 _ANGLE_ROUNDING = 1e-9
 # The small-deflection model has laws of one plastic stretch; a law that yields is refused where effects are chosen.
 _SMALL_LAWS = ("elastic", "maxwell")
@@ -96,6 +98,10 @@ def _of_reach(scene: Scene) -> Iterator[Fault]:
 def _of_slack(scene: Scene) -> Iterator[Fault]:
     if not is_slack(scene):
         return
+    if rest_length(scene) > _LONGEST * distance(scene):
+        times = rest_length(scene) / distance(scene)
+        found = f"{rest_length(scene):.4g} m, {times:.4g} times the distance of the supports"
+        yield Fault("filament.rest_length", found, f"at most {_LONGEST} times, {_LONGEST * distance(scene):.4g} m")
     slack = f"the filament is slack ({rest_length(scene):.4g} m over {distance(scene):.4g} m)"
     if scene.material.law == "newtonian":
         yield Fault("material.law", f"'newtonian', but {slack}: a fluid has no shape to start from", "maxwell")

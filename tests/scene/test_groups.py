@@ -206,6 +206,8 @@ BAD: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
     ({"groups.Gee": 1}, [("groups.Gee", "unknown key")]),
     ({"groups": 3}, [("groups", "3 is not a table")]),
     ({"groups.V": 1e-320, "groups.tau": 1e10}, [("groups", "beyond 1e-30 to 1e+30 in SI units")]),
+    ({"groups.delta": 1e-300}, [("groups", "thickness 2e-301, beyond")]),
+    ({"groups.G": 1e300}, [("groups", "yield_stress 3.7278e-297, beyond")]),
     ({"filament.thickness": "6 mm"}, [("filament.thickness", "given twice, here and as groups.delta")]),
     ({"material.law": "bingham"}, [("material.law", "given twice, here and as groups.law")]),
     ({"run.duration": "2 s"}, [("run.duration", "given twice, here and as groups.duration")]),
