@@ -45,3 +45,7 @@ class SceneError(SoftcatError):
 
 class PrintingError(SoftcatError):
     """An expression holds a function or symbol that the CasADi printer does not know: extend its whitelist, or bind."""
+
+
+class SoftcatWarning(UserWarning):
+    """What speaks against the answer of a run that :func:`softcat_sym.simulate` returned; see it before you use it."""

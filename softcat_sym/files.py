@@ -1,10 +1,12 @@
-"""Writing files whole or not at all, one by one or all together."""
+"""Writing files whole or not at all, one by one or all together; and reading what a user names without end."""
 
 from __future__ import annotations
 
 import errno
 import os
 import secrets
+import select
+import stat
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
@@ -12,6 +14,29 @@ from pathlib import Path
 
 _waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", default=None)
 """Files that are written but not in their place yet, and their places; None where each goes there at once."""
+
+_PATIENCE = 5.0  # s, for whoever writes into a pipe to begin
+
+
+def read_at_most(path: str | os.PathLike[str], size: int) -> bytes:
+    """Read the first `size` bytes of a file, or of a pipe such as a shell's ``<(command)``.
+
+    Raises
+    ------
+    OSError
+        If it cannot be read, or is a pipe into which nobody writes.
+    """
+
+    def opener(name: str, flags: int) -> int:
+        # Otherwise opening a pipe waits for a writer, for ever.
+        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
+
+    with open(path, "rb", opener=opener) as file:
+        if stat.S_ISFIFO(os.fstat(file.fileno()).st_mode) and hasattr(os, "set_blocking"):
+            if not select.select([file], [], [], _PATIENCE)[0]:
+                raise OSError(errno.ETIMEDOUT, f"a pipe into which nobody has written for {_PATIENCE:.0f} s")
+            os.set_blocking(file.fileno(), True)
+        return file.read(size)
 
 
 def replace_atomically(path: Path, content: bytes) -> Path:

@@ -10,18 +10,18 @@ if TYPE_CHECKING:
     from softcat_sym.codegen.description import Description
     from softcat_sym.graph import Graph
     from softcat_sym.graph.grid import Floats
-    from softcat_sym.scene import Scene
+    from softcat_sym.scene import Scene, SceneLike
     from softcat_sym.solve.assembled import Assembled
 
 COMMAND = "softcat generate scene.toml -o ."
 
 
-def generate(scene: Scene, directory: str | Path, rhs: bool = False, name: str = "filament") -> list[Path]:
+def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: str = "filament") -> list[Path]:
     """Write the solver of a scene as C99 that needs no Python: to build, to call, or to run with other parameters.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str, path or dict
         What is asked. Its law, section, kinds of ends and effects become C text; its numbers are what the program
         starts from, and can be changed without writing it again.
     directory : str or pathlib.Path
@@ -48,8 +48,9 @@ def generate(scene: Scene, directory: str | Path, rhs: bool = False, name: str =
     """
     from softcat_sym.codegen.export import check_name
     from softcat_sym.files import write_all
+    from softcat_sym.scene import as_scene
 
-    contents = contents_of(scene, check_name(name), rhs=rhs)
+    contents = contents_of(as_scene(scene), check_name(name), rhs=rhs)
     return write_all(directory, {file: text.encode() for file, text in contents.items()})
 
 

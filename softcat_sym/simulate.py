@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from softcat_sym.scene import Scene
+    from softcat_sym.scene import Scene, SceneLike
     from softcat_sym.solve import Progress
     from softcat_sym.trajectory import Trajectory
 
 _REPEATS = 2
 
 
-def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
+def simulate(scene: SceneLike, progress: Progress | None = None) -> Trajectory:
     """Run a filament.
 
     Where the program chooses the effects, the finished run is asked whether what was left out mattered; if it did, the
@@ -21,8 +22,8 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
 
     Parameters
     ----------
-    scene : Scene
-        What is asked, from :func:`softcat_sym.load_scene` or ``Scene.model_validate``.
+    scene : Scene, str, path or dict
+        What is asked: a scene, the name of a bundled one, the path of a TOML file, or a table as it would hold.
     progress : Progress, optional
         Told which stage begins, and the simulated time while an integration runs.
 
@@ -38,6 +39,30 @@ def simulate(scene: Scene, progress: Progress | None = None) -> Trajectory:
         If the scene names effects that it cannot have.
     KeyboardInterrupt
         If the user stops it, wherever in CasADi that happens.
+
+    Warns
+    -----
+    SoftcatWarning
+        Of what speaks against the answer, as ``.summary["warnings"]`` has it.
+    """
+    from softcat_sym.errors import SoftcatWarning
+    from softcat_sym.scene import as_scene
+
+    run = simulated(as_scene(scene), progress)
+    for text in run.summary["warnings"]:
+        warnings.warn(text, SoftcatWarning, stacklevel=2)
+    return run
+
+
+def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
+    """Run a filament as :func:`simulate` does; its warnings are in the summary only, for whoever tells them otherwise.
+
+    Raises
+    ------
+    SceneError
+        If the scene names effects that it cannot have.
+    KeyboardInterrupt
+        If the user stops it.
     """
     # Imported here, so that `import softcat_sym` stays light.
     from softcat_sym.solve import Silence, watched

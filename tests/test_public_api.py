@@ -5,6 +5,9 @@ from __future__ import annotations
 import inspect
 import subprocess
 import sys
+import tomllib
+from importlib.metadata import version
+from pathlib import Path
 
 import pytest
 
@@ -101,3 +104,37 @@ def test_a_scene_is_explained_and_run_without_matplotlib() -> None:
         "assert 'matplotlib' not in sys.modules\n"
     )
     in_a_new_python(code)
+
+
+TINY = ["numerics.cells=4", "run.frames=2", "run.duration=1 ms", "numerics.estimate=false"]
+
+
+def test_a_scene_is_given_by_path_table_or_itself_and_a_run_read_again(tmp_path: Path) -> None:
+    scene = sc.load_scene("cold-honey", TINY)
+    path = tmp_path / "mine.toml"
+    path.write_text(scene.to_toml())
+    runs = [sc.simulate(given) for given in (scene, path, str(path), tomllib.loads(path.read_text()))]
+    assert all(run.data.identical(runs[0].data.assign_attrs(run.data.attrs)) for run in runs)
+    assert sc.explain("cold-honey").title == sc.explain(sc.load_scene("cold-honey")).title
+    with pytest.raises(SceneError, match="is not a table"):
+        sc.simulate(3)  # type: ignore[arg-type]
+    assert len(repr(runs[0]).splitlines()) == 5 and len(repr(runs[0])) < 500
+    runs[0].save(tmp_path / "out")
+    again = sc.open_run(tmp_path / "out")
+    assert (again.summary, again.scene, again.outcome) == (runs[0].summary, scene, runs[0].outcome)
+    with pytest.raises(SoftcatError, match="no such file; accepted: a trajectory"):
+        sc.open_run(tmp_path)
+
+
+def test_the_version_is_told() -> None:
+    assert sc.__version__ == version("softcat_sym")
+
+
+def test_warnings_of_a_run_are_pythons_too_once_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    run = sc.simulate(sc.load_scene("cold-honey", TINY))
+    run.summary["warnings"] = ["one thing", "another"]
+    monkeypatch.setattr(sys.modules["softcat_sym.simulate"], "simulated", lambda *_: run)
+    with pytest.warns(sc.SoftcatWarning) as caught:
+        sc.simulate("cold-honey")
+    assert [str(one.message) for one in caught] == ["one thing", "another"]
+    assert {one.filename for one in caught} == {__file__}

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation, shear,
  *     rotary-inertia, solid-damping
- * Digest of the structure: 9742a77c0ad60e80df28ea41b09245d95de9c9437542c6840591b34527110006
+ * Digest of the structure: 2c2f5562ee1618baca1dbce58f433ef61f77e1422098a42127f9c069e91a3e2e
  */
 #include "filament.h"
 
@@ -13,11 +13,6 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)
@@ -1196,8 +1191,8 @@ const softcat_structure softcat_filament_structure = {
     .thickness = 0,
     .thickness_count = 0,
     .grading = 3.0,
-    .relative = 1.2e-05,
-    .absolute = 1.2000000000000002e-07,
+    .relative = 0.00012,
+    .absolute = 1.2000000000000002e-06,
     .duration = 4.0,
     .cells = 40,
     .frames = 201,

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation, shear,
  *     rotary-inertia, solid-damping
- * Digest of the structure: 9742a77c0ad60e80df28ea41b09245d95de9c9437542c6840591b34527110006
+ * Digest of the structure: 2c2f5562ee1618baca1dbce58f433ef61f77e1422098a42127f9c069e91a3e2e
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -44,8 +44,8 @@ enum {
 /* How the scene is run: cells a half span, longest over shortest cell, tolerances, [s], times. */
 #define SOFTCAT_SCENE_CELLS 40
 #define SOFTCAT_SCENE_GRADING 3.0
-#define SOFTCAT_SCENE_RELATIVE 1.2e-05
-#define SOFTCAT_SCENE_ABSOLUTE 1.2000000000000002e-07
+#define SOFTCAT_SCENE_RELATIVE 0.00012
+#define SOFTCAT_SCENE_ABSOLUTE 1.2000000000000002e-06
 #define SOFTCAT_SCENE_DURATION 4.0
 #define SOFTCAT_SCENE_FRAMES 201
 

@@ -4,7 +4,7 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: bending, extensibility, finite-stretch, thinning, large-rotation, viscous-stress, shear
- * Digest of the structure: 8b2aae2e180531c0c611a4f3f819ed23237fe336cf2fe1c475c3c2acf719836a
+ * Digest of the structure: a2e5921fe537224c9d86ef1ea80e99fe0597bfa0a8a598191ed385c139e738e0
  */
 #include "filament.h"
 
@@ -12,11 +12,6 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

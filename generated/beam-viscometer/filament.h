@@ -4,7 +4,7 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: bending, extensibility, finite-stretch, thinning, large-rotation, viscous-stress, shear
- * Digest of the structure: 8b2aae2e180531c0c611a4f3f819ed23237fe336cf2fe1c475c3c2acf719836a
+ * Digest of the structure: a2e5921fe537224c9d86ef1ea80e99fe0597bfa0a8a598191ed385c139e738e0
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
- * Digest of the structure: 42b0163864a28e320a4a9763b7cf3720da69a4c6e807c48330adf68a1f23898c
+ * Digest of the structure: 70445904177d82fb3f1951cc3c44dd10d8bdcc2076d48de7b663973aa051bbf2
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia
- * Digest of the structure: cbbec958c031a710cada79fab7e0fd213ff370a376b1dde35c63fa0ed5eb8ec7
+ * Digest of the structure: 37eb8719c808f2f67b6b3dc9934f96271327a470142c8459d6fbeafa452a6561
  */
 #include "filament.h"
 
@@ -13,11 +13,6 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia, surface-tension
- * Digest of the structure: 3d07b13d22a0b77fc97a533e647a6c3bbe9c87ee225737ba1f89971bed104a6b
+ * Digest of the structure: 343788a79e5deaff189b1f599b4bf98a5c5762da7f8b213854cfd5f71a62f2a9
  */
 
 #ifndef SOFTCAT_FILAMENT_H

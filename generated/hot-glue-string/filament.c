@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, surface-tension
- * Digest of the structure: 53cac4ac242278b5a858ddaae42ea0e9f31b0297a54494ad8cfa5e6dca5ae14b
+ * Digest of the structure: 7dafb472a6989bdd7e8bcf801279da68ef2c05c702b55d24fe0f729281a8ea29
  */
 #include "filament.h"
 
@@ -13,11 +13,7 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

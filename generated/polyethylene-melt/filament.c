@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, surface-tension
- * Digest of the structure: 2f29ad36f3a9f6d0e6c322f00c9ebb304280e58595d46792ed074c341941986c
+ * Digest of the structure: b34c3ff1d07360f88ffc1f6427c53aba1eb7a0d1069c00813ddc554d6c5f6f0d
  */
 #include "filament.h"
 
@@ -13,11 +13,7 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

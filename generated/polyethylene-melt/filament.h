@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, surface-tension
- * Digest of the structure: 2f29ad36f3a9f6d0e6c322f00c9ebb304280e58595d46792ed074c341941986c
+ * Digest of the structure: b34c3ff1d07360f88ffc1f6427c53aba1eb7a0d1069c00813ddc554d6c5f6f0d
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear
- * Digest of the structure: e8b5df62e580783ed3aa867d52f96179535f5bf60e830374632e98d8accfdb0c
+ * Digest of the structure: 6037a6d76c91a6fcfea34d777bea6448afa4259745e16107b08931c7563904bc
  */
 #include "filament.h"
 
@@ -15,9 +15,6 @@
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

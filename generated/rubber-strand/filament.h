@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear
- * Digest of the structure: e8b5df62e580783ed3aa867d52f96179535f5bf60e830374632e98d8accfdb0c
+ * Digest of the structure: 6037a6d76c91a6fcfea34d777bea6448afa4259745e16107b08931c7563904bc
  */
 
 #ifndef SOFTCAT_FILAMENT_H

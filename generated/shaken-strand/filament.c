@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia, gravity-shaking
- * Digest of the structure: 3492ce24e98727ddc4593151fc99e5243a15ac5ea98a56e9e58719ab9a20c61c
+ * Digest of the structure: 6a9ce407b013197b89f5fd13706ac6eef0106d9cf8bc36d3a8d4125994d382f9
  */
 #include "filament.h"
 
@@ -13,11 +13,6 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

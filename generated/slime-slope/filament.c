@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, rotary-inertia
- * Digest of the structure: ba735ca911921a49e1eb4142ec5152525bf8bc3f6928c0d068bf038d99ad8e11
+ * Digest of the structure: 2e11a355adb4e9deae80ba7743213b8245f8dda377fcaffdbcbe13247ad268ac
  */
 #include "filament.h"
 
@@ -13,11 +13,7 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, rotary-inertia
- * Digest of the structure: ba735ca911921a49e1eb4142ec5152525bf8bc3f6928c0d068bf038d99ad8e11
+ * Digest of the structure: 2e11a355adb4e9deae80ba7743213b8245f8dda377fcaffdbcbe13247ad268ac
  */
 
 #ifndef SOFTCAT_FILAMENT_H

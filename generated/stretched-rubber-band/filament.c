@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation, shear,
  *     rotary-inertia
- * Digest of the structure: ef3cf125f87774475d46208788f89f72a668246de283124185918bbf73e83558
+ * Digest of the structure: 717a10f3cee9711f9a12ccd5e1f0e29b9de9782838b6d9ad0691f261179bfe6c
  */
 #include "filament.h"
 
@@ -13,11 +13,6 @@
 
 #include "softcat_model.h"
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation, shear,
  *     rotary-inertia
- * Digest of the structure: ef3cf125f87774475d46208788f89f72a668246de283124185918bbf73e83558
+ * Digest of the structure: 717a10f3cee9711f9a12ccd5e1f0e29b9de9782838b6d9ad0691f261179bfe6c
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear
- * Digest of the structure: 9c169e0a1083bf5b0a74b9fa8dc8b215e3c81cdaad724e62a7426bfe8f699937
+ * Digest of the structure: e3ac10a586635bf957fcb9b080db48f70ecb0911e208d3f296acfc6fdaf50ed3
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -98,4 +98,4 @@ def _cost(one: Resolution, at: Resolution) -> float:
     fibres = one.fibres or 0
     steps = (at.rtol / one.rtol) ** _STEPS
     compiling = _COMPILING * fibres if one.fibres != at.fibres else 0.0
-    return one.cells * (fibres + _STATES) * steps + compiling
+    return float(one.cells * (fibres + _STATES) * steps + compiling)

@@ -1,13 +1,16 @@
 """The ``softcat`` command; a file for each of its commands.
 
-Exit status: 0 a sound answer, 1 an answer not to be trusted, 2 bad input or a place that cannot be written, 130
-interrupted by Ctrl-C, 143 ended by SIGTERM, 129 by a terminal that was closed.
+Exit status: 0 a sound answer, 1 an answer not to be trusted, 2 bad input, a place that cannot be written or too little
+memory, 130 interrupted by Ctrl-C, 143 ended by SIGTERM, 129 by a terminal that was closed, 141 (without a word) where
+nobody reads on, as in ``softcat scenes | head -1``.
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import gc
+import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -35,14 +38,21 @@ from softcat_sym.cli import figures as figures  # isort: skip
 from softcat_sym.cli import generate as generate  # isort: skip
 from softcat_sym.cli import cache as cache  # isort: skip
 from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, complain
+from softcat_sym.cli.streams import print_whatever_the_terminal_takes
 
 __all__ = ["app", "main"]
+
+_NOBODY_READS = 141
+"""What a shell tells of a program that SIGPIPE has ended."""
 
 
 def main() -> NoReturn:
     """Entry point: every refusal is one clear message and an exit status; SIGTERM ends a command as Ctrl-C does."""
     from softcat_sym.interrupts import ended_like_ctrl_c
 
+    print_whatever_the_terminal_takes()
+    # Commands draw into files: a name of a window system that is not there would only keep matplotlib from loading.
+    os.environ["MPLBACKEND"] = "agg"
     with ended_like_ctrl_c() as ending, _collecting_seldom():
         status = _status()
     sys.exit(ending.status if status == INTERRUPTED else status)
@@ -72,14 +82,26 @@ def _status() -> int | str | None:
         # Typer turns Ctrl-C where no command expects it into this status, and says nothing.
         if isinstance(getattr(left.__context__, "__cause__", None), KeyboardInterrupt):
             complain("interrupted; every file is whole, the old one or the new")
-        return left.code
+        return _NOBODY_READS if _is_broken_pipe(left.__context__) else left.code
     except SoftcatError as error:
         complain(str(error))
         return BAD_INPUT
     except OSError as error:
         complain(f"cannot write the results: {_reason(error)}")
         return BAD_INPUT
+    except MemoryError:
+        complain("there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames")
+        return BAD_INPUT
+    except ImportError as error:
+        reason = str(error).strip().rpartition("\n")[2]  # of what numpy says, the last line tells
+        complain(f"cannot be loaded: {reason}; allow more memory (ulimit -v), or install softcat_sym again")
+        return BAD_INPUT
     return 0
+
+
+def _is_broken_pipe(error: BaseException | None) -> bool:
+    """Whether Typer or rich, which then exit with 1, ended because nobody reads the output any more."""
+    return isinstance(error, OSError) and error.errno == errno.EPIPE
 
 
 def _reason(error: OSError) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -61,9 +62,25 @@ SetOption = Annotated[
         autocompletion=complete_change,
     ),
 ]
+
+
+def directory(text: str) -> Path:
+    """Read the name of a folder; an empty one, as of a variable that is not set, does not mean this folder."""
+    if not text.strip():
+        raise typer.BadParameter("an empty name is no folder; accepted: the folder of the files, . for this one")
+    return Path(text)
+
+
 OutputOption = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE-COMMAND"),
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="DIR",
+        help="Where the files go.",
+        show_default="softcat-out/SCENE-COMMAND",
+        parser=directory,
+    ),
 ]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
 VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Say everything, reasons and formulas too.")]
@@ -166,4 +183,5 @@ def check_directory(directory: Path) -> None:
 
 def complain(text: str) -> None:
     """Say what is wrong, where errors go."""
-    typer.echo(f"softcat: {text}", err=True)
+    with contextlib.suppress(BrokenPipeError):  # nobody reads them: the exit status tells
+        typer.echo(f"softcat: {text}", err=True)

@@ -42,14 +42,15 @@ def draw(
     output = output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, written_together
     from softcat_sym.report import write_pictures
-    from softcat_sym.report.stored_run import read_run
     from softcat_sym.trajectory.files import write_scene, write_summary
+    from softcat_sym.trajectory.stored_run import check_drawable, open_run
 
-    run = read_run(trajectory)
+    run = open_run(trajectory)
+    check_drawable(run)
     try:
         with made(output), written_together():
             files = write_pictures(run.data, run.summary, run.scene, output, drawn)
-            files += [write_summary(run.summary, output), write_scene(run.scene_text, output)]
+            files += [write_summary(run.summary, output), write_scene(run.scene.to_toml(), output)]
             if order is not None:
                 files.append(film(order, output, (run.data, run.summary, run.scene), quiet=quiet))
     except KeyboardInterrupt:

@@ -14,6 +14,7 @@ from softcat_sym.cli.application import (
     SetOption,
     VerboseOption,
     app,
+    directory,
     scene_and_directory,
     scene_of,
 )
@@ -24,7 +25,9 @@ def explain(
     scene: SceneArgument,
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", metavar="DIR", help="Write explain.json, equations.tex, scene.toml."),
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Write explain.json, equations.tex, scene.toml.", parser=directory
+        ),
     ] = None,
     changes: SetOption = None,
     verbose: VerboseOption = False,

@@ -78,13 +78,13 @@ def run(
     from softcat_sym.files import made, written_together
     from softcat_sym.report.progress import IntegrationProgress
     from softcat_sym.report.run_files import write_run
-    from softcat_sym.simulate import simulate
+    from softcat_sym.simulate import simulated
     from softcat_sym.solve.checkpoint import Resumable
 
     try:
         with without_dask(), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
-            trajectory = simulate(asked, Resumable(progress, checkpoints))
+            trajectory = simulated(asked, Resumable(progress, checkpoints))
             progress.stage("drawing pictures")
             with made(output), written_together():
                 written = write_run(trajectory, output, drawn)

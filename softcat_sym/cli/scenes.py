@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import EVERYDAY, INTERRUPTED, QuietOption, SetOption, app, check_directory, complain
+from softcat_sym.cli.application import (
+    EVERYDAY,
+    INTERRUPTED,
+    QuietOption,
+    SetOption,
+    app,
+    check_directory,
+    complain,
+    directory,
+)
 from softcat_sym.cli.completing import complete_scene
 
 if TYPE_CHECKING:
@@ -17,7 +26,8 @@ if TYPE_CHECKING:
 @app.command(rich_help_panel=EVERYDAY)
 def scenes(
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="DIR", help="Run them, and write a gallery here.")
+        Path | None,
+        typer.Option("--output", "-o", metavar="DIR", help="Run them, and write a gallery here.", parser=directory),
     ] = None,
     only: Annotated[
         list[str] | None,

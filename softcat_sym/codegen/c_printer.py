@@ -39,14 +39,19 @@ _CALLS = {
     "SIGN": "sign_of",
 }
 
-HELPERS = """\
-static inline double smaller(double a, double b) { return a < b ? a : b; }
-static inline double larger(double a, double b) { return a > b ? a : b; }
-static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }
-/* atan2, by the quicker atan where that is the same. */
-static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }
-static inline double squared(double a) { return a * a; }
-"""
+_HELPERS = {
+    "smaller": "static inline double smaller(double a, double b) { return a < b ? a : b; }\n",
+    "larger": "static inline double larger(double a, double b) { return a > b ? a : b; }\n",
+    "sign_of": "static inline double sign_of(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : a; }\n",
+    "angle_of": "/* atan2, by the quicker atan where that is the same. */\n"
+    "static inline double angle_of(double y, double x) { return x > 0 ? atan(y / x) : atan2(y, x); }\n",
+    "squared": "static inline double squared(double a) { return a * a; }\n",
+}
+
+
+def helpers_of(text: str) -> str:
+    """The functions that a C text calls and C does not have; compilers warn of those that nobody calls."""
+    return "".join(line for name, line in _HELPERS.items() if f"{name}(" in text)
 
 
 def number(value: float) -> str:

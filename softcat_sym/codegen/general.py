@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import re
 import tempfile
 import textwrap
 from collections.abc import Mapping, Sequence
@@ -23,6 +24,9 @@ from softcat_sym.codegen.rolling import rolled
 from softcat_sym.graph import Graph
 
 _VERSIONS = (("softcat_sym", "softcat_sym"), ("CasADi", "casadi"), ("SymPy", "sympy"))
+
+_UNUSED = re.compile(r"^(?:CASADI_SYMBOL_EXPORT|static) [^;\n]*\(((?!void\))[^()\n]+)\) ?\{", re.MULTILINE)
+"""The first line of a function with parameters, as CasADi writes it."""
 
 RHS, JACOBIAN, POWERS = "softcat_rhs", "softcat_jacobian", "softcat_powers"
 SOLVER = "softcat_rosenbrock"
@@ -247,7 +251,13 @@ def _generated(name: str, functions: Sequence[ca.Function], graph: Graph, says: 
         f"Effects: {', '.join(graph.effects)}\n"
         f"Generated, do not edit: " + ", ".join(f"{name} {version(package)}" for name, package in _VERSIONS)
     )
-    return CSource({file: top + text for file, text in texts.items()})
+    return CSource({file: top + _UNUSED.sub(_used, text) for file, text in texts.items()})
+
+
+def _used(found: re.Match[str]) -> str:
+    """A function that names each of its parameters, so that compilers do not warn of those that it has no use for."""
+    names = [re.findall(r"\w+", parameter)[-1] for parameter in found[1].split(",")]
+    return found[0] + "".join(f" (void){name};" for name in names)
 
 
 def _comment(text: str) -> str:

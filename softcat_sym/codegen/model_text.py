@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from softcat_sym.codegen.c_printer import HELPERS
+from softcat_sym.codegen.c_printer import helpers_of
 from softcat_sym.codegen.c_writer import Writer, at, times
 from softcat_sym.codegen.derivatives import Chain, Entry, entry_name
 from softcat_sym.codegen.recording import CELLS, POWERS, Item, Recording, Slot
@@ -82,7 +82,7 @@ def model_of(recording: Recording) -> Model:
             _tables(recording, entries, writer.scratch, len(powers), moves=moves),
         ]
     )
-    text = f"{_HEAD}\n{HELPERS}\n{text}\n"
+    text = f"{_HEAD}\n{helpers_of(text)}\n{text}\n"
     return Model(text, recording.slots, recording.parameters, recording.places, powers, entries)
 
 

@@ -17,7 +17,7 @@ from softcat_sym.ensemble.table import Row, is_number, kind_of
 from softcat_sym.scene import Scene
 from softcat_sym.scene.kinds import Number, Quantity
 from softcat_sym.scene.units import SI_UNITS
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solve import Outcome
 from softcat_sym.trajectory import Trajectory
 
@@ -72,7 +72,7 @@ class Ensemble:
         IndexError
             If there is no such row.
         """
-        return simulate(without_estimate(self.scenes[member]))
+        return simulated(without_estimate(self.scenes[member]))
 
 
 def collect(

@@ -16,14 +16,14 @@ from softcat_sym.ensemble.running import run_all, workers_of
 from softcat_sym.ensemble.shared import Workshop
 from softcat_sym.ensemble.table import Row, rows_of
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene import Scene
+from softcat_sym.scene import Scene, SceneLike, as_scene
 from softcat_sym.solve import watched
 
 Table = Mapping[str, Sequence[object] | npt.NDArray[Any]] | Sequence[Mapping[str, object]] | npt.NDArray[Any]
 
 
 def simulate_many(
-    scene: Scene,
+    scene: SceneLike,
     parameters: Table,
     *,
     workers: int | None = None,
@@ -36,7 +36,7 @@ def simulate_many(
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str, path or dict
         What the rows have in common.
     parameters : mapping of str to sequence, sequence of mappings, or structured array
         Columns by dotted keys, as :meth:`Scene.replace` takes them; a plain number is in the SI unit of its key, text
@@ -66,6 +66,7 @@ def simulate_many(
     """
     if effects not in ("once", "each"):
         raise SceneError([Fault("effects", f"{effects!r}", "'once' or 'each'")], "of an ensemble")
+    scene = as_scene(scene)
     threads, rows = workers_of(workers), rows_of(parameters)
     with watched() as interrupts:
         try:

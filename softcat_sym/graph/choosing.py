@@ -110,11 +110,10 @@ def choose_theory(scene: Scene, equations: FilamentEquations) -> Discretisation:
 def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:
     """Points through the thickness: two for a linear law, which they follow exactly, more where fibres yield in turn.
 
-    ``numerics.order`` asks for amplitudes of polynomials instead of fibres; ``numerics.fibres`` is then the number of
-    points that project on them.
+    ``numerics.order`` asks for amplitudes of polynomials instead of fibres.
     """
     numerics, shape = scene.numerics, equations.shape
     if numerics.order is not None:
-        return order_rule(shape, numerics.order, numerics.fibres or DEFAULT_PROJECTION)
+        return order_rule(shape, numerics.order, DEFAULT_PROJECTION)
     fibres = choose_fibres(scene) if equations.terms.resolved else numerics.fibres or LINEAR_FIBRES
     return fibre_rule(shape, fibres)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from softcat_sym.errors import Fault, SoftcatError
+from softcat_sym.files import read_at_most
 
 _LONGEST = 1 << 24
 _FAULTS_SHOWN = 8
@@ -39,8 +40,7 @@ def text_of(file: Path, kind: str, accepted: str) -> str:
         return refusal(kind, file, [Fault(where, found, instead)])
 
     try:
-        with file.open("rb") as stream:
-            content = stream.read(_LONGEST + 1)
+        content = read_at_most(file, _LONGEST + 1)
     except FileNotFoundError:
         raise refused("no such file") from None
     except IsADirectoryError:

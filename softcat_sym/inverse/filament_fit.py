@@ -11,9 +11,9 @@ from typing import Protocol
 import numpy as np
 
 from softcat_sym.effects import REGISTRY, choose_effects
-from softcat_sym.errors import SceneError
+from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.inverse.closed_form.inversion import closed_form
-from softcat_sym.inverse.defaults import STARTS
+from softcat_sym.inverse.defaults import MOST_STARTS, STARTS
 from softcat_sym.inverse.estimation.inference import infer
 from softcat_sym.inverse.estimation.least_squares import LINEAR, Floats, Loss
 from softcat_sym.inverse.estimation.multi_start import multi_start
@@ -30,7 +30,7 @@ from softcat_sym.inverse.forward.substituting import with_values
 from softcat_sym.inverse.measurements.films import Films, taken
 from softcat_sym.inverse.measurements.plausibility import own_scene
 from softcat_sym.inverse.measurements.series import Measurements, Series
-from softcat_sym.scene import Scene, rest_length
+from softcat_sym.scene import Scene, SceneLike, as_scene, rest_length
 from softcat_sym.solve import Outcome
 
 ASIDE = "rotary-inertia"
@@ -73,7 +73,7 @@ class _Asked:
 
 def fit(
     measurements: Films,
-    scene: Scene,
+    scene: SceneLike,
     free: Sequence[str],
     *,
     bounds: Mapping[str, tuple[object, object]] | None = None,
@@ -94,7 +94,7 @@ def fit(
     ----------
     measurements : Measurements, path or sequence of paths
         One film for each filament; files as :func:`softcat_sym.inverse.read_measurements` takes them.
-    scene, free : Scene, sequence of str
+    scene, free : Scene (or its name, path or dict), sequence of str
         What is known, with rough values of what is not; and what is not, such as ``["youngs_modulus", "viscosity"]``:
         see :func:`softcat_sym.inverse.forward.free.free_parameters`.
     bounds : mapping of str to (low, high), optional
@@ -118,6 +118,9 @@ def fit(
     SoftcatError
         If the measurements cannot be used, the scene has no such parameter, or the model no answer at any start.
     """
+    if not 0 <= starts <= MOST_STARTS:
+        raise SoftcatError(f"{starts} starts; accepted: 0 to {MOST_STARTS}")
+    scene = as_scene(scene)
     seen = taken(measurements, scene)
     asked = _Asked(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, progress or NoProgress())
     return _with_all_effects(scene, seen, asked)

@@ -7,7 +7,7 @@ from softcat_sym.inverse.estimation.least_squares import Floats
 from softcat_sym.inverse.filament_problem import FilamentProblem, Filmed
 from softcat_sym.inverse.forward.free import TIME_OFFSET
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solve import Outcome
 
 
@@ -43,7 +43,7 @@ def _judged(film: Filmed, scene: Scene | None) -> tuple[Outcome, str]:
     if scene is None:
         return Outcome.solved, ""
     try:
-        run = simulate(without_estimate(scene))
+        run = simulated(without_estimate(scene))
     except SceneError as refusal:
         return Outcome.no_equilibrium, str(refusal)
     return run.outcome, str(run.summary["complaint"])

@@ -18,7 +18,7 @@ from softcat_sym.native import identity
 from softcat_sym.native.process import run
 
 _USUAL = ("cc", "gcc", "clang")
-_PATIENCE = 30.0  # s, for a compiler to say its version
+_PATIENCE = 10.0  # s, for a compiler to say its version, which takes a tenth of one
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,11 +99,11 @@ def split_variable(name: str) -> list[str]:
 def _examine(command: tuple[str, ...], files: str) -> Compiler | None:
     """What a compiler is, looked up once a process as long as its files do not change."""
     version = identity.recall(command, files)
-    if version is None:
+    if not version:
         said = _output(*command, "--version")
         if said is None or not said.strip():
             return None
-        version = said.splitlines()[0].strip()
+        version = said.strip().splitlines()[0].strip()
         identity.remember(command, files, version)
     return Compiler(command, version)
 

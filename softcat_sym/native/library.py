@@ -85,18 +85,22 @@ def compile_library(
     return cache.find(key) or cache.store(key, build, about)
 
 
-def load(path: Path) -> ctypes.CDLL:
-    """Load a compiled library.
+def load(path: Path, *symbols: str) -> ctypes.CDLL:
+    """Load a compiled library that has these symbols.
 
     Raises
     ------
     SoftcatError
-        If the file is missing or no library of this machine.
+        If the file is missing, no library of this machine, or lacks a symbol, as flags of CC or SOFTCAT_CFLAGS make it.
     """
+    again = "look at CC and SOFTCAT_CFLAGS; softcat cache --clear, and compile again"
     try:
-        return ctypes.CDLL(str(path))
+        library = ctypes.CDLL(str(path))
     except OSError as error:
-        raise SoftcatError(f"cannot load {path}: {error}; softcat cache --clear, and compile again") from error
+        raise SoftcatError(f"cannot load {path}: {error}; {again}") from error
+    if lacking := [name for name in symbols if not hasattr(library, name)]:
+        raise SoftcatError(f"{path} lacks {', '.join(lacking)}, which its C sources define; {again}")
+    return library
 
 
 def _key(

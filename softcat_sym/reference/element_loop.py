@@ -18,6 +18,7 @@ from softcat_sym.reference.supports import Supports
 
 POINT_STATE = 3
 _UNSTRAINED = (1.0, 0.0, 1.0)
+_FUNCTIONS = ("softcat_gravity", "softcat_evaluate", "softcat_march")
 _ARRAYS = ("displacement", "velocity", "acceleration", "point", "rate")
 _SCALARS = ("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy")
 
@@ -97,7 +98,7 @@ class ElementLoop:
         gravity: float = 0.0,
         ramp: float = 0.0,
     ) -> None:
-        self._library = load(compile_library(element_sources(code), units=["elements.c"]))
+        self._library = load(compile_library(element_sources(code), units=["elements.c"]), *_FUNCTIONS)
         _declare(self._library)
         self.strip = strip
         elements, nodes = len(strip.corner), len(strip.position)

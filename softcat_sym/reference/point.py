@@ -58,7 +58,7 @@ class MaterialPoint:
         code = point_code(law)
         if set(parameters) != set(code.parameters):
             raise SoftcatError(f"a point of this law takes {', '.join(code.parameters)}; got {', '.join(parameters)}")
-        library = load(compile_library(code.source))
+        library = load(compile_library(code.source), "softcat_point")
         self._advance = library.softcat_point
         doubles = np.ctypeslib.ndpointer(dtype=np.float64, flags="C_CONTIGUOUS")
         self._advance.argtypes = [doubles, doubles, ctypes.c_double, doubles, doubles, doubles]

@@ -22,7 +22,7 @@ from softcat_sym.scene.load import Load
 from softcat_sym.scene.material import Material
 from softcat_sym.scene.model import Scene
 from softcat_sym.scene.numerics import Numerics
-from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.reading import SceneLike, as_scene, load_scene
 from softcat_sym.scene.run import Run
 from softcat_sym.scene.scales import Groups, elastic_time, gravity_time, groups_of
 from softcat_sym.scene.surroundings import Surroundings
@@ -40,7 +40,9 @@ __all__ = [
     "Parameter",
     "Run",
     "Scene",
+    "SceneLike",
     "Surroundings",
+    "as_scene",
     "bundled_lesson",
     "bundled_names",
     "bundled_text",

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from softcat_sym.scene.model import Scene
 
 _ROUNDING = 1e-12
+# Beyond, the two supports are one point.
+_LONGEST = 1000
 _ANGLE_ROUNDING = 1e-9
 # The small-deflection model has laws of one plastic stretch; a law that yields is refused where effects are chosen.
 _SMALL_LAWS = ("elastic", "maxwell")
@@ -36,8 +38,7 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     """
     checks = (
         *(_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection),
-        _of_shaking,
-        _of_loss,
+        *(_of_shaking, _of_loss, _of_section),
     )
     return [fault for check in checks for fault in check(scene)]
 
@@ -66,6 +67,13 @@ def _of_ends(scene: Scene) -> Iterator[Fault]:
         yield Fault("ends.drop", "given, but one end is free", "leaving it out, or two ends that are held")
     if ends.motion and ends.right == "free":
         yield Fault("ends.motion", "given, but the right end is free", "leaving it out, or a right end that is held")
+
+
+def _of_section(scene: Scene) -> Iterator[Fault]:
+    numerics = scene.numerics
+    if numerics.order is not None and numerics.fibres is not None:
+        found = f"{numerics.order}, but numerics.fibres is {numerics.fibres}: polynomials stand in the place of fibres"
+        yield Fault("numerics.order", found, "one of the two")
 
 
 def _of_shaking(scene: Scene) -> Iterator[Fault]:
@@ -122,6 +130,10 @@ def _of_reach(scene: Scene) -> Iterator[Fault]:
 def _of_slack(scene: Scene) -> Iterator[Fault]:
     if not is_slack(scene):
         return
+    if rest_length(scene) > _LONGEST * distance(scene):
+        times = rest_length(scene) / distance(scene)
+        found = f"{rest_length(scene):.4g} m, {times:.4g} times the distance of the supports"
+        yield Fault("filament.rest_length", found, f"at most {_LONGEST} times, {_LONGEST * distance(scene):.4g} m")
     slack = f"the filament is slack ({rest_length(scene):.4g} m over {distance(scene):.4g} m)"
     if scene.material.law == "newtonian":
         yield Fault("material.law", f"'newtonian', but {slack}: a fluid has no shape to start from", "maxwell")

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from numbers import Integral, Real
 from typing import Any, Literal, Protocol, runtime_checkable
+from unicodedata import category
 
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, ValidationError, core_schema
@@ -19,6 +20,9 @@ from softcat_sym.scene.faults import did_you_mean
 from softcat_sym.scene.units import NotAQuantity, shown, to_si, with_unit
 
 Sign = Literal["any", "non-negative", "positive"]
+
+SMALLEST, LARGEST = 1e-30, 1e30
+"""No quantity of a filament lies beyond in SI units, and products of a few of them neither vanish nor overflow."""
 
 
 def refusal(found: str, accepted: str, code: str = "scene") -> PydanticCustomError:
@@ -85,6 +89,8 @@ class Quantity(AsValidator):
             raise refusal(f"{shown(value)} is negative", self.accepted)
         if si == 0 and self.sign == "positive":
             raise refusal(f"{shown(value)} is zero", self.accepted)
+        if si != 0 and not SMALLEST <= abs(si) <= LARGEST:
+            raise refusal(f"{shown(value)} is beyond {SMALLEST:g} to {LARGEST:g} in SI units", self.accepted)
         return si + 0.0  # -0.0 would make equal scenes print differently
 
     def write(self, value: float) -> object:
@@ -176,9 +182,12 @@ class Text(AsValidator):
     accepted: str = "text in quotes"
 
     def read(self, value: object) -> str:
-        if isinstance(value, str) and not any("\ud800" <= letter <= "\udfff" for letter in value):
-            return value
-        raise refusal(f"{shown(value)} is not text", self.accepted)
+        if not isinstance(value, str):
+            raise refusal(f"{shown(value)} is not text", self.accepted)
+        # Half a letter has no bytes, NUL ends a text in a netCDF file, and the others would move a terminal's cursor.
+        if any(category(letter) in ("Cc", "Cs") and letter not in "\t\n" for letter in value):
+            raise refusal(f"{shown(value)} holds a control character", f"{self.accepted}, of letters and signs")
+        return value
 
     def write(self, value: str) -> object:
         return value

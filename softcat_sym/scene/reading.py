@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.files import read_at_most
 from softcat_sym.scene.bundled import bundled_names, bundled_text
 from softcat_sym.scene.faults import did_you_mean
 from softcat_sym.scene.model import LATE, Scene
@@ -19,6 +21,36 @@ from softcat_sym.scene.units import shown
 
 # A scene has some kilobytes; whatever is a thousand times longer was given by mistake (a device, a result).
 _LONGEST = 1 << 20
+# Keys have three parts at the most; the time that tomllib takes for a key grows as the square of their number.
+_DEEPEST = 16
+_STRING_OR_COMMENT = re.compile(
+    r"""\"{3}(?:[^\\]|\\.)*?\"{3}|'{3}.*?'{3}|"(?:[^"\\\n]|\\.)*"|'[^'\n]*'|\#[^\n]*""", re.DOTALL
+)
+
+
+SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
+"""What stands for a scene: itself, the name of a bundled one, the path of a TOML file, or a table as it would hold."""
+
+
+def as_scene(given: SceneLike) -> Scene:
+    """Take whatever stands for a scene.
+
+    Parameters
+    ----------
+    given : Scene, str, path or mapping
+        A scene; the name of a bundled one or a path, as :func:`load_scene` takes them; or nested tables, whose
+        quantities are text with a unit or pint quantities.
+
+    Raises
+    ------
+    SceneError
+        With every fault at once.
+    """
+    if isinstance(given, Scene):
+        return given
+    if isinstance(given, (str, os.PathLike)):
+        return load_scene(given)
+    return Scene.model_validate(given)
 
 
 def load_scene(
@@ -75,8 +107,7 @@ def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
         return bundled_text(name_or_path)
     known = f"a path of a TOML file, or a bundled scene: {', '.join(bundled_names())}"
     try:
-        with Path(name_or_path).open("rb") as file:
-            content = file.read(_LONGEST + 1)
+        content = read_at_most(name_or_path, _LONGEST + 1)
     except FileNotFoundError:
         hint = did_you_mean(Path(source).stem, bundled_names())
         raise _refuse(source, f"no such file and no bundled scene of this name{hint}", known) from None
@@ -95,6 +126,9 @@ def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
 
 
 def _table_of(text: str, source: str) -> dict[str, Any]:
+    keys = re.split(r"[=,{}\[\]\n]", _STRING_OR_COMMENT.sub("_", text))
+    if any(key.count(".") > _DEEPEST for key in keys):
+        raise _refuse(source, f"a key of more than {_DEEPEST} parts", "keys such as material.yield_stress")
     try:
         table = tomllib.loads(text)
     except (ValueError, RecursionError) as error:

@@ -13,6 +13,7 @@ from softcat_sym.errors import Fault
 from softcat_sym.scene.faults import fault_of
 from softcat_sym.scene.filament import Filament
 from softcat_sym.scene.groups import GroupBlock
+from softcat_sym.scene.kinds import LARGEST, SMALLEST
 from softcat_sym.scene.laws import CONSTANTS, GROUPED, kind_of_constant
 from softcat_sym.scene.load import Load
 from softcat_sym.scene.material import POISSON, Material
@@ -234,13 +235,19 @@ def _ratio(key: str, group: float, at: _Scales) -> float:
 
 
 def _fill_in(rest: Table, block: GroupBlock, at: _Scales, constants: dict[str, float]) -> list[Fault]:
-    """Write the determined values into the table; they overflow only for absurd groups."""
-    absurd = [name for name, value in constants.items() if not 0 < value < math.inf]
+    """Write the determined values into the table; they are beyond all measure only for absurd groups."""
+    thickness = block.delta * at.span
+    absurd = [
+        f"{name} {value:g}"
+        for name, value in {"thickness": thickness, **constants}.items()
+        if not SMALLEST <= value <= LARGEST
+    ]
     if absurd:
-        return [Fault("groups", f"these groups give no finite {', '.join(absurd)}", "moderate numbers")]
+        found = f"these groups give {', '.join(absurd)}, beyond {SMALLEST:g} to {LARGEST:g} in SI units"
+        return [Fault("groups", found, "moderate numbers")]
     elastic = at.span * math.sqrt(at.density / constants["youngs_modulus"])
     unit = at.time if block.time_unit == "gravity" else elastic
-    _fill(rest, "filament.thickness", with_unit(block.delta * at.span, "length"))
+    _fill(rest, "filament.thickness", with_unit(thickness, "length"))
     for path, time in (("load.ramp", block.ramp), ("run.duration", block.duration)):
         if time is not None:
             _fill(rest, path, with_unit(time * unit, "time"))

@@ -51,7 +51,7 @@ def choose_backend(scene: Scene, effects: Effects) -> Backend:
         compiler = find_compiler()
         if compiler is not None:
             return Backend(True, compiler.version)
-        obstacle = "there is no C compiler: install gcc or clang, or set CC"
+        obstacle = "there is no C compiler that runs: install gcc or clang, or set CC"
     if asked == "compiled":
         raise SceneError([Fault(_HERE, f"'compiled', but {obstacle}", "auto or interpreted")])
     return Backend(False, obstacle)

@@ -22,6 +22,7 @@ Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
+_MODEL = "softcat_filament_model"
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
 
@@ -172,9 +173,9 @@ class CModel:
             # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
             interrupts.check()
             sources = {"filament.c": self.model.text, **_headers()}
-            self._library = load(compile_library(sources, flags=SOON, versions=_VERSIONS))
+            self._library = load(compile_library(sources, flags=SOON, versions=_VERSIONS), _MODEL)
         self._runtime = _runtime()
-        self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, "softcat_filament_model")))
+        self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
 
     def room(self, run: Run, status: Status) -> Answer:
         """Where the frames of a run go: NaN until they do."""
@@ -263,7 +264,7 @@ def _headers() -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
-    library = load(compile_library(runtime_sources()))
+    library = load(compile_library(runtime_sources()), "softcat_sensitivities", "softcat_message")
     library.softcat_sensitivities.argtypes = _signature()
     library.softcat_message.restype = ct.c_char_p
     return library

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from softcat_sym.graph.grading import choose_grading
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulated
 from softcat_sym.solve.keeping import Form, json_form, kept
 from softcat_sym.study.priced_run import PricedRun, from_plain, plain, priced_run
 from softcat_sym.study.variants import Names, with_effects
@@ -40,7 +40,7 @@ def base_run(scene: Scene, listener: Progress) -> tuple[int, float, PricedRun]:
 
 
 def _base_run(scene: Scene, listener: Progress) -> tuple[int, float, PricedRun]:
-    first = simulate(scene, listener)
+    first = simulated(scene, listener)
     names, cells = tuple(first.summary["effects"]), int(first.summary["cells"])
     listed = on_grid(scene, names, cells)
     # Theories grade their grids differently: on one grid only physics differs.

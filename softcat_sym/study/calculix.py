@@ -14,7 +14,7 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
 from softcat_sym.reference.calculix import CalculixRun, require_calculix
 from softcat_sym.reference.calculix_deck import STEP
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulated
 from softcat_sym.solve import Progress, Silence
 from softcat_sym.study.discrepancy import Discrepancy, aligned, discrepancy
 from softcat_sym.study.kept_calculix import kept_calculix
@@ -131,7 +131,7 @@ def compare_with_calculix(
         with folder_of(checkpoint), listening("elements") as listener:
             elements = run_elements(scene, mesh, clamp=clamp, checkpoint=checkpoint, progress=listener)
     with listening("filament") as listener:
-        trajectory = simulate(scene, listener)
+        trajectory = simulated(scene, listener)
     rows = tuple(_rows(calculix, trajectory, elements))
     return CalculixComparison(scene, calculix, trajectory, elements, rows, tuple(_warnings(scene, trajectory)))
 

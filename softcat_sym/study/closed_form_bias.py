@@ -17,7 +17,7 @@ import numpy as np
 from softcat_sym.inverse.closed_form.inversion import ClosedForm, Constants, closed_form
 from softcat_sym.inverse.features import Features, read_features
 from softcat_sym.scene import load_scene
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulated
 
 SLENDERNESS = (0.001, 0.0025, 0.01)
 LOADS = (1e-6, 1e-5, 1e-4, 1e-3)
@@ -94,7 +94,7 @@ def _point(delta: float, load: float, tau_star: float, told: Callable[[str], Non
         "run.effects": "paper",
         "numerics.estimate": False,
     }
-    run = simulate(load_scene("maxwell-slow", changes))
+    run = simulated(load_scene("maxwell-slow", changes))
     scene = run.scene
     time, midpoint = run.data.time.values, run.data.midpoint.values
     std = np.full_like(midpoint, RESOLUTION * abs(midpoint[-1]))

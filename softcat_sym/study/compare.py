@@ -13,7 +13,7 @@ from softcat_sym.files import folder_of
 from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
 from softcat_sym.reference.problem import problem_of
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulated
 from softcat_sym.solve import Progress, Silence
 from softcat_sym.study.clamp_strain import ClampStrain, elements_clamp_strain, filament_clamp_strain
 from softcat_sym.study.discrepancy import Discrepancy, aligned, discrepancy
@@ -143,7 +143,7 @@ def compare(
     filaments = []
     for name, theory in theories:
         with listening(name) as listener:
-            filaments.append(_row(name, simulate(theory, listener), elements))
+            filaments.append(_row(name, simulated(theory, listener), elements))
     warnings = tuple(_warnings(scene, elements, filaments[0]))
     return Comparison(scene, elements, elements_clamp_strain(elements), tuple(filaments), warnings)
 

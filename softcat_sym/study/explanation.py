@@ -19,7 +19,7 @@ from softcat_sym.equations.in_force import equations_in_force
 from softcat_sym.equations.written import Stated
 from softcat_sym.graph import Graph
 from softcat_sym.graph.parameters import parameter_values
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.scene import Scene, SceneLike, as_scene, groups_of
 from softcat_sym.solve import choose_backend, settings_for
 from softcat_sym.solve.assembled import assembled
 
@@ -196,12 +196,12 @@ class Explanation:
         return plain
 
 
-def explain(scene: Scene) -> Explanation:
+def explain(scene: SceneLike) -> Explanation:
     """Work out what a scene calls for; its equations and graph are built, nothing is integrated.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str, path or dict
         What is asked.
 
     Returns
@@ -214,6 +214,7 @@ def explain(scene: Scene) -> Explanation:
     SceneError
         If the scene names effects that it cannot have.
     """
+    scene = as_scene(scene)
     effects = choose_effects(scene)
     filament = assembled(scene, effects)
     equations, graph = filament.equations, filament.graph

@@ -12,7 +12,7 @@ from softcat_sym.graph.grid import Floats
 from softcat_sym.reference import Mesh
 from softcat_sym.scene import load_scene
 from softcat_sym.scene.scales import elastic_time
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulated
 from softcat_sym.solve import Progress
 from softcat_sym.study.figure_elements import ElementFilm, film_elements
 
@@ -132,5 +132,5 @@ def film_scene(of: FigureScene, folder: Path, listening: Listening, mesh: Mesh =
     filaments = {}
     for theory, changes in THEORIES.items():
         with listening(f"{of.name}: {theory}", scene.run.duration) as listener:
-            filaments[theory] = simulate(load_scene(of.name, {**_CHANGES, **changes}), listener)
+            filaments[theory] = simulated(load_scene(of.name, {**_CHANGES, **changes}), listener)
     return FilmedScene(of, scene, film, filaments)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from softcat_sym.scene import bundled_lesson, bundled_text, load_scene
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 
 if TYPE_CHECKING:
     from softcat_sym.scene import Scene
@@ -132,7 +132,7 @@ def exhibit_of(asked: Asked) -> tuple[Exhibit, Trajectory]:
         On Ctrl-C.
     """
     began = time.perf_counter()
-    trajectory = simulate(asked.scene)
+    trajectory = simulated(asked.scene)
     spent = time.perf_counter() - began
     scene, data, sound = asked.scene, trajectory.data, trajectory.outcome.is_success
     midpoint = np.asarray(data["midpoint"].values, dtype=np.float64)

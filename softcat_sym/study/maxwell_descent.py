@@ -15,7 +15,7 @@ from softcat_sym.equations.small_deflection import K_I
 from softcat_sym.graph.grid import Floats
 from softcat_sym.printing import evaluate
 from softcat_sym.scene import gravity_time, groups_of, load_scene
-from softcat_sym.simulate import simulate
+from softcat_sym.simulate import simulated
 from softcat_sym.solve.linear_ode import fundamental_solutions
 
 LOAD_OVER_VISCOSITY = 3.3e-5
@@ -99,7 +99,7 @@ def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
             "model": model,
             "numerics.estimate": False,
         }
-        runs[model] = simulate(load_scene("maxwell-slow", changes))
+        runs[model] = simulated(load_scene("maxwell-slow", changes))
     scene = runs["filament"].scene
     unit, span = gravity_time(scene), scene.filament.span
     full, reduced = (

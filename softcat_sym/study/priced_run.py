@@ -11,7 +11,7 @@ import numpy as np
 
 from softcat_sym.effects import choose_effects
 from softcat_sym.graph.grid import Floats
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.single_run import build
 from softcat_sym.solve import Outcome, watched
 from softcat_sym.solve.keeping import json_form, kept
@@ -115,7 +115,7 @@ def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None
 
 
 def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> PricedRun:
-    run = first or simulate(without_estimate(scene), progress)
+    run = first or simulated(without_estimate(scene), progress)
     prepared = build(scene, choose_effects(scene))
     graph = prepared.graph
     seconds = [float(run.summary["wall_s"]["solve"])]

@@ -11,6 +11,7 @@ import numpy as np
 
 from softcat_sym.effects import REGISTRY, Decision, Estimate, choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.scene import as_scene
 from softcat_sym.scene.consistency import refuse_settled
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solve import Progress, Silence
@@ -19,7 +20,7 @@ from softcat_sym.study.priced_run import PricedRun, priced_run
 from softcat_sym.study.variants import Names, dependants, everything, obstacle, ordered, requirements, with_effects
 
 if TYPE_CHECKING:
-    from softcat_sym.scene import Scene
+    from softcat_sym.scene import Scene, SceneLike
 
 Listening = Callable[[str], AbstractContextManager[Progress]]
 """Given what is about to run, a context whose value is told how far it is."""
@@ -154,13 +155,13 @@ class Pricing:
 
 
 def price_effects(
-    scene: Scene, listening: Listening | None = None, name: str = "", only: Collection[str] | None = None
+    scene: SceneLike, listening: Listening | None = None, name: str = "", only: Collection[str] | None = None
 ) -> Pricing:
     """Run a scene as it is, then with each effect put in or left out in turn, all on the same grid.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str, path or dict
         The base is the choice of ``auto``, the paper's list, or the scene's own.
     listening : callable, optional
         Called with what is about to run; returns a context whose value is told how far it is.
@@ -181,6 +182,7 @@ def price_effects(
     KeyboardInterrupt
         On Ctrl-C.
     """
+    scene = as_scene(scene)
     refuse_settled(scene, "variants are compared frame by frame")
     known = [effect.name for effect in REGISTRY]
     wanted = known if only is None else only

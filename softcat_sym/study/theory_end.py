@@ -17,7 +17,7 @@ from softcat_sym.reference.checkpoint import fingerprint
 from softcat_sym.reference.element_loop import element_sources
 from softcat_sym.reference.point_code import point_code
 from softcat_sym.reference.problem import problem_of
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.study.compare import Comparison, FilamentRow, Listening, compare
 from softcat_sym.study.discrepancy import aligned
 from softcat_sym.study.theory_end_error import RelativeError, relative_error
@@ -244,7 +244,7 @@ def _theory(row: FilamentRow, elements: ElementRun) -> TheoryError:
     if not run.outcome.is_success or run.summary["steps"] > _MOST_STEPS:
         return TheoryError(row, replace(chosen, trusted=run.outcome.is_success), math.nan)
     finer = {"numerics.cells": 2 * run.summary["cells"], "numerics.rtol": _TIGHTER * run.summary["rtol"]}
-    refined = simulate(without_estimate(run.scene.replace(finer)))
+    refined = simulated(without_estimate(run.scene.replace(finer)))
     time, own = refined.data["time"].values, refined.data["midpoint"].values
     error = relative_error(elements.time, aligned(time, own, elements.time), elements.midpoint)
     apart = np.abs(np.subtract(chosen.values, error.values))

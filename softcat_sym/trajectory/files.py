@@ -1,4 +1,4 @@
-"""A trajectory on disk: netCDF4, JSON and the resolved scene, each replaced whole or not at all."""
+"""A trajectory on disk: netCDF4, JSON and the resolved scene, each replaced whole or not at all; and read again."""
 
 from __future__ import annotations
 
@@ -19,6 +19,26 @@ def write_trajectory(data: xr.Dataset, directory: Path) -> Path:
     encoding = {name: {"zlib": True, "complevel": 1} for name in data.data_vars if data[name].ndim > 1}
     content = data.to_netcdf(engine="h5netcdf", encoding=encoding)
     return replace_atomically(directory / "trajectory.nc", bytes(content))
+
+
+def read_netcdf(path: Path) -> xr.Dataset:
+    """Read a netCDF file into memory.
+
+    Raises
+    ------
+    OSError
+        If it cannot be read, or is none.
+    """
+    import h5py
+
+    try:
+        # A file that fails here would fail h5netcdf half made, which then complains a second time as it is closed.
+        with h5py.File(path, "r") as file:
+            file.attrs.get("_nc3_strict")
+        with xr.open_dataset(path, engine="h5netcdf") as opened:
+            return opened.load()
+    except (OSError, ValueError, LookupError, RuntimeError, TypeError, AttributeError, OverflowError) as error:
+        raise OSError(" ".join(str(error).split())[:120] or type(error).__name__) from error
 
 
 def write_summary(summary: dict[str, Any], directory: Path) -> Path:

@@ -55,6 +55,21 @@ class Trajectory:
     outcome: Outcome
     overlooked: dict[str, str]
 
+    def __repr__(self) -> str:
+        told, sizes = self.summary, self.data.sizes
+        midpoint = float(self.data["midpoint"].values[-1])
+        share = (told.get("error_estimate") or {}).get("total")
+        error = "not estimated" if share is None else f"{100 * share:.2g} % of the largest"
+        notes = [f"warnings: {len(told['warnings'])}"] if told.get("warnings") else []
+        lines = (
+            f"Trajectory {self.scene.title!r}: {', '.join([self.outcome.name, *notes])}",
+            f"midpoint {midpoint:.4g} m at {float(self.data['time'].values[-1]):.4g} s; error {error}",
+            f"regime {told.get('regime') or 'none'}",
+            f"effects {', '.join(told.get('effects') or ['not told'])}",
+            f".data: {', '.join(f'{name} {count}' for name, count in sizes.items())}; .summary, .scene, .outcome",
+        )
+        return "\n  ".join(lines)
+
     def repeated(self, repeats: list[str]) -> Trajectory:
         """The same run as the last of several: each text says what the run before had overlooked."""
         warnings = [*self.summary["warnings"]]

@@ -14,7 +14,7 @@ from PIL import Image
 
 import softcat_sym as sc
 from softcat_sym.report.run_files import write_run
-from softcat_sym.report.stored_run import read_run
+from softcat_sym.trajectory.stored_run import open_run
 from tests.cli.in_process import Softcat
 
 QUICK = ("numerics.cells=10", "run.frames=21", "numerics.estimate=false")
@@ -75,7 +75,7 @@ def test_what_cannot_be_drawn_is_refused_before_anything_is_solved(
         raise AssertionError("solved")
 
     # By name the package offers the function, not the module.
-    monkeypatch.setattr(sys.modules["softcat_sym.simulate"], "simulate", solve)
+    monkeypatch.setattr(sys.modules["softcat_sym.simulate"], "simulated", solve)
     done = softcat("run", "arrested-overdamped", "-o", str(tmp_path / "out"), *arguments)
     assert done.status == 2
     assert said in done.err
@@ -117,7 +117,7 @@ def test_a_film_that_cannot_be_written_takes_the_pictures_with_it(
 def test_a_summary_of_another_run_is_not_believed(stored: Path, tmp_path: Path) -> None:
     (tmp_path / "trajectory.nc").write_bytes((stored / "trajectory.nc").read_bytes())
     (tmp_path / "summary.json").write_text('{"outcome": "solved", "regime": "viscous", "midpoint_final_m": -1.0}')
-    run = read_run(tmp_path)
+    run = open_run(tmp_path)
     assert run.summary == {"title": "Yields, flows slowly and stops", "outcome": "solved"}
     assert run.scene == sc.load_scene(stored / "scene.toml")
 

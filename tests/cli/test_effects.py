@@ -173,7 +173,7 @@ def test_interrupted_before_anything_is_finished_nothing_is_written(
     def interrupted(*_: object) -> None:
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr("softcat_sym.study.base_run.simulate", interrupted)
+    monkeypatch.setattr("softcat_sym.study.base_run.simulated", interrupted)
     output = tmp_path / "out"
     done = softcat("effects", "cold-honey", "-o", str(output), *sets(*BARE))
     assert (done.status, done.out) == (130, "")

@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.codegen.c_printer import HELPERS, statements
+from softcat_sym.codegen.c_printer import helpers_of, statements
 from softcat_sym.codegen.instructions import Code, code_of
 from softcat_sym.native import compile_library, load
 
@@ -31,9 +31,8 @@ def text_of(code: Code, inputs: int, uniform: Sequence[bool] = ()) -> str:
     before, within = statements(code, given, same, [f"y[{outputs} * i + {k}]" for k in range(outputs)])
     lines = [*before, "for (int i = 0; i < n; i++) {", *within, "}"]
     body = "\n    ".join(lines)
-    return (
-        f"#include <math.h>\n{HELPERS}\nvoid f(int n, const double *x, double *y)\n{{\n    (void)x;\n    {body}\n}}\n"
-    )
+    head = f"#include <math.h>\n{helpers_of(body)}\nvoid f(int n, const double *x, double *y)"
+    return f"{head}\n{{\n    (void)x;\n    {body}\n}}\n"
 
 
 def values(text: str, x: Floats, outputs: int) -> Floats:

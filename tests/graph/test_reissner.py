@@ -111,7 +111,7 @@ def test_energy_is_kept_or_dissipated(
 @pytest.mark.parametrize("variant", ["shear, gradient", "everything"])
 def test_flow_only_ever_dissipates(variant: str) -> None:
     scene = scene_of()
-    for numerics in ({"fibres": 4}, {"order": 3, "fibres": 9}):
+    for numerics in ({"fibres": 4}, {"order": 3}):
         graph = resolved(scene, GRIDS["half"], VARIANTS[variant], **numerics)
         power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.powers[0]])
         for seed in range(10):

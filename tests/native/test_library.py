@@ -203,3 +203,22 @@ def test_what_is_no_library_is_not_loaded(tmp_path: Path) -> None:
     for name in ("text.so", "missing.so"):
         with pytest.raises(SoftcatError, match="cannot load"):
             load(tmp_path / name)
+
+
+def test_a_library_without_its_symbols_is_refused() -> None:
+    path = compile_library({"hidden.c": "int shown(void) { return 1; }\nstatic int hidden;\nint *at = &hidden;\n"})
+    assert load(path, "shown", "at").shown() == 1
+    with pytest.raises(SoftcatError, match=r"lacks hidden, which its C sources define; look at CC and SOFTCAT_CFLAGS"):
+        load(path, "shown", "hidden")
+
+
+@pytest.mark.parametrize(("prints", "name"), [("printf '\\n\\nodd 1.2\\n'", "odd 1.2"), ("sleep 60", "")])
+def test_a_compiler_with_an_odd_version_or_none(
+    prints: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = tmp_path / "odd-cc"
+    script.write_text(f"#!/bin/sh\n{prints}\n")
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    monkeypatch.setattr("softcat_sym.native.compiler._PATIENCE", 0.5)
+    assert compiler_name() == name

@@ -105,6 +105,11 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"run.effects": ["inertia", "inertia"]}, "run.effects", "'inertia' named twice"),
     ({"numerics.cells": 3}, "numerics.cells", "3 is out of range; accepted: a whole number from 4"),
     ({"numerics.rtol": -1e-3}, "numerics.rtol", "out of range"),
+    ({"title": "a\0b"}, "title", "holds a control character"),
+    ({"title": "a\x1b[2J"}, "title", "holds a control character"),
+    ({"numerics.order": 2, "numerics.fibres": 8}, "numerics.order", "2, but numerics.fibres is 8"),
+    ({"material.yield_stress": "1e-300 Pa"}, "material.yield_stress", "beyond 1e-30 to 1e+30 in SI units"),
+    ({"filament.rest_length": "1e9 km"}, "filament.rest_length", "times the distance of the supports"),
 ]
 
 

@@ -95,3 +95,10 @@ def test_replace() -> None:
         scene.replace({"groups.G": 0.3})
     with pytest.raises(SceneError, match="unknown key"):
         scene.replace({"numerics.cell": 40})
+
+
+def test_a_whole_table_is_not_set_at_once() -> None:
+    assert "a whole table at once; accepted: its keys one by one, run.duration" in refused(
+        "no-yield", ['run={duration = "1 s"}']
+    )
+    assert "run: a whole table at once" in refused("no-yield", ["run={}"])

@@ -168,7 +168,7 @@ def tables(draw: st.DrawFn) -> dict[str, Any]:
     words = st.sampled_from(["auto", "paper"])
     numerics: dict[str, Any] = {"cells": 40, "rtol": 1e-7, "solver": "idas", "order": 1, "backend": "interpreted"}
     return {
-        "title": draw(st.text(max_size=20)),
+        "title": draw(st.text(st.characters(exclude_categories=("Cs", "Cc")), max_size=20)),
         "filament": filament,
         "material": {"law": law} | constants,
         "ends": {"left": draw(end), "right": draw(end)},

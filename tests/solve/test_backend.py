@@ -23,7 +23,7 @@ from tests.native.compilers import Counter, compiler
 
 from .filaments import scene_of, without
 
-NO_COMPILER = "there is no C compiler: install gcc or clang, or set CC"
+NO_COMPILER = "there is no C compiler that runs: install gcc or clang, or set CC"
 
 
 def asking(scene: Scene, **numerics: Any) -> Scene:

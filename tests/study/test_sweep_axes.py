@@ -23,7 +23,6 @@ def plan(*texts: str, mode: str = "grid", samples: int | None = None, seed: int 
     [
         ("groups.G=0.01:1:3:log", (0.01, 0.1, 1.0)),
         ("groups.G=1:2:3", (1.0, 1.5, 2.0)),
-        ("groups.G=1:2:3:lin", (1.0, 1.5, 2.0)),
         ("material.yield_stress=5:20 kPa:4", (5e3, 1e4, 1.5e4, 2e4)),
         ('material.yield_stress="5 kPa":"20000 Pa":4', (5e3, 1e4, 1.5e4, 2e4)),
         ("numerics.cells=10:40:4", (10, 20, 30, 40)),

@@ -57,13 +57,11 @@ static int allocate(softcat_linear *linear)
     linear->order = integers(sections);
     linear->gathered = doubles((size_t)linear->padded);
     linear->solved = doubles((size_t)linear->padded);
-    const void *wanted[] = {linear->free_unknowns, linear->block,         linear->group,
-                            linear->eliminated_slot, linear->remaining_slot, linear->place,
-                            linear->section_slot,  linear->diagonal,      linear->answer_offset,
-                            linear->answer_slot,   linear->drag_offset,   linear->drag_slot,
-                            linear->order,         linear->gathered,      linear->solved};
-    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) missing |= !wanted[i];
-    return missing;
+    return missing || !(linear->free_unknowns && linear->block && linear->group
+                        && linear->eliminated_slot && linear->remaining_slot && linear->place
+                        && linear->section_slot && linear->diagonal && linear->answer_offset
+                        && linear->answer_slot && linear->drag_offset && linear->drag_slot
+                        && linear->order && linear->gathered && linear->solved);
 }
 
 /* x' = u is eliminated unless u is somebody's rate of change itself. */

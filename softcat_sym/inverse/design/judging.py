@@ -21,7 +21,7 @@ from softcat_sym.inverse.estimation.least_squares import Floats
 from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
 from softcat_sym.inverse.forward.substituting import with_values
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solve.keeping import json_form, kept
 
 _TRIAL = json_form(asdict, lambda told: Trial(**told))
@@ -103,7 +103,7 @@ class Judge:
         """The same, or infinite errors if the run is no answer: neither neck nor lost energy shows in the midpoint."""
         if not math.isfinite(trial.worst):
             return trial
-        run = simulate(without_estimate(self.scene.replace(trial.changes)))
+        run = simulated(without_estimate(self.scene.replace(trial.changes)))
         if run.outcome.is_success:
             return trial
         return self._nothing(trial.span, trial.thickness, f"{run.outcome.name}: {run.outcome.value}")

@@ -14,7 +14,7 @@ from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
 from softcat_sym.inverse.forward.model import ForwardModel
 from softcat_sym.inverse.forward.substituting import with_values
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.solve.keeping import json_form, kept
 
 # Between which the largest sag is found by a parabola.
@@ -57,7 +57,7 @@ def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
 
 def _sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     try:
-        run = simulate(without_estimate(scene))
+        run = simulated(without_estimate(scene))
     except SceneError as error:
         return Sag(np.inf, (), str(error))
     names = tuple(run.summary["effects"])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.study.card.contents import HOLDS, Blame, Rule
 from softcat_sym.study.card.rules import MEASURES, RuleOfTheField
 from softcat_sym.study.variants import dependants, ordered, with_effects
@@ -90,7 +90,7 @@ class Solver:
 
     def _variant(self, causes: frozenset[str], ends: str) -> Trajectory | None:
         try:
-            run = simulate(without_estimate(self._changed(causes, ends)))
+            run = simulated(without_estimate(self._changed(causes, ends)))
         except SoftcatError:
             return None
         return run if run.outcome.is_success else None

@@ -7,7 +7,8 @@ from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.simulate import simulate
+from softcat_sym.scene import as_scene
+from softcat_sym.simulate import simulated
 from softcat_sym.solve import Progress, Silence
 from softcat_sym.study.card.causes import Solver, Told, blamed
 from softcat_sym.study.card.contents import Card, Rule
@@ -16,7 +17,7 @@ from softcat_sym.study.card.rules import MEASURES, RULES, RuleOfTheField, unusua
 
 if TYPE_CHECKING:
     from softcat_sym.inverse.design import CriticalSpan
-    from softcat_sym.scene import Scene
+    from softcat_sym.scene import Scene, SceneLike
     from softcat_sym.trajectory import Trajectory
 
 LIMIT = "5 %"
@@ -29,7 +30,7 @@ Listening = Callable[[str], AbstractContextManager[Progress]]
 
 
 def card(
-    scene: Scene,
+    scene: SceneLike,
     sag: object = None,
     *,
     name: str = "",
@@ -46,7 +47,7 @@ def card(
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str, path or dict
         What is asked.
     sag : str or float, optional
         What the filament may sag: a length with its unit, or a fraction of the span such as ``"5 %"``, the default.
@@ -66,10 +67,11 @@ def card(
     KeyboardInterrupt
         On Ctrl-C.
     """
+    scene = as_scene(scene)
     limit = LIMIT if sag is None else sag
     _check_limit(limit)
     with (listening or _nobody)("the filament itself") as listener:
-        run = simulate(scene, listener)
+        run = simulated(scene, listener)
     descent = descent_of(run)
     longest, why = _longest_span(scene, limit, told, given=sag is not None) if span else (None, "not sought")
     certificate = None if descent is None else certificate_of(run, descent)

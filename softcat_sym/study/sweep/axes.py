@@ -24,7 +24,6 @@ _FORM = (
     "KEY=a:b:n, KEY=a:b:n:log or KEY=v1,v2,v3, such as groups.G=0.01:3:40:log or 'material.yield_stress=5:20 kPa:10'"
 )
 _SPACED = "two ends and at least 2 values, a:b:n or a:b:n:log; positive ends for log"
-_SCALES = ("lin", "log")
 _MOST = 10_000_000
 _UNIT = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$")
 
@@ -156,7 +155,7 @@ def _axis(scene: Scene, key: str, values: Sequence[Value] | str, drawn: bool) ->
 
 def _range(scene: Scene, key: str, text: str, drawn: bool) -> SweepAxis:
     parts = [part.strip().strip("\"'").strip() for part in text.split(":")]
-    scale = parts.pop() if parts[-1] in _SCALES else "lin"
+    scale = parts.pop() if parts[-1] == "log" else "lin"
     if drawn and len(parts) == 2:
         parts.append("2")  # how many does not matter
     if len(parts) != 3 or not re.fullmatch(r"\d{1,8}", parts[2]) or not 2 <= int(parts[2]) <= _MOST:

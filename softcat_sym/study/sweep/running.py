@@ -11,7 +11,7 @@ from softcat_sym.ensemble.progress import MembersProgress, NobodyListens
 from softcat_sym.ensemble.table import Row
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import made, written_together
-from softcat_sym.scene import Scene
+from softcat_sym.scene import SceneLike, as_scene
 from softcat_sym.solve import watched
 from softcat_sym.study.blocks import KeptBlocks, run_blocks, workplace
 from softcat_sym.study.blocks.running import Count
@@ -28,7 +28,7 @@ Vary = Mapping[str, Sequence[object] | str] | Sequence[str] | Path
 
 
 def sweep(
-    scene: Scene,
+    scene: SceneLike,
     vary: Vary,
     directory: str | Path | None = None,
     *,
@@ -49,7 +49,7 @@ def sweep(
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str, path or dict
         What the members have in common.
     vary : mapping, sequence of str, or pathlib.Path
         ``{"groups.G": "0.01:3:40:log", "material.yield_stress": ["5 kPa", 1e4]}``, plain numbers in SI; or texts
@@ -71,7 +71,7 @@ def sweep(
         If the plan makes no sense or is not the one in `directory`, before anything runs; if the user stops it.
     """
     check_workplace(workers, scheduler, local_cluster)
-    plan = plan_sweep(scene, vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
+    plan = plan_sweep(as_scene(scene), vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
     where, listener = (workers, scheduler, local_cluster), progress or NobodyListens()
     if directory is not None:
         return run_sweep(plan, Path(directory), where, listener, resume=resume)

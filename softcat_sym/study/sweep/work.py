@@ -12,7 +12,7 @@ from softcat_sym.ensemble.shared import Workshop
 from softcat_sym.ensemble.table import Row
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene import Scene
-from softcat_sym.simulate import simulate, without_estimate
+from softcat_sym.simulate import simulated, without_estimate
 from softcat_sym.single_run import OF_A_STEP_TOO_LONG
 from softcat_sym.study.blocks.work import Told
 from softcat_sym.study.judged_member import judged, shared_workshop
@@ -94,7 +94,7 @@ class SweepWork:
         """A member by :func:`softcat_sym.simulate`: every check, and repeated where the finished run calls for it."""
         frames = scene.run.frames
         try:
-            run = simulate(scene)
+            run = simulated(scene)
         except (SoftcatError, RuntimeError, ArithmeticError, ValueError) as error:
             outcome = REFUSED if isinstance(error, SceneError) else FAILED
             return no_answer(outcome, _text(error), frames, scene, wall=time.perf_counter() - begun)

@@ -1,21 +1,23 @@
-"""A run read back from its ``trajectory.nc``, to be drawn again."""
+"""A run read back from the files that ``softcat run`` or ``Trajectory.save`` wrote."""
 
 from __future__ import annotations
 
 import json
 import tomllib
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from softcat_sym.errors import SoftcatError
+from softcat_sym.scene import Scene
+from softcat_sym.solve import Outcome
+from softcat_sym.trajectory.trajectory import Trajectory
 
 if TYPE_CHECKING:
-    import xarray as xr
+    import os
 
-    from softcat_sym.scene import Scene
+    import xarray as xr
 
 _PLACES: Final = ("time", "X_node", "X_cell", "x", "y", "midpoint")
 _FIELDS: Final = ("thickness", "stress_mean", "stress_bending", "yielded_fraction")
@@ -24,55 +26,35 @@ _NEEDED: Final = (*_PLACES, *_FIELDS, *(f"energy_{name}" for name in _ENERGIES),
 _FORM = "accepted: a trajectory.nc that softcat run wrote, or the folder that holds it"
 
 
-@dataclass(frozen=True)
-class StoredRun:
-    """A finished run.
-
-    Attributes
-    ----------
-    data : xarray.Dataset
-        Trajectory, in memory.
-    summary : dict
-        What ``summary.json`` beside it holds; without one, title and outcome.
-    scene : Scene
-        As resolved.
-    scene_text : str
-        Its TOML.
-    """
-
-    data: xr.Dataset
-    summary: dict[str, Any]
-    scene: Scene
-    scene_text: str
-
-
-def read_run(place: str | Path) -> StoredRun:
-    """Read a trajectory, its scene, and the summary beside it.
+def open_run(directory: str | os.PathLike[str]) -> Trajectory:
+    """Read a finished run again, as :func:`softcat_sym.simulate` returned it.
 
     Parameters
     ----------
-    place : str or path
-        Of ``trajectory.nc``, or of its folder.
+    directory : str or path
+        Folder into which ``softcat run`` or ``run.save`` wrote, or its ``trajectory.nc``.
+
+    Returns
+    -------
+    Trajectory
+        ``.data``, ``.scene``, ``.outcome``; ``.summary`` is that of the ``summary.json`` beside it, without one of this
+        run it holds title and outcome only.
 
     Raises
     ------
     SoftcatError
-        If there is none, or it is not a trajectory of this program.
+        If there is no run of this program, or it is damaged.
     """
-    import xarray as xr
-
-    from softcat_sym.scene import Scene
-
-    path = Path(place)
+    path = Path(directory)
     path = path / "trajectory.nc" if path.is_dir() else path
     if not path.is_file():
         raise SoftcatError(f"{path}: no such file; {_FORM}")
+    from softcat_sym.trajectory.files import read_netcdf
+
     try:
-        with xr.open_dataset(path, engine="h5netcdf") as opened:
-            data = opened.load()
-    except (OSError, ValueError, KeyError, RuntimeError) as error:
-        reason = " ".join(str(error).split())[:120]
-        raise SoftcatError(f"{path}: cannot be read as netCDF4 ({reason}); {_FORM}") from None
+        data = read_netcdf(path)
+    except OSError as error:
+        raise SoftcatError(f"{path}: cannot be read as netCDF4 ({error}); {_FORM}") from None
     if "energy_gradient" in data and "energy_surface" not in data:
         # Of a run from before there was surface tension.
         data["energy_surface"] = 0 * data["energy_gradient"]
@@ -81,14 +63,27 @@ def read_run(place: str | Path) -> StoredRun:
     if missing or not isinstance(text, str) or not data.sizes.get("time"):
         lacking = ", ".join(missing) or ("its scene" if not isinstance(text, str) else "frames")
         raise SoftcatError(f"{path}: is no trajectory, it lacks {lacking}; {_FORM}")
-    broken = [name for name in (*_PLACES, "thickness") if not bool(np.isfinite(data[name].values).all())]
-    if broken:
-        raise SoftcatError(f"{path}: {broken[0]} is not finite everywhere, so there is nothing to draw; {_FORM}")
+    outcome = Outcome.__members__.get(str(data.attrs.get("outcome")))
+    if outcome is None:
+        raise SoftcatError(f"{path}: its outcome {data.attrs.get('outcome')!r} is not known; {_FORM}")
     try:
         scene = Scene.model_validate(tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
         raise SoftcatError(f"{path}: its scene cannot be read ({error}); {_FORM}") from None
-    return StoredRun(data, _summary(path, data), scene, text)
+    return Trajectory(scene, data, _summary(path, data), outcome, {})
+
+
+def check_drawable(run: Trajectory) -> None:
+    """Refuse a run that is not finite everywhere.
+
+    Raises
+    ------
+    SoftcatError
+        With the first variable that is not.
+    """
+    for name in (*_PLACES, "thickness"):
+        if not np.isfinite(run.data[name].values).all():
+            raise SoftcatError(f"{name} is not finite everywhere, so there is nothing to draw; {_FORM}")
 
 
 def _summary(path: Path, data: xr.Dataset) -> dict[str, Any]:
