@@ -157,7 +157,10 @@ class _Strand:
         along = shapes.T @ force
 
         def missing(tension: float) -> float:
-            return self.axial * (self.strain * self.length + float(np.sum((along / (thrusts + tension)) ** 2)) / 2) - tension
+            return (
+                self.axial * (self.strain * self.length + float(np.sum((along / (thrusts + tension)) ** 2)) / 2)
+                - tension
+            )
 
         low, high = max(self.axial * self.strain * self.length, -float(thrusts[0])), 2 * float(thrusts[0])
         while missing(high) > 0:
@@ -166,7 +169,7 @@ class _Strand:
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
             low, high = (middle, high) if missing(middle) > 0 else (low, middle)
-        return high, shapes @ (along / (thrusts + high))
+        return high, np.asarray(shapes @ (along / (thrusts + high)))
 
 
 def eigen(stiffness: Floats, mass: Floats) -> tuple[Floats, Floats]:
@@ -235,6 +238,4 @@ def _pulled(ell: float) -> Floats:
 
 def _inert(ell: float) -> Floats:
     a, b, c = 22 * ell, 13 * ell, ell * ell
-    return np.array(
-        [[156, a, 54, -b], [a, 4 * c, b, -3 * c], [54, b, 156, -a], [-b, -3 * c, -a, 4 * c]]
-    )
+    return np.array([[156, a, 54, -b], [a, 4 * c, b, -3 * c], [54, b, 156, -a], [-b, -3 * c, -a, 4 * c]])

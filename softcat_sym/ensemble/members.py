@@ -15,8 +15,8 @@ from softcat_sym.ensemble.grouped import constants_of, is_group
 from softcat_sym.ensemble.table import SOURCE, Row, kind_of, written
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene import Scene
-from softcat_sym.scene.kinds import Number, Quantity
 from softcat_sym.scene.consistency import refuse_settled
+from softcat_sym.scene.kinds import Number, Quantity
 from softcat_sym.scene.overriding import Override, apply
 from softcat_sym.solve import Backend, choose_backend, settings_for
 

@@ -66,7 +66,9 @@ def regime_rows(explanation: Explanation) -> Rows:
             f"about {significant(explanation.sag)} of the span, a mean strain of {significant(explanation.strain)}",
         )
     )
-    rows += [(name, text) for name, text in (("damping", explanation.damping), ("ringing", explanation.ringing)) if text]
+    rows += [
+        (name, text) for name, text in (("damping", explanation.damping), ("ringing", explanation.ringing)) if text
+    ]
     if regime.gravity_number is None:
         return rows
     thresholds = (

@@ -117,7 +117,9 @@ def _settled(summary: Summary) -> list[tuple[str, str]]:
     rings, at = summary.get("midpoint_settled_m"), summary.get("settled_s")
     rows = [] if at is None else [("settled", f"after {significant(at)} s")]
     if rings and rings["amplitude"] > _RINGS * abs(rings["mean"]):
-        rows.append(("rings about", f"{significant(1e3 * rings['mean'])} mm by {significant(1e3 * rings['amplitude'])} mm"))
+        rows.append(
+            ("rings about", f"{significant(1e3 * rings['mean'])} mm by {significant(1e3 * rings['amplitude'])} mm")
+        )
     return rows
 
 

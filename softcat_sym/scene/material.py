@@ -245,7 +245,12 @@ def _is_given(name: str, info: ValidationInfo) -> bool:
 
 def _read(name: str, value: object, info: ValidationInfo) -> float:
     law = info.data.get("law")
-    if (law is None or law in INDEXED) and "index" not in info.data and name in OF_THE_INDEX and name != "shear_viscosity":
+    if (
+        (law is None or law in INDEXED)
+        and "index" not in info.data
+        and name in OF_THE_INDEX
+        and name != "shear_viscosity"
+    ):
         # There is a fault already, and without an index no unit to compare with.
         return math.nan
     return kind_of_constant(name, law, info.data.get("index", 1.0)).read(value)

@@ -77,7 +77,9 @@ def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
             here[key] = override.value
             # The same quantity given the other way: overruled, or it would be given twice.
             for twin in twins(override.path):
-                here.pop(twin.partition(".")[2], None)
+                if here.pop(twin.partition(".")[2], None) is not None and twin == "filament.diameter":
+                    # What was round stays so.
+                    here.setdefault("section", "circle")
     return faults
 
 

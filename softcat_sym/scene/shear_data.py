@@ -60,8 +60,10 @@ FROM_SHEAR = (
 )
 
 _SAME = (
-    *({constant, *(one.shear for one in FROM_SHEAR if one.constant == constant)}
-      for constant in ("youngs_modulus", "viscosity", "yield_stress")),
+    *(
+        {constant, *(one.shear for one in FROM_SHEAR if one.constant == constant)}
+        for constant in ("youngs_modulus", "viscosity", "yield_stress")
+    ),
     {"loss_tangent", "loss_modulus", "solid_viscosity"},
 )
 """Keys of [material] of which a scene has one at most."""
@@ -84,7 +86,11 @@ def twins(path: str) -> tuple[str, ...]:
     """Name the other keys that say the same as this one, by their dotted paths."""
     table, _, key = path.partition(".")
     if table == "filament":
-        return tuple(f"filament.{other}" for other in ("thickness", "diameter") if key in ("thickness", "diameter") and other != key)
+        return tuple(
+            f"filament.{other}"
+            for other in ("thickness", "diameter")
+            if key in ("thickness", "diameter") and other != key
+        )
     groups = [same for same in _SAME if key in same] if table == "material" else []
     return tuple(f"material.{other}" for same in groups for other in sorted(same - {key}))
 

@@ -198,13 +198,17 @@ class Integration:
         try:
             for low, high in itertools.pairwise((begin, *inside, first)):
                 if high > low:
-                    x, z, quad, _ = self._single.advance(state, p, low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE))
+                    x, z, quad, _ = self._single.advance(
+                        state, p, low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)
+                    )
                     state = State(x[:, -1], z[:, -1], quad[:, -1])
             record.extend(state.x[:, None], state.z[:, None], state.quad[:, None], 0)
             record.extend(*self._sampling(samples).advance(state, p, first, (end - first) / samples))
         except RuntimeError as error:
             found = record.so_far(samples + 2)
-            return Solution(np.full(found.frames, begin), found.x, found.z, found.quad, Outcome.no_convergence, str(error), 0)
+            return Solution(
+                np.full(found.frames, begin), found.x, found.z, found.quad, Outcome.no_convergence, str(error), 0
+            )
         progress.update(end * scale, None)
         found = record.so_far(samples + 2)
         time = np.concatenate([[begin], np.linspace(first, end, samples + 1)])

@@ -255,7 +255,11 @@ def _ringing(scene: Scene, effects: Effects, graph: Graph) -> str:
     Right to a factor of two or so where it is compiled; see :data:`STEPS_PER_PERIOD`.
     """
     vibration, rings = first_vibration(scene), ringing(scene)
-    if vibration is None or "inertia" not in effects.names or rings.amplitude < scene.run.accuracy * expected_sag(scene):
+    if (
+        vibration is None
+        or "inertia" not in effects.names
+        or rings.amplitude < scene.run.accuracy * expected_sag(scene)
+    ):
         return ""
     frequency = vibration.frequency / (2 * math.pi)
     damped = rings.decay > 0
@@ -264,7 +268,9 @@ def _ringing(scene: Scene, effects: Effects, graph: Graph) -> str:
     steps = frequency * lasts * at_first * (0.01 / scene.run.accuracy) ** power
     runs = BESIDE if scene.numerics.estimate else 1.0
     seconds = steps * (graph.x.numel() + graph.z.numel()) * SECONDS_PER_UNKNOWN * runs
-    text = f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {seconds:.1g} s of the processor"
+    text = (
+        f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {seconds:.1g} s of the processor"
+    )
     return text if damped or seconds < LONG else f"{text}; set load.ramp or material.loss_tangent"
 
 

@@ -126,8 +126,8 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
     largest, means = 0.0, list[float]()
     while loaded + elapsed < scene.run.duration:
         end = loaded + elapsed
-        times = tuple(at / prepared.scale for at in (reached, max(reached, end - window), end))
-        piece = prepared.piece(state, times, _SAMPLES, progress)
+        scale, samples = prepared.scale, max(reached, end - window)
+        piece = prepared.piece(state, (reached / scale, samples / scale, end / scale), _SAMPLES, progress)
         if not piece.outcome.is_success:
             return None
         heights = midpoint_heights(prepared.graph, piece)[1:] * unit

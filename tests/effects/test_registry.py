@@ -37,7 +37,7 @@ ALL = (
     "gravity-ramp",
 )
 """The published list."""
-BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking")
+BEYOND = ("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking", "solid-damping")
 
 
 @cache
@@ -73,6 +73,7 @@ def test_one_that_does_not_always_apply_says_why(effect: object) -> None:
     laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
     scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
     scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
+    scenes.append(scenes[0].replace({"material.loss_tangent": 0.1}))
     scenes.append(scenes[0].replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
     applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
     assert any(applies)

@@ -1,4 +1,4 @@
-"""A loss below yield: closed forms of its decay, no trace in what has settled, every law, both theories and backends."""
+"""A loss below yield: closed forms of its decay, no trace in what has settled, every law, theory and backend."""
 
 from __future__ import annotations
 
@@ -114,7 +114,11 @@ def test_a_string_that_hangs_loses_only_what_its_stretching_does() -> None:
         ends={"left": "pinned", "right": "pinned"},
         # Let go slowly: the first mode swings little, and the higher ones, which lose less, hardly at all.
         load={"ramp": "40 ms"},
-        run={"duration": "0.3 s", "frames": 1201, "effects": [*(n for n in KIRCHHOFF if n != "bending"), "gravity-ramp"]},
+        run={
+            "duration": "0.3 s",
+            "frames": 1201,
+            "effects": [*(n for n in KIRCHHOFF if n != "bending"), "gravity-ramp"],
+        },
         numerics={"backend": "compiled", "cells": 24},
     )
     run = simulate(scene)
@@ -164,7 +168,9 @@ def test_a_model_with_it_and_one_without_are_two_structures() -> None:
         keys.append(assembled(one, effects).structure().key)
     assert keys[0] != keys[1]
     # And they are two answers, whichever was compiled first.
-    ends = [float(simulate(one.replace({"numerics.backend": "compiled"})).data.midpoint[-1]) for one in (scene, without)]
+    ends = [
+        float(simulate(one.replace({"numerics.backend": "compiled"})).data.midpoint[-1]) for one in (scene, without)
+    ]
     assert abs(ends[0] - ends[1]) > 0.05 * abs(ends[0])
     assert choose_backend(scene, choose_effects(scene)).compiled
 

@@ -76,7 +76,11 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"material.yield_stress": None}, "material.yield_stress", "missing: the law 'bingham' needs it"),
     ({"material.viscosity": "9 kPa"}, "material.viscosity", "'kPa' is a stress, not a viscosity"),
     ({"material.yield_stress": "inf Pa"}, "material.yield_stress", "is not finite"),
-    ({"material.shear_yield_stress": "5 kPa"}, "material.yield_stress", "given twice, here and as material.shear_yield_stress"),
+    (
+        {"material.shear_yield_stress": "5 kPa"},
+        "material.yield_stress",
+        "given twice, here and as material.shear_yield_stress",
+    ),
     ({"material.shear_viscosity": "5 Pa s"}, "material.viscosity", "given twice, here and as material.shear_viscosity"),
     ({"load.gravity": "-9.81 m/s^2"}, "load.gravity", "is negative; accepted: a non-negative acceleration"),
     ({"load.gravity": 9.81}, "load.gravity", "9.81 has no unit"),

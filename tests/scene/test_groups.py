@@ -293,6 +293,6 @@ def test_what_a_user_would_bring() -> None:
 
 
 def test_every_bundled_scene_loads_and_has_a_title() -> None:
-    assert len(bundled_names()) == 30
+    assert len(bundled_names()) == 31
     for name in bundled_names():
         assert load_scene(name).title == bundled_title(name) != ""
