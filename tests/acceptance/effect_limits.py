@@ -239,5 +239,16 @@ LIMITS: tuple[Limit, ...] = (
         fading.duhamel_share,
         0.01,
     ),
+    Limit(
+        "solid-damping",
+        "swinging clamped beam",
+        "G''/G'",
+        (0.02, 0.01, 0.005),
+        1,
+        0.04,
+        fading.loss_of_a_beam,
+        fading.loss_share,
+        0.04,
+    ),
 )
 """Every limit; each effect has one or more."""

@@ -275,3 +275,31 @@ def rayleigh_share() -> float:
     small, plain = 1e-4, swing(omega)
     slope = np.max(np.abs(swing(omega * (1 - small)) - plain)) / np.max(plain) / small
     return float(slope * RAYLEIGH / 24)
+
+
+# --- solid damping -----------------------------------------------------------------------------------------------
+# A mode of a beam loses zeta omega t of its amplitude, zeta = loss_tangent/2 of the first: exponent 1.
+def loss_of_a_beam(tangent: float) -> Pair:
+    material = {"law": "elastic", "youngs_modulus": beam_modulus(SWING_SAG, 0.05), "loss_tangent": tangent}
+    asked = {"load": {"ramp": SWING_RAMP}, "run": {"frames": 101, "duration": SWING}, "cells": 12}
+    without = ("inertia", "bending", "gravity-ramp")
+    damped = sag(material, {"thickness": 0.05}, (*without, "solid-damping"), **asked)
+    return damped, sag(material, {"thickness": 0.05}, without, **asked)
+
+
+def loss_share() -> float:
+    """Share per loss tangent of a single mode q'' + 2 zeta omega q' + omega^2 (q - ramp) = 0."""
+    omega = 4.730041**2 * np.sqrt(WEIGHT / (384 * SWING_SAG) / 1000)
+
+    def swing(tangent: float) -> Array:
+        def motion(t: float, state: Array) -> list[float]:
+            u = min(t / SWING_RAMP, 1.0)
+            pull = omega**2 * (10 * u**3 - 15 * u**4 + 6 * u**5 - state[0])
+            return [state[1], pull - tangent * omega * state[1]]
+
+        times = np.linspace(0.0, SWING, 101)
+        found = solve_ivp(motion, (0, SWING), [0, 0], rtol=1e-9, atol=1e-11, t_eval=times, max_step=SWING_RAMP / 20)
+        return np.asarray(found.y[0])
+
+    small, plain = 1e-4, swing(0.0)
+    return float(np.max(np.abs(swing(small) - plain)) / np.max(plain) / small)

@@ -25,6 +25,7 @@ SYMBOLS: dict[str, tuple[set[str], set[str]]] = {
     "shear": ({"poisson"}, {"axial", "shear", "psi"}),
     "necking-gradient": ({"aspect"}, set()),
     "rotary-inertia": (set(), {"omega"}),
+    "solid-damping": ({"solid_viscosity"}, set()),
     "gravity-shaking": ({"shake", "shake_frequency"}, set()),
 }
 """Parameters and blocks of unknowns of each effect alone; the others change expressions, and have neither."""

@@ -122,10 +122,11 @@ def test_contributing_twice_is_contributing_once(effect: object) -> None:
         (("necking-gradient",), "aspect"),
         (("gravity-shaking",), "shake"),
         (("gravity-shaking",), "shake_frequency"),
+        (("solid-damping",), "solid_viscosity"),
     ],
 )
 def test_an_absent_effect_leaves_no_parameter(absent: tuple[str, ...], parameter: str) -> None:
-    everything = (*ALL, *({"shear", "rotary-inertia", "necking-gradient", "gravity-shaking"} & {*absent}))
+    everything = (*ALL, *(set(BEYOND) & {*absent}))
     assert parameter in graph_of(everything).parameters
     assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
 
@@ -284,7 +285,9 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
     scene = scene_of(run={"effects": ["bending", "inertia", "viscous-flow"]})
     effects = choose_effects(scene)
     assert effects.names == ("inertia", "bending", "viscous-flow")
-    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {"viscous-stress", "gravity-shaking"}
+    assert set(effects.left_out) == set(NAMES) - set(effects.names) - {
+        *("viscous-stress", "gravity-shaking", "solid-damping")
+    }
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 
 

@@ -31,7 +31,9 @@ LAWS: dict[str, dict[str, Any]] = {
     "custom": {"youngs_modulus": "90 kPa", "flow": "sigma/s0/t0", "parameters": {"s0": "100 Pa", "t0": "1 s"}},
     "standard-linear": {"youngs_modulus": "60 kPa", "second_modulus": "30 kPa", "viscosity": "30 kPa*s"},
     "multimode-maxwell": {
-        "modes": [{"youngs_modulus": "50 kPa", "viscosity": "50 kPa*s"}, {"youngs_modulus": "40 kPa", "viscosity": "4 kPa*s"}],
+        "modes": [
+            {"youngs_modulus": "50 kPa", "viscosity": "50 kPa*s"}, {"youngs_modulus": "40 kPa", "viscosity": "4 kPa*s"},
+        ],
     },
 }  # fmt: skip
 YIELDS = ("bingham", "herschel-bulkley")

@@ -254,6 +254,8 @@ def _lists(draw: st.DrawFn, law: str, ramp: bool, shaken: bool) -> list[str]:
         cannot |= {"yielding"}
     if not ramp:
         cannot |= {"gravity-ramp"}
+    # No scene drawn here states a loss.
+    cannot |= {"solid-damping"}
     if not shaken:
         cannot |= {"gravity-shaking"}
     allowed = [effect.name for effect in REGISTRY if effect.name not in cannot]

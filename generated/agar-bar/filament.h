@@ -1,0 +1,92 @@
+/*
+ * Agar bar: rings, and its loss modulus ends it
+ *
+ * Generated, do not edit; written by: softcat generate --bundled -o generated
+ * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
+ * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation, shear,
+ *     rotary-inertia, solid-damping
+ * Digest of the structure: 9742a77c0ad60e80df28ea41b09245d95de9c9437542c6840591b34527110006
+ */
+
+#ifndef SOFTCAT_FILAMENT_H
+#define SOFTCAT_FILAMENT_H
+
+#include "softcat_solve.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Numbers of the parameters; all are in SI units. Values are those of the scene. */
+enum {
+    SOFTCAT_P_REST_LENGTH,     /* [m] 0.08: length of the undeformed filament */
+    SOFTCAT_P_THICKNESS,       /* [m] 0.006: of the section; the diameter of a circle */
+    SOFTCAT_P_DENSITY,         /* [kg/m^3] 1010 */
+    SOFTCAT_P_GRAVITY,         /* [m/s^2] 9.81: acceleration */
+    SOFTCAT_P_YOUNGS_MODULUS,  /* [Pa] 44700 */
+    SOFTCAT_P_SOLID_VISCOSITY, /* [Pa*s] 34.4872 */
+    SOFTCAT_P_POISSON,         /* [1] 0.49: used by shear only */
+    SOFTCAT_P_TIME_SCALE,      /* [s] 0.0903047: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
+    SOFTCAT_PARAMETERS
+};
+
+/* Numbers of the unknowns of a site: a node, or the cell to its right. */
+enum {
+    SOFTCAT_SLOT_X,     /* node, differential */
+    SOFTCAT_SLOT_Y,     /* node, differential */
+    SOFTCAT_SLOT_U,     /* node, differential */
+    SOFTCAT_SLOT_V,     /* node, differential */
+    SOFTCAT_SLOT_PSI,   /* node, differential */
+    SOFTCAT_SLOT_OMEGA, /* node, differential */
+    SOFTCAT_SLOTS
+};
+
+/* How the scene is run: cells a half span, longest over shortest cell, tolerances, [s], times. */
+#define SOFTCAT_SCENE_CELLS 40
+#define SOFTCAT_SCENE_GRADING 3.0
+#define SOFTCAT_SCENE_RELATIVE 1.2e-05
+#define SOFTCAT_SCENE_ABSOLUTE 1.2000000000000002e-07
+#define SOFTCAT_SCENE_DURATION 4.0
+#define SOFTCAT_SCENE_FRAMES 201
+
+extern const softcat_structure softcat_filament_structure;
+
+/* Doubles that one time takes in `out`, 2 for each node; 0 if cells < 4. Solved is
+ * half the filament, from its plane of symmetry (x = 0) to the right support: cells + 1 nodes. */
+int softcat_row(int cells);
+
+/* Fill params [SOFTCAT_PARAMETERS] with the scene's. */
+void softcat_defaults(double *params);
+
+/* Positions [m] of all nodes at n times, with the scene's grading and tolerances.
+ *
+ * params  [SOFTCAT_PARAMETERS] SI
+ * cells   per half span, 4 or more
+ * times   [n] increasing, from 0 on [s]; the filament is at rest at t = 0
+ * out     [n * softcat_row(cells)] x_0 y_0 x_1 y_1 ... of each time; NaN at times not reached
+ * status  or NULL
+ * Returns SOFTCAT_SOLVED or a code; softcat_explain says what it means. */
+int softcat_solve(const double *params, int cells, const double *times, int n, double *out,
+                   softcat_status *status);
+
+/* The same for the height [m] of the node at X = 0 only: out [n]. */
+int softcat_midpoint(const double *params, int cells, const double *times, int n, double *out,
+                      softcat_status *status);
+
+/* Positions, and their derivatives by parameters number by[0] ... by[by_count - 1] in the same
+ * pass: derivatives [by_count * n * softcat_row(cells)] in m per SI unit. */
+int softcat_solve_sensitivities(const double *params, int cells, const double *times, int n,
+                                 const int *by, int by_count, double *out, double *derivatives,
+                                 softcat_status *status);
+
+/* All that softcat_solve.h offers: grading, tolerances, a starting shape, stopping, the thickness
+ * along the filament, all unknowns, work. */
+int softcat_solve_with(const double *params, int cells, const double *times, int n,
+                        const softcat_settings *settings, const softcat_results *results,
+                        softcat_status *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
