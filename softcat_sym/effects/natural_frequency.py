@@ -169,7 +169,7 @@ class _Strand:
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
             low, high = (middle, high) if missing(middle) > 0 else (low, middle)
-        return high, np.asarray(shapes @ (along / (thrusts + high)))
+        return high, np.asarray(shapes @ (along / (thrusts + high)), dtype=np.float64)
 
 
 def eigen(stiffness: Floats, mass: Floats) -> tuple[Floats, Floats]:
