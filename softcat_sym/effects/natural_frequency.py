@@ -151,7 +151,7 @@ class _Strand:
         """Tension, and the shape that the weight takes under it."""
         force = self.weight * self.push
         if self.axial == 0:
-            return 0.0, np.linalg.solve(self.bending, force)
+            return 0.0, np.asarray(np.linalg.solve(self.bending, force), dtype=np.float64)
         # In the shapes v that bend by themselves under a thrust lambda, y = v (v.f)/(lambda + N).
         thrusts, shapes = eigen(self.bending, self.geometric)
         along = shapes.T @ force
