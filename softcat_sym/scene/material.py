@@ -128,7 +128,7 @@ class Material(Part):
     @field_validator("loss_modulus", mode="wrap")
     @classmethod
     def _beside_a_storage_modulus(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        if value is not None and not _is_given("storage_modulus", info):
+        if value is not None and not (_is_given("storage_modulus", info) or _is_given("youngs_modulus", info)):
             raise refusal(
                 "given without material.storage_modulus: their ratio is the loss tangent",
                 "both moduli in shear, or material.loss_tangent",
@@ -142,7 +142,9 @@ class Material(Part):
         if modulus is not None:
             if tangent != 0:
                 raise refusal("given twice, here and as material.loss_modulus", "one of the two")
-            tangent = modulus / (info.data.get("storage_modulus") or math.nan)
+            # G' of a Young's modulus that was given itself.
+            own = (info.data.get("youngs_modulus") or math.nan) / (2 * (1 + info.data.get("poisson", math.nan)))
+            tangent = modulus / (info.data.get("storage_modulus") or own)
         if tangent != 0:
             check_loss(info.data.get("law"))
         return tangent
@@ -233,7 +235,7 @@ class Material(Part):
                     f"{one.constant} = {words}: {getattr(self, one.constant):.6g} {unit} from {shear:.6g} {unit}"
                 )
         if self.loss_modulus is not None:
-            ratio = f"{self.loss_modulus:.6g} Pa over {self.storage_modulus:.6g} Pa"
+            ratio = f"{self.loss_modulus:.6g} Pa over {self.loss_modulus / self.loss_tangent:.6g} Pa"
             notes.append(f"loss_tangent = loss_modulus/storage_modulus: {self.loss_tangent:.6g} from {ratio}")
         return tuple(notes)
 
