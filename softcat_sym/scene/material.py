@@ -117,7 +117,7 @@ class Material(Part):
     @field_validator("loss_modulus", mode="wrap")
     @classmethod
     def _beside_a_storage_modulus(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        if value is not None and not _is_given("storage_modulus", info):
+        if value is not None and not (_is_given("storage_modulus", info) or _is_given("youngs_modulus", info)):
             raise refusal(
                 "given without material.storage_modulus: their ratio is the loss tangent",
                 "both moduli in shear, or material.loss_tangent",
@@ -131,7 +131,9 @@ class Material(Part):
         if modulus is not None:
             if tangent != 0:
                 raise refusal("given twice, here and as material.loss_modulus", "one of the two")
-            tangent = modulus / (info.data.get("storage_modulus") or math.nan)
+            # G' of a Young's modulus that was given itself.
+            own = (info.data.get("youngs_modulus") or math.nan) / (2 * (1 + info.data.get("poisson", math.nan)))
+            tangent = modulus / (info.data.get("storage_modulus") or own)
         if tangent != 0:
             check_loss(info.data.get("law"))
         return tangent
@@ -225,7 +227,8 @@ class Material(Part):
                 else:
                     notes.append(f"{what} {shear:.6g} {unit} in shear = {tensile:.6g} {unit} in tension, {words}")
         if self.loss_modulus is not None:
-            ratio = f"loss modulus {self.loss_modulus:.6g} Pa over storage modulus {self.storage_modulus:.6g} Pa"
+            storage = self.loss_modulus / self.loss_tangent
+            ratio = f"loss modulus {self.loss_modulus:.6g} Pa over storage modulus {storage:.6g} Pa"
             notes.append(f"{ratio} = loss tangent {self.loss_tangent:.6g}")
         return tuple(notes)
 

@@ -271,9 +271,8 @@ def _ringing(scene: Scene, effects: Effects, graph: Graph) -> str:
     steps = frequency * lasts * at_first * (0.01 / scene.run.accuracy) ** power
     runs = BESIDE if scene.numerics.estimate else 1.0
     seconds = steps * (graph.x.numel() + graph.z.numel()) * SECONDS_PER_UNKNOWN * runs
-    text = (
-        f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {seconds:.1g} s of the processor"
-    )
+    told = float(f"{seconds:.1g}")
+    text = f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {told:g} s of the processor"
     return text if damped or seconds < LONG else f"{text}; set load.ramp or material.loss_tangent"
 
 

@@ -88,7 +88,11 @@ def test_two_names_of_one_quantity_are_refused_by_both(changes: dict[str, Any], 
     ("changes", "path", "says"),
     [
         ({"material__loss_modulus": "-1 kPa"}, "material.loss_modulus", "is negative"),
-        ({"material__storage_modulus": None}, "material.loss_modulus", "without material.storage_modulus"),
+        (
+            {"material__storage_modulus": None, "material__law": "newtonian"},
+            "material.loss_modulus",
+            "without material.storage_modulus",
+        ),
         ({"material__loss_modulus": None, "material__loss_tangent": -0.1}, "material.loss_tangent", "out of range"),
         ({"filament__section": "rectangle"}, "filament.section", "filament.diameter is given"),
         ({"filament__diameter": None}, "filament.thickness", "missing"),
@@ -123,6 +127,8 @@ def test_an_override_replaces_the_other_name() -> None:
     assert sc.load_scene("agar-bar", {"material.solid_viscosity": "3 Pa*s"}).material.loss_tangent == 0
     stiff = sc.load_scene("agar-bar", {"material.storage_modulus": "30 kPa"})
     assert stiff.material.loss_tangent == pytest.approx(0.025)
+    soft = sc.load_scene("agar-bar", {"material.youngs_modulus": "22.35 kPa"})
+    assert soft.material.loss_tangent == pytest.approx(0.1)
     grouped = sc.load_scene("no-yield", {"filament.diameter": "5 mm", "material.storage_modulus": "1 MPa"})
     assert grouped.filament.thickness == 5e-3
     assert grouped.material.youngs_modulus == pytest.approx(2.9e6)

@@ -125,3 +125,18 @@ def test_every_bundled_scene_is_explained(name: str) -> None:
     assert told.regime.reason
     assert told.equations
     assert printed(told, 100)
+
+
+def test_what_rings_long_is_told_beforehand_and_what_to_do_about_it() -> None:
+    changes = {"run.duration": "60 s", "run.accuracy": 0.01}
+    undamped = explain(sc.load_scene("agar-bar", {**changes, "material.loss_tangent": 0.0}))
+    assert undamped.ringing.startswith("rings some 619 periods of 0.097 s: about ")
+    assert undamped.ringing.endswith("set load.ramp or material.loss_tangent")
+    assert undamped.damping == ""
+    damped = explain(sc.load_scene("agar-bar", changes))
+    assert damped.damping.startswith(
+        "first natural frequency 10.31 Hz; loss tangent 0.05 -> solid viscosity 34.49 Pa s"
+    )
+    assert "rings some" in damped.ringing
+    assert "set load.ramp" not in damped.ringing
+    assert explain(sc.load_scene("cold-honey")).ringing == ""

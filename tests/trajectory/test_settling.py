@@ -56,13 +56,13 @@ def test_an_error_is_estimated_of_a_run_that_settles() -> None:
 
 
 def test_an_undamped_strand_runs_on_and_tells_its_mean_and_amplitude() -> None:
-    run = simulate(strand(loss_tangent=0.0, run={"duration": "0.25 s", "frames": 501}))
-    sparse = simulate(strand(loss_tangent=0.0, run={"duration": "0.25 s", "frames": 24}))
+    run = simulate(strand(loss_tangent=0.0, run={"duration": "0.8 s", "frames": 1601}))
+    sparse = simulate(strand(loss_tangent=0.0, run={"duration": "0.8 s", "frames": 77}))
     for one in (run, sparse):
         assert one.summary["settled_s"] is None
-        assert one.summary["time_final_s"] == pytest.approx(0.25)
+        assert one.summary["time_final_s"] == pytest.approx(0.8)
     dense, told = run.summary["midpoint_settled_m"], sparse.summary["midpoint_settled_m"]
-    # 24 frames over 12 periods would show an amplitude and a mean of their own.
+    # 77 frames over 38 periods would show an amplitude and a mean of their own.
     assert told["mean"] == pytest.approx(dense["mean"], rel=0.01)
     assert told["amplitude"] == pytest.approx(dense["amplitude"], rel=0.02)
     rests = float(simulate(strand()).summary["midpoint_settled_m"]["mean"])

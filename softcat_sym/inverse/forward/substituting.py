@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TypeVar
+from typing import TypeVar, cast
 
 from softcat_sym.inverse.forward.free import FreeParameter
 from softcat_sym.scene import Filament, Material, Scene
@@ -54,18 +54,7 @@ def _filament(filament: Filament, changes: dict[str, float]) -> Filament:
 
 def _material(material: Material, changes: dict[str, float]) -> Material:
     given: dict[str, object] = {}
-    follows: dict[str, object] = {}
-    index, poisson = changes.get("index", material.index), changes.get("poisson", material.poisson)
-    for rule in FROM_SHEAR:
-        if not rule.suits(material.law):
-            continue
-        if rule.constant in changes:
-            # Else it would be said twice.
-            follows[rule.shear] = None
-            continue
-        shear = changes.get(rule.shear, getattr(material, rule.shear))
-        if shear is not None:
-            follows[rule.constant] = rule.factor(index, poisson) * shear
+    follows = _following(material, changes)
     modes, parameters = list(material.modes), {one.name: one for one in material.parameters}
     for key, value in changes.items():
         if key.startswith("mode_"):
@@ -82,6 +71,27 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
     if parameters:
         given["parameters"] = tuple(parameters.values())
     return _copied(material, given, follows)
+
+
+def _following(material: Material, changes: dict[str, float]) -> dict[str, object]:
+    """What follows from shear data and other names when some values change."""
+    follows: dict[str, object] = {}
+    index, poisson = changes.get("index", material.index), changes.get("poisson", material.poisson)
+    for rule in FROM_SHEAR:
+        if not rule.suits(material.law):
+            continue
+        others = {one.shear for one in FROM_SHEAR if one.constant == rule.constant} - {rule.shear}
+        if rule.constant in changes or others & set(changes):
+            # Else it would be said twice.
+            follows[rule.shear] = None
+            continue
+        shear = changes.get(rule.shear, getattr(material, rule.shear))
+        if shear is not None:
+            follows[rule.constant] = rule.factor(index, poisson) * shear
+    if material.loss_modulus is not None:
+        modulus = follows.get("youngs_modulus") or changes.get("youngs_modulus", material.youngs_modulus)
+        follows["loss_tangent"] = material.loss_modulus * 2 * (1 + poisson) / cast("float", modulus)
+    return follows
 
 
 def _copied(part: AnyPart, given: Mapping[str, object], follows: Mapping[str, object]) -> AnyPart:
