@@ -103,7 +103,7 @@ def front_page() -> str:
 
 def manual_page(text: str) -> str:
     """A page of the manual, whose links lead to files of the repository."""
-    for path, page in {**PAGES, "README.md#measured": "index.md#measured"}.items():
+    for path, page in PAGES.items():
         text = text.replace(f"](../../{path})", f"](../{page})")
     return text
 

@@ -13,8 +13,8 @@ from softcat_sym.cli.application import EVERYDAY, QuietOption, app
 from softcat_sym.errors import SceneError, SoftcatError
 
 
-def _flag(name: str, help_text: str, *others: str) -> object:
-    return typer.Option(f"--{name}", *others, metavar="VALUE", help=help_text)
+def _flag(name: str, help_text: str) -> object:
+    return typer.Option(f"--{name}", metavar="VALUE", help=help_text)
 
 
 ForceOption = Annotated[bool, typer.Option("--force", help="Replace a file that is there.")]
@@ -28,13 +28,9 @@ def new(
     density: Annotated[str | None, _flag("density", "'2200 kg/m^3'.")] = None,
     law: Annotated[str | None, _flag("law", "bingham, herschel-bulkley, newtonian, elastic, ...")] = None,
     youngs_modulus: Annotated[str | None, _flag("youngs-modulus", "'300 kPa'; three times an ink's G'.")] = None,
-    yield_stress: Annotated[
-        str | None, _flag("yield-stress", "In shear, from a rheometer: '200 Pa'.", "--shear-yield-stress")
-    ] = None,
-    viscosity: Annotated[str | None, _flag("viscosity", "In shear: '10 Pa*s'.", "--shear-viscosity")] = None,
-    consistency: Annotated[
-        str | None, _flag("consistency", "In shear, of a law with an index: '10 Pa*s^0.5'.", "--shear-consistency")
-    ] = None,
+    yield_stress: Annotated[str | None, _flag("shear-yield-stress", "From a rheometer: '200 Pa'.")] = None,
+    viscosity: Annotated[str | None, _flag("shear-viscosity", "Once it flows: '10 Pa*s'.")] = None,
+    consistency: Annotated[str | None, _flag("shear-consistency", "Of a law with an index: '10 Pa*s^0.5'.")] = None,
     index: Annotated[str | None, _flag("index", "Of herschel-bulkley or power-law: 0.5.")] = None,
     surface_tension: Annotated[str | None, _flag("surface-tension", "'72 mN/m'.")] = None,
     duration: Annotated[str | None, _flag("duration", "How long to look: '0.5 s'.")] = None,

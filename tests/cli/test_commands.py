@@ -112,9 +112,9 @@ def test_new_writes_a_scene_of_every_law_with_comments(softcat: Softcat, law: st
 
 
 def test_new_takes_shear_data_and_says_what_they_are_in_tension(softcat: Softcat) -> None:
-    constants = ("--consistency", "60 Pa*s^0.4", "--index", "0.4", "--yield-stress", "0.2 kPa")
+    constants = ("--shear-consistency", "60 Pa*s^0.4", "--index", "0.4", "--shear-yield-stress", "0.2 kPa")
     done = softcat("new", "hb.toml", "--law", "herschel-bulkley", *constants, "--surface-tension", "72 mN/m")
-    assert "yield_stress = sqrt(3) x shear_yield_stress (von Mises): 346.41 Pa from 200 Pa" in done.out
+    assert "yield stress 200 Pa in shear = 346.41 Pa in tension" in done.out
     scene = sc.load_scene("hb.toml")
     assert scene.material.viscosity == pytest.approx(3**0.7 * 60, rel=1e-12)
     assert scene.material.yield_stress == pytest.approx(3**0.5 * 200, rel=1e-12)
@@ -123,14 +123,14 @@ def test_new_takes_shear_data_and_says_what_they_are_in_tension(softcat: Softcat
 
 def test_new_refuses_values_like_a_scene_and_never_overwrites_by_itself(softcat: Softcat) -> None:
     done = softcat(
-        "new", "ink.toml", "--span", "3 mmm", "--yield-stress", "200", "--index", "x", "--density", "-1 kg/m^3"
+        "new", "ink.toml", "--span", "3 mmm", "--shear-yield-stress", "200", "--index", "x", "--density", "-1 kg/m^3"
     )
     assert done.status == 2
     assert "scene ink.toml: 4 faults" in done.err
     for fault in ("filament.span: unknown unit 'mmm'", "material.shear_yield_stress: '200' has no unit"):
         assert fault in done.err
     assert not Path("ink.toml").exists()
-    assert "does not yield" in softcat("new", "ink.toml", "--law", "elastic", "--yield-stress", "1 Pa").err
+    assert "does not yield" in softcat("new", "ink.toml", "--law", "elastic", "--shear-yield-stress", "1 Pa").err
     assert "material.law: 'custom', whose" in softcat("new", "ink.toml", "--law", "custom").err
     assert "ends in .toml" in softcat("new", "ink").err
     Path("ink.toml").write_text("mine")

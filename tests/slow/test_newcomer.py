@@ -20,7 +20,8 @@ pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
 NEW = (
     "softcat new my-ink.toml --span '2 mm' --diameter '0.25 mm' --density '1100 kg/m^3' --youngs-modulus '45 kPa'"
-    " --law herschel-bulkley --yield-stress '200 Pa' --consistency '60 Pa*s^0.4' --index 0.4 --duration '20 ms'"
+    " --law herschel-bulkley --shear-yield-stress '200 Pa' --shear-consistency '60 Pa*s^0.4' --index 0.4"
+    " --surface-tension '40 mN/m' --duration '20 ms'"
 )
 
 
