@@ -12,7 +12,7 @@ from softcat_sym.effects.shear import SHEAR
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.body import Body
 from softcat_sym.graph.discretisation import Discretisation
-from softcat_sym.graph.grading import choose_grading, may_yield
+from softcat_sym.graph.grading import choose_grading, may_yield, towards_middle
 from softcat_sym.graph.grid import End, Grid, half_span, whole_span
 from softcat_sym.graph.kirchhoff import KIRCHHOFF
 from softcat_sym.graph.profile import Profile
@@ -83,7 +83,10 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     cells = choose_cells(scene, effects)
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
     left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
-    return half_span(cells, right, grading) if is_symmetric(scene) else whole_span(cells, left, right, grading)
+    middle = towards_middle(scene, effects)
+    if is_symmetric(scene):
+        return half_span(cells, right, grading, middle=middle)
+    return whole_span(cells, left, right, grading, middle=middle)
 
 
 def choose_body(scene: Scene, grid: Grid) -> Body:
