@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 106146f39e781370ef4d975b013d32e0997a964e5c85b52a746532b22dad4ef4
+ * Digest of the structure: e4e502eaf79f93537b7a2dc8ca8967abc8dd08eaf868b3843cbae5f9ec66572e
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -35,27 +35,43 @@ enum {
 
 /* Numbers of the unknowns of a site: a node, or the cell to its right. */
 enum {
-    SOFTCAT_SLOT_X,       /* node, differential */
-    SOFTCAT_SLOT_Y,       /* node, differential */
-    SOFTCAT_SLOT_U,       /* node, differential */
-    SOFTCAT_SLOT_V,       /* node, differential */
-    SOFTCAT_SLOT_PSI,     /* node, algebraic */
-    SOFTCAT_SLOT_AXIAL_0, /* cell, differential */
-    SOFTCAT_SLOT_AXIAL_1, /* cell, differential */
-    SOFTCAT_SLOT_AXIAL_2, /* cell, differential */
-    SOFTCAT_SLOT_AXIAL_3, /* cell, differential */
-    SOFTCAT_SLOT_AXIAL_4, /* cell, differential */
-    SOFTCAT_SLOT_AXIAL_5, /* cell, differential */
-    SOFTCAT_SLOT_AXIAL_6, /* cell, differential */
-    SOFTCAT_SLOT_AXIAL_7, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_0, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_1, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_2, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_3, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_4, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_5, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_6, /* cell, differential */
-    SOFTCAT_SLOT_SHEAR_7, /* cell, differential */
+    SOFTCAT_SLOT_X,        /* node, differential */
+    SOFTCAT_SLOT_Y,        /* node, differential */
+    SOFTCAT_SLOT_U,        /* node, differential */
+    SOFTCAT_SLOT_V,        /* node, differential */
+    SOFTCAT_SLOT_PSI,      /* node, algebraic */
+    SOFTCAT_SLOT_AXIAL_0,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_1,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_2,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_3,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_4,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_5,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_6,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_7,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_8,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_9,  /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_10, /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_11, /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_12, /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_13, /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_14, /* cell, differential */
+    SOFTCAT_SLOT_AXIAL_15, /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_0,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_1,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_2,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_3,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_4,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_5,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_6,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_7,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_8,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_9,  /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_10, /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_11, /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_12, /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_13, /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_14, /* cell, differential */
+    SOFTCAT_SLOT_SHEAR_15, /* cell, differential */
     SOFTCAT_SLOTS
 };
 
