@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 943e4dcc2291fe77857dd287bb4d16efcb4eb588aaf53e24b0262f185ab83070
+ * Digest of the structure: a127e583da8e8337f720e9eaee88792894ed95d41a274d5d3747a8cb570aa662
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, fibres, rotary-inertia
- * Digest of the structure: 68635df22d05ee93b1203e960e6fe0f95594d5b46ba179d20f980239535d7b94
+ * Digest of the structure: 8518f157fa4049ad25063ba076dd3a696a80d41f9f116be351b0c2e47df2eb32
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
- * Digest of the structure: 076ca95ae85724abf4b9a9b8456671072cdebe145cca4365ba89a0e48de8cd33
+ * Digest of the structure: ebb6cb06d5732592a887181cd6cfb0d6194173388572b25d789c6cdcbae8a939
  */
 
 #ifndef SOFTCAT_FILAMENT_H
