@@ -1,8 +1,8 @@
 """How a section is sampled through its thickness, and what its plastic state stands for.
 
-Fibres: one plastic strain at each point of a Gauss rule, or of one in either half. Order k: amplitudes of the orthogonal
-polynomials p_0 ... p_k (A 1), whose rates are projections by the same kind of rule (A 2). With k + 1 points both are the
-same.
+Fibres: one plastic strain at each point of a Gauss rule, or of one in either half. Order k: amplitudes of the
+orthogonal polynomials p_0 ... p_k (A 1), whose rates are projections by the same kind of rule (A 2). With k + 1 points
+of one rule both are the same.
 """
 
 from __future__ import annotations
