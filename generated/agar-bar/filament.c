@@ -1193,6 +1193,7 @@ const softcat_structure softcat_filament_structure = {
     .grading = 3.0,
     .relative = 0.00012,
     .absolute = 1.2000000000000002e-06,
+    .towards_middle = 0,
     .duration = 4.0,
     .cells = 40,
     .frames = 201,

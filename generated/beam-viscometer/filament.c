@@ -1225,6 +1225,7 @@ const softcat_structure softcat_filament_structure = {
     .grading = 1.0,
     .relative = 3e-05,
     .absolute = 5.251312949582929e-09,
+    .towards_middle = 0,
     .duration = 3600.0,
     .cells = 40,
     .frames = 201,

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
- * Digest of the structure: 70445904177d82fb3f1951cc3c44dd10d8bdcc2076d48de7b663973aa051bbf2
+ * Digest of the structure: cffc861c9a5e95df26f75ee624a28f3973aa002ec38b9068aeea9ead5d5ecf94
  */
 
 #ifndef SOFTCAT_FILAMENT_H

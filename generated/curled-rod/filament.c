@@ -1198,6 +1198,7 @@ const softcat_structure softcat_filament_structure = {
     .grading = 3.0,
     .relative = 3e-05,
     .absolute = 3.0000000000000004e-07,
+    .towards_middle = 0,
     .duration = 2.0,
     .cells = 40,
     .frames = 201,

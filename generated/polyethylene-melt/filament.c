@@ -2259,6 +2259,7 @@ const softcat_structure softcat_filament_structure = {
     .grading = 3.0,
     .relative = 1.2e-05,
     .absolute = 1.2000000000000002e-07,
+    .towards_middle = 0,
     .duration = 10.0,
     .cells = 40,
     .frames = 201,

@@ -14,14 +14,23 @@ int softcat_middle(const softcat_structure *s, int cells)
 }
 
 /* Neighbours differ by grading^(1 / (cells - 1)): the nodes lie on a smooth map of an equal grid,
- * on which differences keep their second order. */
+ * on which differences keep their second order. Under a heavy weight cells are short at midspan,
+ * too. */
+static double length_of(const softcat_structure *s, int cells, double grading, int i)
+{
+    if (cells == 1 || grading == 1.0) return 1.0;
+    if (!s->towards_middle) return pow(grading, -(double)i / (cells - 1));
+    double share = cos(3.14159265358979323846 * (i + 0.5) / cells);
+    return pow(grading, -share * share);
+}
+
 void softcat_nodes(const softcat_structure *s, int cells, double grading, double *X)
 {
     int middle = softcat_middle(s, cells);
     double *half = X + middle, sum = 0.0;
     half[0] = 0.0;
     for (int i = 0; i < cells; i++) {
-        sum += cells > 1 ? pow(grading, -(double)i / (cells - 1)) : 1.0;
+        sum += length_of(s, cells, grading, i);
         half[i + 1] = sum;
     }
     for (int i = 1; i < cells; i++) half[i] /= 2.0 * sum;

@@ -64,6 +64,7 @@ typedef struct softcat_structure {
     const double *initial_mean, *initial_bending, *thickness; /* equally spaced from left to right*/
     int initial_mean_count, initial_bending_count, thickness_count;
     double grading, relative, absolute;   /* of the scene */
+    int towards_middle;                   /* whether cells are short at midspan, too */
     double duration;                      /* of the scene [s] */
     int cells, frames;                    /* of the scene */
 } softcat_structure;

@@ -1258,6 +1258,7 @@ const softcat_structure softcat_filament_structure = {
     .grading = 3.0,
     .relative = 3e-05,
     .absolute = 2.6419415079876277e-07,
+    .towards_middle = 0,
     .duration = 1.0,
     .cells = 40,
     .frames = 181,

@@ -663,6 +663,7 @@ const softcat_structure softcat_filament_structure = {
     .grading = 3.0,
     .relative = 1.2e-05,
     .absolute = 2.7315151283575664e-10,
+    .towards_middle = 0,
     .duration = 0.1,
     .cells = 40,
     .frames = 201,

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
- * Digest of the structure: 9816b3a2059ecac86971d566387550cc4548cc44543801cd324cdd77a40dee30
+ * Digest of the structure: 1f0eebb3b7a3ab63d75ba08768c1aad15fb2ad9035df572702096a0f1826e2fc
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -1,7 +1,17 @@
 """How accurate an answer is, found on the run itself, and what makes it as accurate as was asked."""
 
+from softcat_sym.accuracy.deviation import Deviation, Judge
 from softcat_sym.accuracy.error_estimate import ErrorEstimate
-from softcat_sym.accuracy.estimating import as_accurate_as_asked
+from softcat_sym.accuracy.estimating import FRAMES_PER_PERIOD, as_accurate_as_asked, periods_of
 from softcat_sym.accuracy.resolution import Resolution, resolution_of
 
-__all__ = ["ErrorEstimate", "Resolution", "as_accurate_as_asked", "resolution_of"]
+__all__ = [
+    "FRAMES_PER_PERIOD",
+    "Deviation",
+    "ErrorEstimate",
+    "Judge",
+    "Resolution",
+    "as_accurate_as_asked",
+    "periods_of",
+    "resolution_of",
+]

@@ -66,7 +66,7 @@ def as_accurate_as_asked(
     """
     guess = resolution_of(first.scene, effects, compiled=first.summary["backend"] == "compiled")
     start = replace(guess, rtol=first.summary["rtol"])
-    scene, periods = first.scene, _periods(first)
+    scene, periods = first.scene, periods_of(first)
     runs = _Runs(first, effects, clock, progress or Silence(), periods)
 
     def grading(cells: int) -> float:
@@ -177,8 +177,14 @@ def _missed(scene: Scene, parts: Differences, *, undecided: bool) -> tuple[str, 
     return "", f"accuracy {total:.2g} instead of {accuracy:g}{advice}"
 
 
-def _periods(run: Trajectory) -> float:
-    """Periods of the lowest mode in a run whose load sets it ringing; zero where none does."""
+def periods_of(run: Trajectory) -> float:
+    """Periods of the lowest mode in a run whose load sets it ringing; zero where none does.
+
+    Parameters
+    ----------
+    run : Trajectory
+        Any.
+    """
     if "inertia" not in run.summary["effects"]:
         return 0.0
     rings = ringing(run.scene)

@@ -89,13 +89,13 @@ def _tolerances(at: Resolution, scene: Scene) -> Iterable[float]:
 def _foretold(one: Resolution, at: Resolution, found: Differences) -> float:
     """Estimated error at a resolution, from that at another."""
     space, time, section = (part or 0.0 for part in (found.space, found.time, found.section))
-    fewer = (at.fibres or 1) / (one.fibres or 1)
-    return space * (at.cells / one.cells) ** ORDER + time * one.rtol / at.rtol + section * fewer**SECTION_ORDER
+    coarser, fewer = at.cells / one.cells, (at.fibres or 1) / (one.fibres or 1)
+    return float(space * coarser**ORDER + time * one.rtol / at.rtol + section * fewer**SECTION_ORDER)
 
 
 def _cost(one: Resolution, at: Resolution) -> float:
     """Time that a resolution takes, in that of a cell with one fibre."""
     fibres = one.fibres or 0
-    steps = (at.rtol / one.rtol) ** _STEPS
+    steps = float((at.rtol / one.rtol) ** _STEPS)
     compiling = _COMPILING * fibres if one.fibres != at.fibres else 0.0
     return float(one.cells * (fibres + _STATES) * steps + compiling)

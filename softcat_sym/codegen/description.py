@@ -9,7 +9,7 @@ from softcat_sym.codegen.model_text import Model
 from softcat_sym.codegen.structure import Structure
 from softcat_sym.effects import Effects
 from softcat_sym.graph import Graph
-from softcat_sym.graph.grading import choose_grading
+from softcat_sym.graph.grading import choose_grading, towards_middle
 from softcat_sym.graph.parameters import CATALOGUE, parameter_values
 from softcat_sym.scene import Scene
 from softcat_sym.scene.units import si_unit
@@ -97,6 +97,8 @@ class Description:
         Per half span.
     grading, relative, absolute : float
         Ratio of the longest cell to the shortest, and tolerances.
+    towards_middle : bool
+        Whether cells are short at midspan, too.
     """
 
     scene: Scene
@@ -110,6 +112,7 @@ class Description:
     grading: float
     relative: float
     absolute: float
+    towards_middle: bool
 
     @property
     def title(self) -> str:
@@ -162,6 +165,7 @@ def describe(
         grading=float(grading),
         relative=float(tolerances[0]),
         absolute=float(tolerances[1]),
+        towards_middle=towards_middle(scene, effects),
     )
 
 

@@ -184,6 +184,7 @@ def _structure(described: Description, name: str) -> str:
         field = text.removeprefix("described_")
         fields |= {field: text if values else "0", f"{field}_count": str(len(values))}
     fields |= {key: number(getattr(described, key)) for key in ("grading", "relative", "absolute")}
+    fields |= {"towards_middle": str(int(described.towards_middle))}
     fields |= {"duration": number(scene.run.duration), "cells": str(described.cells), "frames": str(scene.run.frames)}
     lines = [f"    .{key} = {value}," for key, value in fields.items()]
     return "\n".join([f"const softcat_structure {symbol_of(name, 'structure')} = {{", *lines, "};"])

@@ -12,7 +12,7 @@ from softcat_sym.effects.shear import SHEAR
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.body import Body
 from softcat_sym.graph.discretisation import Discretisation
-from softcat_sym.graph.grading import choose_grading, may_yield
+from softcat_sym.graph.grading import choose_grading, may_yield, towards_middle
 from softcat_sym.graph.grid import End, Grid, half_span, whole_span
 from softcat_sym.graph.kirchhoff import KIRCHHOFF
 from softcat_sym.graph.profile import Profile
@@ -66,10 +66,14 @@ def choose_fibres(scene: Scene) -> int:
     """Points through the thickness where fibres yield in turn: as many as the scene says, or as its hinges need."""
     if scene.numerics.fibres is not None:
         return scene.numerics.fibres
+    return HINGE_FIBRES if _hinges_carry(scene) else DEFAULT_FIBRES
+
+
+def _hinges_carry(scene: Scene) -> bool:
+    """Whether much of the load is carried by hinges that yield in bending: not far beyond collapse."""
     gravity_number = gravity_number_of(scene)
-    hinges = gravity_number is not None and gravity_number < _MOST_OF_FIRST_YIELD * first_yield_gravity_number(scene)
-    bent = "clamped" in (scene.ends.left, scene.ends.right)
-    return HINGE_FIBRES if bent and hinges and may_yield(scene) else DEFAULT_FIBRES
+    near = gravity_number is not None and gravity_number < _MOST_OF_FIRST_YIELD * first_yield_gravity_number(scene)
+    return near and "clamped" in (scene.ends.left, scene.ends.right) and may_yield(scene)
 
 
 def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
@@ -83,7 +87,10 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     cells = choose_cells(scene, effects)
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
     left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
-    return half_span(cells, right, grading) if is_symmetric(scene) else whole_span(cells, left, right, grading)
+    middle = towards_middle(scene, effects)
+    if is_symmetric(scene):
+        return half_span(cells, right, grading, middle=middle)
+    return whole_span(cells, left, right, grading, middle=middle)
 
 
 def choose_body(scene: Scene, grid: Grid) -> Body:
@@ -116,4 +123,4 @@ def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:
     if numerics.order is not None:
         return order_rule(shape, numerics.order, DEFAULT_PROJECTION)
     fibres = choose_fibres(scene) if equations.terms.resolved else numerics.fibres or LINEAR_FIBRES
-    return fibre_rule(shape, fibres)
+    return fibre_rule(shape, fibres, halves=equations.terms.resolved and _hinges_carry(scene))

@@ -11,6 +11,7 @@ import numpy as np
 
 from softcat_sym.effects import Effects, choose_effects
 from softcat_sym.effects.prediction import beam_of, first_yield_gravity_number, gravity_number_of
+from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.effects.resonance import shaken_share
 from softcat_sym.scene import Scene, groups_of
 
@@ -23,6 +24,9 @@ MOST = 30.0
 
 SMOOTH_KIRCHHOFF = 10.0
 """A filament that does not shear has its moment, and with it the largest error, at the clamp even while elastic."""
+
+_HEAVY = 2.0
+"""Load of weight and filament, in that of the filament, from which on the weight makes a hinge of its own."""
 
 HINGE_CELL = 1 / 15
 """Shortest cell over thickness at the hinge of a shearing filament: it bends and shears within about a thickness, and
@@ -56,6 +60,17 @@ def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> 
     if "shear" in names or "fibres" in names:
         return _ratio_for(HINGE_CELL * groups_of(scene).delta, cells) if hinge else LEAST
     return MOST if hinge else SMOOTH_KIRCHHOFF
+
+
+def towards_middle(scene: Scene, effects: Effects | None = None) -> bool:
+    """Whether cells are to be short at midspan too: a weight that hangs there makes a hinge under it.
+
+    With a weight of the filament's own, cells that are long there leave 0.15 % of error on 40 cells, of first order,
+    which a comparison of two grids finds too small by a factor of three; short ones leave 0.02 %. A weight of less than
+    half the filament's own makes no such hinge.
+    """
+    names = (effects or choose_effects(scene)).names
+    return {"bending", "yielding"} <= set(names) and load_factor(scene) > _HEAVY and may_yield(scene)
 
 
 def may_yield(scene: Scene) -> bool:

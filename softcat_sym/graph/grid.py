@@ -82,7 +82,7 @@ class Grid:
         return np.asarray((self.nodes[1:] + self.nodes[:-1]) / 2, dtype=float)
 
 
-def half_span(cells: int, support: End, grading: float = 1.0) -> Grid:
+def half_span(cells: int, support: End, grading: float = 1.0, *, middle: bool = False) -> Grid:
     """Half a symmetric filament, from the symmetry plane X = 0 to the support at X = L/2.
 
     Parameters
@@ -93,16 +93,18 @@ def half_span(cells: int, support: End, grading: float = 1.0) -> Grid:
         What holds X = L/2.
     grading : float
         Length of the cell at midspan over that of the cell at the support; 1 makes all equal.
+    middle : bool
+        Whether cells at midspan are as short as those at the support, and those between the longest.
 
     Raises
     ------
     SoftcatError
         If that is no grid.
     """
-    return Grid(_towards_support(cells, grading), End.SYMMETRY, support)
+    return Grid(_graded(cells, grading, middle=middle), End.SYMMETRY, support)
 
 
-def whole_span(cells_per_half: int, left: End, right: End, grading: float = 1.0) -> Grid:
+def whole_span(cells_per_half: int, left: End, right: End, grading: float = 1.0, *, middle: bool = False) -> Grid:
     """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal.
 
     Parameters
@@ -113,22 +115,25 @@ def whole_span(cells_per_half: int, left: End, right: End, grading: float = 1.0)
         What holds X = -L/2 and X = L/2.
     grading : float
         Length of the cells at midspan over that of the cells at the supports; 1 makes all equal.
+    middle : bool
+        As of :func:`half_span`.
 
     Raises
     ------
     SoftcatError
         If that is no grid.
     """
-    half = _towards_support(cells_per_half, grading)
+    half = _graded(cells_per_half, grading, middle=middle)
     return Grid(np.concatenate([-half[:0:-1], half]), left, right)
 
 
-def _towards_support(cells: int, grading: float) -> Floats:
-    """X/L from 0 to 1/2, shape (cells + 1,), the lengths in geometric progression.
+def _graded(cells: int, grading: float, *, middle: bool) -> Floats:
+    """X/L from 0 to 1/2, shape (cells + 1,), the lengths in geometric progression towards the support.
 
     Any two neighbours differ by ``grading ** (1/(cells - 1))``, which tends to 1 as cells are added: the nodes lie on a
     smooth map of an equal grid, X_xi = const grading^-xi, so differences that are of second order on equal cells
     remain so. A cell at the distance d from the support is in proportion to d + (L/2)/(grading - 1).
+    Towards the middle too, lengths are grading^(-cos^2 (pi xi)) in the place of grading^-xi.
     """
     if cells < 1:
         raise SoftcatError(f"grid of {cells} cells per half span: take 1 or more")
@@ -136,7 +141,10 @@ def _towards_support(cells: int, grading: float) -> Floats:
         raise SoftcatError(f"grading of {grading}: take a positive number, 1 for equal cells")
     if grading == 1:
         return np.linspace(0.0, 0.5, cells + 1)
-    lengths = grading ** -np.linspace(0.0, 1.0, cells)
+    if middle:
+        lengths = grading ** -(np.cos(np.pi * (np.arange(cells) + 0.5) / cells) ** 2)
+    else:
+        lengths = grading ** -np.linspace(0.0, 1.0, cells)
     nodes = np.concatenate([[0.0], np.cumsum(lengths)]) / (2 * lengths.sum())
     nodes[-1] = 0.5
     return np.asarray(nodes, dtype=float)

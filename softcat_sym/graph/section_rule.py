@@ -1,7 +1,8 @@
 """How a section is sampled through its thickness, and what its plastic state stands for.
 
-Fibres: one plastic strain at each point of a Gauss rule in either half of the thickness. Order k: amplitudes of the
-orthogonal polynomials p_0 ... p_k (A 1), whose rates are projections by one Gauss rule through the whole of it (A 2).
+Fibres: one plastic strain at each point of a Gauss rule, or of one in either half. Order k: amplitudes of the
+orthogonal polynomials p_0 ... p_k (A 1), whose rates are projections by the same kind of rule (A 2). With k + 1 points
+of one rule both are the same.
 """
 
 from __future__ import annotations
@@ -58,16 +59,16 @@ class SectionRule:
         return int(self.recall.shape[1])
 
 
-def fibre_rule(section: Section, fibres: int) -> SectionRule:
-    """A plastic state for each of `fibres` points: of a Gauss rule in either half of the thickness.
+def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> SectionRule:
+    """A plastic state for each of `fibres` points of the section's Gauss rule, or of one in either half of it.
 
-    A section that yields in bending has a stress that jumps in the middle. A rule through the whole thickness gives it
-    a plastic moment 0.75/n^2 too high, and a hinge near collapse goes by that moment: rules that end in the middle have
-    it exactly. An odd number of points, or fewer than six, make one rule through the whole.
+    Where a section yields in bending its stress jumps in the middle. A rule through the whole thickness gives it a
+    plastic moment 0.75/n^2 too high, and a hinge near collapse goes by that moment: rules in the two halves have it
+    exactly. What yields in tension from face to face is smooth, and better off with one rule through all of it, as are
+    few points, and an odd number of them.
     """
-    nodes, weights = (
-        _gauss(section, fibres) if fibres % 2 or fibres < _FEWEST_IN_HALVES else _in_halves(section, fibres)
-    )
+    split = halves and fibres >= _FEWEST_IN_HALVES and fibres % 2 == 0
+    nodes, weights = _in_halves(section, fibres) if split else _gauss(section, fibres)
     return SectionRule(nodes, weights, np.eye(fibres), np.eye(fibres))
 
 

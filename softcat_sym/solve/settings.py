@@ -42,6 +42,7 @@ _QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load star
 # Relative tolerance of the compiled Rosenbrock method over the accuracy: of a filament that flows down, of one that a
 # viscous stress holds, of one that creeps to rest, and of one that rings.
 _FLOWING, _HELD_BACK, _CREEPING, _RINGING = 0.3, 0.03, 1.0, 0.012
+_LOOSEST = 1e-3  # of the compiled method: a looser tolerance rejects more steps than it saves
 _PER_YIELD_STRAIN = 0.02  # absolute strain, over the yield strain, against which one that creeps to rest is measured
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
@@ -115,7 +116,7 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
         share, smallest = _CREEPING, min(smallest, _PER_YIELD_STRAIN * _yield_strain(scene))
     elif _flow_damps(scene, effects):
         share = _FLOWING
-    rtol = scene.numerics.rtol or scene.run.accuracy * share
+    rtol = scene.numerics.rtol or min(_LOOSEST, scene.run.accuracy * share)
     wanted = rtol * smallest
     noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
     across = max(wanted, noise * _steepest(scene))

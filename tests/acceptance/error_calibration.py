@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
+from softcat_sym.accuracy import FRAMES_PER_PERIOD, Judge, periods_of
 from softcat_sym.effects import choose_effects
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph.grading import choose_grading
@@ -129,11 +131,26 @@ def _judged(scene: sc.Scene, run: sc.Trajectory | None, found: Calibrated) -> Ca
     """With the true error, if there is an estimate to judge and a reference to judge by."""
     if run is None or found.why_not:
         return found
-    best = sc.simulate(_finer(scene, run.summary))
-    if not best.outcome.is_success:
-        return replace(found, why_not=f"reference: {best.outcome.name}")
-    midpoint, wanted = run.data.midpoint.values, best.data.midpoint.values
-    return replace(found, true=float(np.max(np.abs(midpoint - wanted)) / np.max(np.abs(wanted))))
+    true, why_not = true_error(scene, run)
+    return replace(found, true=true, why_not=why_not)
+
+
+def true_error(scene: sc.Scene, run: sc.Trajectory) -> tuple[float, str]:
+    """Error of a run by a finer one, measured as the estimate is; or why there is none.
+
+    A ringing that the frames do not show is run again, both times with frames enough.
+    """
+    periods, frames, midpoint = periods_of(run), scene.run.frames, run.data.midpoint.values
+    best = _finer(scene, run.summary)
+    seen = math.ceil(FRAMES_PER_PERIOD * periods) + 1
+    if Judge.of(midpoint, periods, scene.run.accuracy).windows and seen > frames:
+        best = best.replace({"run.frames": seen})
+        midpoint = sc.simulate(_same(scene, run.summary).replace({"run.frames": seen})).data.midpoint.values
+    reference = sc.simulate(best)
+    if not reference.outcome.is_success:
+        return np.nan, f"reference: {reference.outcome.name}"
+    wanted = reference.data.midpoint.values
+    return Judge.of(wanted, periods, scene.run.accuracy).between(midpoint, wanted).size, ""
 
 
 def _grading(scene: sc.Scene, effects: tuple[str, ...], at: dict[str, Any], cells: int) -> float:
@@ -146,15 +163,23 @@ def _finer(scene: sc.Scene, told: dict[str, Any]) -> sc.Scene:
     """The reference of a run: the physics that was in force, resolved further in every direction."""
     at = told["resolution"]
     cells = FINER * at["cells"]
-    changes: dict[str, object] = {
-        "numerics.cells": cells,
-        "numerics.grading": _grading(scene, tuple(told["effects"]), at, cells),
-        "numerics.rtol": at["rtol"] / TIGHTER,
+    further = {
+        "cells": cells,
+        "grading": _grading(scene, tuple(told["effects"]), at, cells),
+        "rtol": at["rtol"] / TIGHTER,
+        "order": at["order"] and MORE_FIBRES * at["order"],
+        "fibres": at["fibres"] and MORE_FIBRES * at["fibres"],
     }
+    return _same(scene, told | {"resolution": further})
+
+
+def _same(scene: sc.Scene, told: dict[str, Any]) -> sc.Scene:
+    """The physics that was in force at the resolution that was used, run once."""
+    at = told["resolution"]
+    changes: dict[str, object] = {f"numerics.{name}": at[name] for name in ("cells", "grading", "rtol")}
     if scene.run.effects == "auto":
         changes["run.effects"] = list(told["effects"])
-    if at["order"] is not None:
-        changes["numerics.order"] = MORE_FIBRES * at["order"]
-    elif at["fibres"] is not None:
-        changes["numerics.fibres"] = MORE_FIBRES * at["fibres"]
+    name = "order" if at["order"] is not None else "fibres"
+    if at[name] is not None:
+        changes[f"numerics.{name}"] = at[name]
     return without_estimate(scene.replace(changes))

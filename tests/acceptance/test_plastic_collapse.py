@@ -85,7 +85,7 @@ def growing(
 
 def reserve(section: str, fibres: int) -> float:
     """M_p of so many fibres over the exact one."""
-    rule = fibre_rule(SECTIONS[section], fibres)
+    rule = fibre_rule(SECTIONS[section], fibres, halves=True)
     return float(rule.weight @ np.abs(rule.zeta)) / 2 / FULL[section]
 
 

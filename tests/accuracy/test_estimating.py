@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from softcat_sym import Scene, load_scene, simulate
+from softcat_sym.accuracy import refining
 from softcat_sym.simulate import without_estimate
 from softcat_sym.trajectory import Trajectory
 
@@ -74,6 +75,21 @@ def test_what_the_user_fixed_is_kept_and_told() -> None:
     assert run.outcome.is_success
     assert run.summary["cells"] == 12
     assert any("numerics.cells" in warning for warning in run.summary["warnings"])
+
+
+@pytest.mark.parametrize(("times", "outcome"), [(0.9, "solved"), (1.5, "solved"), (2.5, "inaccurate")])
+def test_an_accuracy_missed_by_little_is_an_answer(times: float, outcome: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a beam that may have no more cells: with a warning up to twice the accuracy, and no advice that is no use."""
+    monkeypatch.setattr(refining, "MOST_CELLS", 1)
+    error = simulate(beam(1e-4)).summary["error_estimate"]["total"]
+    run = simulate(beam(error / times))
+    assert run.outcome.name == outcome
+    assert not run.summary["refinements"]
+    told = [text for text in (*run.summary["warnings"], run.summary["complaint"]) if "accuracy" in text]
+    assert len(told) == (times > 1)
+    assert not any("leave out" in text or "by hand" in text for text in (*told, run.summary["advice"]))
+    if times == 1.5:
+        assert told == [f"accuracy {error:.2g} instead of {error / times:g}"]
 
 
 @pytest.mark.slow

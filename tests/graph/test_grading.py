@@ -11,7 +11,7 @@ from softcat_sym.equations.filament import derive
 from softcat_sym.equations.section import SECTIONS
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph import End, Graph, Grid, assemble, energy_scale, half_span, whole_span
-from softcat_sym.graph.choosing import choose_theory
+from softcat_sym.graph.choosing import choose_grid, choose_theory
 from softcat_sym.graph.grading import HINGE_CELL, LEAST, MOST, SMOOTH_KIRCHHOFF, choose_grading
 from softcat_sym.graph.parameters import parameter_values
 from softcat_sym.scene import Scene, load_scene
@@ -54,6 +54,27 @@ def test_cells_lie_on_a_smooth_map() -> None:
     """Neighbours grow alike as cells are added, first order in 1/N, which is what second order of the theory needs."""
     jumps = [np.max(np.abs(np.diff(np.log(half_span(n, End.CLAMPED, 10.0).cell_length)))) for n in (40, 80, 160)]
     assert np.divide(jumps[:-1], jumps[1:]) == pytest.approx(2, rel=0.03)
+
+
+def test_cells_are_short_under_a_weight_too() -> None:
+    lengths = half_span(40, End.CLAMPED, 10.0, middle=True).cell_length
+    np.testing.assert_allclose(lengths, lengths[::-1], rtol=1e-12)
+    assert lengths.max() / lengths.min() == pytest.approx(10.0, rel=0.02)
+    assert np.argmax(lengths) in (19, 20)
+    jumps = [
+        np.max(np.abs(np.diff(np.log(half_span(n, End.CLAMPED, 10.0, middle=True).cell_length)))) for n in (40, 80, 160)
+    ]
+    assert np.divide(jumps[:-1], jumps[1:]) == pytest.approx(2, rel=0.03)
+
+
+@pytest.mark.parametrize(("mass", "short"), [("2 g", False), ("10 g", True)])
+def test_a_weight_of_more_than_half_the_filament_makes_a_hinge(mass: str, short: bool) -> None:
+    """The paper's strand weighs 13.7 g; an elastic one has no hinge under any weight."""
+    scene = load_scene("arrested-overdamped", {"load.point_mass": mass})
+    lengths = choose_grid(scene).cell_length
+    assert (lengths[0] < 0.5 * lengths.max()) == short
+    elastic = load_scene("no-yield", {"load.point_mass": mass})
+    assert choose_grid(elastic).cell_length[0] == pytest.approx(choose_grid(elastic).cell_length.max())
 
 
 @pytest.mark.parametrize(

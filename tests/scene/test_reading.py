@@ -130,7 +130,7 @@ def test_python_values() -> None:
     before = copy.deepcopy(table)
     scene = Scene.model_validate(table)
     assert table == before
-    assert scene.replace({"run.accuracy": 1e-3}) == Scene.model_validate(BINGHAM)
+    assert scene.replace({"run.accuracy": 0.01}) == Scene.model_validate(BINGHAM)
     assert type(scene.filament.thickness) is float
     assert type(scene.run.frames) is int
     assert Scene.model_validate(scene) is scene

@@ -23,7 +23,7 @@ def scene_of(law: str = "bingham", **tables: dict[str, Any]) -> Scene:
         "filament": {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"},
         "material": dict(_MATERIALS[law]),
         "load": {"ramp": "0.04 s"},
-        "run": {"duration": "0.12 s", "frames": 13},
+        "run": {"duration": "0.12 s", "frames": 13, "accuracy": 1e-3},
         "numerics": {"cells": 6, "estimate": False},
     }
     for name, values in tables.items():

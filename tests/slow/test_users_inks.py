@@ -1,0 +1,66 @@
+"""Forty users' inks as they stand: outcome, cost, stages, and the error against twice the cells and fibres.
+
+The variable SOFTCAT_INKS names some of them by number, such as ``1,7,12``; SOFTCAT_INKS_REFERENCE=0 leaves out the
+references.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from tests.acceptance.error_calibration import true_error
+from tests.acceptance.table import show
+
+from .users_inks import users_inks
+
+pytestmark = pytest.mark.slow
+
+MOST_SECONDS, MOST_FAILURES = 60.0, 2
+LEAST, MOST, SHARE = 0.35, 1.5, 0.95
+
+
+def _seconds() -> float:
+    """Of the processor, compilers included."""
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(one.ru_utime + one.ru_stime for one in used)
+
+
+def test_users_inks() -> None:
+    asked = {int(number) for number in os.environ.get("SOFTCAT_INKS", "").split(",") if number}
+    referred = os.environ.get("SOFTCAT_INKS_REFERENCE") != "0"
+    rows, failed, dear, ratios = [], [], [], []
+    for number, (name, scene) in enumerate(users_inks(), start=1):
+        if asked and number not in asked:
+            continue
+        begun = _seconds()
+        run = sc.simulate(scene)
+        took = _seconds() - begun
+        told = run.summary
+        total, at = (told["error_estimate"] or {}).get("total"), told["resolution"] or {}
+        failed += [] if run.outcome.is_success else [name]
+        dear += [name] if took > MOST_SECONDS else []
+        true, why = true_error(scene, run) if referred and run.outcome.is_success and total else (np.nan, "")
+        if np.isfinite(true):
+            ratios.append(true / total)
+        stages = [*(stage.split(":")[0] for stage in told["refinements"]), f"{at.get('cells')} x {at.get('fibres')}"]
+        sag = f"{-1e6 * told['midpoint_final_m']:.4g}"
+        errors = [f"{value:.1e}" if value is not None else "-" for value in (total, true)]
+        rows.append((name, run.outcome.name, f"{took:.1f}", "; ".join(stages), sag, *errors, why))
+        print(*rows[-1], sep=" | ", flush=True)
+    head = ("ink", "outcome", "processor [s]", "stages", "sag [um]", "estimated", "true", "why not")
+    show("forty users' inks at the default accuracy", head, rows)
+    ratio = np.array(ratios)
+    within = float(np.mean((ratio >= LEAST) & (ratio <= MOST))) if len(ratio) else np.nan
+    print(f"\n{len(failed)} fail: {failed}; over {MOST_SECONDS:g} s: {dear}")
+    print(
+        f"true over estimated: {within:.0%} of {len(ratio)} within {LEAST} to {MOST}, "
+        f"at the most {max(ratios, default=0):.2f}"
+    )
+    assert len(failed) <= MOST_FAILURES
+    assert not dear
+    assert not len(ratio) or np.mean(ratio <= MOST) >= SHARE
