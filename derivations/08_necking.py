@@ -26,7 +26,7 @@
 # Throughout: $y, z$ across the filament; material lines stay at the same relative distance from the centreline, which
 # is the uniform contraction (2.9); slopes are small; a prime is $d/dx$ with $x$ the *current* axial position.
 #
-# Effects derived here: `necking-gradient` (`necking.NECKS`).
+# Effects derived here: `necking-gradient` (`necking.NECKS`), `surface-tension` (`surface.SURFACES`).
 
 # %%
 import sympy as sp
@@ -419,8 +419,6 @@ for equation in necking.EQUATIONS:
 # Surface tension $\gamma$ pulls on the filament with whatever force changes its area. Of a tube of radius $R$ around a
 # bent centreline, $r_c(\sigma) + R(\cos\varphi\,n + \sin\varphi\,b)$, the area per length is $2\pi R$ whatever the
 # curvature (Pappus), and likewise for every outline whose centroid is on the centreline: no moment.
-#
-# Effects derived here: `surface-tension` (`surface.SURFACES`).
 
 # %%
 gamma, R, kappa, phi = sp.symbols("gamma R kappa phi", positive=True)

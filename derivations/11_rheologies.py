@@ -20,7 +20,7 @@
 # becomes which, and how a string of a power-law fluid sags.
 #
 # Effects derived here: `viscous-flow` (`laws.power_law.power_law_rate`, `laws.maxwell.maxwell_rate`), `viscous-stress`
-# (`laws.law_of`).
+# (`laws.law_of`), `solid-damping` (`filament.Terms`).
 
 # %%
 import sympy as sp
@@ -29,6 +29,8 @@ from proving import prove_equal
 from softcat_sym.equations import bulk, strings
 from softcat_sym.equations.catalogue import all_equations
 from softcat_sym.equations.dimensions import check
+from softcat_sym.equations.filament import Terms
+from softcat_sym.equations.law import Law
 from softcat_sym.equations.laws import from_shear, law_of
 from softcat_sym.equations.laws.bingham import bingham_rate
 from softcat_sym.equations.laws.herschel_bulkley import herschel_bulkley_rate
@@ -40,7 +42,7 @@ from softcat_sym.equations.regimes import H
 from softcat_sym.equations.rheometry import mu
 from softcat_sym.equations.section import RECTANGLE
 from softcat_sym.equations.section_means import scaled
-from softcat_sym.equations.symbols import E, L, eta, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
+from softcat_sym.equations.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 
 for module, equations in all_equations().items():
     if module == "strings" or module.startswith("laws."):
@@ -160,7 +162,11 @@ q = sp.Symbol("q", positive=True)
 
 def complex_modulus(name: str, **options: int) -> sp.Expr:
     """Stress over strain where both grow as exp(q t)."""
-    law = law_of(name, **options)
+    return modulus_of(law_of(name, **options))
+
+
+def modulus_of(law: Law) -> sp.Expr:
+    """The same of a law that is there already."""
     total = q * law.viscosity if law.viscosity is not None else sp.Integer(0)
     for branch in law.branches:
         fluidity = sp.diff(branch.flow.rate, sigma) if branch.flow is not None else 0
@@ -184,6 +190,16 @@ prove_equal(sp.limit(zener, E_2, sp.oo), voigt)
 prove_equal(sp.limit(zener, q, sp.oo), E + E_2)
 prove_equal(sp.limit(zener, q, 0), E)
 prove_equal(sp.limit(maxwell, q, sp.oo), E)
+
+# %% [markdown]
+# A loss below yield stands beside spring and flow: a viscous stress $\eta_s\dot\epsilon$. Below yield the modulus is
+# $E + i\omega\eta_s$, so that $\eta_s = \tan\delta\,E/\omega_1$ has the loss tangent $G''/G'$ at $\omega_1$.
+
+# %%
+omega, loss_tangent = sp.symbols("omega_1 tan_delta", positive=True)
+damped = Terms(law=law_of("bingham", yields=True), damped=True).law_in_force()
+below_yield = modulus_of(damped).subs(q, sp.I * omega).subs(eta_s, loss_tangent * E / omega)
+prove_equal(sp.im(below_yield) / sp.re(below_yield), loss_tangent)
 
 # %% [markdown]
 # ## The sagging string

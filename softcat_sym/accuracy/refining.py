@@ -14,6 +14,9 @@ from softcat_sym.scene import Scene
 AIM = 0.8
 """Share of the accuracy that the estimated error is to come down to: extrapolated, it is a little wrong."""
 
+WORTH = 0.9
+"""Share of the error that must be left at most, where the accuracy is out of reach, for another run to be worth it."""
+
 MOST_CELLS, MOST_FIBRES, LEAST_RTOL = 1280, 64, 1e-11
 
 MOST_POINTS = 32_000
@@ -58,8 +61,11 @@ def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[
         for cells, fibres, rtol in itertools.product(_cells(at, scene), _fibres(at, scene), _tolerances(at, scene))
         if fibres is None or cells == at.cells or cells * fibres <= MOST_POINTS
     ]
-    enough = [one for one in tried if _foretold(one, at, found) <= aim]
-    now = min(enough, key=lambda one: _cost(one, at)) if enough else min(tried, key=lambda o: _foretold(o, at, found))
+    best = min(_foretold(one, at, found) for one in tried)
+    if best > WORTH * found.total:
+        return at
+    enough = [one for one in tried if _foretold(one, at, found) <= max(aim, best / WORTH)]
+    now = min(enough, key=lambda one: _cost(one, at))
     return now if now.cells == at.cells else replace(now, grading=grading(now.cells))
 
 

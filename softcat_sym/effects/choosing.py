@@ -219,7 +219,9 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
     """The effects with whatever makes the run easier, and with whatever they need."""
     complete = dict(reasons)
     for effect in REGISTRY:
-        if effect.name not in complete and effect.applies(scene) and (why := effect.eases(scene)):
+        # Nothing is eased by inertia that is not there otherwise.
+        dear = INERTIA.name in effect.needs and INERTIA.name not in complete
+        if effect.name not in complete and not dear and effect.applies(scene) and (why := effect.eases(scene)):
             complete[effect.name] = why
     if FIBRES.name in complete and SHEAR.applies(scene):
         complete.setdefault(SHEAR.name, "fibres are resolved on sections that shear")

@@ -16,6 +16,11 @@ def _applies(scene: Scene) -> bool:
     return scene.model == "filament" and scene.material.has_loss
 
 
+def _eases(scene: Scene) -> str:
+    del scene
+    return "stated, and the ringing that it ends need not be followed"
+
+
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     del scene
     return Estimate(motion.damped, "ringing that the loss below yield takes away, or lag of the sag")
@@ -33,5 +38,6 @@ SOLID_DAMPING = Effect(
     example="agar-bar",
     derivation="11_rheologies",
     needs=("inertia",),
+    eases=_eases,
     in_paper=False,
 )

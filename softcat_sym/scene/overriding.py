@@ -71,9 +71,8 @@ def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
             here = here.setdefault(name, {}) if isinstance(here, dict) else None
         if not isinstance(here, dict):
             faults.append(Fault(override.path, "leads to no key", "table.key, as in the scene file"))
-        elif not tables and isinstance(override.value, Mapping):
-            one = next(iter(override.value), "key")
-            faults.append(Fault(override.path, "a whole table at once", f"its keys one by one, {override.path}.{one}"))
+        elif not tables and isinstance(override.value, Mapping) and not override.value:
+            faults.append(Fault(override.path, "an empty table, which would drop every key", "table.key=value"))
         elif override.value is None:
             here.pop(key, None)
         else:

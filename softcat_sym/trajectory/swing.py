@@ -11,7 +11,7 @@ from softcat_sym.graph.grid import Floats
 FRAMES_A_PERIOD = 4.0
 """Fewer pictures a period show a swing that is not there: the wheels of the stage-coach that turn backwards."""
 
-_SEEN = 0.01
+SEEN = 0.01
 """Of the largest sag: smaller swings do not count."""
 
 _TURNS = 4
@@ -31,7 +31,7 @@ def swing_period(time: Floats, midpoint: Floats) -> float | None:
     float or None
         Twice the mean time between turning points. Frames too far apart to follow a swing show a slower one.
     """
-    scale = _SEEN * float(np.abs(midpoint).max())
+    scale = SEEN * float(np.abs(midpoint).max())
     turns = [0]
     for frame in range(1, len(midpoint)):
         here, last = midpoint[frame], midpoint[turns[-1]]

@@ -22,7 +22,7 @@ from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.rupture import rupture_frame
 from softcat_sym.trajectory.seen import seen
 from softcat_sym.trajectory.settling import ringing_at_last
-from softcat_sym.trajectory.swing import frames_a_period, too_few_frames
+from softcat_sym.trajectory.swing import SEEN, frames_a_period, too_few_frames
 from softcat_sym.trajectory.validity import warnings_of
 from softcat_sym.trajectory.verdict import verdict
 
@@ -156,11 +156,12 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     motion = seen(scene, effects, time, places, fields)
     measured = measures(scene, effects, motion)
     per_period = frames_a_period(time, midpoint, ringing(scene).frequency)
+    rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
+    fades = rings is not None and rings["amplitude"] < SEEN * float(np.max(np.abs(midpoint)))
     warnings = [
         *warnings_of(scene, effects, motion.capillary, places[0], fields, carried),
-        *(too_few_frames(time, per_period) if outcome.is_success else []),
+        *(too_few_frames(time, per_period) if outcome.is_success and not fades else []),
     ]
-    rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
     summary = {
         "title": scene.title,
         "outcome": outcome.name,

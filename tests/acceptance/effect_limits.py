@@ -240,6 +240,17 @@ LIMITS: tuple[Limit, ...] = (
         0.01,
     ),
     Limit(
+        "surface-tension",
+        "clamped beam",
+        "F L^2/(E I)",
+        (0.4, 0.2, 0.1),
+        1,
+        0.02,
+        fading.surface_of_a_beam,
+        lambda: 1 / 40,
+        0.01,
+    ),
+    Limit(
         "solid-damping",
         "swinging clamped beam",
         "G''/G'",

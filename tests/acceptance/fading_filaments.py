@@ -28,6 +28,8 @@ LAID_DOWN = 1e11
 def sag(material: Mapping[str, Any], filament: Mapping[str, Any], effects: tuple[str, ...], **asked: Any) -> Array:
     """Sags of the midpoint [m]; `asked` goes to the scene, its ``numerics`` over the table there."""
     numerics = {f"numerics.{key}": value for key, value in asked.pop("numerics", {}).items()}
+    if "surface_tension" in asked:
+        numerics["surroundings.surface_tension"] = f"{asked.pop('surface_tension')!r} N/m"
     run = {"frames": 21, **asked.pop("run", {})}
     made = scene(material, filament, effects=effects, run=run, **{"cells": 16, "rtol": 1e-8, **asked})
     return -np.asarray(solved(made.replace(numerics))["midpoint"].values)
@@ -201,6 +203,20 @@ def duhamel_share() -> float:
     time = np.linspace(0.0, 0.12, 41) / unit
     without, shaken = (beam_shaken(time, 1e4, 0.05, a, _HERTZ * unit) for a in (0.0, 1.0))
     return float(np.max(np.abs(shaken - without)) / np.max(np.abs(without)))
+
+
+# --- surroundings ------------------------------------------------------------------------------------------------
+# Surface tension pulls with F = Gam A = 2 gamma h on a square section. A clamped beam under a tension sags by
+# q L^2/(8 F) (1 - (2/u) tanh(u/2)), u = (L/2) sqrt(F/EI): q L^4/(384 EI) (1 - F L^2/(40 EI) + ...).
+def surface_of_a_beam(force: float) -> Pair:
+    thickness = 0.05
+    modulus = beam_modulus(1e-3 * thickness, thickness)
+    asked = {"cells": 40, "run": {"frames": 2}, "surface_tension": force * modulus * thickness**3 / 24}
+    material, filament, without = {"law": "elastic", "youngs_modulus": modulus}, {"thickness": thickness}, _BENT
+    return sag(material, filament, (*without, "surface-tension"), **asked), sag(material, filament, without, **asked)
+
+
+_BENT = ("bending", *STRETCHES)
 
 
 # --- section -----------------------------------------------------------------------------------------------------

@@ -60,7 +60,7 @@ def test_nothing_is_missing_or_left_over() -> None:
 
 
 def test_the_products_are_small_and_say_that_they_are_not_to_be_edited() -> None:
-    assert sum(path.stat().st_size for path in ROOT.rglob("*") if path.is_file()) < 1_500_000
+    assert sum(path.stat().st_size for path in ROOT.rglob("*") if path.is_file()) < 1_700_000
     for folder in FOLDERS:
         for name in ("filament.c", "filament.h", "manifest.json"):
             head = (ROOT / folder / name).read_text(encoding="utf-8")[:400].lower()

@@ -15,7 +15,10 @@ from .filaments import build, parameters, random_state, rhs, scene_of, value
 @pytest.mark.parametrize("without", [(), ("inertia",)], ids=["ode", "dae"])
 def test_the_right_hand_side_depends_on_every_parameter(without: tuple[str, ...]) -> None:
     graph = build(scene_of(), without=without)
-    beyond_the_paper = {"poisson", "aspect", "curvature", "shake", "shake_frequency"}
+    beyond_the_paper = {
+        *("poisson", "aspect", "curvature", "shake", "shake_frequency"),
+        *("surface_tension", "solid_viscosity"),
+    }
     assert set(graph.parameters) == {p.name for p in CATALOGUE} - beyond_the_paper | {TIME_SCALE}
     everything = ca.vertcat(graph.ode, graph.alg)
     touched = ca.DM(ca.jacobian_sparsity(everything, graph.p), 1)

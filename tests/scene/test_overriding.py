@@ -97,8 +97,5 @@ def test_replace() -> None:
         scene.replace({"numerics.cell": 40})
 
 
-def test_a_whole_table_is_not_set_at_once() -> None:
-    assert "a whole table at once; accepted: its keys one by one, run.duration" in refused(
-        "no-yield", ['run={duration = "1 s"}']
-    )
-    assert "run: a whole table at once" in refused("no-yield", ["run={}"])
+def test_an_empty_table_is_no_value() -> None:
+    assert "run: an empty table, which would drop every key" in refused("no-yield", ["run={}"])
