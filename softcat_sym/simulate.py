@@ -85,8 +85,10 @@ def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
     repeats: list[str] = []
     while True:
         effects = choose_effects(scene, shown)
-        ends = rest_of(scene, effects, listener) if scene.run.until == "settled" else None
-        clock.lap("estimate")
+        ends = None
+        if scene.run.until == "settled":
+            ends = rest_of(scene, effects, listener)
+            clock.lap("estimate")
         asked = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
         trajectory = run_once(asked, asked, effects, clock, listener)
         last = len(repeats) == _REPEATS

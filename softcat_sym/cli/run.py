@@ -17,6 +17,7 @@ from softcat_sym.cli.application import (
     VerboseOption,
     app,
     complain,
+    directory,
     judge,
     scene_and_directory,
 )
@@ -34,7 +35,9 @@ _FOLDER = "checkpoint"
 
 RunOutputOption = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE"),
+    typer.Option(
+        "--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE", parser=directory
+    ),
 ]
 ResumeOption = Annotated[
     bool,

@@ -94,4 +94,4 @@ def test_a_folder_of_others_is_not_cleared(softcat: Softcat, cache: Path) -> Non
 
 
 def test_the_help_names_the_command(softcat: Softcat) -> None:
-    assert "Show the compiled libraries in the cache; --clear them." in softcat("--help").out
+    assert "Show the compiled libraries that are kept, or clear them." in softcat("--help").out

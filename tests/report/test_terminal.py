@@ -73,7 +73,7 @@ def test_a_midpoint_that_still_swings_is_told_by_its_mean(summary, scene):
     summary |= {"midpoint_settled_m": {"mean": -0.049, "amplitude": 2e-3}, "settled_s": None}
     words = dict(answer_rows(summary, scene))
     assert words["sag"] == "49.0 mm (error not estimated), 24 % of the span, swinging by 2.00 mm about it"
-    assert words["settled"] == "no: it still moves when the run ends"
+    assert words["settled"] == "no: it still swings when the run ends"
     summary |= {"midpoint_settled_m": {"mean": -0.05, "amplitude": 1e-9}, "settled_s": 0.32}
     words = dict(answer_rows(summary, scene))
     assert words["sag"] == "50.0 mm (error not estimated), 25 % of the span"
