@@ -54,7 +54,7 @@ class Decision:
     @property
     def why(self) -> str:
         """Why, with the estimate: ``worth about 90 % of the sag``."""
-        if self.estimate is None:
+        if self.estimate is None or (self.reason and self.estimate.value == 0):
             return self.reason
         return f"{self.reason} ({self.estimate})" if self.reason else f"worth {self.estimate}"
 

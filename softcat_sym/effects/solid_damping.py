@@ -18,7 +18,7 @@ def _applies(scene: Scene) -> bool:
 
 def _eases(scene: Scene) -> str:
     del scene
-    return "stated, and the ringing that it ends need not be followed"
+    return "stated, it ends ringing"
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:

@@ -60,6 +60,7 @@ def short_rows(explanation: Explanation) -> list[tuple[str, str]]:
         rows.append(("left out", left_out_words(list(outside), sum(outside.values()))))
     unknowns = graph.differential + graph.algebraic
     rows.append(("solver", f"{integrator.solver}, {integrator.backend}; {graph.cells} cells, {unknowns} unknowns"))
+    rows += [(name, text) for name, text in (("damping", explanation.damping), ("cost", explanation.ringing)) if text]
     rows += [("warning", warning) for warning in explanation.warnings]
     return [*rows, ("more", "-v for groups, equations, formulas and limits")]
 

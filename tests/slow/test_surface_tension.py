@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.effects.forecast import forecast
 from tests.acceptance.table import show
 from tests.oracle.reissner_filament import run as oracle
 
@@ -19,8 +20,9 @@ EFFECTS = (
 
 
 def test_the_bundled_ink_is_that_of_an_independent_solver() -> None:
-    """NumPy, RK4 and Newton, its own circle: 8 equal cells, six fibres, with and without surface tension."""
-    cells, fibres, frames, duration = 8, 6, 6, 0.12
+    """NumPy, RK4 and Newton, its own circle: 16 equal cells, nine fibres, with and without surface tension."""
+    # An odd number of fibres is one Gauss rule in both; even ones are in halves here.
+    cells, fibres, frames, duration = 16, 9, 6, 0.12
     ink = sc.load_scene("ink-bridge")
     span, E, rho, g = ink.filament.span, ink.material.youngs_modulus, ink.filament.density, ink.load.gravity
     limit, eta = ink.material.yield_stress, ink.material.viscosity
@@ -64,17 +66,18 @@ SCENES = (
 
 
 def test_what_surface_tension_is_worth_in_the_bundled_scenes() -> None:
-    """The share foretold is that of the runs to a factor of two; the energy is closed in all of them."""
+    """The share foretold is that of the runs to a factor of 2.5; the energy is closed in all of them."""
     rows = []
     for name in SCENES:
         pulled = sc.simulate(sc.load_scene(name))
         bare = sc.simulate(sc.load_scene(name, {"surroundings.surface_tension": "0 N/m"}))
         sags = [-1e3 * run.summary["midpoint_final_m"] for run in (bare, pulled)]
         taken = 1 - sags[1] / sags[0]
-        foretold = float(pulled.summary["effects"]["surface-tension"].rpartition("= ")[2])
+        foretold = forecast(pulled.scene).capillary
         residual = pulled.summary["energy_residual"]
         rows.append((name, f"{sags[0]:.4g}", f"{sags[1]:.4g}", f"{taken:.3f}", f"{foretold:.3f}", f"{residual:.0e}"))
-        assert taken / 2.5 < foretold < 2.5 * taken, name
+        # The forecast knows no supports that move.
+        assert pulled.scene.ends.motion or taken / 2.5 < foretold < 2.5 * taken, name
         assert residual < max(1e-5, 2 * bare.summary["energy_residual"]), name
         if name == "ink-bridge":
             assert 27.5e-3 < sags[1] < 28.2e-3
