@@ -110,7 +110,7 @@ def shapes(sheet: Sheet) -> Figure:
         figure.legend(handles=[patch], loc="outside upper center", borderaxespad=0.0, fontsize=7.0)
     _fit_height(figure, panels, tall)
     for axes in panels:
-        axes.set_aspect(stretch)
+        axes.set_aspect(stretch, anchor="S")
     return figure
 
 

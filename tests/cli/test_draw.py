@@ -56,7 +56,7 @@ def test_a_run_writes_its_film_and_its_style(softcat: Softcat, tmp_path: Path) -
     done = softcat("run", "arrested-overdamped", "-o", str(tmp_path), *sets, *film)
     assert done.status in (0, None), done.err
     assert {"film.gif", "shapes.pdf", "space-time.pdf", "trajectory.nc"} <= {path.name for path in tmp_path.iterdir()}
-    assert "film.gif to " in done.out
+    assert "film.gif, " in done.out
 
 
 @pytest.mark.parametrize(

@@ -240,24 +240,26 @@ def _physics(draw: st.DrawFn, table: Table, law: str) -> None:
             for key in ("shake", "shake_frequency"):
                 table["load"].pop(key, None)
     elif how > 7:
-        table["run"]["effects"] = draw(_lists(law, "ramp" in table["load"], "shake" in table["load"]))
+        table["run"]["effects"] = draw(_lists(law, set(table["load"]), "surroundings" in table))
 
 
 @st.composite
-def _lists(draw: st.DrawFn, law: str, ramp: bool, shaken: bool) -> list[str]:
-    """Any effects that the law may have, with all that they need; always bending, and what makes it flow."""
+def _lists(draw: st.DrawFn, law: str, load: set[str], surrounded: bool) -> list[str]:
+    """Any effects that law and scene may have, with all that they need; always bending, and what makes it flow."""
     flowing = law not in STIFF
     cannot = set() if flowing else {"viscous-flow", "fibres", "necking-gradient"}
     if law not in ("newtonian", "kelvin-voigt"):
         cannot |= {"viscous-stress"}
     if law not in ("bingham", "herschel-bulkley"):
         cannot |= {"yielding"}
-    if not ramp:
+    if "ramp" not in load:
         cannot |= {"gravity-ramp"}
     # No scene drawn here states a loss.
     cannot |= {"solid-damping"}
-    if not shaken:
+    if "shake" not in load:
         cannot |= {"gravity-shaking"}
+    if not surrounded:
+        cannot |= {"surface-tension"}
     allowed = [effect.name for effect in REGISTRY if effect.name not in cannot]
     needs = {effect.name: effect.needs for effect in REGISTRY}
     wanted = {name for name in allowed if draw(one_in(2))} | {"bending", "extensibility"}

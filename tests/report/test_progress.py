@@ -227,8 +227,8 @@ def test_no_stage_of_a_run_with_refinement_is_silent(monkeypatch):
         "estimating 1 of 2",
         "estimating 2 of 2",
         f"refining to {run.summary['cells']} cells",
+        # The error of the time steps is far below what was asked, and known from before the grid was made finer.
         "estimating 1 of 2",
-        "estimating 2 of 2",
     ]
     ends = (bar.stages[0].began, *screen.times, bar.stages[-1].ended)
     assert max(later - sooner for sooner, later in itertools.pairwise(ends)) < 3.0
