@@ -42,8 +42,8 @@ def test_steps_are_foretold_to_a_factor_of_three(name: str, accuracy: float) -> 
     seconds = time.process_time() - begun
     periods = scene.run.duration * vibration.frequency / (2 * math.pi)
     unknowns = prepared.graph.x.numel() + prepared.graph.z.numel()
-    at_first, power = STEPS_PER_PERIOD[kind]
-    foretold = at_first * (0.01 / accuracy) ** power
+    at_first, growth, power = STEPS_PER_PERIOD[kind]
+    foretold = at_first * periods ** (growth - 1) * (0.01 / accuracy) ** power
     print(
         f"\n{name}, {accuracy:g}: {periods:.0f} periods, {steps / periods:.0f} steps each (foretold {foretold:.0f}), "
         f"{1e6 * seconds / steps / unknowns:.2f} us a step and unknown (foretold {1e6 * SECONDS_PER_UNKNOWN:.2f})"
