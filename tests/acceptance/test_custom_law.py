@@ -65,5 +65,5 @@ def test_a_custom_law_is_the_built_in_one(effects: str) -> None:
         errors.append(difference(*(run.data.midpoint.values for run in runs)))
         rows.append([name, pair[1]["flow"], f"{1e3 * runs[0].data.midpoint.values[-1]:.4f}", f"{errors[-1]:.1e}"])
     show(f"custom laws, effects = {effects}", ["law", "phi(sigma)", "midpoint/mm", "difference/sag"], rows)
-    # The time error asked for is a tenth of the accuracy of 1e-3.
+    # A hundredth of the accuracy asked.
     assert max(errors) < 1e-4

@@ -34,6 +34,6 @@ def test_time_error_is_a_tenth_of_the_accuracy() -> None:
         error = float(np.max(np.abs(midpoint - reference)) / np.max(np.abs(reference)))
         shares[name] = error / scene.run.accuracy
         rows.append([name, run.summary["solver"], run.summary["steps"], f"{error:.1e}"])
-    show("time error of the midpoint at accuracy 1e-3", ("scene", "solver", "steps", "time error"), rows)
+    show("time error of the midpoint at the accuracy of the scene", ("scene", "solver", "steps", "time error"), rows)
     for name, share in shares.items():
         assert share < 0.1, name
