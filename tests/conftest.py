@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import os
 from pathlib import Path
 
 import pytest
 
+from softcat_sym import progress
 from softcat_sym.native import find_compiler
 
 HERE = Path(__file__).parent
@@ -47,6 +49,11 @@ COMPILING = (
     "study/test_phase_",
     "study/test_theory_end.py",
 )
+
+
+def pytest_configure() -> None:
+    """No plain lines of progress on a slow machine, where tests ask that nothing else is told."""
+    progress._PLAIN_DELAY = math.inf
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -103,11 +103,16 @@ def write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> No
     Raises
     ------
     SoftcatError
-        If one is there, and is not to be replaced.
+        If one is there with another content, and is not to be replaced.
     """
     from softcat_sym.files import write_all
 
-    there = [str(path) for name in contents if (path := folder / name).exists() and not force]
-    if there:
+    paths = {folder / name: content for name, content in contents.items()}
+    there = [str(path) for path, content in paths.items() if path.exists() and not _holds(path, content)]
+    if there and not force:
         raise SoftcatError(f"there already, and not replaced without --force: {', '.join(there)}")
     write_all(folder, contents)
+
+
+def _holds(path: Path, content: bytes) -> bool:
+    return path.is_file() and path.read_bytes() == content

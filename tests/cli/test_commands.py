@@ -213,7 +213,10 @@ def test_samples_are_read_by_the_commands_they_are_for(softcat: Softcat, tmp_pat
     folder = tmp_path / "softcat-out" / "samples"
     assert done.status == 0
     assert {path.name for path in folder.iterdir()} == {"my-ink.toml", "film.csv", "my-curve.csv"}
-    assert softcat("samples").status == 2
+    assert softcat("samples").status == 0, "the same files again"
+    (folder / "my-ink.toml").write_text("mine")
+    done = softcat("samples")
+    assert (done.status, (folder / "my-ink.toml").read_text()) == (2, "mine")
     assert softcat("samples", "--force", "-q").status == 0
     (film,) = read_measurements(folder / "film.csv").series
     assert film.time.size == 41
