@@ -17,6 +17,12 @@ from softcat_sym.progress import Display, Stage, seconds
 from softcat_sym.report.progress import FitProgressBar, IntegrationProgress, StepProgress
 
 
+@pytest.fixture(autouse=True)
+def _plain_lines_after_two_seconds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As for users; other tests see none."""
+    monkeypatch.setattr(progress, "_PLAIN_DELAY", 2.0)
+
+
 def console(terminal: bool = True, width: int = 80) -> Console:
     return Console(file=io.StringIO(), force_terminal=terminal, width=width, color_system=None)
 
