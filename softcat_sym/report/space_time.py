@@ -213,6 +213,9 @@ def draw_map(axes: Axes, data: xr.Dataset, shown: Map, reached: float | None) ->
         rasterized=True,
     )
     axes.set_xlim(float(clock.of(time[0])), float(clock.of(time[-1])) if time[-1] > time[0] else None)
+    # A margin, so that the frame hides neither clamp.
+    margin = (places[-1] - places[0]) / 100
+    axes.set_ylim(places[0] - margin, places[-1] + margin)
     axes.axhline(0.5 * (places[0] + places[-1]), color=style.GREY, linewidth=0.6, linestyle=(0, (2, 3)))
     if reached is not None:
         # Seen on light and on dark.

@@ -44,6 +44,8 @@ def test_both_clamps_of_a_symmetric_filament_have_one_colour(descent, summary, s
     stretch[:, [0, -1]] = 2.0
     run = descent.assign(stretch=(("time", "cell"), stretch)).assign_coords(X_node=("node", nodes))
     figure = space_time_figure(run, summary, scene)
+    low, high = figure.axes[0].get_ylim()
+    assert low < -0.5 and high > 0.5, "the frame hides neither end"
     with Image.open(BytesIO(png(figure))) as image:
         pixels = np.asarray(image.convert("RGB")).astype(int)
     box = figure.axes[0].get_window_extent()
