@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+import softcat_sym as sc
 from softcat_sym.effects import REGISTRY, choose_effects
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.equations.filament import Terms, derive
@@ -316,3 +317,10 @@ def test_a_filament_stretched_so_far_that_sections_would_turn_is_not_given_shear
         choose_effects(
             scene.replace({"run.effects": [*without("viscous-flow", "viscous-stress", "yielding"), "shear"]})
         )
+
+
+def test_a_stated_loss_is_taken_in_with_inertia_and_brings_none() -> None:
+    ink = sc.load_scene("ink-bridge", {"load.ramp": "0 s", "material.loss_tangent": 0.1})
+    assert {"inertia", "solid-damping"} <= set(choose_effects(ink).names)
+    slow = choose_effects(sc.load_scene("glass-rod", {"material.loss_tangent": 0.1})).names
+    assert not {"inertia", "solid-damping"} & set(slow)
