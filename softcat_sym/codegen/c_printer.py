@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
 
 from softcat_sym.codegen.instructions import Code, Instruction
 from softcat_sym.errors import PrintingError
@@ -69,10 +71,42 @@ def number(value: float) -> str:
     return repr(value) if value >= 0 else f"({value!r})"
 
 
+class When(IntEnum):
+    """At which point of a loop over the sites something is computed."""
+
+    BEFORE = 0
+    """Before the loop: it is the same for all sites."""
+    SITE = 1
+    """At a site."""
+    FIBRE = 2
+    """For each fibre of a site."""
+    AFTER = 3
+    """At a site, when its sums over the fibres are known."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """What a result is assigned to.
+
+    Attributes
+    ----------
+    text : str
+        C text.
+    each : bool
+        Whether there is one for each fibre.
+    adds : bool
+        Whether the result is added to it: it is a sum over the fibres.
+    """
+
+    text: str
+    each: bool = False
+    adds: bool = False
+
+
 def statements(
-    code: Code, inputs: Sequence[str], uniform: Sequence[bool], targets: Sequence[str]
-) -> tuple[list[str], list[str]]:
-    """Statements that come before a loop over the sites, and those within.
+    code: Code, inputs: Sequence[str], known: Sequence[When], targets: Sequence[Target]
+) -> dict[When, list[str]]:
+    """Statements by when they are executed.
 
     Parameters
     ----------
@@ -80,36 +114,62 @@ def statements(
         What is computed.
     inputs : sequence of str
         C text of each input.
-    uniform : sequence of bool
-        Whether an input is the same for all sites.
-    targets : sequence of str
-        C text of what each result is assigned to.
+    known : sequence of When
+        From when on each input is known.
+    targets : sequence of Target
+        What each result is assigned to.
+
+    Raises
+    ------
+    PrintingError
+        If something of a fibre needs a sum over all of them, or a site something of a fibre.
     """
     uses = Counter(argument for one in code.instructions if one.operation != "INPUT" for argument in one.arguments)
     uses.update(result for result in code.results if result >= 0)
+    when = _when(code, known)
+    by_fibres = {a for k, one in enumerate(code.instructions) if when[k] == When.FIBRE and one.operation != "INPUT"
+                 for a in one.arguments}  # fmt: skip
     text: dict[int, str] = {}
-    alike: dict[int, bool] = {}
-    before: list[str] = []
-    within: list[str] = []
+    found: dict[When, list[str]] = {at: [] for at in When}
     for k, one in enumerate(code.instructions):
         if one.operation == "INPUT":
-            alike[k], written = uniform[one.arguments[0]], inputs[one.arguments[0]]
+            written = inputs[one.arguments[0]]
         else:
-            alike[k] = all(alike[a] for a in one.arguments)
             written = _expression(one, [text[a] for a in one.arguments])
         plain = one.operation in ("INPUT", "CONST")
-        crosses = alike[k] and not plain
-        if (plain and (uses[k] <= 1 or one.operation == "CONST")) or (
-            uses[k] <= 1 and not crosses and len(written) < _LONGEST
-        ):
+        # What is known early is computed early, not where it is used.
+        crosses = (when[k] == When.BEFORE and not plain) or (when[k] == When.SITE and k in by_fibres)
+        if one.operation == "CONST" or (uses[k] <= 1 and not crosses and (plain or len(written) < _LONGEST)):
             text[k] = written
             continue
-        name = f"{'c' if alike[k] else 'v'}{k}"
-        (before if alike[k] else within).append(f"const double {name} = {_bare(written)};")
-        text[k] = name
+        text[k] = f"{'c' if when[k] == When.BEFORE else 'v'}{k}"
+        found[when[k]].append(f"const double {text[k]} = {_bare(written)};")
     for target, result in zip(targets, code.results, strict=True):
-        within.append(f"{target} = {_bare(text[result]) if result >= 0 else '0.0'};")
-    return before, within
+        ready = when[result] if result >= 0 else When.BEFORE
+        each = target.each or target.adds
+        if ready == (When.AFTER if each else When.FIBRE):
+            raise PrintingError(f"{target.text} is computed when its fibres are not, or for each of them")
+        at = When.FIBRE if each else max(When.SITE, ready)
+        sign = "+=" if target.adds else "="
+        found[at].append(f"{target.text} {sign} {_bare(text[result]) if result >= 0 else '0.0'};")
+    return found
+
+
+def _when(code: Code, known: Sequence[When]) -> list[When]:
+    """When each instruction is executed.
+
+    Raises
+    ------
+    PrintingError
+        If one needs both a fibre and the sum over all of them.
+    """
+    found: list[When] = []
+    for one in code.instructions:
+        needs = {known[one.arguments[0]]} if one.operation == "INPUT" else {found[a] for a in one.arguments}
+        if {When.FIBRE, When.AFTER} <= needs:
+            raise PrintingError("a fibre would need the sum over all of them")
+        found.append(max(needs, default=When.BEFORE))
+    return found
 
 
 def _bare(text: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import casadi as ca
 
-from softcat_sym.codegen.leaves import DERIVATIVE, STAGED, UNKNOWN, Leaf, Leaves
+from softcat_sym.codegen.leaves import DERIVATIVE, STAGED, SUM, UNKNOWN, Leaf, Leaves
 from softcat_sym.codegen.stencil import Loop
 
 Entry = tuple[str, int]
@@ -48,17 +48,30 @@ class Chain:
         return {name: {e: d for e, d in sorted(one.items()) if not d.is_zero()} for name, one in found.items()}
 
     def _moves(self, leaf: Leaf) -> bool:
-        return leaf.kind == UNKNOWN or (leaf.kind == STAGED and bool(self.patterns.get(leaf.name)))
+        return leaf.kind in (UNKNOWN, SUM) or (leaf.kind == STAGED and bool(self.patterns.get(leaf.name)))
 
     def _changes(self, leaf: Leaf) -> list[tuple[Entry, ca.SX]]:
         """What moves a leaf, and how much."""
         if leaf.kind == UNKNOWN:
             return [((leaf.name, leaf.site), ca.SX(1))]
+        if leaf.kind == SUM:
+            return self._changes_of_sum(leaf)
         found = []
         for entry in self.patterns[leaf.name]:
             known = self.constants.get((leaf.name, entry))
             symbol = self.leaves.symbol(Leaf(DERIVATIVE, entry_name(leaf.name, entry), leaf.site))
             found.append(((entry[0], entry[1] + leaf.site), symbol if known is None else ca.SX(known)))
+        return found
+
+    def _changes_of_sum(self, leaf: Leaf) -> list[tuple[Entry, ca.SX]]:
+        """What moves a sum over fibres: what all of them see, and the state of each."""
+        value = self.leaves.summed(leaf)
+        reads = [read for read in self.leaves.within(value) if self._moves(read)]
+        partial = ca.jacobian(value, ca.vertcat(*(self.leaves.symbol(read) for read in reads)))
+        found = []
+        for read, column in zip(reads, ca.horzsplit(partial), strict=True):
+            slope = column if read.is_each else self.leaves.sum_of(column)
+            found += [(entry, slope * change) for entry, change in self._changes(read)]
         return found
 
     def learn(self, loops: Sequence[Loop], derivatives: Sequence[Mapping[str, Mapping[Entry, ca.SX]]]) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import asdict
 from importlib import resources
 
-from softcat_sym.codegen.model_text import Model
+from softcat_sym.codegen.model_text import Template
 from softcat_sym.codegen.recording import Slot
 from softcat_sym.codegen.versions import VERSIONS
 from softcat_sym.native import texts
@@ -18,7 +18,7 @@ _MADE_BY = ("codegen", "effects", "equations", "graph", "printing", "scene")
 """Packages whose code decides what the text is."""
 
 
-def model_kept(key: str, made: Callable[[], Model]) -> Model:
+def template_kept(key: str, made: Callable[[], Template]) -> Template:
     """The model of a key from the cache, or else made and kept there.
 
     Parameters
@@ -57,14 +57,21 @@ def _files(folder: resources.abc.Traversable) -> list[resources.abc.Traversable]
     return found
 
 
-def _written(model: Model) -> str:
+def _written(model: Template) -> str:
     slots = [{**asdict(slot), "sites": [slot.sites.start, slot.sites.stop]} for slot in model.slots]
     return json.dumps({**asdict(model), "slots": slots})
 
 
-def _read(text: str) -> Model:
+def _read(text: str) -> Template:
     parts = json.loads(text)
     slots = tuple(Slot(**{**slot, "sites": range(*slot["sites"])}) for slot in parts["slots"])
     names = {name: tuple(parts[name]) for name in ("parameters", "places", "powers")}
     entries = tuple((row, column, distance) for row, column, distance in parts["entries"])
-    return Model(text=parts["text"], slots=slots, entries=entries, **names)
+    return Template(
+        functions=parts["functions"],
+        slots=slots,
+        entries=entries,
+        scratch=tuple(parts["scratch"]),
+        moves=parts["moves"],
+        **names,
+    )

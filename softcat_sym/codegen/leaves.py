@@ -9,7 +9,11 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from softcat_sym.graph.section_rule import EACH
+
 UNKNOWN, STAGED, PLACE, DERIVATIVE, PARAMETER, TIME = "unknown", "staged", "place", "derivative", "parameter", "time"
+FIBRE, SUM = "fibre", "sum"
+"""Where a fibre is and what it counts for; a sum over the fibres of a cell."""
 
 
 @dataclass(frozen=True, order=True)
@@ -19,7 +23,7 @@ class Leaf:
     Attributes
     ----------
     kind : str
-        One of the six kinds above.
+        One of the eight kinds above.
     name : str
         Which unknown, field, length, entry or parameter.
     site : int
@@ -33,7 +37,12 @@ class Leaf:
     @property
     def is_local(self) -> bool:
         """Whether it belongs to a site."""
-        return self.kind not in (PARAMETER, TIME)
+        return self.kind not in (PARAMETER, TIME, FIBRE)
+
+    @property
+    def is_each(self) -> bool:
+        """Whether it differs from fibre to fibre."""
+        return self.kind == FIBRE or EACH in self.name
 
     def seen_from(self, site: int) -> Leaf:
         """The same with the distance in place of the site."""
@@ -46,6 +55,8 @@ class Leaves:
     def __init__(self) -> None:
         self._symbols: dict[Leaf, ca.SX] = {}
         self._leaves: dict[str, Leaf] = {}
+        self.totals: set[str] = set()
+        self._summed: dict[str, ca.SX] = {}
 
     def symbol(self, leaf: Leaf) -> ca.SX:
         """The symbol of a leaf."""
@@ -53,6 +64,18 @@ class Leaves:
             name = f"{leaf.kind}:{leaf.name}@{leaf.site}"
             self._symbols[leaf], self._leaves[name] = ca.SX.sym(name), leaf
         return self._symbols[leaf]
+
+    def sum_of(self, value: ca.SX) -> ca.SX:
+        """A symbol for the sum over the fibres of what is given for one that stands for all."""
+        if value.is_zero():
+            return ca.SX(0)
+        leaf = Leaf(SUM, str(len(self._summed)))
+        self._summed[leaf.name] = value
+        return self.symbol(leaf)
+
+    def summed(self, leaf: Leaf) -> ca.SX:
+        """What a sum is of."""
+        return self._summed[leaf.name]
 
     def column(self, kind: str, name: str, sites: range) -> ca.SX:
         """The symbols of a field, one below the other."""

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 
-from softcat_sym.codegen.c_printer import helpers_of
-from softcat_sym.codegen.c_writer import Writer, at, times
+from softcat_sym.codegen.c_printer import Target, helpers_of, number
+from softcat_sym.codegen.c_writer import Row, Writer, times
 from softcat_sym.codegen.derivatives import Chain, Entry, entry_name
 from softcat_sym.codegen.recording import CELLS, POWERS, Item, Recording, Slot
 from softcat_sym.codegen.stencil import Loop, loops_of, needed
-
-Target = Callable[[str], str]
+from softcat_sym.graph.section_rule import EACH, SectionRule
 
 
 @dataclass(frozen=True)
@@ -43,10 +43,61 @@ class Model:
     entries: tuple[tuple[str, str, int], ...]
 
 
+@dataclass(frozen=True)
+class Template:
+    """The C text of a filament before it is known how many fibres it has; what each has is named with a ``#``.
+
+    Attributes
+    ----------
+    functions : str
+        The C text of its physics.
+    slots, parameters, places, powers, entries
+        As in :class:`Model`.
+    scratch : (int, int)
+        Doubles per site that the functions need, and per site and fibre.
+    moves : bool
+        Whether they depend on time.
+    """
+
+    functions: str
+    slots: tuple[Slot, ...]
+    parameters: tuple[str, ...]
+    places: tuple[str, ...]
+    powers: tuple[str, ...]
+    entries: tuple[tuple[str, str, int], ...]
+    scratch: tuple[int, int]
+    moves: bool
+
+    def with_fibres(self, rule: SectionRule | None = None) -> Model:
+        """The model with so many fibres; with none where it has no fibres."""
+        count = rule.points if rule else 0
+        slots = [replace(slot, name=name) for slot in self.slots for name in _named(slot.name, count)]
+        # As they are numbered at a site: what each fibre has comes last.
+        entries = [
+            (row.replace(EACH, str(k)), column.replace(EACH, str(k)), distance)
+            for row, column, distance in sorted(self.entries, key=lambda entry: EACH in _label(entry))
+            for k in range(count if EACH in row + column else 1)
+        ]
+        scratch = self.scratch[0] + count * self.scratch[1]
+        tables = _tables(self, slots, entries, scratch)
+        constants = [_constants(rule, len(slots), len(entries), self.scratch[0])] if rule else []
+        text = "\n\n".join([_HEAD, *constants, self.functions, tables])
+        return Model(text + "\n", tuple(slots), self.parameters, self.places, self.powers, tuple(entries))
+
+
+def _label(entry: tuple[str, str, int]) -> str:
+    """Name of an entry of the Jacobian."""
+    return f"{entry[0]}/{entry_name(entry[1], ('', entry[2]))}"
+
+
+def _named(name: str, count: int) -> list[str]:
+    return [name.replace(EACH, str(k)) for k in range(count)] if EACH in name else [name]
+
+
 _MARK, _SUM = "@", " SUM"  # stand in the text for what is known only later
 
 
-def model_of(recording: Recording) -> Model:
+def template_of(recording: Recording) -> Template:
     """C text of a filament that was taken apart.
 
     Parameters
@@ -60,33 +111,33 @@ def model_of(recording: Recording) -> Model:
         If the sites in the middle of the filament do not all compute the same.
     """
     writer, leaves = Writer(recording), recording.leaves
-    slots = [slot.name for slot in recording.slots]
     fields = needed(leaves, recording.staged, recording.rates)
     loops = loops_of(leaves, [*fields, *recording.rates])
 
-    def rate(name: str) -> str:
-        return writer.field(name) if writer.is_field(name) else f"f[{at(len(slots), 0, slots.index(name[2:]))}]"
+    def rate(name: str) -> Target:
+        return writer.field(name) if writer.is_field(name) else Target(f"f[{writer.slots.at(name[2:])}]", EACH in name)
 
     calls = _calls(writer, "rates", loops, rate)
     moves = writer.moves_in_time
     chain = Chain(leaves)
     entries, changes = _jacobian(writer, recording, chain, loops)
     powers, work, slopes = _work(writer, recording, chain, fields)
+    size, found = writer.slots.count, Row("ENTRIES", [_label(entry) for entry in entries])
     text = "\n\n".join(
         [
             *writer.functions,
-            _entry_point("rates", "f", calls, zero=f"n * {len(slots)}"),
-            _entry_point("jacobian", "e", changes, zero=f"n * {len(entries)}"),
+            _entry_point("rates", "f", calls, zero=f"n * {size}"),
+            _entry_point("jacobian", "e", changes, zero=f"n * {found.count}"),
             _entry_point("work", "q", work, zero=str(len(powers))) if powers else "",
-            _entry_point("work_slope", "s", slopes, zero=f"n * {len(powers) * len(slots)}") if powers else "",
-            _tables(recording, entries, writer.scratch, len(powers), moves=moves),
+            _entry_point("work_slope", "s", slopes, zero=f"n * {len(powers)} * {size}") if powers else "",
         ]
     )
-    text = f"{_HEAD}\n{helpers_of(text)}\n{text}\n"
-    return Model(text, recording.slots, recording.parameters, recording.places, powers, entries)
+    text = f"{helpers_of(text)}\n{text}"
+    given = recording.parameters, recording.places
+    return Template(text, recording.slots, *given, powers, entries, writer.scratch, moves)
 
 
-def _calls(writer: Writer, label: str, loops: Sequence[Loop], target: Target) -> list[str]:
+def _calls(writer: Writer, label: str, loops: Sequence[Loop], target: Callable[[str], Target]) -> list[str]:
     return [
         writer.function(f"{label}_{k}", loop.where, loop.values, [target(name) for name in loop.names])
         for k, loop in enumerate(loops)
@@ -94,7 +145,7 @@ def _calls(writer: Writer, label: str, loops: Sequence[Loop], target: Target) ->
 
 
 def _derivatives(
-    writer: Writer, chain: Chain, loops: Sequence[Loop], label: str, entry: Callable[[str, Entry], str]
+    writer: Writer, chain: Chain, loops: Sequence[Loop], label: str, entry: Callable[[str, Entry], Target]
 ) -> list[str]:
     """Calls of functions that compute fields and their derivatives together.
 
@@ -107,7 +158,7 @@ def _derivatives(
         known.update({id(loop): one for loop, one in zip(batch, found, strict=True)})
     calls = []
     for k, loop in enumerate(loops):
-        targets: list[str] = []
+        targets: list[Target] = []
         values: list[ca.SX] = []
         for name, value in zip(loop.names, loop.values, strict=True):
             made = known[id(loop)][name]
@@ -130,8 +181,9 @@ def _jacobian(
     order = {slot.name: k for k, slot in enumerate(recording.slots)}
     marks: dict[tuple[str, str, int], int] = {}
 
-    def mark(name: str, one: Entry) -> str:
-        return f"e[{_MARK}{marks.setdefault((name[2:], *one), len(marks))}]"
+    def mark(name: str, one: Entry) -> Target:
+        label = (name[2:], *one)
+        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", EACH in _label(label))
 
     calls = _derivatives(writer, chain, loops, "jacobian", mark)
     outputs = [name for loop in loops for name in loop.names if not writer.is_field(name)]
@@ -139,7 +191,8 @@ def _jacobian(
         {(name[2:], entry[0], entry[1]) for name in outputs for entry in chain.patterns[name]},
         key=lambda one: (order[one[0]], one[2], order[one[1]]),
     )
-    number = {marks[one]: at(len(entries), 0, k) for k, one in enumerate(entries)}
+    row = Row("ENTRIES", [_label(entry) for entry in entries])
+    number = {marks[one]: row.at(_label(one)) for one in entries}
     found = re.compile(re.escape(_MARK) + r"(\d+)")
     writer.functions = [found.sub(lambda match: number[int(match[1])], text) for text in writer.functions]
     return tuple(entries), calls
@@ -171,15 +224,15 @@ def _work(
     known = {item.name for item in fields}
     others = [one for one in needed(recording.leaves, recording.staged, items) if one.name not in known]
     index = {item.name: k for k, power in enumerate(recording.powers) for item in power}
-    loops, size = loops_of(recording.leaves, [*others, *items]), len(recording.slots)
-    slots = {slot.name: k for k, slot in enumerate(recording.slots)}
+    loops, size = loops_of(recording.leaves, [*others, *items]), writer.slots.count
     calls = []
     for k, loop in enumerate(loops):
-        targets = [f"q[{index[name]}]{_SUM}" if name in index else writer.field(name) for name in loop.names]
+        targets = [Target(f"q[{index[name]}]{_SUM}") if name in index else writer.field(name) for name in loop.names]
         calls.append(writer.function(f"work_{k}", loop.where, loop.values, targets))
 
-    def entry(name: str, one: Entry) -> str:
-        return f"s[{times(index[name] * size, 'n')}{at(size, one[1], slots[one[0]])}]{_SUM}"
+    def entry(name: str, one: Entry) -> Target:
+        before = times(index[name], f"{size} * n")
+        return Target(f"s[{before}{writer.slots.at(*one)}]{_SUM}", EACH in one[0])
 
     changes = _derivatives(writer, chain, loops, "work_slope", entry)
     writer.functions = [text.replace(f"{_SUM} =", " +=") for text in writer.functions]
@@ -189,8 +242,7 @@ def _work(
 _HEAD = """\
 #include <math.h>
 
-#include "softcat_model.h"
-"""
+#include "softcat_model.h\""""
 
 
 def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str:
@@ -220,23 +272,40 @@ def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str
     )
 
 
-def _tables(
-    recording: Recording, entries: Sequence[tuple[str, str, int]], scratch: int, powers: int, *, moves: bool
-) -> str:
-    slots = [slot.name for slot in recording.slots]
+def _constants(rule: SectionRule, slots: int, entries: int, scratch: int) -> str:
+    """Numbers of what a site has, and where the fibres are."""
+    sizes = {"FIBRES": rule.points, "SLOTS": slots, "ENTRIES": entries, "SCRATCH": scratch}
+    where = {"zeta": rule.zeta, "weight": rule.weight}
+    return "\n".join(
+        [
+            *(f"#define {name} {size}" for name, size in sizes.items()),
+            "",
+            "/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */",
+            *(_array("double", name, [number(float(one)) for one in values]) for name, values in where.items()),
+        ]
+    )
+
+
+def _array(kind: str, name: str, values: Sequence[str]) -> str:
+    body = textwrap.fill(", ".join(values), 96, initial_indent="    ", subsequent_indent="    ", break_long_words=False)
+    return f"static const {kind} {name}[] = {{\n{body}}};"
+
+
+def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[str, str, int]], scratch: int) -> str:
+    place = {slot.name: k for k, slot in enumerate(slots)}
     columns = {
-        "rate": [slots.index(s.rate) if s.rate else -1 for s in recording.slots],
-        "differential": [int(s.differential) for s in recording.slots],
-        "held_first": [int(0 not in s.sites) for s in recording.slots],
-        "held_last": [int(CELLS not in s.sites) for s in recording.slots],
-        "row": [slots.index(row) for row, _, _ in entries],
+        "rate": [place[s.rate] if s.rate else -1 for s in slots],
+        "differential": [int(s.differential) for s in slots],
+        "held_first": [int(0 not in s.sites) for s in slots],
+        "held_last": [int(CELLS not in s.sites) for s in slots],
+        "row": [place[row] for row, _, _ in entries],
         "offset": [distance for _, _, distance in entries],
-        "column": [slots.index(column) for _, column, _ in entries],
+        "column": [place[column] for _, column, _ in entries],
     }
-    lines = [f"static const int {name}[] = {{{', '.join(map(str, numbers))}}};" for name, numbers in columns.items()]
-    sections = sum(s.section for s in recording.slots)
-    given = len(recording.parameters), len(recording.places)
-    sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(moves))
+    lines = [_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
+    sections, powers = sum(s.section for s in slots), len(template.powers)
+    given = len(template.parameters), len(template.places)
+    sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(template.moves))
     lines += [
         "",
         "const softcat_model softcat_filament_model = {",

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
-from softcat_sym.codegen.leaves import PARAMETER, PLACE, STAGED, TIME, UNKNOWN, Leaf, Leaves
+from softcat_sym.codegen.leaves import FIBRE, PARAMETER, PLACE, STAGED, TIME, UNKNOWN, Leaf, Leaves
 from softcat_sym.codegen.reciprocals import INVERTED, PER
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
@@ -127,6 +127,11 @@ class _Recorder:
             self._fields[key] = value if len(places) == value.numel() else self.stage(label, value)
         return self._fields[key]
 
+    def total(self, name: str, value: ca.SX) -> ca.SX:
+        """The sum of the field over the fibres, as symbols."""
+        self.leaves.totals.add(name)
+        return self.stage(name, value)
+
     def stage(self, name: str, value: ca.SX) -> ca.SX:
         """The field, as symbols."""
         dense = ca.densify(value)
@@ -148,7 +153,7 @@ def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End
     equations : FilamentEquations
         One cell.
     theory : Discretisation
-        Which unknowns the grid carries.
+        Which unknowns the grid carries; where it has fibres, one stands for all.
     ends : pair of End
         What holds the first and the last node.
     body : Body
@@ -156,6 +161,10 @@ def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End
     """
     leaves, half = Leaves(), ends[0] is End.SYMMETRY
     grid = Grid(np.linspace(0.0 if half else -0.5, 0.5, CELLS + 1), *ends)
+    if theory.fibres is not None:
+        one, theory = theory.fibres.one, theory.fibres.theory
+        for symbol, name in ((one.zeta, "zeta"), (one.weight, "weight")):
+            leaves.adopt(symbol, Leaf(FIBRE, name))
     given = inputs_for(equations, theory, body)
     for name, symbol in given.named.items():
         leaves.adopt(symbol, Leaf(PARAMETER, name))
@@ -174,7 +183,7 @@ def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End
     mass = leaves.column(PLACE, "mass", nodes)
     if body.weighted:
         mass += leaves.column(PLACE, "hung", nodes) * (given.named[POINT_MASS] / (values[sy.rho] * values[sy.L_0]))
-    setting = Setting(values, grid, profile, supports, scale, lengths, recorder.stage)
+    setting = Setting(values, grid, profile, supports, scale, lengths, recorder.stage, recorder.total)
     now = instant(equations, theory, setting, given, recorder, When(time, mass))
     rates = rates_of(now)
     balances = balances_of(now, rates)

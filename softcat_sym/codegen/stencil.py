@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from softcat_sym.codegen.leaves import STAGED, Leaf, Leaves
 from softcat_sym.codegen.recording import CELLS, Item
 from softcat_sym.errors import PrintingError
+from softcat_sym.graph.section_rule import EACH
 
 _MARGIN = 3
 """Sites at either end that may differ from all others."""
@@ -154,7 +155,7 @@ def loops_of(leaves: Leaves, items: Sequence[Item]) -> tuple[Loop, ...]:
     by_name = {one.item.name: one for one in shaped}
     level: dict[str, int] = {}
     for one in shaped:
-        level[one.item.name] = max((_after(one, leaf, by_name, level) for leaf in one.reads), default=0)
+        level[one.item.name] = max((_after(one, leaf, by_name, level, leaves.totals) for leaf in one.reads), default=0)
         if one.exceptions:
             # Alone, so that what the ends do otherwise stays short.
             level[one.item.name] += 1
@@ -167,31 +168,40 @@ def loops_of(leaves: Leaves, items: Sequence[Item]) -> tuple[Loop, ...]:
         special = [one for one in here if one.exceptions]
         for where in dict.fromkeys(one.where for one in special):
             group = [one for one in special if one.where == where]
-            found.append(Loop(where, tuple(o.item.name for o in group), tuple(o.value for o in group)))
+            found.append(_loop(leaves, where, {o.item.name: o.value for o in group}))
         for site in sorted({site for one in special for site in one.exceptions}):
             at = [one for one in special if site in one.exceptions]
-            names, values = tuple(o.item.name for o in at), tuple(o.exceptions[site] for o in at)
-            found.append(Loop(Where(site, 0, alone=True), names, values))
+            found.append(_loop(leaves, Where(site, 0, alone=True), {o.item.name: o.exceptions[site] for o in at}))
     return tuple(found)
 
 
-def _after(one: _Shaped, leaf: Leaf, by_name: Mapping[str, _Shaped], level: Mapping[str, int]) -> int:
+def _after(
+    one: _Shaped, leaf: Leaf, by_name: Mapping[str, _Shaped], level: Mapping[str, int], totals: Collection[str]
+) -> int:
     """The level that an item must have for one of the leaves that it reads."""
     if leaf.kind != STAGED or leaf.name not in by_name:
         return 0
     other = by_name[leaf.name]
     shares = leaf.site == 0 and other.where == one.where and not other.exceptions and not one.exceptions
+    # What is done for every fibre looks up what is the same for all of them.
+    shares = shares and not (leaf.name in totals or one.item.name in totals or EACH in one.item.name)
     return level[leaf.name] if shares else level[leaf.name] + 1
 
 
 def _together(leaves: Leaves, where: Where, group: Sequence[_Shaped]) -> Loop:
     """One loop: fields of the same site are written out where they are used."""
-    values: list[ca.SX] = []
+    values: dict[str, ca.SX] = {}
     known: list[tuple[ca.SX, ca.SX]] = []
     for one in group:
         value = one.value
         for symbol, meaning in reversed(known):
             value = ca.substitute(value, symbol, meaning)
-        values.append(value)
+        values[one.item.name] = value
         known.append((leaves.symbol(Leaf(STAGED, one.item.name, 0)), value))
-    return Loop(where, tuple(one.item.name for one in group), tuple(values))
+    return _loop(leaves, where, values)
+
+
+def _loop(leaves: Leaves, where: Where, values: Mapping[str, ca.SX]) -> Loop:
+    """A loop over sites; what its fields sum over the fibres is a symbol in it."""
+    summed = (leaves.sum_of(value) if name in leaves.totals else value for name, value in values.items())
+    return Loop(where, tuple(values), tuple(summed))

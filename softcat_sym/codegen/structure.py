@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import secrets
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import lru_cache
 from types import FunctionType
 
-from softcat_sym.codegen.kept_model import model_kept
-from softcat_sym.codegen.model_text import Model, model_of
+from softcat_sym.codegen.kept_model import template_kept
+from softcat_sym.codegen.model_text import Model, Template, template_of
 from softcat_sym.codegen.recording import record
 from softcat_sym.effects import Effects
 from softcat_sym.equations.filament import FilamentEquations
@@ -28,7 +28,9 @@ class Structure:
     Attributes
     ----------
     key : str
-        Hash of all that the text depends on but the program; two structures are equal if theirs are.
+        Hash of all that the text depends on but the program and the fibres.
+    rule : str
+        Where the fibres are; empty without. Two structures are equal if these two are.
     effects : tuple of str
         Names of the effects in force.
     equations, theory, ends, body
@@ -36,6 +38,7 @@ class Structure:
     """
 
     key: str
+    rule: str
     effects: tuple[str, ...]
     equations: FilamentEquations = field(compare=False)
     theory: Discretisation = field(compare=False)
@@ -60,12 +63,12 @@ def structure_of(
     graph, equations, theory, body
         What it became.
     """
-    ends = graph.grid.first, graph.grid.last
+    ends, fibres = (graph.grid.first, graph.grid.last), theory.fibres
     parts: tuple[object, ...] = (
         effects.terms(),
         equations.shape.name,
         scene.run.closure,
-        theory.label,
+        fibres.theory.label if fibres else theory.label,
         tuple(end.name for end in ends),
         body.supports,
         body.profile.nodes is not None,
@@ -73,7 +76,8 @@ def structure_of(
     )
     if effects.terms().shaking != 1:
         parts = (*parts, effects.terms().shaking)
-    return Structure(_digest(parts), effects.names, equations, theory, ends, body)
+    rule = fibres.rule.label if fibres else ""
+    return Structure(_digest(parts), rule, effects.names, equations, theory, ends, body)
 
 
 def _digest(parts: tuple[object, ...]) -> str:
@@ -95,15 +99,22 @@ def _named(part: object) -> object:
 
 @lru_cache(maxsize=128)
 def model_for(structure: Structure) -> Model:
-    """The C text of a structure, read once a process, and made once a machine.
+    """The C text of a structure.
 
     Raises
     ------
     PrintingError
         If it has none.
     """
+    fibres = structure.theory.fibres
+    return _template(replace(structure, rule="")).with_fibres(fibres.rule if fibres else None)
 
-    def made() -> Model:
-        return model_of(record(structure.equations, structure.theory, structure.ends, structure.body))
 
-    return model_kept(structure.key, made)
+@lru_cache(maxsize=128)
+def _template(structure: Structure) -> Template:
+    """Read once a process, and made once a machine."""
+
+    def made() -> Template:
+        return template_of(record(structure.equations, structure.theory, structure.ends, structure.body))
+
+    return template_kept(structure.key, made)

@@ -14,6 +14,7 @@ from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.layout import Block, Layout
 from softcat_sym.graph.lengths import Lengths
 from softcat_sym.graph.profile import Profile
+from softcat_sym.graph.section_rule import OneFibre, SectionRule
 from softcat_sym.graph.supports import Held
 
 
@@ -65,6 +66,17 @@ def unstaged(name: str, value: ca.SX) -> ca.SX:
     return value
 
 
+def untotalled(name: str, value: ca.SX) -> ca.SX:
+    """Sums over fibres stand for themselves only where one fibre stands for all.
+
+    Raises
+    ------
+    ValueError
+        Always.
+    """
+    raise ValueError(f"{name}: one fibre stands for all, and nothing sums over them")
+
+
 @dataclass(frozen=True)
 class State:
     """The unknowns by name, wherever they stand.
@@ -103,6 +115,8 @@ class Setting:
         Of the grid.
     stage : Stage
         What becomes of the fields that other places read.
+    total : Stage
+        What becomes of sums over the fibres, where one stands for all.
     """
 
     values: Mapping[sy.Symbol, Any]
@@ -112,6 +126,7 @@ class Setting:
     time_scale: ca.SX
     lengths: Lengths
     stage: Stage = unstaged
+    total: Stage = untotalled
 
     def positions(self, state: Recall) -> tuple[ca.SX, ca.SX]:
         """Positions of all nodes, in rest lengths; those that are held are where the supports are."""
@@ -171,6 +186,25 @@ class Fields:
 
 
 @dataclass(frozen=True)
+class Fibres:
+    """A theory in which every fibre has plastic states of its own, and does alike.
+
+    Attributes
+    ----------
+    rule : SectionRule
+        Where the fibres are.
+    one : OneFibre
+        Symbols of one that stands for all.
+    theory : Discretisation
+        The theory with that one.
+    """
+
+    rule: SectionRule
+    one: OneFibre
+    theory: Discretisation
+
+
+@dataclass(frozen=True)
 class Discretisation:
     """A theory on a grid.
 
@@ -184,9 +218,12 @@ class Discretisation:
         Equations, setting and state to the fields.
     expressions : callable
         Equations to the expressions that are printed, for the parameters that occur in them.
+    fibres : Fibres or None
+        Where every fibre has plastic states of its own.
     """
 
     label: str
     unknowns: Callable[[FilamentEquations, Grid], Unknowns]
     evaluate: Callable[[FilamentEquations, Setting, Recall], Fields]
     expressions: Callable[[FilamentEquations], Iterable[Any]]
+    fibres: Fibres | None = None

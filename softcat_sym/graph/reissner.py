@@ -7,8 +7,8 @@ are in one place. Forces and torques are the exact derivatives of the discrete e
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import casadi as ca
@@ -17,20 +17,27 @@ import numpy as np
 from softcat_sym.equations import symbols as sy
 from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import Pair
-from softcat_sym.graph.discretisation import Discretisation, Fields, Recall, Setting, Stage, Unknowns
-from softcat_sym.graph.grid import Grid
+from softcat_sym.graph.discretisation import Discretisation, Fibres, Fields, Recall, Setting, Stage, Unknowns
+from softcat_sym.graph.grid import Floats, Grid
 from softcat_sym.graph.kirchhoff import beyond_the_section, free_nodes
 from softcat_sym.graph.layout import cell_block, node_block
 from softcat_sym.graph.linear_section import branch_name
 from softcat_sym.graph.means import to_cells
 from softcat_sym.graph.neck_force import neck_double_force, neck_tension
 from softcat_sym.graph.resolved_printer import Points, ResolvedPrinter, Resultants, StrainRates, Strains
-from softcat_sym.graph.section_rule import SectionRule
+from softcat_sym.graph.section_rule import OneFibre, Sampling, SectionRule
 from softcat_sym.graph.surface_force import surface_force
 
 
 def reissner(rule: SectionRule) -> Discretisation:
     """The theory with its section sampled and its plastic state represented by `rule`."""
+    if not rule.is_of_fibres:
+        return _theory(rule)
+    one = OneFibre()
+    return replace(_theory(rule), fibres=Fibres(rule, one, _theory(one)))
+
+
+def _theory(rule: Sampling) -> Discretisation:
     section = _Sampled(rule)
     return Discretisation(f"reissner {rule.label}", section.unknowns, section.evaluate, expressions)
 
@@ -57,7 +64,7 @@ def _angle_nodes(grid: Grid) -> list[int]:
 
 @dataclass(frozen=True)
 class _Sampled:
-    rule: SectionRule
+    rule: Sampling
 
     def unknowns(self, equations: FilamentEquations, grid: Grid) -> Unknowns:
         """Positions and angles of free nodes; the plastic states of every cell."""
@@ -71,22 +78,28 @@ class _Sampled:
         sheared = [name for branch in flowing for name in self._names("shear", branch)]
         shears = equations.resolved is not None and equations.resolved.shears
         plastic = [name for name, _ in names] + (sheared if shears else [])
-        mean, linear = self.rule.project @ np.ones(self.rule.points), self.rule.project @ self.rule.zeta
         return Unknowns(
             positions=(node_block("x", free_x, grid, grid.nodes), node_block("y", free_y, grid, zeros)),
             velocities=(node_block("u", free_x, grid, zeros), node_block("v", free_y, grid, zeros)),
             plastic=tuple(cell_block(name, grid) for name in plastic),
-            profiles={name: (float(mean[n]), float(linear[n])) for name, n in names},
+            profiles=self._profiles(names),
             angles=(node_block("psi", angles, grid, zeros),),
             spins=spins,
         )
+
+    def _profiles(self, names: Sequence[tuple[str, int]]) -> dict[str, tuple[float, float]]:
+        """What each axial state is of a plastic strain that is linear through the thickness."""
+        if isinstance(self.rule, OneFibre):
+            return {}
+        mean, linear = self.rule.project @ np.ones(self.rule.points), self.rule.project @ self.rule.zeta
+        return {name: (float(mean[n]), float(linear[n])) for name, n in names}
 
     def _flowing(self, equations: FilamentEquations) -> list[int]:
         branches = equations.resolved.branches if equations.resolved is not None else ()
         return [number for number, branch in enumerate(branches) if branch.flow is not None]
 
     def _names(self, kind: str, branch: int) -> list[str]:
-        return [branch_name(f"{kind}_{n}", branch) for n in range(self.rule.states)]
+        return [branch_name(f"{kind}_{label}", branch) for label in self.rule.labels]
 
     def evaluate(self, equations: FilamentEquations, setting: Setting, state: Recall) -> Fields:
         """Evaluate the whole filament."""
@@ -99,13 +112,13 @@ class _Sampled:
         slope = (ca.diff(x) * per_length, ca.diff(y) * per_length)
         k, angle = ca.diff(psi) * (per_length * per_span), to_cells(psi)
         Lam, Gam = cell.strains(slope, angle)
-        strains = Strains(Lam, Gam, k, self._strain_rates(cell, setting, state, slope, angle))
+        strains = self._seen(Strains(Lam, Gam, k, self._strain_rates(cell, setting, state, slope, angle)), stage)
         plastic = [
             (self._at_points(state, grid, "axial", j), self._at_points(state, grid, "shear", j))
             for j in range(cell.branches)
         ]
         points = cell.points(strains, plastic)
-        section = cell.resultants(strains, angle, points)
+        section = cell.resultants(strains, angle, points, setting.total)
         stretch = ca.sqrt(slope[0] ** 2 + slope[1] ** 2)
         force_x, force_y = stage("section_force_x", section.force[0]), stage("section_force_y", section.force[1])
         # Along the tangent of the centreline, not along the normal of the section: conjugate to its stretch.
@@ -120,6 +133,10 @@ class _Sampled:
             force_x = stage("force_x", force_x + gain / stretch * slope[0])
             force_y = stage("force_y", force_y + gain / stretch * slope[1])
         volume, shown = length * cell.outline.area_cells, self._shown(section, points, strains)
+        energy, dissipation = (
+            self.rule.mean(name, value, setting.total)
+            for name, value in (("energy", points.energy), ("dissipation", points.dissipation))
+        )
         if surface_energy is not None:
             shown["axial_force"] = (force_x * slope[0] + force_y * slope[1]) / stretch
         return Fields(
@@ -129,13 +146,22 @@ class _Sampled:
             force_x=force_x,
             force_y=force_y,
             plastic_rates=self._rates(points),
-            elastic_energy=ca.dot(volume, points.energy @ ca.DM(self.rule.weight)),
-            dissipation=volume * (points.dissipation @ ca.DM(self.rule.weight)),
+            elastic_energy=ca.dot(volume, energy),
+            dissipation=volume * dissipation,
             observables=shown,
             torque=_torque(length * setting.values[sy.L_0], section, stage),
             double_force=double_force,
             surface_energy=surface_energy,
         )
+
+    def _seen(self, strains: Strains, stage: Stage) -> Strains:
+        """The strains as fibres see them: of one that stands for all they are looked up."""
+        if not isinstance(self.rule, OneFibre):
+            return strains
+        rates = strains.rates
+        if rates is not None:
+            rates = StrainRates(*(stage(name, getattr(rates, name)) for name in ("Lam_t", "Gam_t", "k_t")))
+        return Strains(*(stage(name, getattr(strains, name)) for name in ("Lam", "Gam", "k")), rates)
 
     def _angles(self, setting: Setting, state: Recall) -> ca.SX:
         psi = ca.SX.zeros(setting.grid.cells + 1)
@@ -161,23 +187,24 @@ class _Sampled:
         """Plastic strain of a branch at every point of every cell, shape (cells, points)."""
         zeros = ca.SX(grid.cells, 1)
         states = ca.horzcat(*(state.field(name, zeros) for name in self._names(kind, branch)))
-        return states @ ca.sparsify(ca.DM(self.rule.recall)).T
+        return self.rule.at_points(states)
 
     def _rates(self, points: Points) -> dict[str, ca.SX]:
-        project = ca.sparsify(ca.DM(self.rule.project)).T
         rates: dict[str, ca.SX] = {}
         for number, flow in enumerate(points.flows):
             for kind, at_points in (("axial", flow.axial_rate), ("shear", flow.shear_rate)):
-                states = at_points @ project
+                states = self.rule.of_states(at_points)
                 rates |= {name: states[:, n] for n, name in enumerate(self._names(kind, number))}
         return rates
 
     def _shown(self, section: Resultants, points: Points, strains: Strains) -> dict[str, ca.SX]:
+        if isinstance(self.rule, OneFibre):
+            return {}
         weight, zeta = ca.DM(self.rule.weight), ca.DM(self.rule.zeta)
         fastest = points.speed[:, 0]
         for n in range(1, self.rule.points):
             fastest = ca.fmax(fastest, points.speed[:, n])
-        low, high = self._core(points.yields)
+        low, high = _core(points.yields, self.rule.zeta)
         return {
             "core_low": low,
             "core_high": high,
@@ -193,20 +220,21 @@ class _Sampled:
             "stress_bending": points.axial_stress @ (weight * zeta / ca.dot(weight, zeta**2)),
         }
 
-    def _core(self, yields: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Limits in zeta of what does not yield, between the fibres that do on either side and those that do not."""
-        zeta = np.concatenate([[-1.0], (self.rule.zeta[1:] + self.rule.zeta[:-1]) / 2, [1.0]])
-        below = above = ca.SX.ones(yields.size1(), 1)
-        low, high = -below, 1 * above
-        for n in range(self.rule.points):
-            below, above = below * yields[:, n], above * yields[:, -1 - n]
-            low += below * (zeta[n + 1] - zeta[n])
-            high -= above * (zeta[-1 - n] - zeta[-2 - n])
-        # Where the whole thickness yields both limits have met on the opposite faces: they are put together.
-        return low, ca.fmax(low, high)
-
 
 def _torque(length: ca.SX, section: Resultants, stage: Stage) -> ca.SX:
     """Change of the couple and the moment of the forces about each node, shape (cells + 1,) [Pa m]."""
     half, couple = stage("turning_half", length * section.turning_moment / 2), stage("couple", section.couple)
     return ca.vertcat(couple, 0) - ca.vertcat(0, couple) + ca.vertcat(half, 0) + ca.vertcat(0, half)
+
+
+def _core(yields: ca.SX, points: Floats) -> tuple[ca.SX, ca.SX]:
+    """Limits in zeta of what does not yield, between the fibres that do on either side and those that do not."""
+    zeta = np.concatenate([[-1.0], (points[1:] + points[:-1]) / 2, [1.0]])
+    below = above = ca.SX.ones(yields.size1(), 1)
+    low, high = -below, 1 * above
+    for n in range(len(points)):
+        below, above = below * yields[:, n], above * yields[:, -1 - n]
+        low += below * (zeta[n + 1] - zeta[n])
+        high -= above * (zeta[-1 - n] - zeta[-2 - n])
+    # Where the whole thickness yields both limits have met on the opposite faces: they are put together.
+    return low, ca.fmax(low, high)

@@ -16,7 +16,7 @@ from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import Pair, inputs_of
 from softcat_sym.graph.discretisation import Setting
 from softcat_sym.graph.profile import outline
-from softcat_sym.graph.section_rule import SectionRule
+from softcat_sym.graph.section_rule import Sampling, Total
 from softcat_sym.printing import CellFunction
 
 _NO_STRESS = 1e-12
@@ -88,7 +88,7 @@ class ResolvedPrinter:
         With a resolved section.
     setting : Setting
         Parameters, grid and profile.
-    rule : SectionRule
+    rule : SectionRule or OneFibre
         Points through the thickness.
 
     Raises
@@ -97,7 +97,7 @@ class ResolvedPrinter:
         If the section of these equations is not resolved.
     """
 
-    def __init__(self, equations: FilamentEquations, setting: Setting, rule: SectionRule) -> None:
+    def __init__(self, equations: FilamentEquations, setting: Setting, rule: Sampling) -> None:
         if equations.resolved is None:
             raise ValueError("the section is not resolved: neither shear nor fibres are in force")
         self._resolved: ResolvedSection = equations.resolved
@@ -185,7 +185,9 @@ class ResolvedPrinter:
         if self._varies:
             given[sy.h0] = self.outline.h_cells
         every = {symbol: ca.repmat(ca.SX(value), points, 1) for symbol, value in given.items()}
-        return every | {sy.zeta: ca.SX(ca.vec(ca.repmat(ca.DM(self._rule.zeta).T, cells, 1)))}
+        zeta = self._rule.zeta
+        row = zeta if isinstance(zeta, ca.SX) else ca.DM(zeta).T
+        return every | {sy.zeta: ca.SX(ca.vec(ca.repmat(row, cells, 1)))}
 
     def _branch(self, number: int, given: Mapping[sy.Symbol, Any], plastic: Pair) -> dict[str, ca.SX]:
         branch = self._resolved.branches[number]
@@ -214,13 +216,13 @@ class ResolvedPrinter:
         pair = {sy.sigma: stress["axial"], re.tau_f: stress["shear"]}
         return {**stress, **self._evaluate({"dissipation": viscous.dissipation, "speed": viscous.speed}, pair)}
 
-    def resultants(self, strains: Strains, angle: ca.SX, points: Points) -> Resultants:
+    def resultants(self, strains: Strains, angle: ca.SX, points: Points, total: Total) -> Resultants:
         """Forces and couple of every section, and what they do to positions and section angle."""
-        cell, weight = self._resolved.cell, ca.DM(self._rule.weight)
+        cell, mean = self._resolved.cell, self._rule.mean
         means = {
-            re.sigma_mean: points.axial_stress @ weight,
-            re.sigma_zeta: points.axial_stress @ (weight * ca.DM(self._rule.zeta)),
-            re.tau_mean: points.shear_stress @ weight,
+            re.sigma_mean: mean("axial_stress", points.axial_stress, total),
+            re.sigma_zeta: mean("axial_stress", points.axial_stress, total, linear=True),
+            re.tau_mean: mean("shear_stress", points.shear_stress, total),
             re.Lam: strains.Lam,
         }
         if self.outline.h_cells is not None:

@@ -7,8 +7,10 @@ of one rule both are the same.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Protocol
 
+import casadi as ca
 import numpy as np
 
 from softcat_sym.equations.section import Section
@@ -22,6 +24,14 @@ _FEWEST_IN_HALVES = 6
 
 _MOMENT_POINTS = 200
 """Of the sums that stand for integrals over a half; they are exact for what they are taken of."""
+
+
+class Total(Protocol):
+    """Names a sum over the fibres of each cell, and puts a symbol in its place."""
+
+    def __call__(self, name: str, value: ca.SX) -> ca.SX:
+        """What stands for the sum of `value`, given for one fibre that stands for all."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -49,6 +59,30 @@ class SectionRule:
         return len(self.zeta)
 
     @property
+    def is_of_fibres(self) -> bool:
+        """Whether every point has plastic states of its own."""
+        return self.recall.shape[0] == self.recall.shape[1] and bool(np.all(self.recall == np.eye(self.points)))
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """What the plastic states of one kind are called, besides their kind."""
+        return tuple(str(number) for number in range(self.states))
+
+    def at_points(self, states: ca.SX) -> ca.SX:
+        """Plastic strain at the points, shape (cells, points), of states (cells, states)."""
+        return states @ ca.sparsify(ca.DM(self.recall)).T
+
+    def of_states(self, rates: ca.SX) -> ca.SX:
+        """Rates of the states, shape (cells, states), of rates at the points (cells, points)."""
+        return rates @ ca.sparsify(ca.DM(self.project)).T
+
+    def mean(self, name: str, values: ca.SX, total: Total, *, linear: bool = False) -> ca.SX:
+        """Mean over the section of values (cells, points), or of zeta times them, shape (cells,)."""
+        del name, total
+        weight = ca.DM(self.weight)
+        return values @ (weight * ca.DM(self.zeta) if linear else weight)
+
+    @property
     def label(self) -> str:
         """All of its numbers."""
         return ", ".join(repr(part.tolist()) for part in (self.zeta, self.weight, self.recall, self.project))
@@ -57,6 +91,47 @@ class SectionRule:
     def states(self) -> int:
         """Number of plastic states of one kind."""
         return int(self.recall.shape[1])
+
+
+EACH = "#"
+"""In the name of a plastic state that stands for those of all fibres: the place of the fibre's number."""
+
+
+@dataclass(frozen=True)
+class OneFibre:
+    """One fibre that stands for all of them, for code that loops over fibres.
+
+    Attributes
+    ----------
+    zeta, weight : casadi.SX
+        Symbols of its material coordinate and weight.
+    """
+
+    zeta: ca.SX = field(default_factory=lambda: ca.SX.sym("zeta"))
+    weight: ca.SX = field(default_factory=lambda: ca.SX.sym("weight"))
+    points: int = 1
+    labels: tuple[str, ...] = (EACH,)
+
+    @property
+    def label(self) -> str:
+        """Nothing of it is a number."""
+        return "fibres"
+
+    def at_points(self, states: ca.SX) -> ca.SX:
+        """The state itself."""
+        return states
+
+    def of_states(self, rates: ca.SX) -> ca.SX:
+        """The rate itself."""
+        return rates
+
+    def mean(self, name: str, values: ca.SX, total: Total, *, linear: bool = False) -> ca.SX:
+        """What stands for the mean over the section."""
+        return total(f"{name}_zeta" if linear else name, values * (self.weight * self.zeta if linear else self.weight))
+
+
+Sampling = SectionRule | OneFibre
+"""How the section is sampled."""
 
 
 def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> SectionRule:

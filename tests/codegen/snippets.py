@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.codegen.c_printer import helpers_of, statements
+from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
 from softcat_sym.codegen.instructions import Code, code_of
 from softcat_sym.native import compile_library, load
 
@@ -28,8 +28,9 @@ def text_of(code: Code, inputs: int, uniform: Sequence[bool] = ()) -> str:
     same = list(uniform) or [False] * inputs
     given = [f"x[{k}]" if same[k] else f"x[{inputs} * i + {k}]" for k in range(inputs)]
     outputs = len(code.results)
-    before, within = statements(code, given, same, [f"y[{outputs} * i + {k}]" for k in range(outputs)])
-    lines = [*before, "for (int i = 0; i < n; i++) {", *within, "}"]
+    known = [When.BEFORE if one else When.SITE for one in same]
+    found = statements(code, given, known, [Target(f"y[{outputs} * i + {k}]") for k in range(outputs)])
+    lines = [*found[When.BEFORE], "for (int i = 0; i < n; i++) {", *found[When.SITE], "}"]
     body = "\n    ".join(lines)
     head = f"#include <math.h>\n{helpers_of(body)}\nvoid f(int n, const double *x, double *y)"
     return f"{head}\n{{\n    (void)x;\n    {body}\n}}\n"

@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.codegen.c_printer import number, statements
+from softcat_sym.codegen.c_printer import Target, When, number, statements
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
 from softcat_sym.errors import PrintingError
 
@@ -98,12 +98,26 @@ def test_equal_expressions_are_computed_once() -> None:
 
 def test_what_all_rows_share_is_computed_before_the_loop() -> None:
     code = code_of([A, B], [ca.exp(B) * A, ca.exp(B) + B])
-    before, within = statements(code, ["y[i]", "p[0]"], [False, True], ["f[i]", "g[i]"])
-    assert sum("exp" in line for line in before) == 1
-    assert not any("exp" in line for line in within)
+    found = statements(code, ["y[i]", "p[0]"], [When.SITE, When.BEFORE], [Target("f[i]"), Target("g[i]")])
+    assert sum("exp" in line for line in found[When.BEFORE]) == 1
+    assert not any("exp" in line for line in found[When.SITE])
     x = np.array([[1.0, 0.5], [2.0, 99.0]])
     found = values(text_of(code, 2, [False, True]), x, 2)
     np.testing.assert_allclose(found, [[np.exp(0.5), np.exp(0.5) + 0.5], [2 * np.exp(0.5), np.exp(0.5) + 0.5]])
+
+
+def test_what_all_fibres_of_a_site_share_is_computed_before_the_loop_over_them() -> None:
+    code = code_of([A, B], [ca.exp(B) * A])
+    found = statements(code, ["z[k]", "y[i]"], [When.FIBRE, When.SITE], [Target("sum", adds=True)])
+    assert "exp" in found[When.SITE][0]
+    assert found[When.FIBRE] == ["sum += v1 * z[k];"]
+
+
+def test_a_fibre_that_needs_the_sum_over_all_of_them_is_refused() -> None:
+    with pytest.raises(PrintingError, match="sum over all"):
+        statements(code_of([A, B], [A * B]), ["z[k]", "sum"], [When.FIBRE, When.AFTER], [Target("f[i]")])
+    with pytest.raises(PrintingError, match="fibres"):
+        statements(code_of([A], [ca.sin(A)]), ["z[k]"], [When.FIBRE], [Target("f[i]")])
 
 
 @pytest.mark.parametrize("value", [0.1, -0.1, 1e-300, 1 / 3, 5e-324, 1.7976931348623157e308, 12345678901234567.0])
@@ -120,7 +134,7 @@ def test_infinity_has_a_text_and_what_is_no_number_has_none() -> None:
 
 def test_an_operation_without_c_is_refused() -> None:
     with pytest.raises(PrintingError, match="ERF"):
-        statements(code_of([A], [ca.erf(A)]), ["x"], [False], ["y"])
+        statements(code_of([A], [ca.erf(A)]), ["x"], [When.SITE], [Target("y")])
 
 
 def test_a_symbol_that_is_no_input_is_refused() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from softcat_sym.codegen.derivatives import Chain
 from softcat_sym.codegen.leaves import STAGED, UNKNOWN, Leaf
-from softcat_sym.codegen.model_text import model_of
+from softcat_sym.codegen.model_text import template_of
 from softcat_sym.codegen.stencil import loops_of
 
 from .c_values import CModel
@@ -26,7 +26,7 @@ def test_rates_and_derivatives_are_those_of_the_filament_written_out(sites: int)
     outputs = [rates, ca.jacobian(rates, unknowns), ca.vertcat(*powers), ca.jacobian(ca.vertcat(*powers), unknowns)]
     wanted = [np.asarray(one) for one in ca.Function("f", [unknowns], outputs)(np.append(state[:, 0], state[:-1, 1]))]
 
-    found = CModel(model_of(recording()).text).at(t, state, np.array([p]), np.stack([cell, 1 / cell], axis=1))
+    found = CModel(template_of(recording()).with_fibres().text).at(t, state, np.array([p]), np.stack([cell, 1 / cell], axis=1))
     order = np.append(2 * np.arange(sites), 2 * np.arange(sites - 1) + 1)
     np.testing.assert_allclose(found.rates[order], wanted[0].ravel(), rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(found.jacobian[np.ix_(order, order)], wanted[1], rtol=1e-12, atol=1e-12)
@@ -35,7 +35,7 @@ def test_rates_and_derivatives_are_those_of_the_filament_written_out(sites: int)
 
 
 def test_the_tables_say_what_the_entries_are() -> None:
-    model = model_of(recording())
+    model = template_of(recording()).with_fibres()
     table = CModel(model.text).table
     assert (table.slots, table.parameters, table.places, table.powers, table.moves_in_time) == (2, 1, 2, 3, 1)
     assert [table.held_first[k] for k in range(2)] == [0, 0]
@@ -50,7 +50,7 @@ def test_the_tables_say_what_the_entries_are() -> None:
 
 
 def test_fields_that_nothing_reads_are_left_out() -> None:
-    assert "log(" not in model_of(recording()).text
+    assert "log(" not in template_of(recording()).with_fibres().text
 
 
 def test_derivatives_that_are_the_same_number_everywhere_are_not_stored() -> None:

@@ -13,10 +13,10 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.codegen import kept_model, structure
-from softcat_sym.codegen.kept_model import model_kept
-from softcat_sym.codegen.model_text import model_of
+from softcat_sym.codegen.kept_model import template_kept
+from softcat_sym.codegen.model_text import template_of
 from softcat_sym.codegen.recording import record
-from softcat_sym.codegen.structure import Structure, model_for
+from softcat_sym.codegen.structure import Structure, _template, model_for
 from softcat_sym.effects import choose_effects
 from softcat_sym.equations.law import Branch, Flow
 from softcat_sym.equations.symbols import sigma
@@ -44,6 +44,11 @@ def structure_in(name: str, **changes: Any) -> Structure:
     return assembled(scene, choose_effects(scene)).structure()
 
 
+def forget() -> None:
+    model_for.cache_clear()
+    _template.cache_clear()
+
+
 def never() -> Any:
     raise AssertionError("it was there already")
 
@@ -51,9 +56,9 @@ def never() -> Any:
 @pytest.mark.parametrize("name", ["maxwell-fast", "cold-honey"])
 def test_what_is_read_is_what_was_written(name: str) -> None:
     of = structure_in(name)
-    written = model_of(record(of.equations, of.theory, of.ends, of.body))
-    assert model_kept(of.key, lambda: written) is written
-    assert model_kept(of.key, never) == written
+    written = template_of(record(of.equations, of.theory, of.ends, of.body))
+    assert template_kept(of.key, lambda: written) is written
+    assert template_kept(of.key, never) == written
 
 
 def test_surface_tension_is_another_structure_and_its_size_is_not() -> None:
@@ -68,23 +73,32 @@ def test_surface_tension_is_another_structure_and_its_size_is_not() -> None:
 
 
 def test_a_further_process_writes_none() -> None:
-    model_for.cache_clear()
+    forget()
     of = structure_in("maxwell-fast", run__effects="paper")
     first = model_for(of)
     assert len(kept_texts()) == 1
-    model_for.cache_clear()
+    forget()
     assert model_for(of) == first
     assert len(kept_texts()) == 1
 
 
 def test_another_program_writes_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     of = structure_in("maxwell-fast", run__effects="paper")
-    model_for.cache_clear()
-    first = model_for(of)
+    forget()
+    first = _template(of)
     monkeypatch.setattr(kept_model, "_program", lambda: "changed")
     again: list[bool] = []
-    model_kept(of.key, lambda: again.append(True) or first)
+    template_kept(of.key, lambda: again.append(True) or first)
     assert again
+
+
+def test_another_number_of_fibres_is_another_library_of_the_same_template() -> None:
+    forget()
+    first, second = (structure_in("ink-bridge", numerics__fibres=fibres) for fibres in (8, 12))
+    assert first.key == second.key
+    assert first != second
+    assert [len(model_for(of).slots) for of in (first, second)] == [5 + 2 * 8, 5 + 2 * 12]
+    assert len(kept_texts()) == 1
 
 
 def test_the_program_is_known_by_its_whole_code() -> None:
