@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation, shear,
  *     rotary-inertia, solid-damping
- * Digest of the structure: 2c2f5562ee1618baca1dbce58f433ef61f77e1422098a42127f9c069e91a3e2e
+ * Digest of the structure: bce4cf50652e3f7c505f63e25e23b22774ba22a3a74ded97187bee63610b6d02
  */
 
 #ifndef SOFTCAT_FILAMENT_H

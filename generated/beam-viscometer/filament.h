@@ -4,7 +4,7 @@
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: bending, extensibility, finite-stretch, thinning, large-rotation, viscous-stress, shear
- * Digest of the structure: a2e5921fe537224c9d86ef1ea80e99fe0597bfa0a8a598191ed385c139e738e0
+ * Digest of the structure: 9a71cea3c026ae4257048749ef459e0058201189fda3d98d5eae5fb9ab062e8f
  */
 
 #ifndef SOFTCAT_FILAMENT_H

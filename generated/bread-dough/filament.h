@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
- * Digest of the structure: cffc861c9a5e95df26f75ee624a28f3973aa002ec38b9068aeea9ead5d5ecf94
+ * Digest of the structure: 99697ea92ca7d122de517de714a26ceb0a0171397e8094c80951ec9a6ef7b34b
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia
- * Digest of the structure: 37eb8719c808f2f67b6b3dc9934f96271327a470142c8459d6fbeafa452a6561
+ * Digest of the structure: 382ebc83c379e2d183dc5d7f842c2bdbd961f10ca4cd9eee0efad63b419b3450
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia, surface-tension
- * Digest of the structure: 343788a79e5deaff189b1f599b4bf98a5c5762da7f8b213854cfd5f71a62f2a9
+ * Digest of the structure: 7b81edd6451ba7504fd509cb245cc6c14e67b371d398e87cc028e61d504ad34d
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, surface-tension
- * Digest of the structure: 7dafb472a6989bdd7e8bcf801279da68ef2c05c702b55d24fe0f729281a8ea29
+ * Digest of the structure: 28388dff5a55659a304206b079ffb4a83daa08ea79de93c0f2732e684545a45b
  */
 #include "filament.h"
 
@@ -13,14 +13,25 @@
 
 #include "softcat_model.h"
 
+#define FIBRES 2
+#define SLOTS 9
+#define ENTRIES 81
+#define SCRATCH 90
+
+/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
+static const double zeta[] = {
+    (-0.4999999999999998), 0.5000000000000001};
+static const double weight[] = {
+    0.5, 0.4999999999999999};
+
 static inline double larger(double a, double b) { return a > b ? a : b; }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)
 {
     for (int i = 1; i < n - 1; i++) {
-        f[9 * i] = y[9 * i + 2];
-        f[9 * i + 1] = y[9 * i + 3];
+        f[SLOTS * i + 0] = y[SLOTS * i + 2];
+        f[SLOTS * i + 1] = y[SLOTS * i + 3];
     }
 }
 
@@ -30,9 +41,9 @@ static void rates_1(int n, const double *y, double *w)
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[9 * i];
-        w1[i] = y[9 * i + 1];
-        w2[i] = y[9 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 1];
+        w2[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -60,7 +71,75 @@ static void rates_3(int n, double *w)
     (void)n;
 }
 
-static void rates_4(int n, const double *p, const double *g, const double *y, double *w, double *f)
+static void rates_4(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w0 = w;
+    double *restrict w1 = w + 1 * n;
+    double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    const double c26 = 1.0 / p[0];
+    for (int i = 0; i < n - 1; i++) {
+        const double v4 = g[9 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w2[i];
+        const double v7 = w2[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w1[i + 1] - w1[i]) * v4;
+        const double v18 = sin(v11);
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w5[i] = (v7 - v6) * (v4 * c26);
+    }
+}
+
+static void rates_5(int n, const double *p, const double *g, const double *y, double *w, double *f)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    const double c3 = p[4];
+    const double c22 = p[5];
+    const double c23 = 1.0 / c22;
+    const double c25 = p[8];
+    const double c28 = 3.0 / c22;
+    const double c30 = 0.9 * c3;
+    const double c33 = 2.0 * p[6];
+    const double c34 = 2.0 + c33;
+    const double c35 = c30 / c34;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        const double v6 = (-0.5) * w5[i];
+        const double v11 = p[1] * g[9 * i + 8];
+        const double v13 = w3[i];
+        const double v15 = sqrt(v13) * v13;
+        const double v19 = log(v13);
+        const double v37 = w4[i] / v13;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v7 = zeta[k];
+            const double v21 = c3 * (((((v6 * v7) * v11) / v15) - y[SLOTS * i + 5 + k]) + v19);
+            const double v40 = c35 * (v37 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v43 = weight[k];
+            f[SLOTS * i + 5 + k] = (v21 * c23) * c25;
+            f[SLOTS * i + 5 + 1 * FIBRES + k] = (c28 * v40) * c25;
+            sum0 += v21 * v43;
+            sum1 += v21 * (v43 * v7);
+            sum2 += v40 * v43;
+        }
+        w6[i] = sum0;
+        w7[i] = sum1;
+        w8[i] = sum2;
+    }
+}
+
+static void rates_6(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -71,71 +150,47 @@ static void rates_4(int n, const double *p, const double *g, const double *y, do
     double *restrict w6 = w + 6 * n;
     double *restrict w7 = w + 7 * n;
     double *restrict w8 = w + 8 * n;
-    const double c3 = p[4];
-    const double c10 = p[0];
-    const double c11 = 1.0 / c10;
-    const double c62 = 0.9 * c3;
-    const double c64 = 2.0 * p[6];
-    const double c65 = 2.0 + c64;
-    const double c66 = c62 / c65;
-    const double c124 = p[5];
-    const double c125 = 1.0 / c124;
-    const double c127 = p[8];
-    const double c132 = 3.0 / c124;
+    double *restrict w9 = w + 9 * n;
+    double *restrict w10 = w + 10 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
     for (int i = 0; i < n - 1; i++) {
         const double v0 = g[9 * i + 8];
         const double v1 = squared(v0);
-        const double v5 = w2[i + 1];
-        const double v6 = w2[i];
-        const double v9 = g[9 * i + 4];
-        const double v13 = (v5 - v6) * (v9 * c11);
-        const double v16 = p[1] * v0;
-        const double v21 = (w0[i + 1] - w0[i]) * v9;
-        const double v24 = (v6 + v5) * 0.5;
-        const double v25 = cos(v24);
-        const double v30 = (w1[i + 1] - w1[i]) * v9;
-        const double v31 = sin(v24);
-        const double v33 = (v21 * v25) + (v30 * v31);
-        const double v36 = 1.0 / (sqrt(v33) * v33);
-        const double v40 = log(v33);
-        const double v41 = ((((0.2499999999999999 * v13) * v16) * v36) - y[9 * i + 5]) + v40;
-        const double v42 = c3 * v41;
-        const double v50 = ((((-0.25000000000000006) * v13) * v16) * v36) - y[9 * i + 6];
-        const double v52 = c3 * (v50 + v40);
-        const double v55 = 1.0 / v33;
-        const double v60 = (v30 * v25) - (v21 * v31);
-        const double v67 = v60 * v55;
-        const double v70 = c66 * (v67 - y[9 * i + 7]);
-        const double v74 = c66 * (v67 - y[9 * i + 8]);
-        const double v78 = v1 * (((0.5 * v70) + (0.4999999999999999 * v74)) * v55);
-        const double v81 = (v1 * (((0.5 * v42) + (0.4999999999999999 * v52)) * v55)) - ((v60 * v78) * v55);
-        const double v89 = (0.5 * (((-0.2499999999999999) * v42) + (0.25 * v52))) * v16;
-        const double v91 = v1 * (v89 * v36);
-        const double v95 = v81 + (((1.5 * v91) * v13) * v55);
-        const double v98 = (v95 * v25) - (v78 * v31);
-        const double v101 = (v95 * v31) + (v78 * v25);
-        const double v105 = sqrt(squared(v21) + squared(v30));
-        const double v112 = (((2.0 / sqrt(v105)) * (p[7] / v16)) * v1) / v105;
-        const double v122 = ((g[9 * i + 1] * c10) * ((v78 * v33) - (v60 * v95))) * 0.5;
-        w3[i] = v98;
-        w4[i] = v101;
-        w5[i] = v98 + (v112 * v21);
-        w6[i] = v101 + (v112 * v30);
-        w7[i] = v122;
-        w8[i] = -v91;
-        f[9 * i + 5] = (v42 * c125) * c127;
-        f[9 * i + 6] = (v52 * c125) * c127;
-        f[9 * i + 7] = (c132 * v70) * c127;
-        f[9 * i + 8] = (c132 * v74) * c127;
+        const double v3 = w3[i];
+        const double v4 = 1.0 / v3;
+        const double v7 = w4[i];
+        const double v10 = v1 * (w8[i] * v4);
+        const double v19 = p[1] * v0;
+        const double v24 = v1 * (((0.5 * w7[i]) * v19) / (sqrt(v3) * v3));
+        const double v29 = ((v1 * (w6[i] * v4)) - ((v7 * v10) * v4)) + (((1.5 * v24) * w5[i]) * v4);
+        const double v34 = (w2[i] + w2[i + 1]) * 0.5;
+        const double v35 = cos(v34);
+        const double v37 = sin(v34);
+        const double v39 = (v29 * v35) - (v10 * v37);
+        const double v42 = (v29 * v37) + (v10 * v35);
+        const double v47 = g[9 * i + 4];
+        const double v48 = (w0[i + 1] - w0[i]) * v47;
+        const double v53 = (w1[i + 1] - w1[i]) * v47;
+        const double v56 = sqrt(squared(v48) + squared(v53));
+        const double v63 = (((2.0 / sqrt(v56)) * (p[7] / v19)) * v1) / v56;
+        w9[i] = v39;
+        w10[i] = v42;
+        w11[i] = v39 + (v63 * v48);
+        w12[i] = v42 + (v63 * v53);
+        w13[i] = ((g[9 * i + 1] * p[0]) * ((v10 * v3) - (v7 * v29))) * 0.5;
+        w14[i] = -v24;
     }
 }
 
-static void rates_5(int n, const double *p, const double *g, double *w, double *f)
+static void rates_7(int n, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w5 = w + 5 * n;
-    double *restrict w6 = w + 6 * n;
-    double *restrict w7 = w + 7 * n;
-    double *restrict w8 = w + 8 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
     const double c4 = squared(p[8]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
@@ -153,18 +208,18 @@ static void rates_5(int n, const double *p, const double *g, double *w, double *
     const double c41 = c32 / c40;
     for (int i = 1; i < n - 1; i++) {
         const double v12 = c9 * g[9 * i + 6];
-        const double v38 = (((w8[i] - w8[i - 1]) + w7[i]) + w7[i - 1]) * (c34 * g[9 * i + 5]);
-        f[9 * i + 2] = (w5[i] - w5[i - 1]) * v12;
-        f[9 * i + 3] = ((w6[i] - w6[i - 1]) * v12) - c19;
-        f[9 * i + 4] = v38 * c41;
+        const double v38 = (((w14[i] - w14[i - 1]) + w13[i]) + w13[i - 1]) * (c34 * g[9 * i + 5]);
+        f[SLOTS * i + 2] = (w11[i] - w11[i - 1]) * v12;
+        f[SLOTS * i + 3] = ((w12[i] - w12[i - 1]) * v12) - c19;
+        f[SLOTS * i + 4] = v38 * c41;
     }
 }
 
 static void jacobian_0(int n, double *e)
 {
     for (int i = 1; i < n - 1; i++) {
-        e[81 * i] = 1.0;
-        e[81 * i + 1] = 1.0;
+        e[ENTRIES * i + 0] = 1.0;
+        e[ENTRIES * i + 1] = 1.0;
     }
 }
 
@@ -174,9 +229,9 @@ static void jacobian_1(int n, const double *y, double *w)
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[9 * i];
-        w1[i] = y[9 * i + 1];
-        w2[i] = y[9 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 1];
+        w2[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -204,7 +259,234 @@ static void jacobian_3(int n, double *w)
     (void)n;
 }
 
-static void jacobian_4(int n, const double *p, const double *g, const double *y, double *w, double *e)
+static void jacobian_4(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w0 = w;
+    double *restrict w1 = w + 1 * n;
+    double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w27 = w + 27 * n;
+    double *restrict w28 = w + 28 * n;
+    const double c39 = 1.0 / p[0];
+    for (int i = 0; i < n - 1; i++) {
+        const double v4 = g[9 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w2[i];
+        const double v7 = w2[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w1[i + 1] - w1[i]) * v4;
+        const double v18 = sin(v11);
+        const double v21 = 0.5 * v12;
+        const double v23 = 0.5 * v18;
+        const double v25 = (v17 * v21) - (v5 * v23);
+        const double v26 = v12 * v4;
+        const double v27 = -v26;
+        const double v28 = v18 * v4;
+        const double v29 = -v28;
+        const double v36 = -((v17 * v23) + (v5 * v21));
+        const double v40 = v4 * c39;
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w15[i] = v25;
+        w16[i] = v25;
+        w17[i] = v27;
+        w18[i] = v26;
+        w19[i] = v29;
+        w20[i] = v28;
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w21[i] = v36;
+        w22[i] = v36;
+        w23[i] = v28;
+        w24[i] = v29;
+        w25[i] = v27;
+        w26[i] = v26;
+        w5[i] = (v7 - v6) * v40;
+        w27[i] = -v40;
+        w28[i] = v40;
+    }
+}
+
+static void jacobian_5(int n, const double *p, const double *g, const double *y, double *w, double *e)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w27 = w + 27 * n;
+    double *restrict w28 = w + 28 * n;
+    double *restrict w29 = w + 29 * n;
+    double *restrict w30 = w + 30 * n;
+    double *restrict w31 = w + 31 * n;
+    double *restrict w32 = w + 32 * n;
+    double *restrict w33 = w + 33 * n;
+    double *restrict w34 = w + 34 * n;
+    double *restrict w35 = w + 35 * n;
+    double *restrict w36 = w + 36 * n;
+    double *restrict w37 = w + 37 * n;
+    double *restrict w38 = w + 38 * n;
+    double *restrict w39 = w + 39 * n;
+    double *restrict w40 = w + 40 * n;
+    double *restrict w41 = w + 41 * n;
+    double *restrict w42 = w + 42 * n;
+    double *restrict w43 = w + 43 * n;
+    double *restrict w44 = w + 44 * n;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    const double c1 = p[4];
+    const double c54 = 0.9 * c1;
+    const double c57 = 2.0 * p[6];
+    const double c58 = 2.0 + c57;
+    const double c59 = c54 / c58;
+    const double c78 = p[8];
+    const double c79 = p[5];
+    const double c80 = c1 / c79;
+    const double c81 = c78 * c80;
+    const double c82 = -c81;
+    const double c105 = 1.0 / c79;
+    const double c125 = 3.0 / c79;
+    const double c141 = c125 * c59;
+    const double c142 = c78 * c141;
+    const double c143 = -c142;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        double sum3 = 0.0;
+        double sum4 = 0.0;
+        double sum5 = 0.0;
+        double sum6 = 0.0;
+        double sum7 = 0.0;
+        double sum8 = 0.0;
+        const double v6 = w15[i];
+        const double v9 = w27[i];
+        const double v12 = w16[i];
+        const double v14 = w28[i];
+        const double v17 = w17[i];
+        const double v19 = w18[i];
+        const double v21 = w19[i];
+        const double v23 = w20[i];
+        const double v44 = w21[i];
+        const double v49 = w22[i];
+        const double v62 = w23[i];
+        const double v66 = w24[i];
+        const double v70 = w25[i];
+        const double v74 = w26[i];
+        const double v83 = w3[i];
+        const double v84 = 1.0 / v83;
+        const double v87 = (-0.5) * w5[i];
+        const double v91 = p[1] * g[9 * i + 8];
+        const double v93 = sqrt(v83);
+        const double v95 = 1.0 / (v93 * v83);
+        const double v99 = 1.0 / (2.0 * v93);
+        const double v101 = (v83 * v99) + v93;
+        const double v128 = c78 * (c125 * (c59 * v84));
+        const double v131 = w4[i] * v84;
+        const double v132 = v131 * v84;
+        const double v135 = c78 * (c125 * (c59 * v132));
+        const double v158 = log(v83);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v2 = weight[k];
+            const double v3 = c1 * v2;
+            const double v26 = zeta[k];
+            const double v27 = v2 * v26;
+            const double v28 = c1 * v27;
+            const double v60 = c59 * v2;
+            const double v96 = ((v87 * v26) * v91) * v95;
+            const double v97 = v96 * v95;
+            const double v107 = c78 * ((c1 * (v84 - (v97 * v101))) * c105);
+            const double v114 = c78 * ((c1 * ((v91 * ((-0.5) * v26)) * v95)) * c105);
+            const double v160 = c1 * ((v96 - y[SLOTS * i + 5 + k]) + v158);
+            const double v168 = v97 * v3;
+            const double v179 = v97 * v28;
+            each0[FIBRES * i + k] = -v3;
+            each1[FIBRES * i + k] = -v28;
+            each2[FIBRES * i + k] = -v60;
+            e[ENTRIES * i + 29 + 15 * FIBRES + k] = c82;
+            e[ENTRIES * i + 29 + 14 * FIBRES + k] = (v107 * v6) + (v114 * v9);
+            e[ENTRIES * i + 29 + 18 * FIBRES + k] = (v107 * v12) + (v114 * v14);
+            e[ENTRIES * i + 29 + 12 * FIBRES + k] = v107 * v17;
+            e[ENTRIES * i + 29 + 16 * FIBRES + k] = v107 * v19;
+            e[ENTRIES * i + 29 + 13 * FIBRES + k] = v107 * v21;
+            e[ENTRIES * i + 29 + 17 * FIBRES + k] = v107 * v23;
+            e[ENTRIES * i + 29 + 21 * FIBRES + k] = (v128 * v44) - (v135 * v6);
+            e[ENTRIES * i + 29 + 25 * FIBRES + k] = (v128 * v49) - (v135 * v12);
+            e[ENTRIES * i + 29 + 22 * FIBRES + k] = c143;
+            e[ENTRIES * i + 29 + 19 * FIBRES + k] = (v128 * v62) - (v135 * v17);
+            e[ENTRIES * i + 29 + 23 * FIBRES + k] = (v128 * v66) - (v135 * v19);
+            e[ENTRIES * i + 29 + 20 * FIBRES + k] = (v128 * v70) - (v135 * v21);
+            e[ENTRIES * i + 29 + 24 * FIBRES + k] = (v128 * v74) - (v135 * v23);
+            sum0 += v160 * v2;
+            sum1 += v160 * v27;
+            sum2 += (c59 * (v131 - y[SLOTS * i + 5 + 1 * FIBRES + k])) * v2;
+            sum3 += ((v3 * v84) - (v93 * v168)) - ((v83 * v168) * v99);
+            sum4 += (-0.5) * (v26 * (v91 * (v3 * v95)));
+            sum5 += ((v28 * v84) - (v93 * v179)) - ((v83 * v179) * v99);
+            sum6 += (-0.5) * (v26 * (v91 * (v28 * v95)));
+            sum7 += v60 * v84;
+            sum8 += -(v132 * v60);
+        }
+        const double v5 = sum3;
+        const double v8 = sum4;
+        const double v30 = sum5;
+        const double v32 = sum6;
+        const double v43 = sum7;
+        const double v46 = sum8;
+        w6[i] = sum0;
+        w29[i] = (v5 * v6) + (v8 * v9);
+        w30[i] = (v5 * v12) + (v8 * v14);
+        w31[i] = v5 * v17;
+        w32[i] = v5 * v19;
+        w33[i] = v5 * v21;
+        w34[i] = v5 * v23;
+        w7[i] = sum1;
+        w35[i] = (v30 * v6) + (v32 * v9);
+        w36[i] = (v30 * v12) + (v32 * v14);
+        w37[i] = v30 * v17;
+        w38[i] = v30 * v19;
+        w39[i] = v30 * v21;
+        w40[i] = v30 * v23;
+        w8[i] = sum2;
+        w41[i] = (v43 * v44) + (v46 * v6);
+        w42[i] = (v43 * v49) + (v46 * v12);
+        w43[i] = (v43 * v62) + (v46 * v17);
+        w44[i] = (v43 * v66) + (v46 * v19);
+        w45[i] = (v43 * v70) + (v46 * v21);
+        w46[i] = (v43 * v74) + (v46 * v23);
+    }
+}
+
+static void jacobian_6(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -273,355 +555,245 @@ static void jacobian_4(int n, const double *p, const double *g, const double *y,
     double *restrict w64 = w + 64 * n;
     double *restrict w65 = w + 65 * n;
     double *restrict w66 = w + 66 * n;
-    const double c3 = p[4];
-    const double c10 = p[0];
-    const double c11 = 1.0 / c10;
-    const double c62 = 0.9 * c3;
-    const double c64 = 2.0 * p[6];
-    const double c65 = 2.0 + c64;
-    const double c66 = c62 / c65;
-    const double c99 = 0.5 * c3;
-    const double c103 = (-0.12499999999999994) * c3;
-    const double c113 = 0.4999999999999999 * c3;
-    const double c117 = 0.125 * c3;
-    const double c243 = 0.5 * c66;
-    const double c251 = 0.4999999999999999 * c66;
-    const double c600 = p[8];
-    const double c601 = p[5];
-    const double c602 = c3 / c601;
-    const double c603 = c600 * c602;
-    const double c604 = -c603;
-    const double c605 = 1.0 / c601;
-    const double c631 = 3.0 / c601;
-    const double c635 = c631 * c66;
-    const double c636 = c600 * c635;
-    const double c637 = -c636;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict w69 = w + 69 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict w76 = w + 76 * n;
+    double *restrict w77 = w + 77 * n;
+    double *restrict w78 = w + 78 * n;
+    double *restrict w79 = w + 79 * n;
+    double *restrict w80 = w + 80 * n;
+    double *restrict w81 = w + 81 * n;
+    double *restrict w82 = w + 82 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
     for (int i = 0; i < n - 1; i++) {
         const double v0 = g[9 * i + 8];
         const double v1 = squared(v0);
-        const double v5 = w2[i + 1];
-        const double v6 = w2[i];
-        const double v9 = g[9 * i + 4];
-        const double v12 = v9 * c11;
-        const double v13 = (v5 - v6) * v12;
-        const double v16 = p[1] * v0;
-        const double v21 = (w0[i + 1] - w0[i]) * v9;
-        const double v24 = (v6 + v5) * 0.5;
-        const double v25 = cos(v24);
-        const double v30 = (w1[i + 1] - w1[i]) * v9;
-        const double v31 = sin(v24);
-        const double v33 = (v21 * v25) + (v30 * v31);
-        const double v34 = sqrt(v33);
-        const double v36 = 1.0 / (v34 * v33);
-        const double v37 = ((0.2499999999999999 * v13) * v16) * v36;
-        const double v40 = log(v33);
-        const double v42 = c3 * ((v37 - y[9 * i + 5]) + v40);
-        const double v48 = (((-0.25000000000000006) * v13) * v16) * v36;
-        const double v52 = c3 * ((v48 - y[9 * i + 6]) + v40);
-        const double v55 = 1.0 / v33;
-        const double v56 = ((0.5 * v42) + (0.4999999999999999 * v52)) * v55;
-        const double v60 = (v30 * v25) - (v21 * v31);
-        const double v67 = v60 * v55;
-        const double v76 = (0.5 * (c66 * (v67 - y[9 * i + 7]))) + (0.4999999999999999 * (c66 * (v67 - y[9 * i + 8])));
-        const double v77 = v76 * v55;
-        const double v78 = v1 * v77;
-        const double v80 = (v60 * v78) * v55;
-        const double v89 = (0.5 * (((-0.2499999999999999) * v42) + (0.25 * v52))) * v16;
-        const double v90 = v89 * v36;
-        const double v91 = v1 * v90;
-        const double v92 = 1.5 * v91;
-        const double v94 = (v92 * v13) * v55;
-        const double v95 = ((v1 * v56) - v80) + v94;
-        const double v98 = (v95 * v25) - (v78 * v31);
-        const double v106 = v1 * ((v16 * c103) * v36);
-        const double v110 = (v1 * (c99 * v55)) + ((v13 * (1.5 * v106)) * v55);
-        const double v112 = -(v25 * v110);
-        const double v120 = v1 * ((v16 * c117) * v36);
-        const double v124 = (v1 * (c113 * v55)) + ((v13 * (1.5 * v120)) * v55);
-        const double v126 = -(v25 * v124);
-        const double v127 = 0.5 * v25;
-        const double v129 = 0.5 * v31;
-        const double v131 = (v30 * v127) - (v21 * v129);
-        const double v132 = v131 * v55;
-        const double v135 = (v16 * (0.2499999999999999 * v12)) * v36;
-        const double v136 = v37 * v36;
-        const double v138 = 1.0 / (2.0 * v34);
-        const double v142 = (v33 * (v131 * v138)) + (v34 * v131);
-        const double v143 = v136 * v142;
-        const double v146 = c3 * (v132 - (v135 + v143));
-        const double v150 = (v16 * ((-0.25000000000000006) * v12)) * v36;
-        const double v151 = v48 * v36;
-        const double v152 = v151 * v142;
-        const double v155 = c3 * (v132 - (v150 + v152));
-        const double v159 = v56 * v55;
-        const double v160 = v159 * v131;
-        const double v161 = (((0.5 * v146) + (0.4999999999999999 * v155)) * v55) - v160;
-        const double v165 = (v30 * v129) + (v21 * v127);
-        const double v168 = v67 * v55;
-        const double v171 = c66 * ((v165 * v55) + (v168 * v131));
-        const double v176 = v77 * v55;
-        const double v178 = (((0.5 * v171) + (0.4999999999999999 * v171)) * v55) + (v176 * v131);
-        const double v179 = v1 * v178;
-        const double v183 = v80 * v55;
-        const double v185 = (((v78 * v165) + (v60 * v179)) * v55) + (v183 * v131);
-        const double v191 = v16 * (0.5 * (((-0.2499999999999999) * v146) + (0.25 * v155)));
-        const double v193 = v90 * v36;
-        const double v194 = v193 * v142;
-        const double v196 = v1 * ((v191 * v36) - v194);
-        const double v199 = v92 * v12;
-        const double v202 = v94 * v55;
-        const double v203 = v202 * v131;
-        const double v205 = ((v1 * v161) + v185) + ((((v13 * (1.5 * v196)) - v199) * v55) - v203);
-        const double v207 = v95 * v129;
-        const double v211 = (v78 * v127) - (v31 * v179);
-        const double v212 = ((v25 * v205) - v207) - v211;
-        const double v215 = c3 * ((v135 - v143) + v132);
-        const double v219 = c3 * ((v150 - v152) + v132);
-        const double v223 = (((0.5 * v215) + (0.4999999999999999 * v219)) * v55) - v160;
-        const double v230 = v16 * (0.5 * (((-0.2499999999999999) * v215) + (0.25 * v219)));
-        const double v233 = v1 * ((v230 * v36) - v194);
-        const double v239 = ((v1 * v223) + v185) + ((((v13 * (1.5 * v233)) + v199) * v55) - v203);
-        const double v242 = ((v25 * v239) - v207) - v211;
-        const double v245 = v1 * (c243 * v55);
-        const double v247 = (v60 * v245) * v55;
-        const double v250 = (v25 * v247) + (v31 * v245);
-        const double v253 = v1 * (c251 * v55);
-        const double v255 = (v60 * v253) * v55;
-        const double v258 = (v25 * v255) + (v31 * v253);
-        const double v259 = v25 * v9;
-        const double v263 = (v33 * (v259 * v138)) + (v34 * v259);
-        const double v264 = v136 * v263;
-        const double v265 = v259 * v55;
-        const double v267 = c3 * (v264 - v265);
-        const double v269 = v151 * v263;
-        const double v271 = c3 * (v269 - v265);
-        const double v275 = v159 * v259;
-        const double v276 = (((0.5 * v267) + (0.4999999999999999 * v271)) * v55) + v275;
-        const double v278 = v31 * v9;
-        const double v279 = v78 * v278;
-        const double v280 = v278 * v55;
-        const double v283 = c66 * (v280 + (v168 * v259));
-        const double v289 = (((0.5 * v283) + (0.4999999999999999 * v283)) * v55) + (v176 * v259);
-        const double v290 = v1 * v289;
-        const double v295 = ((v279 + (v60 * v290)) * v55) + (v183 * v259);
-        const double v301 = v16 * (0.5 * (((-0.2499999999999999) * v267) + (0.25 * v271)));
-        const double v303 = v193 * v263;
-        const double v305 = v1 * ((v301 * v36) + v303);
-        const double v309 = v202 * v259;
-        const double v311 = ((v1 * v276) - v295) + (((v13 * (1.5 * v305)) * v55) + v309);
-        const double v313 = v31 * v290;
-        const double v314 = (v25 * v311) - v313;
-        const double v316 = c3 * (v265 - v264);
-        const double v319 = c3 * (v265 - v269);
-        const double v323 = (((0.5 * v316) + (0.4999999999999999 * v319)) * v55) - v275;
-        const double v330 = v16 * (0.5 * (((-0.2499999999999999) * v316) + (0.25 * v319)));
-        const double v333 = v1 * ((v330 * v36) - v303);
-        const double v338 = ((v1 * v323) + v295) + (((v13 * (1.5 * v333)) * v55) - v309);
-        const double v340 = (v25 * v338) + v313;
-        const double v344 = (v33 * (v278 * v138)) + (v34 * v278);
-        const double v345 = v136 * v344;
-        const double v347 = c3 * (v345 - v280);
-        const double v349 = v151 * v344;
-        const double v351 = c3 * (v349 - v280);
-        const double v355 = v159 * v278;
-        const double v356 = (((0.5 * v347) + (0.4999999999999999 * v351)) * v55) + v355;
-        const double v358 = v168 * v278;
-        const double v360 = c66 * (v358 - v265);
-        const double v365 = v176 * v278;
-        const double v366 = (((0.5 * v360) + (0.4999999999999999 * v360)) * v55) + v365;
-        const double v367 = v1 * v366;
-        const double v369 = v78 * v259;
-        const double v372 = v183 * v278;
-        const double v379 = v16 * (0.5 * (((-0.2499999999999999) * v347) + (0.25 * v351)));
-        const double v381 = v193 * v344;
-        const double v383 = v1 * ((v379 * v36) + v381);
-        const double v387 = v202 * v278;
-        const double v389 = ((v1 * v356) - ((((v60 * v367) - v369) * v55) + v372)) + (((v13 * (1.5 * v383)) * v55) + v387);
-        const double v392 = (v25 * v389) - (v31 * v367);
-        const double v394 = c3 * (v280 - v345);
-        const double v397 = c3 * (v280 - v349);
-        const double v401 = (((0.5 * v394) + (0.4999999999999999 * v397)) * v55) - v355;
-        const double v404 = c66 * (v265 - v358);
-        const double v409 = (((0.5 * v404) + (0.4999999999999999 * v404)) * v55) - v365;
-        const double v410 = v1 * v409;
-        const double v420 = v16 * (0.5 * (((-0.2499999999999999) * v394) + (0.25 * v397)));
-        const double v423 = v1 * ((v420 * v36) - v381);
-        const double v428 = ((v1 * v401) - (((v369 + (v60 * v410)) * v55) - v372)) + (((v13 * (1.5 * v423)) * v55) - v387);
-        const double v431 = (v25 * v428) - (v31 * v410);
-        const double v434 = (v95 * v31) + (v78 * v25);
-        const double v436 = -(v31 * v110);
-        const double v438 = -(v31 * v124);
-        const double v440 = v95 * v127;
-        const double v444 = (v25 * v179) + (v78 * v129);
-        const double v445 = ((v31 * v205) + v440) - v444;
-        const double v448 = ((v31 * v239) + v440) - v444;
-        const double v451 = (v31 * v247) - (v25 * v245);
-        const double v454 = (v31 * v255) - (v25 * v253);
-        const double v456 = v25 * v290;
-        const double v457 = (v31 * v311) + v456;
-        const double v459 = (v31 * v338) - v456;
-        const double v462 = (v31 * v389) + (v25 * v367);
-        const double v465 = (v31 * v428) + (v25 * v410);
-        const double v469 = sqrt(squared(v21) + squared(v30));
-        const double v470 = sqrt(v469);
-        const double v471 = 1.0 / v470;
-        const double v472 = 2.0 * v471;
-        const double v474 = p[7] / v16;
-        const double v477 = 1.0 / v469;
-        const double v478 = ((v472 * v474) * v1) * v477;
-        const double v481 = v472 * v471;
-        const double v485 = 1.0 / (2.0 * v469);
-        const double v486 = ((2.0 * v21) * v9) * v485;
-        const double v488 = 1.0 / (2.0 * v470);
-        const double v494 = v478 * v477;
-        const double v496 = ((v1 * (v474 * (v481 * (v486 * v488)))) * v477) + (v494 * v486);
-        const double v497 = v21 * v496;
-        const double v498 = v478 * v9;
-        const double v505 = ((2.0 * v30) * v9) * v485;
-        const double v512 = ((v1 * (v474 * (v481 * (v505 * v488)))) * v477) + (v494 * v505);
-        const double v513 = v21 * v512;
-        const double v518 = v30 * v496;
-        const double v521 = v30 * v512;
-        const double v526 = g[9 * i + 1] * c10;
-        const double v540 = (v78 * v131) - (v33 * v179);
-        const double v542 = v95 * v165;
-        const double v564 = v33 * v290;
-        const double v566 = v95 * v278;
-        const double v581 = v95 * v259;
-        const double v585 = 0.5 * (v526 * (((v33 * v367) - v279) - ((v60 * v389) - v581)));
-        const double v592 = 0.5 * (v526 * (((v33 * v410) + v279) - (v581 + (v60 * v428))));
-        const double v634 = -(c600 * (c631 * v171));
-        const double v639 = c600 * (c631 * v283);
-        const double v640 = -v639;
-        const double v642 = c600 * (c631 * v360);
-        const double v644 = c600 * (c631 * v404);
-        w3[i] = v98;
-        w9[i] = v112;
-        w10[i] = v126;
-        w11[i] = v212;
-        w12[i] = v242;
-        w13[i] = v250;
-        w14[i] = v258;
-        w15[i] = v314;
-        w16[i] = v340;
-        w17[i] = v392;
-        w18[i] = v431;
-        w4[i] = v434;
-        w19[i] = v436;
-        w20[i] = v438;
-        w21[i] = v445;
-        w22[i] = v448;
-        w23[i] = v451;
-        w24[i] = v454;
-        w25[i] = v457;
-        w26[i] = v459;
-        w27[i] = v462;
-        w28[i] = v465;
-        w5[i] = v98 + (v478 * v21);
-        w29[i] = v112;
-        w30[i] = v126;
-        w31[i] = v212;
-        w32[i] = v242;
-        w33[i] = v250;
-        w34[i] = v258;
-        w35[i] = v314 + (v497 - v498);
-        w36[i] = v340 + (v498 - v497);
-        w37[i] = v392 + v513;
-        w38[i] = v431 - v513;
-        w6[i] = v434 + (v478 * v30);
-        w39[i] = v436;
-        w40[i] = v438;
-        w41[i] = v445;
-        w42[i] = v448;
-        w43[i] = v451;
-        w44[i] = v454;
-        w45[i] = v457 + v518;
-        w46[i] = v459 - v518;
-        w47[i] = v462 + (v521 - v498);
-        w48[i] = v465 + (v498 - v521);
-        w7[i] = (v526 * ((v78 * v33) - (v60 * v95))) * 0.5;
-        w49[i] = 0.5 * (v526 * (v60 * v110));
-        w50[i] = 0.5 * (v526 * (v60 * v124));
-        w51[i] = 0.5 * (v526 * (v540 - ((v60 * v205) - v542)));
-        w52[i] = 0.5 * (v526 * (v540 - ((v60 * v239) - v542)));
-        w53[i] = -(0.5 * (v526 * ((v33 * v245) + (v60 * v247))));
-        w54[i] = -(0.5 * (v526 * ((v33 * v253) + (v60 * v255))));
-        w55[i] = 0.5 * (v526 * ((v564 - v369) - (v566 + (v60 * v311))));
-        w56[i] = 0.5 * (v526 * ((v369 - v564) - ((v60 * v338) - v566)));
-        w57[i] = v585;
-        w58[i] = v592;
-        w8[i] = -v91;
-        w59[i] = v106;
-        w60[i] = v120;
-        w61[i] = -v196;
-        w62[i] = -v233;
-        w63[i] = -v305;
-        w64[i] = -v333;
-        w65[i] = -v383;
-        w66[i] = -v423;
-        e[81 * i + 56] = c604;
-        e[81 * i + 55] = c600 * (v146 * c605);
-        e[81 * i + 59] = c600 * (v215 * c605);
-        e[81 * i + 53] = c600 * (v267 * c605);
-        e[81 * i + 57] = c600 * (v316 * c605);
-        e[81 * i + 54] = c600 * (v347 * c605);
-        e[81 * i + 58] = c600 * (v394 * c605);
-        e[81 * i + 63] = c604;
-        e[81 * i + 62] = c600 * (v155 * c605);
-        e[81 * i + 66] = c600 * (v219 * c605);
-        e[81 * i + 60] = c600 * (v271 * c605);
-        e[81 * i + 64] = c600 * (v319 * c605);
-        e[81 * i + 61] = c600 * (v351 * c605);
-        e[81 * i + 65] = c600 * (v397 * c605);
-        e[81 * i + 69] = v634;
-        e[81 * i + 73] = v634;
-        e[81 * i + 70] = c637;
-        e[81 * i + 67] = v639;
-        e[81 * i + 71] = v640;
-        e[81 * i + 68] = v642;
-        e[81 * i + 72] = v644;
-        e[81 * i + 76] = v634;
-        e[81 * i + 80] = v634;
-        e[81 * i + 77] = c637;
-        e[81 * i + 74] = v639;
-        e[81 * i + 78] = v640;
-        e[81 * i + 75] = v642;
-        e[81 * i + 79] = v644;
+        const double v3 = w3[i];
+        const double v4 = 1.0 / v3;
+        const double v5 = w6[i] * v4;
+        const double v7 = w4[i];
+        const double v9 = w8[i] * v4;
+        const double v10 = v1 * v9;
+        const double v12 = (v7 * v10) * v4;
+        const double v19 = p[1] * v0;
+        const double v21 = sqrt(v3);
+        const double v23 = 1.0 / (v21 * v3);
+        const double v24 = ((0.5 * w7[i]) * v19) * v23;
+        const double v25 = v1 * v24;
+        const double v26 = 1.5 * v25;
+        const double v27 = w5[i];
+        const double v29 = (v26 * v27) * v4;
+        const double v30 = ((v1 * v5) - v12) + v29;
+        const double v35 = (w2[i] + w2[i + 1]) * 0.5;
+        const double v36 = cos(v35);
+        const double v38 = sin(v35);
+        const double v40 = (v30 * v36) - (v10 * v38);
+        const double v41 = v1 * v4;
+        const double v42 = v36 * v41;
+        const double v47 = v1 * ((0.5 * v19) * v23);
+        const double v50 = (v27 * (1.5 * v47)) * v4;
+        const double v51 = v36 * v50;
+        const double v56 = v1 * (v9 * v4);
+        const double v69 = v1 * ((v24 * v23) * ((v3 / (2.0 * v21)) + v21));
+        const double v75 = ((((v7 * v56) * v4) + (v12 * v4)) - (v1 * (v5 * v4))) - (((v27 * (1.5 * v69)) * v4) + (v29 * v4));
+        const double v78 = (v36 * v75) + (v38 * v56);
+        const double v79 = w15[i];
+        const double v81 = v10 * v4;
+        const double v82 = v36 * v81;
+        const double v83 = w21[i];
+        const double v86 = w29[i];
+        const double v89 = w35[i];
+        const double v92 = v26 * v4;
+        const double v93 = v36 * v92;
+        const double v94 = w27[i];
+        const double v96 = ((((v78 * v79) - (v82 * v83)) + (v42 * v86)) + (v51 * v89)) + (v93 * v94);
+        const double v97 = 0.5 * v38;
+        const double v99 = 0.5 * v36;
+        const double v101 = (v30 * v97) + (v10 * v99);
+        const double v103 = v7 * v41;
+        const double v104 = v103 * v4;
+        const double v106 = v38 * v41;
+        const double v107 = (v36 * v104) + v106;
+        const double v108 = w41[i];
+        const double v110 = (v96 - v101) - (v107 * v108);
+        const double v111 = w16[i];
+        const double v113 = w22[i];
+        const double v116 = w30[i];
+        const double v119 = w36[i];
+        const double v121 = (((v78 * v111) - (v82 * v113)) + (v42 * v116)) + (v51 * v119);
+        const double v122 = w28[i];
+        const double v126 = w42[i];
+        const double v128 = ((v121 + (v93 * v122)) - v101) - (v107 * v126);
+        const double v132 = w17[i];
+        const double v134 = w23[i];
+        const double v137 = w31[i];
+        const double v140 = w37[i];
+        const double v142 = (((v78 * v132) - (v82 * v134)) + (v42 * v137)) + (v51 * v140);
+        const double v143 = w43[i];
+        const double v145 = v142 - (v107 * v143);
+        const double v146 = w18[i];
+        const double v148 = w24[i];
+        const double v151 = w32[i];
+        const double v154 = w38[i];
+        const double v156 = (((v78 * v146) - (v82 * v148)) + (v42 * v151)) + (v51 * v154);
+        const double v157 = w44[i];
+        const double v159 = v156 - (v107 * v157);
+        const double v160 = w19[i];
+        const double v162 = w25[i];
+        const double v165 = w33[i];
+        const double v168 = w39[i];
+        const double v170 = (((v78 * v160) - (v82 * v162)) + (v42 * v165)) + (v51 * v168);
+        const double v171 = w45[i];
+        const double v173 = v170 - (v107 * v171);
+        const double v174 = w20[i];
+        const double v176 = w26[i];
+        const double v179 = w34[i];
+        const double v182 = w40[i];
+        const double v184 = (((v78 * v174) - (v82 * v176)) + (v42 * v179)) + (v51 * v182);
+        const double v185 = w46[i];
+        const double v187 = v184 - (v107 * v185);
+        const double v190 = (v30 * v38) + (v10 * v36);
+        const double v192 = v38 * v50;
+        const double v197 = (v38 * v75) - (v36 * v56);
+        const double v199 = v38 * v81;
+        const double v205 = (((v197 * v79) - (v199 * v83)) + (v106 * v86)) + (v192 * v89);
+        const double v206 = v38 * v92;
+        const double v211 = (v30 * v99) - (v10 * v97);
+        const double v214 = v42 - (v38 * v104);
+        const double v216 = ((v205 + (v206 * v94)) + v211) + (v214 * v108);
+        const double v223 = (((v197 * v111) - (v199 * v113)) + (v106 * v116)) + (v192 * v119);
+        const double v228 = ((v223 + (v206 * v122)) + v211) + (v214 * v126);
+        const double v236 = (((v197 * v132) - (v199 * v134)) + (v106 * v137)) + (v192 * v140);
+        const double v238 = v236 + (v214 * v143);
+        const double v245 = (((v197 * v146) - (v199 * v148)) + (v106 * v151)) + (v192 * v154);
+        const double v247 = v245 + (v214 * v157);
+        const double v254 = (((v197 * v160) - (v199 * v162)) + (v106 * v165)) + (v192 * v168);
+        const double v256 = v254 + (v214 * v171);
+        const double v263 = (((v197 * v174) - (v199 * v176)) + (v106 * v179)) + (v192 * v182);
+        const double v265 = v263 + (v214 * v185);
+        const double v270 = g[9 * i + 4];
+        const double v271 = (w0[i + 1] - w0[i]) * v270;
+        const double v276 = (w1[i + 1] - w1[i]) * v270;
+        const double v279 = sqrt(squared(v271) + squared(v276));
+        const double v280 = sqrt(v279);
+        const double v281 = 1.0 / v280;
+        const double v282 = 2.0 * v281;
+        const double v284 = p[7] / v19;
+        const double v287 = 1.0 / v279;
+        const double v288 = ((v282 * v284) * v1) * v287;
+        const double v291 = v282 * v281;
+        const double v295 = 1.0 / (2.0 * v279);
+        const double v296 = ((2.0 * v271) * v270) * v295;
+        const double v298 = 1.0 / (2.0 * v280);
+        const double v304 = v288 * v287;
+        const double v306 = ((v1 * (v284 * (v291 * (v296 * v298)))) * v287) + (v304 * v296);
+        const double v307 = v271 * v306;
+        const double v308 = v288 * v270;
+        const double v315 = ((2.0 * v276) * v270) * v295;
+        const double v322 = ((v1 * (v284 * (v291 * (v315 * v298)))) * v287) + (v304 * v315);
+        const double v323 = v271 * v322;
+        const double v328 = v276 * v306;
+        const double v331 = v276 * v322;
+        const double v337 = g[9 * i + 1] * p[0];
+        const double v344 = 0.5 * (v337 * v103);
+        const double v348 = 0.5 * (v337 * (v7 * v50));
+        const double v357 = 0.5 * (v337 * ((v10 - (v3 * v56)) - (v7 * v75)));
+        const double v362 = 0.5 * (v337 * (v30 - (v7 * v81)));
+        const double v368 = (((v357 * v79) - (v362 * v83)) - (v344 * v86)) - (v348 * v89);
+        const double v371 = 0.5 * (v337 * (v7 * v92));
+        const double v377 = 0.5 * (v337 * (v1 + (v7 * v104)));
+        const double v386 = (((v357 * v111) - (v362 * v113)) - (v344 * v116)) - (v348 * v119);
+        const double v398 = (((v357 * v132) - (v362 * v134)) - (v344 * v137)) - (v348 * v140);
+        const double v407 = (((v357 * v146) - (v362 * v148)) - (v344 * v151)) - (v348 * v154);
+        const double v416 = (((v357 * v160) - (v362 * v162)) - (v344 * v165)) - (v348 * v168);
+        const double v425 = (((v357 * v174) - (v362 * v176)) - (v344 * v179)) - (v348 * v182);
+        w9[i] = v40;
+        w47[i] = v110;
+        w48[i] = v128;
+        w49[i] = v145;
+        w50[i] = v159;
+        w51[i] = v173;
+        w52[i] = v187;
+        w10[i] = v190;
+        w53[i] = v216;
+        w54[i] = v228;
+        w55[i] = v238;
+        w56[i] = v247;
+        w57[i] = v256;
+        w58[i] = v265;
+        w11[i] = v40 + (v288 * v271);
+        w59[i] = v110;
+        w60[i] = v128;
+        w61[i] = v145 + (v307 - v308);
+        w62[i] = v159 + (v308 - v307);
+        w63[i] = v173 + v323;
+        w64[i] = v187 - v323;
+        w12[i] = v190 + (v288 * v276);
+        w65[i] = v216;
+        w66[i] = v228;
+        w67[i] = v238 + v328;
+        w68[i] = v247 - v328;
+        w69[i] = v256 + (v331 - v308);
+        w70[i] = v265 + (v308 - v331);
+        w13[i] = (v337 * ((v10 * v3) - (v7 * v30))) * 0.5;
+        w71[i] = (v368 - (v371 * v94)) + (v377 * v108);
+        w72[i] = (v386 - (v371 * v122)) + (v377 * v126);
+        w73[i] = v398 + (v377 * v143);
+        w74[i] = v407 + (v377 * v157);
+        w75[i] = v416 + (v377 * v171);
+        w76[i] = v425 + (v377 * v185);
+        w14[i] = -v25;
+        w77[i] = (v69 * v79) - (v47 * v89);
+        w78[i] = (v69 * v111) - (v47 * v119);
+        w79[i] = (v69 * v132) - (v47 * v140);
+        w80[i] = (v69 * v146) - (v47 * v154);
+        w81[i] = (v69 * v160) - (v47 * v168);
+        w82[i] = (v69 * v174) - (v47 * v182);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v43 = each0[FIBRES * i + k];
+            const double v52 = each1[FIBRES * i + k];
+            const double v54 = (v42 * v43) + (v51 * v52);
+            const double v129 = each2[FIBRES * i + k];
+            const double v131 = -(v107 * v129);
+            const double v194 = (v106 * v43) + (v192 * v52);
+            const double v229 = v214 * v129;
+            each3[FIBRES * i + k] = v54;
+            each4[FIBRES * i + k] = v131;
+            each5[FIBRES * i + k] = v194;
+            each6[FIBRES * i + k] = v229;
+            each7[FIBRES * i + k] = v54;
+            each8[FIBRES * i + k] = v131;
+            each9[FIBRES * i + k] = v194;
+            each10[FIBRES * i + k] = v229;
+            each11[FIBRES * i + k] = -((v344 * v43) + (v348 * v52));
+            each12[FIBRES * i + k] = v377 * v129;
+            each13[FIBRES * i + k] = -(v47 * v52);
+        }
     }
 }
 
-static void jacobian_5(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_7(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w29 = w + 29 * n;
-    double *restrict w30 = w + 30 * n;
-    double *restrict w31 = w + 31 * n;
-    double *restrict w32 = w + 32 * n;
-    double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w36 = w + 36 * n;
-    double *restrict w37 = w + 37 * n;
-    double *restrict w38 = w + 38 * n;
-    double *restrict w39 = w + 39 * n;
-    double *restrict w40 = w + 40 * n;
-    double *restrict w41 = w + 41 * n;
-    double *restrict w42 = w + 42 * n;
-    double *restrict w43 = w + 43 * n;
-    double *restrict w44 = w + 44 * n;
-    double *restrict w45 = w + 45 * n;
-    double *restrict w46 = w + 46 * n;
-    double *restrict w47 = w + 47 * n;
-    double *restrict w48 = w + 48 * n;
-    double *restrict w49 = w + 49 * n;
-    double *restrict w50 = w + 50 * n;
-    double *restrict w51 = w + 51 * n;
-    double *restrict w52 = w + 52 * n;
-    double *restrict w53 = w + 53 * n;
-    double *restrict w54 = w + 54 * n;
-    double *restrict w55 = w + 55 * n;
-    double *restrict w56 = w + 56 * n;
-    double *restrict w57 = w + 57 * n;
-    double *restrict w58 = w + 58 * n;
     double *restrict w59 = w + 59 * n;
     double *restrict w60 = w + 60 * n;
     double *restrict w61 = w + 61 * n;
@@ -630,204 +802,252 @@ static void jacobian_5(int n, const double *p, const double *g, double *w, doubl
     double *restrict w64 = w + 64 * n;
     double *restrict w65 = w + 65 * n;
     double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict w69 = w + 69 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict w76 = w + 76 * n;
+    double *restrict w77 = w + 77 * n;
+    double *restrict w78 = w + 78 * n;
+    double *restrict w79 = w + 79 * n;
+    double *restrict w80 = w + 80 * n;
+    double *restrict w81 = w + 81 * n;
+    double *restrict w82 = w + 82 * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
     const double c1 = squared(p[8]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c4 = p[2];
     const double c5 = c4 * c2;
     const double c6 = c3 / c5;
-    const double c111 = 0.0625 * c4;
-    const double c113 = squared(p[1]);
-    const double c114 = c111 * c113;
-    const double c115 = c114 * c2;
-    const double c116 = c1 / c115;
-    const double c120 = squared(c2);
-    const double c121 = c4 * c120;
-    const double c122 = c114 / c121;
+    const double c91 = 0.0625 * c4;
+    const double c93 = squared(p[1]);
+    const double c94 = c91 * c93;
+    const double c95 = c94 * c2;
+    const double c96 = c1 / c95;
+    const double c100 = squared(c2);
+    const double c101 = c4 * c100;
+    const double c102 = c94 / c101;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[9 * i + 6];
-        const double v123 = (c116 * g[9 * i + 5]) * c122;
-        const double v156 = ((v123 * w61[i]) - (v123 * w62[i - 1])) + (v123 * w52[i - 1]);
-        const double v185 = ((v123 * w63[i]) - (v123 * w64[i - 1])) + (v123 * w56[i - 1]);
-        const double v206 = ((v123 * w65[i]) - (v123 * w66[i - 1])) + (v123 * w58[i - 1]);
-        e[81 * i + 5] = -(v9 * w29[i - 1]);
-        e[81 * i + 12] = v9 * w29[i];
-        e[81 * i + 6] = -(v9 * w30[i - 1]);
-        e[81 * i + 13] = v9 * w30[i];
-        e[81 * i + 4] = -(v9 * w31[i - 1]);
-        e[81 * i + 11] = (v9 * w31[i]) - (v9 * w32[i - 1]);
-        e[81 * i + 18] = v9 * w32[i];
-        e[81 * i + 7] = -(v9 * w33[i - 1]);
-        e[81 * i + 14] = v9 * w33[i];
-        e[81 * i + 8] = -(v9 * w34[i - 1]);
-        e[81 * i + 15] = v9 * w34[i];
-        e[81 * i + 2] = -(v9 * w35[i - 1]);
-        e[81 * i + 9] = (v9 * w35[i]) - (v9 * w36[i - 1]);
-        e[81 * i + 16] = v9 * w36[i];
-        e[81 * i + 3] = -(v9 * w37[i - 1]);
-        e[81 * i + 10] = (v9 * w37[i]) - (v9 * w38[i - 1]);
-        e[81 * i + 17] = v9 * w38[i];
-        e[81 * i + 22] = -(v9 * w39[i - 1]);
-        e[81 * i + 29] = v9 * w39[i];
-        e[81 * i + 23] = -(v9 * w40[i - 1]);
-        e[81 * i + 30] = v9 * w40[i];
-        e[81 * i + 21] = -(v9 * w41[i - 1]);
-        e[81 * i + 28] = (v9 * w41[i]) - (v9 * w42[i - 1]);
-        e[81 * i + 35] = v9 * w42[i];
-        e[81 * i + 24] = -(v9 * w43[i - 1]);
-        e[81 * i + 31] = v9 * w43[i];
-        e[81 * i + 25] = -(v9 * w44[i - 1]);
-        e[81 * i + 32] = v9 * w44[i];
-        e[81 * i + 19] = -(v9 * w45[i - 1]);
-        e[81 * i + 26] = (v9 * w45[i]) - (v9 * w46[i - 1]);
-        e[81 * i + 33] = v9 * w46[i];
-        e[81 * i + 20] = -(v9 * w47[i - 1]);
-        e[81 * i + 27] = (v9 * w47[i]) - (v9 * w48[i - 1]);
-        e[81 * i + 34] = v9 * w48[i];
-        e[81 * i + 39] = (v123 * w49[i - 1]) - (v123 * w59[i - 1]);
-        e[81 * i + 46] = (v123 * w59[i]) + (v123 * w49[i]);
-        e[81 * i + 40] = (v123 * w50[i - 1]) - (v123 * w60[i - 1]);
-        e[81 * i + 47] = (v123 * w60[i]) + (v123 * w50[i]);
-        e[81 * i + 38] = (v123 * w51[i - 1]) - (v123 * w61[i - 1]);
-        e[81 * i + 45] = v156 + (v123 * w51[i]);
-        e[81 * i + 52] = (v123 * w62[i]) + (v123 * w52[i]);
-        e[81 * i + 41] = v123 * w53[i - 1];
-        e[81 * i + 48] = v123 * w53[i];
-        e[81 * i + 42] = v123 * w54[i - 1];
-        e[81 * i + 49] = v123 * w54[i];
-        e[81 * i + 36] = (v123 * w55[i - 1]) - (v123 * w63[i - 1]);
-        e[81 * i + 43] = v185 + (v123 * w55[i]);
-        e[81 * i + 50] = (v123 * w64[i]) + (v123 * w56[i]);
-        e[81 * i + 37] = (v123 * w57[i - 1]) - (v123 * w65[i - 1]);
-        e[81 * i + 44] = v206 + (v123 * w57[i]);
-        e[81 * i + 51] = (v123 * w66[i]) + (v123 * w58[i]);
+        const double v103 = (c96 * g[9 * i + 5]) * c102;
+        const double v126 = ((v103 * w77[i]) - (v103 * w78[i - 1])) + (v103 * w72[i - 1]);
+        const double v151 = ((v103 * w79[i]) - (v103 * w80[i - 1])) + (v103 * w74[i - 1]);
+        const double v172 = ((v103 * w81[i]) - (v103 * w82[i - 1])) + (v103 * w76[i - 1]);
+        e[ENTRIES * i + 4] = -(v9 * w59[i - 1]);
+        e[ENTRIES * i + 7] = (v9 * w59[i]) - (v9 * w60[i - 1]);
+        e[ENTRIES * i + 10] = v9 * w60[i];
+        e[ENTRIES * i + 2] = -(v9 * w61[i - 1]);
+        e[ENTRIES * i + 5] = (v9 * w61[i]) - (v9 * w62[i - 1]);
+        e[ENTRIES * i + 8] = v9 * w62[i];
+        e[ENTRIES * i + 3] = -(v9 * w63[i - 1]);
+        e[ENTRIES * i + 6] = (v9 * w63[i]) - (v9 * w64[i - 1]);
+        e[ENTRIES * i + 9] = v9 * w64[i];
+        e[ENTRIES * i + 13] = -(v9 * w65[i - 1]);
+        e[ENTRIES * i + 16] = (v9 * w65[i]) - (v9 * w66[i - 1]);
+        e[ENTRIES * i + 19] = v9 * w66[i];
+        e[ENTRIES * i + 11] = -(v9 * w67[i - 1]);
+        e[ENTRIES * i + 14] = (v9 * w67[i]) - (v9 * w68[i - 1]);
+        e[ENTRIES * i + 17] = v9 * w68[i];
+        e[ENTRIES * i + 12] = -(v9 * w69[i - 1]);
+        e[ENTRIES * i + 15] = (v9 * w69[i]) - (v9 * w70[i - 1]);
+        e[ENTRIES * i + 18] = v9 * w70[i];
+        e[ENTRIES * i + 22] = (v103 * w71[i - 1]) - (v103 * w77[i - 1]);
+        e[ENTRIES * i + 25] = v126 + (v103 * w71[i]);
+        e[ENTRIES * i + 28] = (v103 * w78[i]) + (v103 * w72[i]);
+        e[ENTRIES * i + 20] = (v103 * w73[i - 1]) - (v103 * w79[i - 1]);
+        e[ENTRIES * i + 23] = v151 + (v103 * w73[i]);
+        e[ENTRIES * i + 26] = (v103 * w80[i]) + (v103 * w74[i]);
+        e[ENTRIES * i + 21] = (v103 * w75[i - 1]) - (v103 * w81[i - 1]);
+        e[ENTRIES * i + 24] = v172 + (v103 * w75[i]);
+        e[ENTRIES * i + 27] = (v103 * w82[i]) + (v103 * w76[i]);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v108 = (v103 * each11[FIBRES * (i - 1) + k]) - (v103 * each13[FIBRES * (i - 1) + k]);
+            const double v113 = (v103 * each13[FIBRES * i + k]) + (v103 * each11[FIBRES * i + k]);
+            e[ENTRIES * i + 29 + k] = -(v9 * each7[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 2 * FIBRES + k] = v9 * each7[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 1 * FIBRES + k] = -(v9 * each8[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 3 * FIBRES + k] = v9 * each8[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 4 * FIBRES + k] = -(v9 * each9[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each9[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 5 * FIBRES + k] = -(v9 * each10[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each10[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 8 * FIBRES + k] = v108;
+            e[ENTRIES * i + 29 + 10 * FIBRES + k] = v113;
+            e[ENTRIES * i + 29 + 9 * FIBRES + k] = v103 * each12[FIBRES * (i - 1) + k];
+            e[ENTRIES * i + 29 + 11 * FIBRES + k] = v103 * each12[FIBRES * i + k];
+        }
     }
 }
 
-static void work_0(int n, const double *p, const double *g, const double *y, double *w, double *q)
+static void work_0(int n, const double *p, const double *g, const double *y, double *w)
 {
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c5 = p[4];
-    const double c11 = p[0];
-    const double c12 = 1.0 / c11;
-    const double c47 = 0.9 * c5;
-    const double c49 = 2.0 * p[6];
-    const double c50 = 2.0 + c49;
-    const double c51 = c47 / c50;
-    const double c63 = 1e-12 * c5;
-    const double c64 = squared(c63);
-    const double c67 = 1.0 / p[5];
-    const double c91 = p[8];
-    const double c93 = c11 / c91;
-    const double c94 = squared(c93);
-    const double c95 = p[2] * c94;
-    const double c96 = c91 / c95;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w83 = w + 83 * n;
+    const double c1 = p[4];
+    const double c23 = 0.9 * c1;
+    const double c26 = 2.0 * p[6];
+    const double c27 = 2.0 + c26;
+    const double c28 = c23 / c27;
+    const double c38 = 1e-12 * c1;
+    const double c39 = squared(c38);
+    const double c42 = 1.0 / p[5];
     for (int i = 0; i < n - 1; i++) {
-        const double v1 = g[9 * i + 8];
-        const double v7 = w2[i + 1];
-        const double v8 = w2[i];
-        const double v10 = g[9 * i + 4];
-        const double v14 = (v7 - v8) * (v10 * c12);
-        const double v17 = p[1] * v1;
-        const double v22 = (w0[i + 1] - w0[i]) * v10;
-        const double v25 = (v8 + v7) * 0.5;
-        const double v26 = cos(v25);
-        const double v31 = (w1[i + 1] - w1[i]) * v10;
-        const double v32 = sin(v25);
-        const double v34 = (v22 * v26) + (v31 * v32);
-        const double v37 = 1.0 / (sqrt(v34) * v34);
-        const double v41 = log(v34);
-        const double v42 = ((((0.2499999999999999 * v14) * v17) * v37) - y[9 * i + 5]) + v41;
-        const double v55 = ((v31 * v26) - (v22 * v32)) / v34;
-        const double v61 = squared((c5 * v42)) + (3.0 * squared((c51 * (v55 - y[9 * i + 7]))));
-        const double v76 = ((((-0.25000000000000006) * v14) * v17) * v37) - y[9 * i + 6];
-        const double v85 = squared((c5 * (v76 + v41))) + (3.0 * squared((c51 * (v55 - y[9 * i + 8]))));
-        const double v89 = (0.5 * (larger(v61, c64) * c67)) + (0.4999999999999999 * (larger(v85, c64) * c67));
-        q[0] += ((g[9 * i + 1] * squared(v1)) * v89) * c96;
+        double sum9 = 0.0;
+        const double v4 = (-0.5) * w5[i];
+        const double v9 = p[1] * g[9 * i + 8];
+        const double v11 = w3[i];
+        const double v13 = sqrt(v11) * v11;
+        const double v17 = log(v11);
+        const double v30 = w4[i] / v11;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v18 = ((((v4 * zeta[k]) * v9) / v13) - y[SLOTS * i + 5 + k]) + v17;
+            const double v35 = 3.0 * squared((c28 * (v30 - y[SLOTS * i + 5 + 1 * FIBRES + k])));
+            const double v45 = (larger(squared((c1 * v18)) + v35, c39) * c42) * weight[k];
+            sum9 += v45;
+        }
+        w83[i] = sum9;
     }
 }
 
-static void work_slope_0(int n, const double *p, const double *g, const double *y, double *w, double *s)
+static void work_1(int n, const double *p, const double *g, double *w, double *q)
 {
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c0 = p[4];
-    const double c7 = p[0];
-    const double c8 = 1.0 / c7;
-    const double c44 = 1e-12 * c0;
-    const double c45 = squared(c44);
-    const double c49 = 0.9 * c0;
-    const double c51 = 2.0 * p[6];
-    const double c52 = 2.0 + c51;
-    const double c53 = c49 / c52;
-    const double c71 = p[8];
-    const double c73 = c7 / c71;
-    const double c74 = squared(c73);
-    const double c75 = p[2] * c74;
-    const double c76 = c71 / c75;
-    const double c80 = 1.0 / p[5];
+    double *restrict w83 = w + 83 * n;
+    const double c6 = p[8];
+    const double c9 = p[0] / c6;
+    const double c10 = squared(c9);
+    const double c11 = p[2] * c10;
+    const double c12 = c6 / c11;
     for (int i = 0; i < n - 1; i++) {
-        const double v2 = w2[i + 1];
-        const double v3 = w2[i];
-        const double v6 = g[9 * i + 4];
-        const double v9 = v6 * c8;
-        const double v10 = (v2 - v3) * v9;
-        const double v13 = g[9 * i + 8];
-        const double v14 = p[1] * v13;
-        const double v19 = (w0[i + 1] - w0[i]) * v6;
-        const double v23 = (v3 + v2) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w1[i + 1] - w1[i]) * v6;
-        const double v30 = sin(v23);
-        const double v32 = (v19 * v24) + (v29 * v30);
-        const double v33 = sqrt(v32);
-        const double v35 = 1.0 / (v33 * v32);
-        const double v36 = ((0.2499999999999999 * v10) * v14) * v35;
-        const double v39 = log(v32);
-        const double v41 = c0 * ((v36 - y[9 * i + 5]) + v39);
-        const double v57 = 1.0 / v32;
-        const double v58 = ((v29 * v24) - (v19 * v30)) * v57;
-        const double v61 = c53 * (v58 - y[9 * i + 7]);
-        const double v64 = squared(v41) + (3.0 * squared(v61));
-        const double v65 = (double)(c45 <= v64);
-        const double v77 = (g[9 * i + 1] * squared(v13)) * c76;
-        const double v82 = (v65 / (v65 + (double)(v64 <= c45))) * ((0.5 * v77) * c80);
-        const double v84 = c0 * ((2.0 * v41) * v82);
-        const double v89 = (((-0.25000000000000006) * v10) * v14) * v35;
-        const double v93 = c0 * ((v89 - y[9 * i + 6]) + v39);
-        const double v98 = c53 * (v58 - y[9 * i + 8]);
-        const double v101 = squared(v93) + (3.0 * squared(v98));
-        const double v102 = (double)(c45 <= v101);
-        const double v109 = (v102 / (v102 + (double)(v101 <= c45))) * ((0.4999999999999999 * v77) * c80);
-        const double v111 = c0 * ((2.0 * v93) * v109);
-        const double v114 = v58 * v57;
-        const double v118 = c53 * ((2.0 * v98) * (3.0 * v109));
-        const double v122 = (v89 * v35) * v111;
-        const double v127 = 1.0 / (2.0 * v33);
-        const double v129 = (((v111 * v57) - (v114 * v118)) - (v33 * v122)) - ((v32 * v122) * v127);
-        const double v133 = c53 * ((2.0 * v61) * (3.0 * v82));
-        const double v139 = (v36 * v35) * v84;
-        const double v144 = (((v129 - (v114 * v133)) + (v84 * v57)) - (v33 * v139)) - ((v32 * v139) * v127);
-        const double v148 = (v118 * v57) + (v133 * v57);
-        const double v156 = (v24 * ((v29 * v144) - (v19 * v148))) - (v30 * ((v29 * v148) + (v19 * v144)));
-        const double v157 = 0.5 * v156;
-        const double v164 = ((-0.25000000000000006) * (v14 * (v111 * v35))) + (0.2499999999999999 * (v14 * (v84 * v35)));
-        const double v165 = v9 * v164;
-        const double v173 = ((v24 * v144) - (v30 * v148)) * v6;
-        const double v178 = ((v24 * v148) + (v30 * v144)) * v6;
-        s[9 * i + 5] += -v84;
-        s[9 * i + 6] += -v111;
-        s[9 * i + 4] += v157 - v165;
-        s[9 * i + 13] += v157 + v165;
-        s[9 * i + 7] += -v133;
-        s[9 * i + 8] += -v118;
-        s[9 * i] += -v173;
-        s[9 * i + 9] += v173;
-        s[9 * i + 1] += -v178;
-        s[9 * i + 10] += v178;
+        q[0] += ((g[9 * i + 1] * squared(g[9 * i + 8])) * w83[i]) * c12;
+    }
+}
+
+static void work_slope_0(int n, const double *p, const double *g, const double *y, double *w)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w27 = w + 27 * n;
+    double *restrict w28 = w + 28 * n;
+    double *restrict w83 = w + 83 * n;
+    double *restrict w84 = w + 84 * n;
+    double *restrict w85 = w + 85 * n;
+    double *restrict w86 = w + 86 * n;
+    double *restrict w87 = w + 87 * n;
+    double *restrict w88 = w + 88 * n;
+    double *restrict w89 = w + 89 * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    const double c1 = p[4];
+    const double c23 = 1e-12 * c1;
+    const double c24 = squared(c23);
+    const double c28 = 0.9 * c1;
+    const double c31 = 2.0 * p[6];
+    const double c32 = 2.0 + c31;
+    const double c33 = c28 / c32;
+    const double c48 = p[5];
+    const double c116 = 1.0 / c48;
+    for (int i = 0; i < n - 1; i++) {
+        double sum10 = 0.0;
+        double sum11 = 0.0;
+        double sum12 = 0.0;
+        double sum9 = 0.0;
+        const double v4 = (-0.5) * w5[i];
+        const double v9 = p[1] * g[9 * i + 8];
+        const double v11 = w3[i];
+        const double v12 = sqrt(v11);
+        const double v14 = 1.0 / (v12 * v11);
+        const double v18 = log(v11);
+        const double v35 = 1.0 / v11;
+        const double v36 = w4[i] * v35;
+        const double v100 = v36 * v35;
+        const double v108 = 2.0 * v12;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v5 = zeta[k];
+            const double v15 = ((v4 * v5) * v9) * v14;
+            const double v20 = c1 * ((v15 - y[SLOTS * i + 5 + k]) + v18);
+            const double v39 = c33 * (v36 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v42 = squared(v20) + (3.0 * squared(v39));
+            const double v43 = (double)(c24 <= v42);
+            const double v47 = weight[k];
+            const double v50 = (v43 / (v43 + (double)(v42 <= c24))) * (v47 / c48);
+            const double v52 = c1 * ((2.0 * v20) * v50);
+            const double v76 = c33 * ((2.0 * v39) * (3.0 * v50));
+            const double v104 = (v15 * v14) * v52;
+            const double v110 = (((v52 * v35) - (v100 * v76)) - (v12 * v104)) - ((v11 * v104) / v108);
+            each14[FIBRES * i + k] = -v52;
+            each15[FIBRES * i + k] = -v76;
+            sum10 += v76 * v35;
+            sum11 += v110;
+            sum12 += (-0.5) * (v5 * (v9 * (v52 * v14)));
+            sum9 += (larger(v42, c24) * c116) * v47;
+        }
+        const double v54 = sum10;
+        const double v57 = sum11;
+        const double v61 = sum12;
+        w83[i] = sum9;
+        w84[i] = ((v54 * w21[i]) + (v57 * w15[i])) + (v61 * w27[i]);
+        w85[i] = ((v54 * w22[i]) + (v57 * w16[i])) + (v61 * w28[i]);
+        w86[i] = (v54 * w23[i]) + (v57 * w17[i]);
+        w87[i] = (v54 * w24[i]) + (v57 * w18[i]);
+        w88[i] = (v54 * w25[i]) + (v57 * w19[i]);
+        w89[i] = (v54 * w26[i]) + (v57 * w20[i]);
+    }
+}
+
+static void work_slope_1(int n, const double *p, const double *g, double *w, double *s)
+{
+    double *restrict w84 = w + 84 * n;
+    double *restrict w85 = w + 85 * n;
+    double *restrict w86 = w + 86 * n;
+    double *restrict w87 = w + 87 * n;
+    double *restrict w88 = w + 88 * n;
+    double *restrict w89 = w + 89 * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    const double c0 = p[8];
+    const double c3 = p[0] / c0;
+    const double c4 = squared(c3);
+    const double c5 = p[2] * c4;
+    const double c6 = c0 / c5;
+    for (int i = 0; i < n - 1; i++) {
+        const double v11 = c6 * (g[9 * i + 1] * squared(g[9 * i + 8]));
+        s[SLOTS * i + 4] += v11 * w84[i];
+        s[SLOTS * (i + 1) + 4] += v11 * w85[i];
+        s[SLOTS * i + 0] += v11 * w86[i];
+        s[SLOTS * (i + 1) + 0] += v11 * w87[i];
+        s[SLOTS * i + 1] += v11 * w88[i];
+        s[SLOTS * (i + 1) + 1] += v11 * w89[i];
+        for (int k = 0; k < FIBRES; k++) {
+            s[SLOTS * i + 5 + k] += v11 * each14[FIBRES * i + k];
+            s[SLOTS * i + 5 + 1 * FIBRES + k] += v11 * each15[FIBRES * i + k];
+        }
     }
 }
 
@@ -838,13 +1058,15 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 9; k++) f[k] = 0.0;
+    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
     rates_0(n, y, f);
     rates_1(n, y, w);
     rates_2(n, w);
     rates_3(n, w);
-    rates_4(n, p, g, y, w, f);
-    rates_5(n, p, g, w, f);
+    rates_4(n, p, g, w);
+    rates_5(n, p, g, y, w, f);
+    rates_6(n, p, g, w);
+    rates_7(n, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -855,13 +1077,15 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 81; k++) e[k] = 0.0;
+    for (int k = 0; k < n * ENTRIES; k++) e[k] = 0.0;
     jacobian_0(n, e);
     jacobian_1(n, y, w);
     jacobian_2(n, w);
     jacobian_3(n, w);
-    jacobian_4(n, p, g, y, w, e);
-    jacobian_5(n, p, g, w, e);
+    jacobian_4(n, p, g, w);
+    jacobian_5(n, p, g, y, w, e);
+    jacobian_6(n, p, g, w);
+    jacobian_7(n, p, g, w, e);
     return SOFTCAT_SOLVED;
 }
 
@@ -873,7 +1097,8 @@ static int work(const softcat_filament *filament, double t, const double *y, dou
     const double *g = filament->places;
     (void)t;
     for (int k = 0; k < 3; k++) q[k] = 0.0;
-    work_0(n, p, g, y, w, q);
+    work_0(n, p, g, y, w);
+    work_1(n, p, g, w, q);
     return SOFTCAT_SOLVED;
 }
 
@@ -884,21 +1109,35 @@ static int work_slope(const softcat_filament *filament, double t, const double *
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 27; k++) s[k] = 0.0;
-    work_slope_0(n, p, g, y, w, s);
+    for (int k = 0; k < n * 3 * SLOTS; k++) s[k] = 0.0;
+    work_slope_0(n, p, g, y, w);
+    work_slope_1(n, p, g, w, s);
     return SOFTCAT_SOLVED;
 }
 
-static const int rate[] = {2, 3, -1, -1, -1, -1, -1, -1, -1};
-static const int differential[] = {1, 1, 1, 1, 0, 1, 1, 1, 1};
-static const int held_first[] = {1, 1, 1, 1, 1, 0, 0, 0, 0};
-static const int held_last[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int row[] = {0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 8, 8, 8, 8, 8, 8, 8};
-static const int offset[] = {0, 0, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};
-static const int column[] = {2, 3, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 0, 1, 4, 0, 1, 4, 6, 0, 1, 4, 0, 1, 4, 7, 0, 1, 4, 0, 1, 4, 8, 0, 1, 4};
+static const int rate[] = {
+    2, 3, -1, -1, -1, -1, -1, -1, -1};
+static const int differential[] = {
+    1, 1, 1, 1, 0, 1, 1, 1, 1};
+static const int held_first[] = {
+    1, 1, 1, 1, 1, 0, 0, 0, 0};
+static const int held_last[] = {
+    1, 1, 1, 1, 1, 1, 1, 1, 1};
+static const int row[] = {
+    0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 2, 2,
+    2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 5, 6, 5, 6, 5, 6, 5,
+    6, 5, 6, 5, 6, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8};
+static const int offset[] = {
+    0, 0, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1,
+    1, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
+static const int column[] = {
+    2, 3, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 6,
+    7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 0, 0, 1, 1, 4, 4, 5, 6, 0,
+    0, 1, 1, 4, 4, 0, 0, 1, 1, 4, 4, 7, 8, 0, 0, 1, 1, 4, 4};
 
 const softcat_model softcat_filament_model = {
-    9, 4, 9, 9, 67, 81, 3, 0,
+    9, 4, 9, 9, 122, 81, 3, 0,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, surface-tension
- * Digest of the structure: 7dafb472a6989bdd7e8bcf801279da68ef2c05c702b55d24fe0f729281a8ea29
+ * Digest of the structure: 28388dff5a55659a304206b079ffb4a83daa08ea79de93c0f2732e684545a45b
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, surface-tension
- * Digest of the structure: b34c3ff1d07360f88ffc1f6427c53aba1eb7a0d1069c00813ddc554d6c5f6f0d
+ * Digest of the structure: 17b33c03ad249078c486b1fd2449ee77b7cd82a1bd27d5f0dd6b67997baba0d7
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,13 +5,24 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear
- * Digest of the structure: 6037a6d76c91a6fcfea34d777bea6448afa4259745e16107b08931c7563904bc
+ * Digest of the structure: 1ca95f9ac8736e52afb6438fc47591e75f2f50b8342768c3e7c2cfef440ff855
  */
 #include "filament.h"
 
 #include <math.h>
 
 #include "softcat_model.h"
+
+#define FIBRES 2
+#define SLOTS 9
+#define ENTRIES 81
+#define SCRATCH 76
+
+/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
+static const double zeta[] = {
+    (-0.5773502691896257), 0.5773502691896257};
+static const double weight[] = {
+    0.5, 0.5};
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
@@ -20,14 +31,14 @@ static inline double squared(double a) { return a * a; }
 static void rates_0(int n, const double *y, double *f)
 {
     for (int i = 1; i < n - 1; i++) {
-        f[9 * i] = y[9 * i + 2];
+        f[SLOTS * i + 0] = y[SLOTS * i + 2];
     }
 }
 
 static void rates_1(int n, const double *y, double *f)
 {
     for (int i = 0; i < n - 1; i++) {
-        f[9 * i + 1] = y[9 * i + 3];
+        f[SLOTS * i + 1] = y[SLOTS * i + 3];
     }
 }
 
@@ -36,8 +47,8 @@ static void rates_2(int n, const double *y, double *w)
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[9 * i];
-        w1[i] = y[9 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -45,7 +56,7 @@ static void rates_3(int n, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[9 * i + 1];
+        w2[i] = y[SLOTS * i + 1];
     }
 }
 
@@ -71,7 +82,7 @@ static void rates_5(int n, const double *g, double *w)
     (void)n;
 }
 
-static void rates_6(int n, const double *p, const double *g, const double *y, double *w, double *f)
+static void rates_6(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -79,71 +90,109 @@ static void rates_6(int n, const double *p, const double *g, const double *y, do
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
-    double *restrict w6 = w + 6 * n;
-    const double c1 = p[5];
-    const double c4 = p[1];
-    const double c5 = (-0.5) * c4;
-    const double c11 = p[0];
-    const double c12 = 1.0 / c11;
-    const double c40 = p[8];
-    const double c65 = 0.8333333333333334 * c1;
-    const double c67 = 2.0 * p[7];
-    const double c68 = 2.0 + c67;
-    const double c69 = c65 / c68;
-    const double c72 = 0.8333333333333334 * c40;
-    const double c73 = c72 / c68;
-    const double c90 = 0.5 * c4;
-    const double c114 = p[6];
-    const double c115 = 1.0 / c114;
-    const double c117 = p[9];
-    const double c122 = 3.0 / c114;
+    const double c26 = 1.0 / p[0];
     for (int i = 0; i < n - 1; i++) {
-        const double v6 = w1[i + 1];
-        const double v7 = w1[i];
-        const double v10 = g[7 * i + 4];
-        const double v14 = (v6 - v7) * (v10 * c12);
-        const double v15 = c5 * v14;
-        const double v20 = (w0[i + 1] - w0[i]) * v10;
-        const double v23 = (v7 + v6) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w2[i + 1] - w2[i]) * v10;
-        const double v30 = sin(v23);
-        const double v32 = (v20 * v24) + (v29 * v30);
-        const double v35 = 1.0 / (sqrt(v32) * v32);
-        const double v36 = ((-0.5773502691896257) * v15) * v35;
-        const double v37 = log(v32);
-        const double v44 = c40 * ((v36 - y[9 * i + 5]) + v37);
-        const double v45 = (c1 * (v36 + v37)) + v44;
-        const double v49 = (0.5773502691896257 * v15) * v35;
-        const double v55 = c40 * ((v49 - y[9 * i + 6]) + v37);
-        const double v56 = (c1 * (v49 + v37)) + v55;
-        const double v59 = 1.0 / v32;
-        const double v63 = (v29 * v24) - (v20 * v30);
-        const double v70 = v63 * v59;
-        const double v71 = c69 * v70;
-        const double v76 = c73 * (v70 - y[9 * i + 7]);
-        const double v81 = c73 * (v70 - y[9 * i + 8]);
-        const double v84 = (0.5 * (v71 + v76)) + (0.5 * (v71 + v81));
-        const double v85 = v84 * v59;
-        const double v95 = ((-0.28867513459481287) * v45) + (0.28867513459481287 * v56);
-        const double v97 = (c90 * v95) * v35;
-        const double v101 = ((((0.5 * v45) + (0.5 * v56)) * v59) - ((v63 * v85) * v59)) + (((1.5 * v97) * v14) * v59);
-        w3[i] = (v101 * v24) - (v85 * v30);
-        w4[i] = (v101 * v30) + (v85 * v24);
-        w5[i] = ((g[7 * i + 1] * c11) * (v84 - (v63 * v101))) * 0.5;
-        w6[i] = -v97;
-        f[9 * i + 5] = (v44 * c115) * c117;
-        f[9 * i + 6] = (v55 * c115) * c117;
-        f[9 * i + 7] = (c122 * v76) * c117;
-        f[9 * i + 8] = (c122 * v81) * c117;
+        const double v4 = g[7 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w1[i];
+        const double v7 = w1[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w2[i + 1] - w2[i]) * v4;
+        const double v18 = sin(v11);
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w5[i] = (v7 - v6) * (v4 * c26);
     }
 }
 
-static void rates_7(int n, const double *p, const double *g, double *w, double *f)
+static void rates_7(int n, const double *p, const double *y, double *w, double *f)
 {
     double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    const double c3 = p[8];
+    const double c6 = (-0.5) * p[1];
+    const double c20 = p[6];
+    const double c21 = 1.0 / c20;
+    const double c23 = p[9];
+    const double c26 = 3.0 / c20;
+    const double c28 = 0.8333333333333334 * c3;
+    const double c31 = 2.0 * p[7];
+    const double c32 = 2.0 + c31;
+    const double c33 = c28 / c32;
+    const double c41 = p[5];
+    const double c49 = 0.8333333333333334 * c41;
+    const double c50 = c49 / c32;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        const double v8 = c6 * w5[i];
+        const double v11 = w3[i];
+        const double v13 = sqrt(v11) * v11;
+        const double v17 = log(v11);
+        const double v35 = w4[i] / v11;
+        const double v51 = c50 * v35;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v9 = zeta[k];
+            const double v14 = (v8 * v9) / v13;
+            const double v19 = c3 * ((v14 - y[SLOTS * i + 5 + k]) + v17);
+            const double v38 = c33 * (v35 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v44 = (c41 * (v14 + v17)) + v19;
+            const double v45 = weight[k];
+            f[SLOTS * i + 5 + k] = (v19 * c21) * c23;
+            f[SLOTS * i + 5 + 1 * FIBRES + k] = (c26 * v38) * c23;
+            sum0 += v44 * v45;
+            sum1 += v44 * (v45 * v9);
+            sum2 += (v51 + v38) * v45;
+        }
+        w6[i] = sum0;
+        w7[i] = sum1;
+        w8[i] = sum2;
+    }
+}
+
+static void rates_8(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w1 = w + 1 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w9 = w + 9 * n;
+    double *restrict w10 = w + 10 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
+    const double c13 = 0.5 * p[1];
+    for (int i = 0; i < n - 1; i++) {
+        const double v1 = w3[i];
+        const double v2 = 1.0 / v1;
+        const double v4 = w4[i];
+        const double v5 = w8[i];
+        const double v6 = v5 * v2;
+        const double v18 = (c13 * w7[i]) / (sqrt(v1) * v1);
+        const double v23 = ((w6[i] * v2) - ((v4 * v6) * v2)) + (((1.5 * v18) * w5[i]) * v2);
+        const double v28 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v29 = cos(v28);
+        const double v31 = sin(v28);
+        w9[i] = (v23 * v29) - (v6 * v31);
+        w10[i] = (v23 * v31) + (v6 * v29);
+        w11[i] = ((g[7 * i + 1] * p[0]) * (v5 - (v4 * v23))) * 0.5;
+        w12[i] = -v18;
+    }
+}
+
+static void rates_9(int n, const double *p, const double *g, double *w, double *f)
+{
+    double *restrict w9 = w + 9 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
     const double c4 = squared(p[9]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
@@ -159,15 +208,15 @@ static void rates_7(int n, const double *p, const double *g, double *w, double *
     const double c33 = c7 * c32;
     const double c34 = c25 / c33;
     for (int i = 1; i < n - 1; i++) {
-        const double v31 = (((w6[i] - w6[i - 1]) + w5[i]) + w5[i - 1]) * (c27 * g[7 * i + 5]);
-        f[9 * i + 2] = (w3[i] - w3[i - 1]) * (c9 * g[7 * i + 6]);
-        f[9 * i + 4] = v31 * c34;
+        const double v31 = (((w12[i] - w12[i - 1]) + w11[i]) + w11[i - 1]) * (c27 * g[7 * i + 5]);
+        f[SLOTS * i + 2] = (w9[i] - w9[i - 1]) * (c9 * g[7 * i + 6]);
+        f[SLOTS * i + 4] = v31 * c34;
     }
 }
 
-static void rates_8(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_10(int n, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w4 = w + 4 * n;
+    double *restrict w10 = w + 10 * n;
     const double c3 = p[9];
     const double c4 = squared(c3);
     const double c5 = p[0];
@@ -188,13 +237,13 @@ static void rates_8(int n, double t, const double *p, const double *g, double *w
     const double c33 = c25 * c32;
     const double c34 = c33 * c6;
     for (int i = 1; i < n - 1; i++) {
-        f[9 * i + 3] = ((w4[i] - w4[i - 1]) * (c9 * g[7 * i + 6])) - c34;
+        f[SLOTS * i + 3] = ((w10[i] - w10[i - 1]) * (c9 * g[7 * i + 6])) - c34;
     }
 }
 
-static void rates_9(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_11(int n, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w4 = w + 4 * n;
+    double *restrict w10 = w + 10 * n;
     const double c1 = p[9];
     const double c2 = squared(c1);
     const double c3 = p[0];
@@ -215,21 +264,21 @@ static void rates_9(int n, double t, const double *p, const double *g, double *w
     const double c31 = c23 * c30;
     const double c32 = c31 * c4;
     const int i = 0;
-    f[9 * i + 3] = (w4[i] * (c7 * g[7 * i + 6])) - c32;
+    f[SLOTS * i + 3] = (w10[i] * (c7 * g[7 * i + 6])) - c32;
     (void)n;
 }
 
 static void jacobian_0(int n, double *e)
 {
     for (int i = 1; i < n - 1; i++) {
-        e[81 * i] = 1.0;
+        e[ENTRIES * i + 0] = 1.0;
     }
 }
 
 static void jacobian_1(int n, double *e)
 {
     for (int i = 0; i < n - 1; i++) {
-        e[81 * i + 1] = 1.0;
+        e[ENTRIES * i + 1] = 1.0;
     }
 }
 
@@ -238,8 +287,8 @@ static void jacobian_2(int n, const double *y, double *w)
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[9 * i];
-        w1[i] = y[9 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -247,7 +296,7 @@ static void jacobian_3(int n, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[9 * i + 1];
+        w2[i] = y[SLOTS * i + 1];
     }
 }
 
@@ -273,11 +322,249 @@ static void jacobian_5(int n, const double *g, double *w)
     (void)n;
 }
 
-static void jacobian_6(int n, const double *p, const double *g, const double *y, double *w, double *e)
+static void jacobian_6(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    const double c39 = 1.0 / p[0];
+    for (int i = 0; i < n - 1; i++) {
+        const double v4 = g[7 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w1[i];
+        const double v7 = w1[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w2[i + 1] - w2[i]) * v4;
+        const double v18 = sin(v11);
+        const double v21 = 0.5 * v12;
+        const double v23 = 0.5 * v18;
+        const double v25 = (v17 * v21) - (v5 * v23);
+        const double v26 = v12 * v4;
+        const double v27 = -v26;
+        const double v28 = v18 * v4;
+        const double v29 = -v28;
+        const double v36 = -((v17 * v23) + (v5 * v21));
+        const double v40 = v4 * c39;
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w13[i] = v25;
+        w14[i] = v25;
+        w15[i] = v27;
+        w16[i] = v26;
+        w17[i] = v29;
+        w18[i] = v28;
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w19[i] = v36;
+        w20[i] = v36;
+        w21[i] = v28;
+        w22[i] = v29;
+        w23[i] = v27;
+        w24[i] = v26;
+        w5[i] = (v7 - v6) * v40;
+        w25[i] = -v40;
+        w26[i] = v40;
+    }
+}
+
+static void jacobian_7(int n, const double *p, const double *y, double *w, double *e)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w27 = w + 27 * n;
+    double *restrict w28 = w + 28 * n;
+    double *restrict w29 = w + 29 * n;
+    double *restrict w30 = w + 30 * n;
+    double *restrict w31 = w + 31 * n;
+    double *restrict w32 = w + 32 * n;
+    double *restrict w33 = w + 33 * n;
+    double *restrict w34 = w + 34 * n;
+    double *restrict w35 = w + 35 * n;
+    double *restrict w36 = w + 36 * n;
+    double *restrict w37 = w + 37 * n;
+    double *restrict w38 = w + 38 * n;
+    double *restrict w39 = w + 39 * n;
+    double *restrict w40 = w + 40 * n;
+    double *restrict w41 = w + 41 * n;
+    double *restrict w42 = w + 42 * n;
+    double *restrict w43 = w + 43 * n;
+    double *restrict w44 = w + 44 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    const double c1 = p[8];
+    const double c54 = 0.8333333333333334 * c1;
+    const double c57 = 2.0 * p[7];
+    const double c58 = 2.0 + c57;
+    const double c59 = c54 / c58;
+    const double c78 = p[9];
+    const double c79 = p[6];
+    const double c80 = c1 / c79;
+    const double c81 = c78 * c80;
+    const double c82 = -c81;
+    const double c87 = (-0.5) * p[1];
+    const double c103 = 1.0 / c79;
+    const double c122 = 3.0 / c79;
+    const double c138 = c122 * c59;
+    const double c139 = c78 * c138;
+    const double c140 = -c139;
+    const double c153 = p[5];
+    const double c164 = 0.8333333333333334 * c153;
+    const double c165 = c164 / c58;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        double sum3 = 0.0;
+        double sum4 = 0.0;
+        double sum5 = 0.0;
+        double sum6 = 0.0;
+        double sum7 = 0.0;
+        double sum8 = 0.0;
+        const double v6 = w13[i];
+        const double v9 = w25[i];
+        const double v12 = w14[i];
+        const double v14 = w26[i];
+        const double v17 = w15[i];
+        const double v19 = w16[i];
+        const double v21 = w17[i];
+        const double v23 = w18[i];
+        const double v44 = w19[i];
+        const double v49 = w20[i];
+        const double v62 = w21[i];
+        const double v66 = w22[i];
+        const double v70 = w23[i];
+        const double v74 = w24[i];
+        const double v83 = w3[i];
+        const double v84 = 1.0 / v83;
+        const double v89 = c87 * w5[i];
+        const double v91 = sqrt(v83);
+        const double v93 = 1.0 / (v91 * v83);
+        const double v97 = 1.0 / (2.0 * v91);
+        const double v99 = (v83 * v97) + v91;
+        const double v125 = c78 * (c122 * (c59 * v84));
+        const double v128 = w4[i] * v84;
+        const double v129 = v128 * v84;
+        const double v132 = c78 * (c122 * (c59 * v129));
+        const double v154 = log(v83);
+        const double v166 = c165 * v128;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v2 = weight[k];
+            const double v3 = c1 * v2;
+            const double v26 = zeta[k];
+            const double v27 = v2 * v26;
+            const double v28 = c1 * v27;
+            const double v60 = c59 * v2;
+            const double v94 = (v89 * v26) * v93;
+            const double v95 = v94 * v93;
+            const double v105 = c78 * ((c1 * (v84 - (v95 * v99))) * c103);
+            const double v111 = c78 * ((c1 * ((v26 * c87) * v93)) * c103);
+            const double v161 = (c153 * (v94 + v154)) + (c1 * ((v94 - y[SLOTS * i + 5 + k]) + v154));
+            const double v171 = (v166 + (c59 * (v128 - y[SLOTS * i + 5 + 1 * FIBRES + k]))) * v2;
+            const double v173 = v95 * v3;
+            const double v179 = c153 * v2;
+            const double v181 = (((v3 * v84) - (v91 * v173)) - ((v83 * v173) * v97)) + (v179 * v84);
+            const double v182 = v95 * v179;
+            const double v196 = v95 * v28;
+            const double v202 = c153 * v27;
+            const double v204 = (((v28 * v84) - (v91 * v196)) - ((v83 * v196) * v97)) + (v202 * v84);
+            const double v205 = v95 * v202;
+            const double v217 = (c87 * (v26 * (v28 * v93))) + (c87 * (v26 * (v202 * v93)));
+            const double v219 = c165 * v2;
+            each0[FIBRES * i + k] = -v3;
+            each1[FIBRES * i + k] = -v28;
+            each2[FIBRES * i + k] = -v60;
+            e[ENTRIES * i + 29 + 15 * FIBRES + k] = c82;
+            e[ENTRIES * i + 29 + 14 * FIBRES + k] = (v105 * v6) + (v111 * v9);
+            e[ENTRIES * i + 29 + 18 * FIBRES + k] = (v105 * v12) + (v111 * v14);
+            e[ENTRIES * i + 29 + 12 * FIBRES + k] = v105 * v17;
+            e[ENTRIES * i + 29 + 16 * FIBRES + k] = v105 * v19;
+            e[ENTRIES * i + 29 + 13 * FIBRES + k] = v105 * v21;
+            e[ENTRIES * i + 29 + 17 * FIBRES + k] = v105 * v23;
+            e[ENTRIES * i + 29 + 21 * FIBRES + k] = (v125 * v44) - (v132 * v6);
+            e[ENTRIES * i + 29 + 25 * FIBRES + k] = (v125 * v49) - (v132 * v12);
+            e[ENTRIES * i + 29 + 22 * FIBRES + k] = c140;
+            e[ENTRIES * i + 29 + 19 * FIBRES + k] = (v125 * v62) - (v132 * v17);
+            e[ENTRIES * i + 29 + 23 * FIBRES + k] = (v125 * v66) - (v132 * v19);
+            e[ENTRIES * i + 29 + 20 * FIBRES + k] = (v125 * v70) - (v132 * v21);
+            e[ENTRIES * i + 29 + 24 * FIBRES + k] = (v125 * v74) - (v132 * v23);
+            sum0 += v161 * v2;
+            sum1 += v161 * v27;
+            sum2 += v171;
+            sum3 += (v181 - (v91 * v182)) - ((v83 * v182) * v97);
+            sum4 += (c87 * (v26 * (v3 * v93))) + (c87 * (v26 * (v179 * v93)));
+            sum5 += (v204 - (v91 * v205)) - ((v83 * v205) * v97);
+            sum6 += v217;
+            sum7 += (v60 * v84) + (v219 * v84);
+            sum8 += -((v129 * v60) + (v129 * v219));
+        }
+        const double v5 = sum3;
+        const double v8 = sum4;
+        const double v30 = sum5;
+        const double v32 = sum6;
+        const double v43 = sum7;
+        const double v46 = sum8;
+        w6[i] = sum0;
+        w27[i] = (v5 * v6) + (v8 * v9);
+        w28[i] = (v5 * v12) + (v8 * v14);
+        w29[i] = v5 * v17;
+        w30[i] = v5 * v19;
+        w31[i] = v5 * v21;
+        w32[i] = v5 * v23;
+        w7[i] = sum1;
+        w33[i] = (v30 * v6) + (v32 * v9);
+        w34[i] = (v30 * v12) + (v32 * v14);
+        w35[i] = v30 * v17;
+        w36[i] = v30 * v19;
+        w37[i] = v30 * v21;
+        w38[i] = v30 * v23;
+        w8[i] = sum2;
+        w39[i] = (v43 * v44) + (v46 * v6);
+        w40[i] = (v43 * v49) + (v46 * v12);
+        w41[i] = (v43 * v62) + (v46 * v17);
+        w42[i] = (v43 * v66) + (v46 * v19);
+        w43[i] = (v43 * v70) + (v46 * v21);
+        w44[i] = (v43 * v74) + (v46 * v23);
+    }
+}
+
+static void jacobian_8(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w1 = w + 1 * n;
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
@@ -320,383 +607,272 @@ static void jacobian_6(int n, const double *p, const double *g, const double *y,
     double *restrict w42 = w + 42 * n;
     double *restrict w43 = w + 43 * n;
     double *restrict w44 = w + 44 * n;
-    const double c1 = p[5];
-    const double c4 = p[1];
-    const double c5 = (-0.5) * c4;
-    const double c11 = p[0];
-    const double c12 = 1.0 / c11;
-    const double c40 = p[8];
-    const double c65 = 0.8333333333333334 * c1;
-    const double c67 = 2.0 * p[7];
-    const double c68 = 2.0 + c67;
-    const double c69 = c65 / c68;
-    const double c72 = 0.8333333333333334 * c40;
-    const double c73 = c72 / c68;
-    const double c90 = 0.5 * c4;
-    const double c105 = 0.5 * c40;
-    const double c107 = (-0.28867513459481287) * c40;
-    const double c108 = c90 * c107;
-    const double c116 = 0.28867513459481287 * c40;
-    const double c117 = c90 * c116;
-    const double c240 = 0.5 * c73;
-    const double c508 = p[9];
-    const double c509 = p[6];
-    const double c510 = c40 / c509;
-    const double c511 = c508 * c510;
-    const double c512 = -c511;
-    const double c513 = 1.0 / c509;
-    const double c539 = 3.0 / c509;
-    const double c543 = c539 * c73;
-    const double c544 = c508 * c543;
-    const double c545 = -c544;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict w47 = w + 47 * n;
+    double *restrict w48 = w + 48 * n;
+    double *restrict w49 = w + 49 * n;
+    double *restrict w50 = w + 50 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict w57 = w + 57 * n;
+    double *restrict w58 = w + 58 * n;
+    double *restrict w59 = w + 59 * n;
+    double *restrict w60 = w + 60 * n;
+    double *restrict w61 = w + 61 * n;
+    double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
+    double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    const double c13 = 0.5 * p[1];
     for (int i = 0; i < n - 1; i++) {
-        const double v6 = w1[i + 1];
-        const double v7 = w1[i];
-        const double v10 = g[7 * i + 4];
-        const double v13 = v10 * c12;
-        const double v14 = (v6 - v7) * v13;
-        const double v15 = c5 * v14;
-        const double v20 = (w0[i + 1] - w0[i]) * v10;
-        const double v23 = (v7 + v6) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w2[i + 1] - w2[i]) * v10;
-        const double v30 = sin(v23);
-        const double v32 = (v20 * v24) + (v29 * v30);
-        const double v33 = sqrt(v32);
-        const double v35 = 1.0 / (v33 * v32);
-        const double v36 = ((-0.5773502691896257) * v15) * v35;
-        const double v37 = log(v32);
-        const double v45 = (c1 * (v36 + v37)) + (c40 * ((v36 - y[9 * i + 5]) + v37));
-        const double v49 = (0.5773502691896257 * v15) * v35;
-        const double v56 = (c1 * (v49 + v37)) + (c40 * ((v49 - y[9 * i + 6]) + v37));
-        const double v59 = 1.0 / v32;
-        const double v60 = ((0.5 * v45) + (0.5 * v56)) * v59;
-        const double v63 = (v29 * v24) - (v20 * v30);
-        const double v70 = v63 * v59;
-        const double v71 = c69 * v70;
-        const double v84 = (0.5 * (v71 + (c73 * (v70 - y[9 * i + 7])))) + (0.5 * (v71 + (c73 * (v70 - y[9 * i + 8]))));
-        const double v85 = v84 * v59;
-        const double v87 = (v63 * v85) * v59;
-        const double v95 = ((-0.28867513459481287) * v45) + (0.28867513459481287 * v56);
-        const double v97 = (c90 * v95) * v35;
-        const double v98 = 1.5 * v97;
-        const double v100 = (v98 * v14) * v59;
-        const double v101 = (v60 - v87) + v100;
-        const double v106 = c105 * v59;
-        const double v109 = c108 * v35;
-        const double v113 = v106 + ((v14 * (1.5 * v109)) * v59);
-        const double v118 = c117 * v35;
-        const double v122 = v106 + ((v14 * (1.5 * v118)) * v59);
-        const double v125 = 0.5 * v24;
-        const double v127 = 0.5 * v30;
-        const double v129 = (v29 * v125) - (v20 * v127);
-        const double v130 = v129 * v59;
-        const double v131 = c5 * v13;
-        const double v133 = ((-0.5773502691896257) * v131) * v35;
-        const double v134 = v36 * v35;
-        const double v136 = 1.0 / (2.0 * v33);
-        const double v140 = (v32 * (v129 * v136)) + (v33 * v129);
-        const double v141 = v134 * v140;
-        const double v143 = v130 - (v133 + v141);
-        const double v145 = c40 * v143;
-        const double v146 = (c1 * v143) + v145;
-        const double v149 = (0.5773502691896257 * v131) * v35;
-        const double v150 = v49 * v35;
-        const double v151 = v150 * v140;
-        const double v153 = v130 - (v149 + v151);
-        const double v155 = c40 * v153;
-        const double v156 = (c1 * v153) + v155;
-        const double v160 = v60 * v59;
-        const double v161 = v160 * v129;
-        const double v165 = (v29 * v127) + (v20 * v125);
-        const double v168 = v70 * v59;
-        const double v170 = (v165 * v59) + (v168 * v129);
-        const double v172 = c73 * v170;
-        const double v173 = (c69 * v170) + v172;
-        const double v175 = v85 * v59;
-        const double v177 = (v173 * v59) + (v175 * v129);
-        const double v181 = v87 * v59;
-        const double v183 = (((v85 * v165) + (v63 * v177)) * v59) + (v181 * v129);
-        const double v187 = ((-0.28867513459481287) * v146) + (0.28867513459481287 * v156);
-        const double v190 = v97 * v35;
-        const double v191 = v190 * v140;
-        const double v192 = ((c90 * v187) * v35) - v191;
-        const double v195 = v98 * v13;
-        const double v198 = v100 * v59;
-        const double v199 = v198 * v129;
-        const double v201 = (((((0.5 * v146) + (0.5 * v156)) * v59) - v161) + v183) + ((((v14 * (1.5 * v192)) - v195) * v59) - v199);
-        const double v203 = v101 * v127;
-        const double v207 = (v85 * v125) - (v30 * v177);
-        const double v210 = (v133 - v141) + v130;
-        const double v212 = c40 * v210;
-        const double v213 = (c1 * v210) + v212;
-        const double v216 = (v149 - v151) + v130;
-        const double v218 = c40 * v216;
-        const double v219 = (c1 * v216) + v218;
-        const double v227 = ((-0.28867513459481287) * v213) + (0.28867513459481287 * v219);
-        const double v230 = ((c90 * v227) * v35) - v191;
-        const double v236 = (((((0.5 * v213) + (0.5 * v219)) * v59) - v161) + v183) + ((((v14 * (1.5 * v230)) + v195) * v59) - v199);
-        const double v241 = c240 * v59;
-        const double v243 = (v63 * v241) * v59;
-        const double v246 = (v24 * v243) + (v30 * v241);
-        const double v247 = v24 * v10;
-        const double v251 = (v32 * (v247 * v136)) + (v33 * v247);
-        const double v252 = v134 * v251;
-        const double v253 = v247 * v59;
-        const double v254 = v252 - v253;
-        const double v256 = c40 * v254;
-        const double v257 = (c1 * v254) + v256;
-        const double v259 = v150 * v251;
-        const double v260 = v259 - v253;
-        const double v262 = c40 * v260;
-        const double v263 = (c1 * v260) + v262;
-        const double v267 = v160 * v247;
-        const double v269 = v30 * v10;
-        const double v271 = v269 * v59;
-        const double v273 = v271 + (v168 * v247);
-        const double v275 = c73 * v273;
-        const double v276 = (c69 * v273) + v275;
-        const double v279 = (v276 * v59) + (v175 * v247);
-        const double v284 = (((v85 * v269) + (v63 * v279)) * v59) + (v181 * v247);
-        const double v288 = ((-0.28867513459481287) * v257) + (0.28867513459481287 * v263);
-        const double v291 = v190 * v251;
-        const double v292 = ((c90 * v288) * v35) + v291;
-        const double v296 = v198 * v247;
-        const double v298 = (((((0.5 * v257) + (0.5 * v263)) * v59) + v267) - v284) + (((v14 * (1.5 * v292)) * v59) + v296);
-        const double v300 = v30 * v279;
-        const double v302 = v253 - v252;
-        const double v304 = c40 * v302;
-        const double v305 = (c1 * v302) + v304;
-        const double v307 = v253 - v259;
-        const double v309 = c40 * v307;
-        const double v310 = (c1 * v307) + v309;
-        const double v318 = ((-0.28867513459481287) * v305) + (0.28867513459481287 * v310);
-        const double v321 = ((c90 * v318) * v35) - v291;
-        const double v326 = (((((0.5 * v305) + (0.5 * v310)) * v59) - v267) + v284) + (((v14 * (1.5 * v321)) * v59) - v296);
-        const double v332 = (v32 * (v269 * v136)) + (v33 * v269);
-        const double v333 = v134 * v332;
-        const double v334 = v333 - v271;
-        const double v336 = c40 * v334;
-        const double v337 = (c1 * v334) + v336;
-        const double v339 = v150 * v332;
-        const double v340 = v339 - v271;
-        const double v342 = c40 * v340;
-        const double v343 = (c1 * v340) + v342;
-        const double v347 = v160 * v269;
-        const double v349 = v168 * v269;
-        const double v350 = v349 - v253;
-        const double v352 = c73 * v350;
-        const double v353 = (c69 * v350) + v352;
-        const double v355 = v175 * v269;
-        const double v356 = (v353 * v59) + v355;
-        const double v358 = v85 * v247;
-        const double v361 = v181 * v269;
-        const double v363 = ((((0.5 * v337) + (0.5 * v343)) * v59) + v347) - ((((v63 * v356) - v358) * v59) + v361);
-        const double v366 = ((-0.28867513459481287) * v337) + (0.28867513459481287 * v343);
-        const double v369 = v190 * v332;
-        const double v370 = ((c90 * v366) * v35) + v369;
-        const double v374 = v198 * v269;
-        const double v376 = v363 + (((v14 * (1.5 * v370)) * v59) + v374);
-        const double v380 = v271 - v333;
-        const double v382 = c40 * v380;
-        const double v383 = (c1 * v380) + v382;
-        const double v385 = v271 - v339;
-        const double v387 = c40 * v385;
-        const double v388 = (c1 * v385) + v387;
-        const double v393 = v253 - v349;
-        const double v395 = c73 * v393;
-        const double v396 = (c69 * v393) + v395;
-        const double v398 = (v396 * v59) - v355;
-        const double v403 = ((((0.5 * v383) + (0.5 * v388)) * v59) - v347) - (((v358 + (v63 * v398)) * v59) - v361);
-        const double v406 = ((-0.28867513459481287) * v383) + (0.28867513459481287 * v388);
-        const double v409 = ((c90 * v406) * v35) - v369;
-        const double v414 = v403 + (((v14 * (1.5 * v409)) * v59) - v374);
-        const double v426 = v101 * v125;
-        const double v430 = (v24 * v177) + (v85 * v127);
-        const double v437 = (v30 * v243) - (v24 * v241);
-        const double v439 = v24 * v279;
-        const double v449 = g[7 * i + 1] * c11;
-        const double v461 = v101 * v165;
-        const double v477 = -(0.5 * (v449 * (c240 + (v63 * v243))));
-        const double v478 = v101 * v269;
-        const double v491 = v101 * v247;
-        const double v542 = -(c508 * (c539 * v172));
-        const double v547 = c508 * (c539 * v275);
-        const double v548 = -v547;
-        const double v550 = c508 * (c539 * v352);
-        const double v552 = c508 * (c539 * v395);
-        w3[i] = (v101 * v24) - (v85 * v30);
-        w7[i] = -(v24 * v113);
-        w8[i] = -(v24 * v122);
-        w9[i] = ((v24 * v201) - v203) - v207;
-        w10[i] = ((v24 * v236) - v203) - v207;
-        w11[i] = v246;
-        w12[i] = v246;
-        w13[i] = (v24 * v298) - v300;
-        w14[i] = (v24 * v326) + v300;
-        w15[i] = (v24 * v376) - (v30 * v356);
-        w16[i] = (v24 * v414) - (v30 * v398);
-        w4[i] = (v101 * v30) + (v85 * v24);
-        w17[i] = -(v30 * v113);
-        w18[i] = -(v30 * v122);
-        w19[i] = ((v30 * v201) + v426) - v430;
-        w20[i] = ((v30 * v236) + v426) - v430;
-        w21[i] = v437;
-        w22[i] = v437;
-        w23[i] = (v30 * v298) + v439;
-        w24[i] = (v30 * v326) - v439;
-        w25[i] = (v30 * v376) + (v24 * v356);
-        w26[i] = (v30 * v414) + (v24 * v398);
-        w5[i] = (v449 * (v84 - (v63 * v101))) * 0.5;
-        w27[i] = 0.5 * (v449 * (v63 * v113));
-        w28[i] = 0.5 * (v449 * (v63 * v122));
-        w29[i] = -(0.5 * (v449 * (v173 + ((v63 * v201) - v461))));
-        w30[i] = -(0.5 * (v449 * (v173 + ((v63 * v236) - v461))));
-        w31[i] = v477;
-        w32[i] = v477;
-        w33[i] = 0.5 * (v449 * (v276 - (v478 + (v63 * v298))));
-        w34[i] = -(0.5 * (v449 * (v276 + ((v63 * v326) - v478))));
-        w35[i] = 0.5 * (v449 * (v353 - ((v63 * v376) - v491)));
-        w36[i] = 0.5 * (v449 * (v396 - (v491 + (v63 * v414))));
-        w6[i] = -v97;
-        w37[i] = v109;
-        w38[i] = v118;
-        w39[i] = -v192;
-        w40[i] = -v230;
-        w41[i] = -v292;
-        w42[i] = -v321;
-        w43[i] = -v370;
-        w44[i] = -v409;
-        e[81 * i + 56] = c512;
-        e[81 * i + 55] = c508 * (v145 * c513);
-        e[81 * i + 59] = c508 * (v212 * c513);
-        e[81 * i + 53] = c508 * (v256 * c513);
-        e[81 * i + 57] = c508 * (v304 * c513);
-        e[81 * i + 54] = c508 * (v336 * c513);
-        e[81 * i + 58] = c508 * (v382 * c513);
-        e[81 * i + 63] = c512;
-        e[81 * i + 62] = c508 * (v155 * c513);
-        e[81 * i + 66] = c508 * (v218 * c513);
-        e[81 * i + 60] = c508 * (v262 * c513);
-        e[81 * i + 64] = c508 * (v309 * c513);
-        e[81 * i + 61] = c508 * (v342 * c513);
-        e[81 * i + 65] = c508 * (v387 * c513);
-        e[81 * i + 69] = v542;
-        e[81 * i + 73] = v542;
-        e[81 * i + 70] = c545;
-        e[81 * i + 67] = v547;
-        e[81 * i + 71] = v548;
-        e[81 * i + 68] = v550;
-        e[81 * i + 72] = v552;
-        e[81 * i + 76] = v542;
-        e[81 * i + 80] = v542;
-        e[81 * i + 77] = c545;
-        e[81 * i + 74] = v547;
-        e[81 * i + 78] = v548;
-        e[81 * i + 75] = v550;
-        e[81 * i + 79] = v552;
+        const double v1 = w3[i];
+        const double v2 = 1.0 / v1;
+        const double v3 = w6[i] * v2;
+        const double v4 = w4[i];
+        const double v5 = w8[i];
+        const double v6 = v5 * v2;
+        const double v8 = (v4 * v6) * v2;
+        const double v16 = sqrt(v1);
+        const double v18 = 1.0 / (v16 * v1);
+        const double v19 = (c13 * w7[i]) * v18;
+        const double v20 = 1.5 * v19;
+        const double v21 = w5[i];
+        const double v23 = (v20 * v21) * v2;
+        const double v24 = (v3 - v8) + v23;
+        const double v29 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v30 = cos(v29);
+        const double v32 = sin(v29);
+        const double v35 = v30 * v2;
+        const double v38 = c13 * v18;
+        const double v41 = (v21 * (1.5 * v38)) * v2;
+        const double v42 = v30 * v41;
+        const double v46 = v6 * v2;
+        const double v47 = v4 * v46;
+        const double v57 = (v19 * v18) * ((v1 / (2.0 * v16)) + v16);
+        const double v63 = (((v47 * v2) + (v8 * v2)) - (v3 * v2)) - (((v21 * (1.5 * v57)) * v2) + (v23 * v2));
+        const double v65 = v32 * v46;
+        const double v66 = (v30 * v63) + v65;
+        const double v67 = w13[i];
+        const double v69 = v30 * v46;
+        const double v70 = w19[i];
+        const double v73 = w27[i];
+        const double v76 = w33[i];
+        const double v79 = v20 * v2;
+        const double v80 = v30 * v79;
+        const double v81 = w25[i];
+        const double v83 = ((((v66 * v67) - (v69 * v70)) + (v35 * v73)) + (v42 * v76)) + (v80 * v81);
+        const double v84 = 0.5 * v32;
+        const double v86 = 0.5 * v30;
+        const double v88 = (v24 * v84) + (v6 * v86);
+        const double v90 = v4 * v2;
+        const double v91 = v90 * v2;
+        const double v93 = v32 * v2;
+        const double v94 = (v30 * v91) + v93;
+        const double v95 = w39[i];
+        const double v98 = w14[i];
+        const double v100 = w20[i];
+        const double v103 = w28[i];
+        const double v106 = w34[i];
+        const double v108 = (((v66 * v98) - (v69 * v100)) + (v35 * v103)) + (v42 * v106);
+        const double v109 = w26[i];
+        const double v113 = w40[i];
+        const double v119 = w15[i];
+        const double v121 = w21[i];
+        const double v124 = w29[i];
+        const double v127 = w35[i];
+        const double v129 = (((v66 * v119) - (v69 * v121)) + (v35 * v124)) + (v42 * v127);
+        const double v130 = w41[i];
+        const double v133 = w16[i];
+        const double v135 = w22[i];
+        const double v138 = w30[i];
+        const double v141 = w36[i];
+        const double v143 = (((v66 * v133) - (v69 * v135)) + (v35 * v138)) + (v42 * v141);
+        const double v144 = w42[i];
+        const double v147 = w17[i];
+        const double v149 = w23[i];
+        const double v152 = w31[i];
+        const double v155 = w37[i];
+        const double v157 = (((v66 * v147) - (v69 * v149)) + (v35 * v152)) + (v42 * v155);
+        const double v158 = w43[i];
+        const double v161 = w18[i];
+        const double v163 = w24[i];
+        const double v166 = w32[i];
+        const double v169 = w38[i];
+        const double v171 = (((v66 * v161) - (v69 * v163)) + (v35 * v166)) + (v42 * v169);
+        const double v172 = w44[i];
+        const double v179 = v32 * v41;
+        const double v183 = (v32 * v63) - v69;
+        const double v190 = (((v183 * v67) - (v65 * v70)) + (v93 * v73)) + (v179 * v76);
+        const double v191 = v32 * v79;
+        const double v196 = (v24 * v86) - (v6 * v84);
+        const double v199 = v35 - (v32 * v91);
+        const double v208 = (((v183 * v98) - (v65 * v100)) + (v93 * v103)) + (v179 * v106);
+        const double v221 = (((v183 * v119) - (v65 * v121)) + (v93 * v124)) + (v179 * v127);
+        const double v230 = (((v183 * v133) - (v65 * v135)) + (v93 * v138)) + (v179 * v141);
+        const double v239 = (((v183 * v147) - (v65 * v149)) + (v93 * v152)) + (v179 * v155);
+        const double v248 = (((v183 * v161) - (v65 * v163)) + (v93 * v166)) + (v179 * v169);
+        const double v253 = g[7 * i + 1] * p[0];
+        const double v259 = 0.5 * (v253 * v90);
+        const double v263 = 0.5 * (v253 * (v4 * v41));
+        const double v271 = 0.5 * (v253 * (1.0 + (v4 * v91)));
+        const double v275 = 0.5 * (v253 * (v24 - v47));
+        const double v279 = 0.5 * (v253 * (v4 * v63));
+        const double v285 = (((v275 * v70) + (v279 * v67)) + (v259 * v73)) + (v263 * v76);
+        const double v288 = 0.5 * (v253 * (v4 * v79));
+        const double v299 = (((v275 * v100) + (v279 * v98)) + (v259 * v103)) + (v263 * v106);
+        const double v311 = (((v275 * v121) + (v279 * v119)) + (v259 * v124)) + (v263 * v127);
+        const double v320 = (((v275 * v135) + (v279 * v133)) + (v259 * v138)) + (v263 * v141);
+        const double v329 = (((v275 * v149) + (v279 * v147)) + (v259 * v152)) + (v263 * v155);
+        const double v338 = (((v275 * v163) + (v279 * v161)) + (v259 * v166)) + (v263 * v169);
+        w9[i] = (v24 * v30) - (v6 * v32);
+        w45[i] = (v83 - v88) - (v94 * v95);
+        w46[i] = ((v108 + (v80 * v109)) - v88) - (v94 * v113);
+        w47[i] = v129 - (v94 * v130);
+        w48[i] = v143 - (v94 * v144);
+        w49[i] = v157 - (v94 * v158);
+        w50[i] = v171 - (v94 * v172);
+        w10[i] = (v24 * v32) + (v6 * v30);
+        w51[i] = ((v190 + (v191 * v81)) + v196) + (v199 * v95);
+        w52[i] = ((v208 + (v191 * v109)) + v196) + (v199 * v113);
+        w53[i] = v221 + (v199 * v130);
+        w54[i] = v230 + (v199 * v144);
+        w55[i] = v239 + (v199 * v158);
+        w56[i] = v248 + (v199 * v172);
+        w11[i] = (v253 * (v5 - (v4 * v24))) * 0.5;
+        w57[i] = (v271 * v95) - (v285 + (v288 * v81));
+        w58[i] = (v271 * v113) - (v299 + (v288 * v109));
+        w59[i] = (v271 * v130) - v311;
+        w60[i] = (v271 * v144) - v320;
+        w61[i] = (v271 * v158) - v329;
+        w62[i] = (v271 * v172) - v338;
+        w12[i] = -v19;
+        w63[i] = (v57 * v67) - (v38 * v76);
+        w64[i] = (v57 * v98) - (v38 * v106);
+        w65[i] = (v57 * v119) - (v38 * v127);
+        w66[i] = (v57 * v133) - (v38 * v141);
+        w67[i] = (v57 * v147) - (v38 * v155);
+        w68[i] = (v57 * v161) - (v38 * v169);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v36 = each0[FIBRES * i + k];
+            const double v43 = each1[FIBRES * i + k];
+            const double v116 = each2[FIBRES * i + k];
+            each3[FIBRES * i + k] = (v35 * v36) + (v42 * v43);
+            each4[FIBRES * i + k] = -(v94 * v116);
+            each5[FIBRES * i + k] = (v93 * v36) + (v179 * v43);
+            each6[FIBRES * i + k] = v199 * v116;
+            each7[FIBRES * i + k] = -((v259 * v36) + (v263 * v43));
+            each8[FIBRES * i + k] = v271 * v116;
+            each9[FIBRES * i + k] = -(v38 * v43);
+        }
     }
 }
 
-static void jacobian_7(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_9(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w7 = w + 7 * n;
-    double *restrict w8 = w + 8 * n;
-    double *restrict w9 = w + 9 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w12 = w + 12 * n;
-    double *restrict w13 = w + 13 * n;
-    double *restrict w14 = w + 14 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w27 = w + 27 * n;
-    double *restrict w28 = w + 28 * n;
-    double *restrict w29 = w + 29 * n;
-    double *restrict w30 = w + 30 * n;
-    double *restrict w31 = w + 31 * n;
-    double *restrict w32 = w + 32 * n;
-    double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w36 = w + 36 * n;
-    double *restrict w37 = w + 37 * n;
-    double *restrict w38 = w + 38 * n;
-    double *restrict w39 = w + 39 * n;
-    double *restrict w40 = w + 40 * n;
-    double *restrict w41 = w + 41 * n;
-    double *restrict w42 = w + 42 * n;
-    double *restrict w43 = w + 43 * n;
-    double *restrict w44 = w + 44 * n;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict w47 = w + 47 * n;
+    double *restrict w48 = w + 48 * n;
+    double *restrict w49 = w + 49 * n;
+    double *restrict w50 = w + 50 * n;
+    double *restrict w57 = w + 57 * n;
+    double *restrict w58 = w + 58 * n;
+    double *restrict w59 = w + 59 * n;
+    double *restrict w60 = w + 60 * n;
+    double *restrict w61 = w + 61 * n;
+    double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
+    double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c4 = p[2];
     const double c5 = c4 * c2;
     const double c6 = c3 / c5;
-    const double c61 = 0.08333333333333333 * c4;
-    const double c63 = squared(p[1]);
-    const double c64 = c61 * c63;
-    const double c65 = c64 * c2;
-    const double c66 = c1 / c65;
-    const double c70 = squared(c2);
-    const double c71 = c4 * c70;
-    const double c72 = c64 / c71;
+    const double c51 = 0.08333333333333333 * c4;
+    const double c53 = squared(p[1]);
+    const double c54 = c51 * c53;
+    const double c55 = c54 * c2;
+    const double c56 = c1 / c55;
+    const double c60 = squared(c2);
+    const double c61 = c4 * c60;
+    const double c62 = c54 / c61;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        const double v73 = (c66 * g[7 * i + 5]) * c72;
-        const double v106 = ((v73 * w39[i]) - (v73 * w40[i - 1])) + (v73 * w30[i - 1]);
-        const double v135 = ((v73 * w41[i]) - (v73 * w42[i - 1])) + (v73 * w34[i - 1]);
-        const double v156 = ((v73 * w43[i]) - (v73 * w44[i - 1])) + (v73 * w36[i - 1]);
-        e[81 * i + 5] = -(v9 * w7[i - 1]);
-        e[81 * i + 12] = v9 * w7[i];
-        e[81 * i + 6] = -(v9 * w8[i - 1]);
-        e[81 * i + 13] = v9 * w8[i];
-        e[81 * i + 4] = -(v9 * w9[i - 1]);
-        e[81 * i + 11] = (v9 * w9[i]) - (v9 * w10[i - 1]);
-        e[81 * i + 18] = v9 * w10[i];
-        e[81 * i + 7] = -(v9 * w11[i - 1]);
-        e[81 * i + 14] = v9 * w11[i];
-        e[81 * i + 8] = -(v9 * w12[i - 1]);
-        e[81 * i + 15] = v9 * w12[i];
-        e[81 * i + 2] = -(v9 * w13[i - 1]);
-        e[81 * i + 9] = (v9 * w13[i]) - (v9 * w14[i - 1]);
-        e[81 * i + 16] = v9 * w14[i];
-        e[81 * i + 3] = -(v9 * w15[i - 1]);
-        e[81 * i + 10] = (v9 * w15[i]) - (v9 * w16[i - 1]);
-        e[81 * i + 17] = v9 * w16[i];
-        e[81 * i + 39] = (v73 * w27[i - 1]) - (v73 * w37[i - 1]);
-        e[81 * i + 46] = (v73 * w37[i]) + (v73 * w27[i]);
-        e[81 * i + 40] = (v73 * w28[i - 1]) - (v73 * w38[i - 1]);
-        e[81 * i + 47] = (v73 * w38[i]) + (v73 * w28[i]);
-        e[81 * i + 38] = (v73 * w29[i - 1]) - (v73 * w39[i - 1]);
-        e[81 * i + 45] = v106 + (v73 * w29[i]);
-        e[81 * i + 52] = (v73 * w40[i]) + (v73 * w30[i]);
-        e[81 * i + 41] = v73 * w31[i - 1];
-        e[81 * i + 48] = v73 * w31[i];
-        e[81 * i + 42] = v73 * w32[i - 1];
-        e[81 * i + 49] = v73 * w32[i];
-        e[81 * i + 36] = (v73 * w33[i - 1]) - (v73 * w41[i - 1]);
-        e[81 * i + 43] = v135 + (v73 * w33[i]);
-        e[81 * i + 50] = (v73 * w42[i]) + (v73 * w34[i]);
-        e[81 * i + 37] = (v73 * w35[i - 1]) - (v73 * w43[i - 1]);
-        e[81 * i + 44] = v156 + (v73 * w35[i]);
-        e[81 * i + 51] = (v73 * w44[i]) + (v73 * w36[i]);
+        const double v63 = (c56 * g[7 * i + 5]) * c62;
+        const double v86 = ((v63 * w63[i]) - (v63 * w64[i - 1])) + (v63 * w58[i - 1]);
+        const double v111 = ((v63 * w65[i]) - (v63 * w66[i - 1])) + (v63 * w60[i - 1]);
+        const double v132 = ((v63 * w67[i]) - (v63 * w68[i - 1])) + (v63 * w62[i - 1]);
+        e[ENTRIES * i + 4] = -(v9 * w45[i - 1]);
+        e[ENTRIES * i + 7] = (v9 * w45[i]) - (v9 * w46[i - 1]);
+        e[ENTRIES * i + 10] = v9 * w46[i];
+        e[ENTRIES * i + 2] = -(v9 * w47[i - 1]);
+        e[ENTRIES * i + 5] = (v9 * w47[i]) - (v9 * w48[i - 1]);
+        e[ENTRIES * i + 8] = v9 * w48[i];
+        e[ENTRIES * i + 3] = -(v9 * w49[i - 1]);
+        e[ENTRIES * i + 6] = (v9 * w49[i]) - (v9 * w50[i - 1]);
+        e[ENTRIES * i + 9] = v9 * w50[i];
+        e[ENTRIES * i + 22] = (v63 * w57[i - 1]) - (v63 * w63[i - 1]);
+        e[ENTRIES * i + 25] = v86 + (v63 * w57[i]);
+        e[ENTRIES * i + 28] = (v63 * w64[i]) + (v63 * w58[i]);
+        e[ENTRIES * i + 20] = (v63 * w59[i - 1]) - (v63 * w65[i - 1]);
+        e[ENTRIES * i + 23] = v111 + (v63 * w59[i]);
+        e[ENTRIES * i + 26] = (v63 * w66[i]) + (v63 * w60[i]);
+        e[ENTRIES * i + 21] = (v63 * w61[i - 1]) - (v63 * w67[i - 1]);
+        e[ENTRIES * i + 24] = v132 + (v63 * w61[i]);
+        e[ENTRIES * i + 27] = (v63 * w68[i]) + (v63 * w62[i]);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v68 = (v63 * each7[FIBRES * (i - 1) + k]) - (v63 * each9[FIBRES * (i - 1) + k]);
+            const double v73 = (v63 * each9[FIBRES * i + k]) + (v63 * each7[FIBRES * i + k]);
+            e[ENTRIES * i + 29 + k] = -(v9 * each3[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 2 * FIBRES + k] = v9 * each3[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 1 * FIBRES + k] = -(v9 * each4[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 3 * FIBRES + k] = v9 * each4[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 8 * FIBRES + k] = v68;
+            e[ENTRIES * i + 29 + 10 * FIBRES + k] = v73;
+            e[ENTRIES * i + 29 + 9 * FIBRES + k] = v63 * each8[FIBRES * (i - 1) + k];
+            e[ENTRIES * i + 29 + 11 * FIBRES + k] = v63 * each8[FIBRES * i + k];
+        }
     }
 }
 
-static void jacobian_8(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_10(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w17 = w + 17 * n;
-    double *restrict w18 = w + 18 * n;
-    double *restrict w19 = w + 19 * n;
-    double *restrict w20 = w + 20 * n;
-    double *restrict w21 = w + 21 * n;
-    double *restrict w22 = w + 22 * n;
-    double *restrict w23 = w + 23 * n;
-    double *restrict w24 = w + 24 * n;
-    double *restrict w25 = w + 25 * n;
-    double *restrict w26 = w + 26 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -704,38 +880,34 @@ static void jacobian_8(int n, const double *p, const double *g, double *w, doubl
     const double c6 = c3 / c5;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        e[81 * i + 22] = -(v9 * w17[i - 1]);
-        e[81 * i + 29] = v9 * w17[i];
-        e[81 * i + 23] = -(v9 * w18[i - 1]);
-        e[81 * i + 30] = v9 * w18[i];
-        e[81 * i + 21] = -(v9 * w19[i - 1]);
-        e[81 * i + 28] = (v9 * w19[i]) - (v9 * w20[i - 1]);
-        e[81 * i + 35] = v9 * w20[i];
-        e[81 * i + 24] = -(v9 * w21[i - 1]);
-        e[81 * i + 31] = v9 * w21[i];
-        e[81 * i + 25] = -(v9 * w22[i - 1]);
-        e[81 * i + 32] = v9 * w22[i];
-        e[81 * i + 19] = -(v9 * w23[i - 1]);
-        e[81 * i + 26] = (v9 * w23[i]) - (v9 * w24[i - 1]);
-        e[81 * i + 33] = v9 * w24[i];
-        e[81 * i + 20] = -(v9 * w25[i - 1]);
-        e[81 * i + 27] = (v9 * w25[i]) - (v9 * w26[i - 1]);
-        e[81 * i + 34] = v9 * w26[i];
+        e[ENTRIES * i + 13] = -(v9 * w51[i - 1]);
+        e[ENTRIES * i + 16] = (v9 * w51[i]) - (v9 * w52[i - 1]);
+        e[ENTRIES * i + 19] = v9 * w52[i];
+        e[ENTRIES * i + 11] = -(v9 * w53[i - 1]);
+        e[ENTRIES * i + 14] = (v9 * w53[i]) - (v9 * w54[i - 1]);
+        e[ENTRIES * i + 17] = v9 * w54[i];
+        e[ENTRIES * i + 12] = -(v9 * w55[i - 1]);
+        e[ENTRIES * i + 15] = (v9 * w55[i]) - (v9 * w56[i - 1]);
+        e[ENTRIES * i + 18] = v9 * w56[i];
+        for (int k = 0; k < FIBRES; k++) {
+            e[ENTRIES * i + 29 + 4 * FIBRES + k] = -(v9 * each5[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 5 * FIBRES + k] = -(v9 * each6[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
+        }
     }
 }
 
-static void jacobian_9(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_11(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w17 = w + 17 * n;
-    double *restrict w18 = w + 18 * n;
-    double *restrict w19 = w + 19 * n;
-    double *restrict w20 = w + 20 * n;
-    double *restrict w21 = w + 21 * n;
-    double *restrict w22 = w + 22 * n;
-    double *restrict w23 = w + 23 * n;
-    double *restrict w24 = w + 24 * n;
-    double *restrict w25 = w + 25 * n;
-    double *restrict w26 = w + 26 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
     const double c1 = squared(p[9]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -743,60 +915,47 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     const double c6 = c3 / c5;
     const int i = 0;
     const double v9 = c6 * g[7 * i + 6];
-    e[81 * i + 29] = v9 * w17[i];
-    e[81 * i + 30] = v9 * w18[i];
-    e[81 * i + 28] = v9 * w19[i];
-    e[81 * i + 35] = v9 * w20[i];
-    e[81 * i + 31] = v9 * w21[i];
-    e[81 * i + 32] = v9 * w22[i];
-    e[81 * i + 26] = v9 * w23[i];
-    e[81 * i + 33] = v9 * w24[i];
-    e[81 * i + 27] = v9 * w25[i];
-    e[81 * i + 34] = v9 * w26[i];
+    e[ENTRIES * i + 16] = v9 * w51[i];
+    e[ENTRIES * i + 19] = v9 * w52[i];
+    e[ENTRIES * i + 14] = v9 * w53[i];
+    e[ENTRIES * i + 17] = v9 * w54[i];
+    e[ENTRIES * i + 15] = v9 * w55[i];
+    e[ENTRIES * i + 18] = v9 * w56[i];
+    for (int k = 0; k < FIBRES; k++) {
+        e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
+        e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
+    }
     (void)n;
 }
 
-static void work_0(int n, const double *p, const double *g, const double *y, double *w, double *q)
+static void work_0(int n, const double *p, const double *y, double *w)
 {
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c2 = p[8];
-    const double c6 = (-0.5) * p[1];
-    const double c11 = p[0];
-    const double c12 = 1.0 / c11;
-    const double c45 = 0.8333333333333334 * c2;
-    const double c47 = 2.0 * p[7];
-    const double c48 = 2.0 + c47;
-    const double c49 = c45 / c48;
-    const double c61 = 1e-12 * c2;
-    const double c62 = squared(c61);
-    const double c65 = 1.0 / p[6];
-    const double c87 = p[9];
-    const double c89 = c11 / c87;
-    const double c90 = squared(c89);
-    const double c91 = p[2] * c90;
-    const double c92 = c87 / c91;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w69 = w + 69 * n;
+    const double c1 = p[8];
+    const double c4 = (-0.5) * p[1];
+    const double c21 = 0.8333333333333334 * c1;
+    const double c24 = 2.0 * p[7];
+    const double c25 = 2.0 + c24;
+    const double c26 = c21 / c25;
+    const double c36 = 1e-12 * c1;
+    const double c37 = squared(c36);
+    const double c40 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
-        const double v7 = w1[i + 1];
-        const double v8 = w1[i];
-        const double v10 = g[7 * i + 4];
-        const double v15 = c6 * ((v7 - v8) * (v10 * c12));
-        const double v20 = (w0[i + 1] - w0[i]) * v10;
-        const double v23 = (v8 + v7) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w2[i + 1] - w2[i]) * v10;
-        const double v30 = sin(v23);
-        const double v32 = (v20 * v24) + (v29 * v30);
-        const double v35 = 1.0 / (sqrt(v32) * v32);
-        const double v39 = log(v32);
-        const double v40 = ((((-0.5773502691896257) * v15) * v35) - y[9 * i + 5]) + v39;
-        const double v53 = ((v29 * v24) - (v20 * v30)) / v32;
-        const double v59 = squared((c2 * v40)) + (3.0 * squared((c49 * (v53 - y[9 * i + 7]))));
-        const double v74 = c2 * ((((0.5773502691896257 * v15) * v35) - y[9 * i + 6]) + v39);
-        const double v81 = squared(v74) + (3.0 * squared((c49 * (v53 - y[9 * i + 8]))));
-        const double v85 = (0.5 * (larger(v59, c62) * c65)) + (0.5 * (larger(v81, c62) * c65));
-        q[0] += (g[7 * i + 1] * v85) * c92;
+        double sum9 = 0.0;
+        const double v6 = c4 * w5[i];
+        const double v9 = w3[i];
+        const double v11 = sqrt(v9) * v9;
+        const double v15 = log(v9);
+        const double v28 = w4[i] / v9;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v17 = c1 * ((((v6 * zeta[k]) / v11) - y[SLOTS * i + 5 + k]) + v15);
+            const double v33 = 3.0 * squared((c26 * (v28 - y[SLOTS * i + 5 + 1 * FIBRES + k])));
+            sum9 += (larger(squared(v17) + v33, c37) * c40) * weight[k];
+        }
+        w69[i] = sum9;
     }
 }
 
@@ -830,84 +989,101 @@ static void work_1(int n, double t, const double *p, const double *g, double *w,
     }
 }
 
-static void work_slope_0(int n, const double *p, const double *g, const double *y, double *w, double *s)
+static void work_2(int n, const double *p, const double *g, double *w, double *q)
 {
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c0 = p[8];
-    const double c4 = (-0.5) * p[1];
-    const double c10 = p[0];
-    const double c11 = 1.0 / c10;
-    const double c44 = 1e-12 * c0;
-    const double c45 = squared(c44);
-    const double c49 = 0.8333333333333334 * c0;
-    const double c51 = 2.0 * p[7];
-    const double c52 = 2.0 + c51;
-    const double c53 = c49 / c52;
-    const double c69 = p[9];
-    const double c71 = c10 / c69;
-    const double c72 = squared(c71);
-    const double c73 = p[2] * c72;
-    const double c74 = c69 / c73;
-    const double c78 = 1.0 / p[6];
+    double *restrict w69 = w + 69 * n;
+    const double c3 = p[9];
+    const double c6 = p[0] / c3;
+    const double c7 = squared(c6);
+    const double c8 = p[2] * c7;
+    const double c9 = c3 / c8;
     for (int i = 0; i < n - 1; i++) {
-        const double v5 = w1[i + 1];
-        const double v6 = w1[i];
-        const double v9 = g[7 * i + 4];
-        const double v12 = v9 * c11;
-        const double v14 = c4 * ((v5 - v6) * v12);
-        const double v19 = (w0[i + 1] - w0[i]) * v9;
-        const double v23 = (v6 + v5) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w2[i + 1] - w2[i]) * v9;
-        const double v30 = sin(v23);
-        const double v32 = (v19 * v24) + (v29 * v30);
-        const double v33 = sqrt(v32);
-        const double v35 = 1.0 / (v33 * v32);
-        const double v36 = ((-0.5773502691896257) * v14) * v35;
-        const double v39 = log(v32);
-        const double v41 = c0 * ((v36 - y[9 * i + 5]) + v39);
-        const double v57 = 1.0 / v32;
-        const double v58 = ((v29 * v24) - (v19 * v30)) * v57;
-        const double v61 = c53 * (v58 - y[9 * i + 7]);
-        const double v64 = squared(v41) + (3.0 * squared(v61));
-        const double v65 = (double)(c45 <= v64);
-        const double v79 = (0.5 * (g[7 * i + 1] * c74)) * c78;
-        const double v80 = (v65 / (v65 + (double)(v64 <= c45))) * v79;
-        const double v82 = c0 * ((2.0 * v41) * v80);
-        const double v86 = (0.5773502691896257 * v14) * v35;
-        const double v90 = c0 * ((v86 - y[9 * i + 6]) + v39);
-        const double v95 = c53 * (v58 - y[9 * i + 8]);
-        const double v98 = squared(v90) + (3.0 * squared(v95));
-        const double v99 = (double)(c45 <= v98);
-        const double v103 = (v99 / (v99 + (double)(v98 <= c45))) * v79;
-        const double v105 = c0 * ((2.0 * v90) * v103);
-        const double v108 = v58 * v57;
-        const double v112 = c53 * ((2.0 * v95) * (3.0 * v103));
-        const double v116 = (v86 * v35) * v105;
-        const double v121 = 1.0 / (2.0 * v33);
-        const double v123 = (((v105 * v57) - (v108 * v112)) - (v33 * v116)) - ((v32 * v116) * v121);
-        const double v127 = c53 * ((2.0 * v61) * (3.0 * v80));
-        const double v133 = (v36 * v35) * v82;
-        const double v138 = (((v123 - (v108 * v127)) + (v82 * v57)) - (v33 * v133)) - ((v32 * v133) * v121);
-        const double v142 = (v112 * v57) + (v127 * v57);
-        const double v150 = (v24 * ((v29 * v138) - (v19 * v142))) - (v30 * ((v29 * v142) + (v19 * v138)));
-        const double v151 = 0.5 * v150;
-        const double v158 = (c4 * (0.5773502691896257 * (v105 * v35))) + (c4 * ((-0.5773502691896257) * (v82 * v35)));
-        const double v159 = v12 * v158;
-        const double v167 = ((v24 * v138) - (v30 * v142)) * v9;
-        const double v172 = ((v24 * v142) + (v30 * v138)) * v9;
-        s[9 * i + 5] += -v82;
-        s[9 * i + 6] += -v105;
-        s[9 * i + 4] += v151 - v159;
-        s[9 * i + 13] += v151 + v159;
-        s[9 * i + 7] += -v127;
-        s[9 * i + 8] += -v112;
-        s[9 * i] += -v167;
-        s[9 * i + 9] += v167;
-        s[9 * i + 1] += -v172;
-        s[9 * i + 10] += v172;
+        q[0] += (g[7 * i + 1] * w69[i]) * c9;
+    }
+}
+
+static void work_slope_0(int n, const double *p, const double *y, double *w)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w69 = w + 69 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    const double c1 = p[8];
+    const double c4 = (-0.5) * p[1];
+    const double c21 = 1e-12 * c1;
+    const double c22 = squared(c21);
+    const double c26 = 0.8333333333333334 * c1;
+    const double c29 = 2.0 * p[7];
+    const double c30 = 2.0 + c29;
+    const double c31 = c26 / c30;
+    const double c46 = p[6];
+    const double c113 = 1.0 / c46;
+    for (int i = 0; i < n - 1; i++) {
+        double sum10 = 0.0;
+        double sum11 = 0.0;
+        double sum12 = 0.0;
+        double sum9 = 0.0;
+        const double v6 = c4 * w5[i];
+        const double v9 = w3[i];
+        const double v10 = sqrt(v9);
+        const double v12 = 1.0 / (v10 * v9);
+        const double v16 = log(v9);
+        const double v33 = 1.0 / v9;
+        const double v34 = w4[i] * v33;
+        const double v98 = v34 * v33;
+        const double v106 = 2.0 * v10;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v7 = zeta[k];
+            const double v13 = (v6 * v7) * v12;
+            const double v18 = c1 * ((v13 - y[SLOTS * i + 5 + k]) + v16);
+            const double v37 = c31 * (v34 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v40 = squared(v18) + (3.0 * squared(v37));
+            const double v41 = (double)(c22 <= v40);
+            const double v45 = weight[k];
+            const double v48 = (v41 / (v41 + (double)(v40 <= c22))) * (v45 / c46);
+            const double v50 = c1 * ((2.0 * v18) * v48);
+            const double v74 = c31 * ((2.0 * v37) * (3.0 * v48));
+            const double v102 = (v13 * v12) * v50;
+            const double v108 = (((v50 * v33) - (v98 * v74)) - (v10 * v102)) - ((v9 * v102) / v106);
+            each10[FIBRES * i + k] = -v50;
+            each11[FIBRES * i + k] = -v74;
+            sum10 += v74 * v33;
+            sum11 += v108;
+            sum12 += c4 * (v7 * (v50 * v12));
+            sum9 += (larger(v40, c22) * c113) * v45;
+        }
+        const double v52 = sum10;
+        const double v55 = sum11;
+        const double v59 = sum12;
+        w69[i] = sum9;
+        w70[i] = ((v52 * w19[i]) + (v55 * w13[i])) + (v59 * w25[i]);
+        w71[i] = ((v52 * w20[i]) + (v55 * w14[i])) + (v59 * w26[i]);
+        w72[i] = (v52 * w21[i]) + (v55 * w15[i]);
+        w73[i] = (v52 * w22[i]) + (v55 * w16[i]);
+        w74[i] = (v52 * w23[i]) + (v55 * w17[i]);
+        w75[i] = (v52 * w24[i]) + (v55 * w18[i]);
     }
 }
 
@@ -936,7 +1112,37 @@ static void work_slope_1(int n, double t, const double *p, const double *g, doub
     const double c26 = c10 / c25;
     const double c27 = c22 * c26;
     for (int i = 0; i < n; i++) {
-        s[9 * n + 9 * i + 1] += g[7 * i + 3] * c27;
+        s[SLOTS * n + SLOTS * i + 1] += g[7 * i + 3] * c27;
+    }
+}
+
+static void work_slope_2(int n, const double *p, const double *g, double *w, double *s)
+{
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    const double c0 = p[9];
+    const double c3 = p[0] / c0;
+    const double c4 = squared(c3);
+    const double c5 = p[2] * c4;
+    const double c6 = c0 / c5;
+    for (int i = 0; i < n - 1; i++) {
+        const double v8 = c6 * g[7 * i + 1];
+        s[SLOTS * i + 4] += v8 * w70[i];
+        s[SLOTS * (i + 1) + 4] += v8 * w71[i];
+        s[SLOTS * i + 0] += v8 * w72[i];
+        s[SLOTS * (i + 1) + 0] += v8 * w73[i];
+        s[SLOTS * i + 1] += v8 * w74[i];
+        s[SLOTS * (i + 1) + 1] += v8 * w75[i];
+        for (int k = 0; k < FIBRES; k++) {
+            s[SLOTS * i + 5 + k] += v8 * each10[FIBRES * i + k];
+            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each11[FIBRES * i + k];
+        }
     }
 }
 
@@ -946,17 +1152,19 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
     const int n = filament->sites;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * 9; k++) f[k] = 0.0;
+    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
     rates_0(n, y, f);
     rates_1(n, y, f);
     rates_2(n, y, w);
     rates_3(n, y, w);
     rates_4(n, w);
     rates_5(n, g, w);
-    rates_6(n, p, g, y, w, f);
-    rates_7(n, p, g, w, f);
-    rates_8(n, t, p, g, w, f);
-    rates_9(n, t, p, g, w, f);
+    rates_6(n, p, g, w);
+    rates_7(n, p, y, w, f);
+    rates_8(n, p, g, w);
+    rates_9(n, p, g, w, f);
+    rates_10(n, t, p, g, w, f);
+    rates_11(n, t, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -967,17 +1175,19 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 81; k++) e[k] = 0.0;
+    for (int k = 0; k < n * ENTRIES; k++) e[k] = 0.0;
     jacobian_0(n, e);
     jacobian_1(n, e);
     jacobian_2(n, y, w);
     jacobian_3(n, y, w);
     jacobian_4(n, w);
     jacobian_5(n, g, w);
-    jacobian_6(n, p, g, y, w, e);
-    jacobian_7(n, p, g, w, e);
-    jacobian_8(n, p, g, w, e);
+    jacobian_6(n, p, g, w);
+    jacobian_7(n, p, y, w, e);
+    jacobian_8(n, p, g, w);
     jacobian_9(n, p, g, w, e);
+    jacobian_10(n, p, g, w, e);
+    jacobian_11(n, p, g, w, e);
     return SOFTCAT_SOLVED;
 }
 
@@ -988,8 +1198,9 @@ static int work(const softcat_filament *filament, double t, const double *y, dou
     const double *p = filament->parameters;
     const double *g = filament->places;
     for (int k = 0; k < 3; k++) q[k] = 0.0;
-    work_0(n, p, g, y, w, q);
+    work_0(n, p, y, w);
     work_1(n, t, p, g, w, q);
+    work_2(n, p, g, w, q);
     return SOFTCAT_SOLVED;
 }
 
@@ -999,22 +1210,36 @@ static int work_slope(const softcat_filament *filament, double t, const double *
     const int n = filament->sites;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * 27; k++) s[k] = 0.0;
-    work_slope_0(n, p, g, y, w, s);
+    for (int k = 0; k < n * 3 * SLOTS; k++) s[k] = 0.0;
+    work_slope_0(n, p, y, w);
     work_slope_1(n, t, p, g, s);
+    work_slope_2(n, p, g, w, s);
     return SOFTCAT_SOLVED;
 }
 
-static const int rate[] = {2, 3, -1, -1, -1, -1, -1, -1, -1};
-static const int differential[] = {1, 1, 1, 1, 0, 1, 1, 1, 1};
-static const int held_first[] = {1, 0, 1, 0, 1, 0, 0, 0, 0};
-static const int held_last[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int row[] = {0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 8, 8, 8, 8, 8, 8, 8};
-static const int offset[] = {0, 0, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};
-static const int column[] = {2, 3, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 0, 1, 4, 0, 1, 4, 6, 0, 1, 4, 0, 1, 4, 7, 0, 1, 4, 0, 1, 4, 8, 0, 1, 4};
+static const int rate[] = {
+    2, 3, -1, -1, -1, -1, -1, -1, -1};
+static const int differential[] = {
+    1, 1, 1, 1, 0, 1, 1, 1, 1};
+static const int held_first[] = {
+    1, 0, 1, 0, 1, 0, 0, 0, 0};
+static const int held_last[] = {
+    1, 1, 1, 1, 1, 1, 1, 1, 1};
+static const int row[] = {
+    0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 2, 2,
+    2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 5, 6, 5, 6, 5, 6, 5,
+    6, 5, 6, 5, 6, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8};
+static const int offset[] = {
+    0, 0, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1,
+    1, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
+static const int column[] = {
+    2, 3, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 6,
+    7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 0, 0, 1, 1, 4, 4, 5, 6, 0,
+    0, 1, 1, 4, 4, 0, 0, 1, 1, 4, 4, 7, 8, 0, 0, 1, 1, 4, 4};
 
 const softcat_model softcat_filament_model = {
-    9, 4, 10, 7, 45, 81, 3, 1,
+    9, 4, 10, 7, 100, 81, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };

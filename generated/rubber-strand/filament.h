@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear
- * Digest of the structure: 6037a6d76c91a6fcfea34d777bea6448afa4259745e16107b08931c7563904bc
+ * Digest of the structure: 1ca95f9ac8736e52afb6438fc47591e75f2f50b8342768c3e7c2cfef440ff855
  */
 
 #ifndef SOFTCAT_FILAMENT_H

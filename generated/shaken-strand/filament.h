@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-stress, shear, rotary-inertia, gravity-shaking
- * Digest of the structure: 6a9ce407b013197b89f5fd13706ac6eef0106d9cf8bc36d3a8d4125994d382f9
+ * Digest of the structure: b9e406bb2696c62817bd229415f09a38ffc595898c32d81889b72265381d87ee
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, rotary-inertia
- * Digest of the structure: 2e11a355adb4e9deae80ba7743213b8245f8dda377fcaffdbcbe13247ad268ac
+ * Digest of the structure: fc552d8c2f1645333f532723ee269b45f123cefc8459c1e9647b1513f8bc6c1d
  */
 #include "filament.h"
 
@@ -13,15 +13,26 @@
 
 #include "softcat_model.h"
 
+#define FIBRES 2
+#define SLOTS 10
+#define ENTRIES 82
+#define SCRATCH 76
+
+/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
+static const double zeta[] = {
+    (-0.4999999999999998), 0.5000000000000001};
+static const double weight[] = {
+    0.5, 0.4999999999999999};
+
 static inline double larger(double a, double b) { return a > b ? a : b; }
 static inline double squared(double a) { return a * a; }
 
 static void rates_0(int n, const double *y, double *f)
 {
     for (int i = 1; i < n - 1; i++) {
-        f[10 * i] = y[10 * i + 2];
-        f[10 * i + 1] = y[10 * i + 3];
-        f[10 * i + 4] = y[10 * i + 5];
+        f[SLOTS * i + 0] = y[SLOTS * i + 2];
+        f[SLOTS * i + 1] = y[SLOTS * i + 3];
+        f[SLOTS * i + 4] = y[SLOTS * i + 5];
     }
 }
 
@@ -31,9 +42,9 @@ static void rates_1(int n, const double *y, double *w)
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[10 * i];
-        w1[i] = y[10 * i + 1];
-        w2[i] = y[10 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 1];
+        w2[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -69,7 +80,7 @@ static void rates_3(int n, const double *p, double *w)
     (void)n;
 }
 
-static void rates_4(int n, const double *p, const double *g, const double *y, double *w, double *f)
+static void rates_4(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -77,66 +88,104 @@ static void rates_4(int n, const double *p, const double *g, const double *y, do
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
-    double *restrict w6 = w + 6 * n;
-    const double c1 = p[4];
-    const double c4 = p[1];
-    const double c5 = (-0.5) * c4;
-    const double c11 = p[0];
-    const double c12 = 1.0 / c11;
-    const double c59 = 0.9 * c1;
-    const double c61 = 2.0 * p[6];
-    const double c62 = 2.0 + c61;
-    const double c63 = c59 / c62;
-    const double c79 = 0.5 * c4;
-    const double c103 = p[5];
-    const double c104 = 1.0 / c103;
-    const double c106 = p[11];
-    const double c111 = 3.0 / c103;
+    const double c26 = 1.0 / p[0];
     for (int i = 0; i < n - 1; i++) {
-        const double v6 = w2[i + 1];
-        const double v7 = w2[i];
-        const double v10 = g[7 * i + 4];
-        const double v14 = (v6 - v7) * (v10 * c12);
-        const double v15 = c5 * v14;
-        const double v20 = (w0[i + 1] - w0[i]) * v10;
-        const double v23 = (v7 + v6) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w1[i + 1] - w1[i]) * v10;
-        const double v30 = sin(v23);
-        const double v32 = (v20 * v24) + (v29 * v30);
-        const double v35 = 1.0 / (sqrt(v32) * v32);
-        const double v39 = log(v32);
-        const double v40 = ((((-0.4999999999999998) * v15) * v35) - y[10 * i + 6]) + v39;
-        const double v41 = c1 * v40;
-        const double v49 = (((0.5000000000000001 * v15) * v35) - y[10 * i + 7]) + v39;
-        const double v50 = c1 * v49;
-        const double v53 = 1.0 / v32;
-        const double v57 = (v29 * v24) - (v20 * v30);
-        const double v64 = v57 * v53;
-        const double v67 = c63 * (v64 - y[10 * i + 8]);
-        const double v71 = c63 * (v64 - y[10 * i + 9]);
-        const double v73 = (0.5 * v67) + (0.4999999999999999 * v71);
-        const double v74 = v73 * v53;
-        const double v77 = (((0.5 * v41) + (0.4999999999999999 * v50)) * v53) - ((v57 * v74) * v53);
-        const double v86 = (c79 * (((-0.2499999999999999) * v41) + (0.25 * v50))) * v35;
-        const double v90 = v77 + (((1.5 * v86) * v14) * v53);
-        w3[i] = (v90 * v24) - (v74 * v30);
-        w4[i] = (v90 * v30) + (v74 * v24);
-        w5[i] = ((g[7 * i + 1] * c11) * (v73 - (v57 * v90))) * 0.5;
-        w6[i] = -v86;
-        f[10 * i + 6] = (v41 * c104) * c106;
-        f[10 * i + 7] = (v50 * c104) * c106;
-        f[10 * i + 8] = (c111 * v67) * c106;
-        f[10 * i + 9] = (c111 * v71) * c106;
+        const double v4 = g[7 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w2[i];
+        const double v7 = w2[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w1[i + 1] - w1[i]) * v4;
+        const double v18 = sin(v11);
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w5[i] = (v7 - v6) * (v4 * c26);
     }
 }
 
-static void rates_5(int n, const double *p, const double *g, double *w, double *f)
+static void rates_5(int n, const double *p, const double *y, double *w, double *f)
 {
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    const double c3 = p[4];
+    const double c6 = (-0.5) * p[1];
+    const double c20 = p[5];
+    const double c21 = 1.0 / c20;
+    const double c23 = p[11];
+    const double c26 = 3.0 / c20;
+    const double c28 = 0.9 * c3;
+    const double c31 = 2.0 * p[6];
+    const double c32 = 2.0 + c31;
+    const double c33 = c28 / c32;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        const double v8 = c6 * w5[i];
+        const double v11 = w3[i];
+        const double v13 = sqrt(v11) * v11;
+        const double v17 = log(v11);
+        const double v35 = w4[i] / v11;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v9 = zeta[k];
+            const double v19 = c3 * ((((v8 * v9) / v13) - y[SLOTS * i + 6 + k]) + v17);
+            const double v38 = c33 * (v35 - y[SLOTS * i + 6 + 1 * FIBRES + k]);
+            const double v41 = weight[k];
+            f[SLOTS * i + 6 + k] = (v19 * c21) * c23;
+            f[SLOTS * i + 6 + 1 * FIBRES + k] = (c26 * v38) * c23;
+            sum0 += v19 * v41;
+            sum1 += v19 * (v41 * v9);
+            sum2 += v38 * v41;
+        }
+        w6[i] = sum0;
+        w7[i] = sum1;
+        w8[i] = sum2;
+    }
+}
+
+static void rates_6(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w9 = w + 9 * n;
+    double *restrict w10 = w + 10 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
+    const double c13 = 0.5 * p[1];
+    for (int i = 0; i < n - 1; i++) {
+        const double v1 = w3[i];
+        const double v2 = 1.0 / v1;
+        const double v4 = w4[i];
+        const double v5 = w8[i];
+        const double v6 = v5 * v2;
+        const double v18 = (c13 * w7[i]) / (sqrt(v1) * v1);
+        const double v23 = ((w6[i] * v2) - ((v4 * v6) * v2)) + (((1.5 * v18) * w5[i]) * v2);
+        const double v28 = (w2[i] + w2[i + 1]) * 0.5;
+        const double v29 = cos(v28);
+        const double v31 = sin(v28);
+        w9[i] = (v23 * v29) - (v6 * v31);
+        w10[i] = (v23 * v31) + (v6 * v29);
+        w11[i] = ((g[7 * i + 1] * p[0]) * (v5 - (v4 * v23))) * 0.5;
+        w12[i] = -v18;
+    }
+}
+
+static void rates_7(int n, const double *p, const double *g, double *w, double *f)
+{
+    double *restrict w9 = w + 9 * n;
+    double *restrict w10 = w + 10 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
     const double c4 = squared(p[11]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
@@ -151,19 +200,19 @@ static void rates_5(int n, const double *p, const double *g, double *w, double *
     const double c34 = c4 / c33;
     for (int i = 1; i < n - 1; i++) {
         const double v12 = c9 * g[7 * i + 6];
-        const double v38 = (((w6[i] - w6[i - 1]) + w5[i]) + w5[i - 1]) * (c34 * g[7 * i + 5]);
-        f[10 * i + 2] = (w3[i] - w3[i - 1]) * v12;
-        f[10 * i + 3] = ((w4[i] - w4[i - 1]) * v12) - c19;
-        f[10 * i + 5] = v38;
+        const double v38 = (((w12[i] - w12[i - 1]) + w11[i]) + w11[i - 1]) * (c34 * g[7 * i + 5]);
+        f[SLOTS * i + 2] = (w9[i] - w9[i - 1]) * v12;
+        f[SLOTS * i + 3] = ((w10[i] - w10[i - 1]) * v12) - c19;
+        f[SLOTS * i + 5] = v38;
     }
 }
 
 static void jacobian_0(int n, double *e)
 {
     for (int i = 1; i < n - 1; i++) {
-        e[82 * i] = 1.0;
-        e[82 * i + 1] = 1.0;
-        e[82 * i + 36] = 1.0;
+        e[ENTRIES * i + 0] = 1.0;
+        e[ENTRIES * i + 1] = 1.0;
+        e[ENTRIES * i + 20] = 1.0;
     }
 }
 
@@ -173,9 +222,9 @@ static void jacobian_1(int n, const double *y, double *w)
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[10 * i];
-        w1[i] = y[10 * i + 1];
-        w2[i] = y[10 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 1];
+        w2[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -211,10 +260,235 @@ static void jacobian_3(int n, const double *p, double *w)
     (void)n;
 }
 
-static void jacobian_4(int n, const double *p, const double *g, const double *y, double *w, double *e)
+static void jacobian_4(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
+    double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    const double c39 = 1.0 / p[0];
+    for (int i = 0; i < n - 1; i++) {
+        const double v4 = g[7 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w2[i];
+        const double v7 = w2[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w1[i + 1] - w1[i]) * v4;
+        const double v18 = sin(v11);
+        const double v21 = 0.5 * v12;
+        const double v23 = 0.5 * v18;
+        const double v25 = (v17 * v21) - (v5 * v23);
+        const double v26 = v12 * v4;
+        const double v27 = -v26;
+        const double v28 = v18 * v4;
+        const double v29 = -v28;
+        const double v36 = -((v17 * v23) + (v5 * v21));
+        const double v40 = v4 * c39;
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w13[i] = v25;
+        w14[i] = v25;
+        w15[i] = v27;
+        w16[i] = v26;
+        w17[i] = v29;
+        w18[i] = v28;
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w19[i] = v36;
+        w20[i] = v36;
+        w21[i] = v28;
+        w22[i] = v29;
+        w23[i] = v27;
+        w24[i] = v26;
+        w5[i] = (v7 - v6) * v40;
+        w25[i] = -v40;
+        w26[i] = v40;
+    }
+}
+
+static void jacobian_5(int n, const double *p, const double *y, double *w, double *e)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w27 = w + 27 * n;
+    double *restrict w28 = w + 28 * n;
+    double *restrict w29 = w + 29 * n;
+    double *restrict w30 = w + 30 * n;
+    double *restrict w31 = w + 31 * n;
+    double *restrict w32 = w + 32 * n;
+    double *restrict w33 = w + 33 * n;
+    double *restrict w34 = w + 34 * n;
+    double *restrict w35 = w + 35 * n;
+    double *restrict w36 = w + 36 * n;
+    double *restrict w37 = w + 37 * n;
+    double *restrict w38 = w + 38 * n;
+    double *restrict w39 = w + 39 * n;
+    double *restrict w40 = w + 40 * n;
+    double *restrict w41 = w + 41 * n;
+    double *restrict w42 = w + 42 * n;
+    double *restrict w43 = w + 43 * n;
+    double *restrict w44 = w + 44 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    const double c1 = p[4];
+    const double c54 = 0.9 * c1;
+    const double c57 = 2.0 * p[6];
+    const double c58 = 2.0 + c57;
+    const double c59 = c54 / c58;
+    const double c78 = p[11];
+    const double c79 = p[5];
+    const double c80 = c1 / c79;
+    const double c81 = c78 * c80;
+    const double c82 = -c81;
+    const double c87 = (-0.5) * p[1];
+    const double c103 = 1.0 / c79;
+    const double c122 = 3.0 / c79;
+    const double c138 = c122 * c59;
+    const double c139 = c78 * c138;
+    const double c140 = -c139;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        double sum3 = 0.0;
+        double sum4 = 0.0;
+        double sum5 = 0.0;
+        double sum6 = 0.0;
+        double sum7 = 0.0;
+        double sum8 = 0.0;
+        const double v6 = w13[i];
+        const double v9 = w25[i];
+        const double v12 = w14[i];
+        const double v14 = w26[i];
+        const double v17 = w15[i];
+        const double v19 = w16[i];
+        const double v21 = w17[i];
+        const double v23 = w18[i];
+        const double v44 = w19[i];
+        const double v49 = w20[i];
+        const double v62 = w21[i];
+        const double v66 = w22[i];
+        const double v70 = w23[i];
+        const double v74 = w24[i];
+        const double v83 = w3[i];
+        const double v84 = 1.0 / v83;
+        const double v89 = c87 * w5[i];
+        const double v91 = sqrt(v83);
+        const double v93 = 1.0 / (v91 * v83);
+        const double v97 = 1.0 / (2.0 * v91);
+        const double v99 = (v83 * v97) + v91;
+        const double v125 = c78 * (c122 * (c59 * v84));
+        const double v128 = w4[i] * v84;
+        const double v129 = v128 * v84;
+        const double v132 = c78 * (c122 * (c59 * v129));
+        const double v155 = log(v83);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v2 = weight[k];
+            const double v3 = c1 * v2;
+            const double v26 = zeta[k];
+            const double v27 = v2 * v26;
+            const double v28 = c1 * v27;
+            const double v60 = c59 * v2;
+            const double v94 = (v89 * v26) * v93;
+            const double v95 = v94 * v93;
+            const double v105 = c78 * ((c1 * (v84 - (v95 * v99))) * c103);
+            const double v111 = c78 * ((c1 * ((v26 * c87) * v93)) * c103);
+            const double v157 = c1 * ((v94 - y[SLOTS * i + 6 + k]) + v155);
+            const double v165 = v95 * v3;
+            const double v175 = v95 * v28;
+            each0[FIBRES * i + k] = -v3;
+            each1[FIBRES * i + k] = -v28;
+            each2[FIBRES * i + k] = -v60;
+            e[ENTRIES * i + 30 + 15 * FIBRES + k] = c82;
+            e[ENTRIES * i + 30 + 14 * FIBRES + k] = (v105 * v6) + (v111 * v9);
+            e[ENTRIES * i + 30 + 18 * FIBRES + k] = (v105 * v12) + (v111 * v14);
+            e[ENTRIES * i + 30 + 12 * FIBRES + k] = v105 * v17;
+            e[ENTRIES * i + 30 + 16 * FIBRES + k] = v105 * v19;
+            e[ENTRIES * i + 30 + 13 * FIBRES + k] = v105 * v21;
+            e[ENTRIES * i + 30 + 17 * FIBRES + k] = v105 * v23;
+            e[ENTRIES * i + 30 + 21 * FIBRES + k] = (v125 * v44) - (v132 * v6);
+            e[ENTRIES * i + 30 + 25 * FIBRES + k] = (v125 * v49) - (v132 * v12);
+            e[ENTRIES * i + 30 + 22 * FIBRES + k] = c140;
+            e[ENTRIES * i + 30 + 19 * FIBRES + k] = (v125 * v62) - (v132 * v17);
+            e[ENTRIES * i + 30 + 23 * FIBRES + k] = (v125 * v66) - (v132 * v19);
+            e[ENTRIES * i + 30 + 20 * FIBRES + k] = (v125 * v70) - (v132 * v21);
+            e[ENTRIES * i + 30 + 24 * FIBRES + k] = (v125 * v74) - (v132 * v23);
+            sum0 += v157 * v2;
+            sum1 += v157 * v27;
+            sum2 += (c59 * (v128 - y[SLOTS * i + 6 + 1 * FIBRES + k])) * v2;
+            sum3 += ((v3 * v84) - (v91 * v165)) - ((v83 * v165) * v97);
+            sum4 += c87 * (v26 * (v3 * v93));
+            sum5 += ((v28 * v84) - (v91 * v175)) - ((v83 * v175) * v97);
+            sum6 += c87 * (v26 * (v28 * v93));
+            sum7 += v60 * v84;
+            sum8 += -(v129 * v60);
+        }
+        const double v5 = sum3;
+        const double v8 = sum4;
+        const double v30 = sum5;
+        const double v32 = sum6;
+        const double v43 = sum7;
+        const double v46 = sum8;
+        w6[i] = sum0;
+        w27[i] = (v5 * v6) + (v8 * v9);
+        w28[i] = (v5 * v12) + (v8 * v14);
+        w29[i] = v5 * v17;
+        w30[i] = v5 * v19;
+        w31[i] = v5 * v21;
+        w32[i] = v5 * v23;
+        w7[i] = sum1;
+        w33[i] = (v30 * v6) + (v32 * v9);
+        w34[i] = (v30 * v12) + (v32 * v14);
+        w35[i] = v30 * v17;
+        w36[i] = v30 * v19;
+        w37[i] = v30 * v21;
+        w38[i] = v30 * v23;
+        w8[i] = sum2;
+        w39[i] = (v43 * v44) + (v46 * v6);
+        w40[i] = (v43 * v49) + (v46 * v12);
+        w41[i] = (v43 * v62) + (v46 * v17);
+        w42[i] = (v43 * v66) + (v46 * v19);
+        w43[i] = (v43 * v70) + (v46 * v21);
+        w44[i] = (v43 * v74) + (v46 * v23);
+    }
+}
+
+static void jacobian_6(int n, const double *p, const double *g, double *w)
+{
     double *restrict w2 = w + 2 * n;
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
@@ -258,263 +532,329 @@ static void jacobian_4(int n, const double *p, const double *g, const double *y,
     double *restrict w42 = w + 42 * n;
     double *restrict w43 = w + 43 * n;
     double *restrict w44 = w + 44 * n;
-    const double c1 = p[4];
-    const double c4 = p[1];
-    const double c5 = (-0.5) * c4;
-    const double c11 = p[0];
-    const double c12 = 1.0 / c11;
-    const double c59 = 0.9 * c1;
-    const double c61 = 2.0 * p[6];
-    const double c62 = 2.0 + c61;
-    const double c63 = c59 / c62;
-    const double c79 = 0.5 * c4;
-    const double c94 = 0.5 * c1;
-    const double c96 = (-0.2499999999999999) * c1;
-    const double c97 = c79 * c96;
-    const double c105 = 0.4999999999999999 * c1;
-    const double c107 = 0.25 * c1;
-    const double c108 = c79 * c107;
-    const double c224 = 0.5 * c63;
-    const double c231 = 0.4999999999999999 * c63;
-    const double c494 = p[11];
-    const double c495 = p[5];
-    const double c496 = c1 / c495;
-    const double c497 = c494 * c496;
-    const double c498 = -c497;
-    const double c499 = 1.0 / c495;
-    const double c525 = 3.0 / c495;
-    const double c529 = c525 * c63;
-    const double c530 = c494 * c529;
-    const double c531 = -c530;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict w47 = w + 47 * n;
+    double *restrict w48 = w + 48 * n;
+    double *restrict w49 = w + 49 * n;
+    double *restrict w50 = w + 50 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict w57 = w + 57 * n;
+    double *restrict w58 = w + 58 * n;
+    double *restrict w59 = w + 59 * n;
+    double *restrict w60 = w + 60 * n;
+    double *restrict w61 = w + 61 * n;
+    double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
+    double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    const double c13 = 0.5 * p[1];
     for (int i = 0; i < n - 1; i++) {
-        const double v6 = w2[i + 1];
-        const double v7 = w2[i];
-        const double v10 = g[7 * i + 4];
-        const double v13 = v10 * c12;
-        const double v14 = (v6 - v7) * v13;
-        const double v15 = c5 * v14;
-        const double v20 = (w0[i + 1] - w0[i]) * v10;
-        const double v23 = (v7 + v6) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w1[i + 1] - w1[i]) * v10;
-        const double v30 = sin(v23);
-        const double v32 = (v20 * v24) + (v29 * v30);
-        const double v33 = sqrt(v32);
-        const double v35 = 1.0 / (v33 * v32);
-        const double v36 = ((-0.4999999999999998) * v15) * v35;
-        const double v39 = log(v32);
-        const double v41 = c1 * ((v36 - y[10 * i + 6]) + v39);
-        const double v46 = (0.5000000000000001 * v15) * v35;
-        const double v50 = c1 * ((v46 - y[10 * i + 7]) + v39);
-        const double v53 = 1.0 / v32;
-        const double v54 = ((0.5 * v41) + (0.4999999999999999 * v50)) * v53;
-        const double v57 = (v29 * v24) - (v20 * v30);
-        const double v64 = v57 * v53;
-        const double v73 = (0.5 * (c63 * (v64 - y[10 * i + 8]))) + (0.4999999999999999 * (c63 * (v64 - y[10 * i + 9])));
-        const double v74 = v73 * v53;
-        const double v76 = (v57 * v74) * v53;
-        const double v86 = (c79 * (((-0.2499999999999999) * v41) + (0.25 * v50))) * v35;
-        const double v87 = 1.5 * v86;
-        const double v89 = (v87 * v14) * v53;
-        const double v90 = (v54 - v76) + v89;
-        const double v98 = c97 * v35;
-        const double v102 = (c94 * v53) + ((v14 * (1.5 * v98)) * v53);
-        const double v109 = c108 * v35;
-        const double v113 = (c105 * v53) + ((v14 * (1.5 * v109)) * v53);
-        const double v116 = 0.5 * v24;
-        const double v118 = 0.5 * v30;
-        const double v120 = (v29 * v116) - (v20 * v118);
-        const double v121 = v120 * v53;
-        const double v122 = c5 * v13;
-        const double v124 = ((-0.4999999999999998) * v122) * v35;
-        const double v125 = v36 * v35;
-        const double v127 = 1.0 / (2.0 * v33);
-        const double v131 = (v32 * (v120 * v127)) + (v33 * v120);
-        const double v132 = v125 * v131;
-        const double v135 = c1 * (v121 - (v124 + v132));
-        const double v138 = (0.5000000000000001 * v122) * v35;
-        const double v139 = v46 * v35;
-        const double v140 = v139 * v131;
-        const double v143 = c1 * (v121 - (v138 + v140));
-        const double v147 = v54 * v53;
-        const double v148 = v147 * v120;
-        const double v149 = (((0.5 * v135) + (0.4999999999999999 * v143)) * v53) - v148;
-        const double v152 = (v29 * v118) + (v20 * v116);
-        const double v155 = v64 * v53;
-        const double v158 = c63 * ((v152 * v53) + (v155 * v120));
-        const double v161 = (0.5 * v158) + (0.4999999999999999 * v158);
-        const double v163 = v74 * v53;
-        const double v165 = (v161 * v53) + (v163 * v120);
-        const double v169 = v76 * v53;
-        const double v171 = (((v74 * v152) + (v57 * v165)) * v53) + (v169 * v120);
-        const double v177 = (c79 * (((-0.2499999999999999) * v135) + (0.25 * v143))) * v35;
-        const double v178 = v86 * v35;
-        const double v179 = v178 * v131;
-        const double v180 = v177 - v179;
-        const double v183 = v87 * v13;
-        const double v186 = v89 * v53;
-        const double v187 = v186 * v120;
-        const double v189 = (v149 + v171) + ((((v14 * (1.5 * v180)) - v183) * v53) - v187);
-        const double v191 = v90 * v118;
-        const double v195 = (v74 * v116) - (v30 * v165);
-        const double v199 = c1 * ((v124 - v132) + v121);
-        const double v203 = c1 * ((v138 - v140) + v121);
-        const double v207 = (((0.5 * v199) + (0.4999999999999999 * v203)) * v53) - v148;
-        const double v213 = (c79 * (((-0.2499999999999999) * v199) + (0.25 * v203))) * v35;
-        const double v214 = v213 - v179;
-        const double v220 = (v207 + v171) + ((((v14 * (1.5 * v214)) + v183) * v53) - v187);
-        const double v225 = c224 * v53;
-        const double v227 = (v57 * v225) * v53;
-        const double v232 = c231 * v53;
-        const double v234 = (v57 * v232) * v53;
-        const double v238 = v24 * v10;
-        const double v242 = (v32 * (v238 * v127)) + (v33 * v238);
-        const double v243 = v125 * v242;
-        const double v244 = v238 * v53;
-        const double v246 = c1 * (v243 - v244);
-        const double v248 = v139 * v242;
-        const double v250 = c1 * (v248 - v244);
-        const double v254 = v147 * v238;
-        const double v255 = (((0.5 * v246) + (0.4999999999999999 * v250)) * v53) + v254;
-        const double v256 = v30 * v10;
-        const double v258 = v256 * v53;
-        const double v261 = c63 * (v258 + (v155 * v238));
-        const double v264 = (0.5 * v261) + (0.4999999999999999 * v261);
-        const double v267 = (v264 * v53) + (v163 * v238);
-        const double v272 = (((v74 * v256) + (v57 * v267)) * v53) + (v169 * v238);
-        const double v278 = (c79 * (((-0.2499999999999999) * v246) + (0.25 * v250))) * v35;
-        const double v279 = v178 * v242;
-        const double v280 = v278 + v279;
-        const double v284 = v186 * v238;
-        const double v286 = (v255 - v272) + (((v14 * (1.5 * v280)) * v53) + v284);
-        const double v288 = v30 * v267;
-        const double v291 = c1 * (v244 - v243);
-        const double v294 = c1 * (v244 - v248);
-        const double v298 = (((0.5 * v291) + (0.4999999999999999 * v294)) * v53) - v254;
-        const double v304 = (c79 * (((-0.2499999999999999) * v291) + (0.25 * v294))) * v35;
-        const double v305 = v304 - v279;
-        const double v310 = (v298 + v272) + (((v14 * (1.5 * v305)) * v53) - v284);
-        const double v316 = (v32 * (v256 * v127)) + (v33 * v256);
-        const double v317 = v125 * v316;
-        const double v319 = c1 * (v317 - v258);
-        const double v321 = v139 * v316;
-        const double v323 = c1 * (v321 - v258);
-        const double v327 = v147 * v256;
-        const double v328 = (((0.5 * v319) + (0.4999999999999999 * v323)) * v53) + v327;
-        const double v329 = v155 * v256;
-        const double v331 = c63 * (v329 - v244);
-        const double v334 = (0.5 * v331) + (0.4999999999999999 * v331);
-        const double v336 = v163 * v256;
-        const double v337 = (v334 * v53) + v336;
-        const double v339 = v74 * v238;
-        const double v342 = v169 * v256;
-        const double v349 = (c79 * (((-0.2499999999999999) * v319) + (0.25 * v323))) * v35;
-        const double v350 = v178 * v316;
-        const double v351 = v349 + v350;
-        const double v355 = v186 * v256;
-        const double v357 = (v328 - ((((v57 * v337) - v339) * v53) + v342)) + (((v14 * (1.5 * v351)) * v53) + v355);
-        const double v362 = c1 * (v258 - v317);
-        const double v365 = c1 * (v258 - v321);
-        const double v369 = (((0.5 * v362) + (0.4999999999999999 * v365)) * v53) - v327;
-        const double v371 = c63 * (v244 - v329);
-        const double v374 = (0.5 * v371) + (0.4999999999999999 * v371);
-        const double v376 = (v374 * v53) - v336;
-        const double v386 = (c79 * (((-0.2499999999999999) * v362) + (0.25 * v365))) * v35;
-        const double v387 = v386 - v350;
-        const double v392 = (v369 - (((v339 + (v57 * v376)) * v53) - v342)) + (((v14 * (1.5 * v387)) * v53) - v355);
-        const double v404 = v90 * v116;
-        const double v408 = (v24 * v165) + (v74 * v118);
-        const double v420 = v24 * v267;
-        const double v430 = g[7 * i + 1] * c11;
-        const double v442 = v90 * v152;
-        const double v464 = v90 * v256;
-        const double v477 = v90 * v238;
-        const double v528 = -(c494 * (c525 * v158));
-        const double v533 = c494 * (c525 * v261);
-        const double v534 = -v533;
-        const double v536 = c494 * (c525 * v331);
-        const double v538 = c494 * (c525 * v371);
-        w3[i] = (v90 * v24) - (v74 * v30);
-        w7[i] = -(v24 * v102);
-        w8[i] = -(v24 * v113);
-        w9[i] = ((v24 * v189) - v191) - v195;
-        w10[i] = ((v24 * v220) - v191) - v195;
-        w11[i] = (v24 * v227) + (v30 * v225);
-        w12[i] = (v24 * v234) + (v30 * v232);
-        w13[i] = (v24 * v286) - v288;
-        w14[i] = (v24 * v310) + v288;
-        w15[i] = (v24 * v357) - (v30 * v337);
-        w16[i] = (v24 * v392) - (v30 * v376);
-        w4[i] = (v90 * v30) + (v74 * v24);
-        w17[i] = -(v30 * v102);
-        w18[i] = -(v30 * v113);
-        w19[i] = ((v30 * v189) + v404) - v408;
-        w20[i] = ((v30 * v220) + v404) - v408;
-        w21[i] = (v30 * v227) - (v24 * v225);
-        w22[i] = (v30 * v234) - (v24 * v232);
-        w23[i] = (v30 * v286) + v420;
-        w24[i] = (v30 * v310) - v420;
-        w25[i] = (v30 * v357) + (v24 * v337);
-        w26[i] = (v30 * v392) + (v24 * v376);
-        w5[i] = (v430 * (v73 - (v57 * v90))) * 0.5;
-        w27[i] = 0.5 * (v430 * (v57 * v102));
-        w28[i] = 0.5 * (v430 * (v57 * v113));
-        w29[i] = -(0.5 * (v430 * (v161 + ((v57 * v189) - v442))));
-        w30[i] = -(0.5 * (v430 * (v161 + ((v57 * v220) - v442))));
-        w31[i] = -(0.5 * (v430 * (c224 + (v57 * v227))));
-        w32[i] = -(0.5 * (v430 * (c231 + (v57 * v234))));
-        w33[i] = 0.5 * (v430 * (v264 - (v464 + (v57 * v286))));
-        w34[i] = -(0.5 * (v430 * (v264 + ((v57 * v310) - v464))));
-        w35[i] = 0.5 * (v430 * (v334 - ((v57 * v357) - v477)));
-        w36[i] = 0.5 * (v430 * (v374 - (v477 + (v57 * v392))));
-        w6[i] = -v86;
-        w37[i] = v98;
-        w38[i] = v109;
-        w39[i] = -v180;
-        w40[i] = -v214;
-        w41[i] = -v280;
-        w42[i] = -v305;
-        w43[i] = -v351;
-        w44[i] = -v387;
-        e[82 * i + 57] = c498;
-        e[82 * i + 56] = c494 * (v135 * c499);
-        e[82 * i + 60] = c494 * (v199 * c499);
-        e[82 * i + 54] = c494 * (v246 * c499);
-        e[82 * i + 58] = c494 * (v291 * c499);
-        e[82 * i + 55] = c494 * (v319 * c499);
-        e[82 * i + 59] = c494 * (v362 * c499);
-        e[82 * i + 64] = c498;
-        e[82 * i + 63] = c494 * (v143 * c499);
-        e[82 * i + 67] = c494 * (v203 * c499);
-        e[82 * i + 61] = c494 * (v250 * c499);
-        e[82 * i + 65] = c494 * (v294 * c499);
-        e[82 * i + 62] = c494 * (v323 * c499);
-        e[82 * i + 66] = c494 * (v365 * c499);
-        e[82 * i + 70] = v528;
-        e[82 * i + 74] = v528;
-        e[82 * i + 71] = c531;
-        e[82 * i + 68] = v533;
-        e[82 * i + 72] = v534;
-        e[82 * i + 69] = v536;
-        e[82 * i + 73] = v538;
-        e[82 * i + 77] = v528;
-        e[82 * i + 81] = v528;
-        e[82 * i + 78] = c531;
-        e[82 * i + 75] = v533;
-        e[82 * i + 79] = v534;
-        e[82 * i + 76] = v536;
-        e[82 * i + 80] = v538;
+        const double v1 = w3[i];
+        const double v2 = 1.0 / v1;
+        const double v3 = w6[i] * v2;
+        const double v4 = w4[i];
+        const double v5 = w8[i];
+        const double v6 = v5 * v2;
+        const double v8 = (v4 * v6) * v2;
+        const double v16 = sqrt(v1);
+        const double v18 = 1.0 / (v16 * v1);
+        const double v19 = (c13 * w7[i]) * v18;
+        const double v20 = 1.5 * v19;
+        const double v21 = w5[i];
+        const double v23 = (v20 * v21) * v2;
+        const double v24 = (v3 - v8) + v23;
+        const double v29 = (w2[i] + w2[i + 1]) * 0.5;
+        const double v30 = cos(v29);
+        const double v32 = sin(v29);
+        const double v35 = v30 * v2;
+        const double v38 = c13 * v18;
+        const double v41 = (v21 * (1.5 * v38)) * v2;
+        const double v42 = v30 * v41;
+        const double v46 = v6 * v2;
+        const double v47 = v4 * v46;
+        const double v57 = (v19 * v18) * ((v1 / (2.0 * v16)) + v16);
+        const double v63 = (((v47 * v2) + (v8 * v2)) - (v3 * v2)) - (((v21 * (1.5 * v57)) * v2) + (v23 * v2));
+        const double v65 = v32 * v46;
+        const double v66 = (v30 * v63) + v65;
+        const double v67 = w13[i];
+        const double v69 = v30 * v46;
+        const double v70 = w19[i];
+        const double v73 = w27[i];
+        const double v76 = w33[i];
+        const double v79 = v20 * v2;
+        const double v80 = v30 * v79;
+        const double v81 = w25[i];
+        const double v83 = ((((v66 * v67) - (v69 * v70)) + (v35 * v73)) + (v42 * v76)) + (v80 * v81);
+        const double v84 = 0.5 * v32;
+        const double v86 = 0.5 * v30;
+        const double v88 = (v24 * v84) + (v6 * v86);
+        const double v90 = v4 * v2;
+        const double v91 = v90 * v2;
+        const double v93 = v32 * v2;
+        const double v94 = (v30 * v91) + v93;
+        const double v95 = w39[i];
+        const double v98 = w14[i];
+        const double v100 = w20[i];
+        const double v103 = w28[i];
+        const double v106 = w34[i];
+        const double v108 = (((v66 * v98) - (v69 * v100)) + (v35 * v103)) + (v42 * v106);
+        const double v109 = w26[i];
+        const double v113 = w40[i];
+        const double v119 = w15[i];
+        const double v121 = w21[i];
+        const double v124 = w29[i];
+        const double v127 = w35[i];
+        const double v129 = (((v66 * v119) - (v69 * v121)) + (v35 * v124)) + (v42 * v127);
+        const double v130 = w41[i];
+        const double v133 = w16[i];
+        const double v135 = w22[i];
+        const double v138 = w30[i];
+        const double v141 = w36[i];
+        const double v143 = (((v66 * v133) - (v69 * v135)) + (v35 * v138)) + (v42 * v141);
+        const double v144 = w42[i];
+        const double v147 = w17[i];
+        const double v149 = w23[i];
+        const double v152 = w31[i];
+        const double v155 = w37[i];
+        const double v157 = (((v66 * v147) - (v69 * v149)) + (v35 * v152)) + (v42 * v155);
+        const double v158 = w43[i];
+        const double v161 = w18[i];
+        const double v163 = w24[i];
+        const double v166 = w32[i];
+        const double v169 = w38[i];
+        const double v171 = (((v66 * v161) - (v69 * v163)) + (v35 * v166)) + (v42 * v169);
+        const double v172 = w44[i];
+        const double v179 = v32 * v41;
+        const double v183 = (v32 * v63) - v69;
+        const double v190 = (((v183 * v67) - (v65 * v70)) + (v93 * v73)) + (v179 * v76);
+        const double v191 = v32 * v79;
+        const double v196 = (v24 * v86) - (v6 * v84);
+        const double v199 = v35 - (v32 * v91);
+        const double v208 = (((v183 * v98) - (v65 * v100)) + (v93 * v103)) + (v179 * v106);
+        const double v221 = (((v183 * v119) - (v65 * v121)) + (v93 * v124)) + (v179 * v127);
+        const double v230 = (((v183 * v133) - (v65 * v135)) + (v93 * v138)) + (v179 * v141);
+        const double v239 = (((v183 * v147) - (v65 * v149)) + (v93 * v152)) + (v179 * v155);
+        const double v248 = (((v183 * v161) - (v65 * v163)) + (v93 * v166)) + (v179 * v169);
+        const double v253 = g[7 * i + 1] * p[0];
+        const double v259 = 0.5 * (v253 * v90);
+        const double v263 = 0.5 * (v253 * (v4 * v41));
+        const double v271 = 0.5 * (v253 * (1.0 + (v4 * v91)));
+        const double v275 = 0.5 * (v253 * (v24 - v47));
+        const double v279 = 0.5 * (v253 * (v4 * v63));
+        const double v285 = (((v275 * v70) + (v279 * v67)) + (v259 * v73)) + (v263 * v76);
+        const double v288 = 0.5 * (v253 * (v4 * v79));
+        const double v299 = (((v275 * v100) + (v279 * v98)) + (v259 * v103)) + (v263 * v106);
+        const double v311 = (((v275 * v121) + (v279 * v119)) + (v259 * v124)) + (v263 * v127);
+        const double v320 = (((v275 * v135) + (v279 * v133)) + (v259 * v138)) + (v263 * v141);
+        const double v329 = (((v275 * v149) + (v279 * v147)) + (v259 * v152)) + (v263 * v155);
+        const double v338 = (((v275 * v163) + (v279 * v161)) + (v259 * v166)) + (v263 * v169);
+        w9[i] = (v24 * v30) - (v6 * v32);
+        w45[i] = (v83 - v88) - (v94 * v95);
+        w46[i] = ((v108 + (v80 * v109)) - v88) - (v94 * v113);
+        w47[i] = v129 - (v94 * v130);
+        w48[i] = v143 - (v94 * v144);
+        w49[i] = v157 - (v94 * v158);
+        w50[i] = v171 - (v94 * v172);
+        w10[i] = (v24 * v32) + (v6 * v30);
+        w51[i] = ((v190 + (v191 * v81)) + v196) + (v199 * v95);
+        w52[i] = ((v208 + (v191 * v109)) + v196) + (v199 * v113);
+        w53[i] = v221 + (v199 * v130);
+        w54[i] = v230 + (v199 * v144);
+        w55[i] = v239 + (v199 * v158);
+        w56[i] = v248 + (v199 * v172);
+        w11[i] = (v253 * (v5 - (v4 * v24))) * 0.5;
+        w57[i] = (v271 * v95) - (v285 + (v288 * v81));
+        w58[i] = (v271 * v113) - (v299 + (v288 * v109));
+        w59[i] = (v271 * v130) - v311;
+        w60[i] = (v271 * v144) - v320;
+        w61[i] = (v271 * v158) - v329;
+        w62[i] = (v271 * v172) - v338;
+        w12[i] = -v19;
+        w63[i] = (v57 * v67) - (v38 * v76);
+        w64[i] = (v57 * v98) - (v38 * v106);
+        w65[i] = (v57 * v119) - (v38 * v127);
+        w66[i] = (v57 * v133) - (v38 * v141);
+        w67[i] = (v57 * v147) - (v38 * v155);
+        w68[i] = (v57 * v161) - (v38 * v169);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v36 = each0[FIBRES * i + k];
+            const double v43 = each1[FIBRES * i + k];
+            const double v116 = each2[FIBRES * i + k];
+            each3[FIBRES * i + k] = (v35 * v36) + (v42 * v43);
+            each4[FIBRES * i + k] = -(v94 * v116);
+            each5[FIBRES * i + k] = (v93 * v36) + (v179 * v43);
+            each6[FIBRES * i + k] = v199 * v116;
+            each7[FIBRES * i + k] = -((v259 * v36) + (v263 * v43));
+            each8[FIBRES * i + k] = v271 * v116;
+            each9[FIBRES * i + k] = -(v38 * v43);
+        }
     }
 }
 
-static void jacobian_5(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_7(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w7 = w + 7 * n;
-    double *restrict w8 = w + 8 * n;
-    double *restrict w9 = w + 9 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w12 = w + 12 * n;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict w47 = w + 47 * n;
+    double *restrict w48 = w + 48 * n;
+    double *restrict w49 = w + 49 * n;
+    double *restrict w50 = w + 50 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict w57 = w + 57 * n;
+    double *restrict w58 = w + 58 * n;
+    double *restrict w59 = w + 59 * n;
+    double *restrict w60 = w + 60 * n;
+    double *restrict w61 = w + 61 * n;
+    double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
+    double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    const double c1 = squared(p[11]);
+    const double c2 = p[0];
+    const double c3 = c1 / c2;
+    const double c4 = p[2];
+    const double c5 = c4 * c2;
+    const double c6 = c3 / c5;
+    const double c91 = 0.0625 * c4;
+    const double c93 = squared(p[1]);
+    const double c94 = c91 * c93;
+    const double c95 = c94 * c2;
+    const double c96 = c1 / c95;
+    for (int i = 1; i < n - 1; i++) {
+        const double v9 = c6 * g[7 * i + 6];
+        const double v99 = c96 * g[7 * i + 5];
+        const double v122 = ((v99 * w63[i]) - (v99 * w64[i - 1])) + (v99 * w58[i - 1]);
+        const double v147 = ((v99 * w65[i]) - (v99 * w66[i - 1])) + (v99 * w60[i - 1]);
+        const double v168 = ((v99 * w67[i]) - (v99 * w68[i - 1])) + (v99 * w62[i - 1]);
+        e[ENTRIES * i + 4] = -(v9 * w45[i - 1]);
+        e[ENTRIES * i + 7] = (v9 * w45[i]) - (v9 * w46[i - 1]);
+        e[ENTRIES * i + 10] = v9 * w46[i];
+        e[ENTRIES * i + 2] = -(v9 * w47[i - 1]);
+        e[ENTRIES * i + 5] = (v9 * w47[i]) - (v9 * w48[i - 1]);
+        e[ENTRIES * i + 8] = v9 * w48[i];
+        e[ENTRIES * i + 3] = -(v9 * w49[i - 1]);
+        e[ENTRIES * i + 6] = (v9 * w49[i]) - (v9 * w50[i - 1]);
+        e[ENTRIES * i + 9] = v9 * w50[i];
+        e[ENTRIES * i + 13] = -(v9 * w51[i - 1]);
+        e[ENTRIES * i + 16] = (v9 * w51[i]) - (v9 * w52[i - 1]);
+        e[ENTRIES * i + 19] = v9 * w52[i];
+        e[ENTRIES * i + 11] = -(v9 * w53[i - 1]);
+        e[ENTRIES * i + 14] = (v9 * w53[i]) - (v9 * w54[i - 1]);
+        e[ENTRIES * i + 17] = v9 * w54[i];
+        e[ENTRIES * i + 12] = -(v9 * w55[i - 1]);
+        e[ENTRIES * i + 15] = (v9 * w55[i]) - (v9 * w56[i - 1]);
+        e[ENTRIES * i + 18] = v9 * w56[i];
+        e[ENTRIES * i + 23] = (v99 * w57[i - 1]) - (v99 * w63[i - 1]);
+        e[ENTRIES * i + 26] = v122 + (v99 * w57[i]);
+        e[ENTRIES * i + 29] = (v99 * w64[i]) + (v99 * w58[i]);
+        e[ENTRIES * i + 21] = (v99 * w59[i - 1]) - (v99 * w65[i - 1]);
+        e[ENTRIES * i + 24] = v147 + (v99 * w59[i]);
+        e[ENTRIES * i + 27] = (v99 * w66[i]) + (v99 * w60[i]);
+        e[ENTRIES * i + 22] = (v99 * w61[i - 1]) - (v99 * w67[i - 1]);
+        e[ENTRIES * i + 25] = v168 + (v99 * w61[i]);
+        e[ENTRIES * i + 28] = (v99 * w68[i]) + (v99 * w62[i]);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v104 = (v99 * each7[FIBRES * (i - 1) + k]) - (v99 * each9[FIBRES * (i - 1) + k]);
+            const double v109 = (v99 * each9[FIBRES * i + k]) + (v99 * each7[FIBRES * i + k]);
+            e[ENTRIES * i + 30 + k] = -(v9 * each3[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 30 + 2 * FIBRES + k] = v9 * each3[FIBRES * i + k];
+            e[ENTRIES * i + 30 + 1 * FIBRES + k] = -(v9 * each4[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 30 + 3 * FIBRES + k] = v9 * each4[FIBRES * i + k];
+            e[ENTRIES * i + 30 + 4 * FIBRES + k] = -(v9 * each5[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 30 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
+            e[ENTRIES * i + 30 + 5 * FIBRES + k] = -(v9 * each6[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 30 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
+            e[ENTRIES * i + 30 + 8 * FIBRES + k] = v104;
+            e[ENTRIES * i + 30 + 10 * FIBRES + k] = v109;
+            e[ENTRIES * i + 30 + 9 * FIBRES + k] = v99 * each8[FIBRES * (i - 1) + k];
+            e[ENTRIES * i + 30 + 11 * FIBRES + k] = v99 * each8[FIBRES * i + k];
+        }
+    }
+}
+
+static void work_0(int n, const double *p, const double *y, double *w)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w69 = w + 69 * n;
+    const double c1 = p[4];
+    const double c4 = (-0.5) * p[1];
+    const double c21 = 0.9 * c1;
+    const double c24 = 2.0 * p[6];
+    const double c25 = 2.0 + c24;
+    const double c26 = c21 / c25;
+    const double c36 = 1e-12 * c1;
+    const double c37 = squared(c36);
+    const double c40 = 1.0 / p[5];
+    for (int i = 0; i < n - 1; i++) {
+        double sum9 = 0.0;
+        const double v6 = c4 * w5[i];
+        const double v9 = w3[i];
+        const double v11 = sqrt(v9) * v9;
+        const double v15 = log(v9);
+        const double v28 = w4[i] / v9;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v17 = c1 * ((((v6 * zeta[k]) / v11) - y[SLOTS * i + 6 + k]) + v15);
+            const double v33 = 3.0 * squared((c26 * (v28 - y[SLOTS * i + 6 + 1 * FIBRES + k])));
+            sum9 += (larger(squared(v17) + v33, c37) * c40) * weight[k];
+        }
+        w69[i] = sum9;
+    }
+}
+
+static void work_1(int n, const double *p, const double *g, double *w, double *q)
+{
+    double *restrict w69 = w + 69 * n;
+    const double c3 = p[11];
+    const double c6 = p[0] / c3;
+    const double c7 = squared(c6);
+    const double c8 = p[2] * c7;
+    const double c9 = c3 / c8;
+    for (int i = 0; i < n - 1; i++) {
+        q[0] += (g[7 * i + 1] * w69[i]) * c9;
+    }
+}
+
+static void work_slope_0(int n, const double *p, const double *y, double *w)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
     double *restrict w13 = w + 13 * n;
     double *restrict w14 = w + 14 * n;
     double *restrict w15 = w + 15 * n;
@@ -529,217 +869,99 @@ static void jacobian_5(int n, const double *p, const double *g, double *w, doubl
     double *restrict w24 = w + 24 * n;
     double *restrict w25 = w + 25 * n;
     double *restrict w26 = w + 26 * n;
-    double *restrict w27 = w + 27 * n;
-    double *restrict w28 = w + 28 * n;
-    double *restrict w29 = w + 29 * n;
-    double *restrict w30 = w + 30 * n;
-    double *restrict w31 = w + 31 * n;
-    double *restrict w32 = w + 32 * n;
-    double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w36 = w + 36 * n;
-    double *restrict w37 = w + 37 * n;
-    double *restrict w38 = w + 38 * n;
-    double *restrict w39 = w + 39 * n;
-    double *restrict w40 = w + 40 * n;
-    double *restrict w41 = w + 41 * n;
-    double *restrict w42 = w + 42 * n;
-    double *restrict w43 = w + 43 * n;
-    double *restrict w44 = w + 44 * n;
-    const double c1 = squared(p[11]);
-    const double c2 = p[0];
-    const double c3 = c1 / c2;
-    const double c4 = p[2];
-    const double c5 = c4 * c2;
-    const double c6 = c3 / c5;
-    const double c111 = 0.0625 * c4;
-    const double c113 = squared(p[1]);
-    const double c114 = c111 * c113;
-    const double c115 = c114 * c2;
-    const double c116 = c1 / c115;
-    for (int i = 1; i < n - 1; i++) {
-        const double v9 = c6 * g[7 * i + 6];
-        const double v119 = c116 * g[7 * i + 5];
-        const double v152 = ((v119 * w39[i]) - (v119 * w40[i - 1])) + (v119 * w30[i - 1]);
-        const double v181 = ((v119 * w41[i]) - (v119 * w42[i - 1])) + (v119 * w34[i - 1]);
-        const double v202 = ((v119 * w43[i]) - (v119 * w44[i - 1])) + (v119 * w36[i - 1]);
-        e[82 * i + 5] = -(v9 * w7[i - 1]);
-        e[82 * i + 12] = v9 * w7[i];
-        e[82 * i + 6] = -(v9 * w8[i - 1]);
-        e[82 * i + 13] = v9 * w8[i];
-        e[82 * i + 4] = -(v9 * w9[i - 1]);
-        e[82 * i + 11] = (v9 * w9[i]) - (v9 * w10[i - 1]);
-        e[82 * i + 18] = v9 * w10[i];
-        e[82 * i + 7] = -(v9 * w11[i - 1]);
-        e[82 * i + 14] = v9 * w11[i];
-        e[82 * i + 8] = -(v9 * w12[i - 1]);
-        e[82 * i + 15] = v9 * w12[i];
-        e[82 * i + 2] = -(v9 * w13[i - 1]);
-        e[82 * i + 9] = (v9 * w13[i]) - (v9 * w14[i - 1]);
-        e[82 * i + 16] = v9 * w14[i];
-        e[82 * i + 3] = -(v9 * w15[i - 1]);
-        e[82 * i + 10] = (v9 * w15[i]) - (v9 * w16[i - 1]);
-        e[82 * i + 17] = v9 * w16[i];
-        e[82 * i + 22] = -(v9 * w17[i - 1]);
-        e[82 * i + 29] = v9 * w17[i];
-        e[82 * i + 23] = -(v9 * w18[i - 1]);
-        e[82 * i + 30] = v9 * w18[i];
-        e[82 * i + 21] = -(v9 * w19[i - 1]);
-        e[82 * i + 28] = (v9 * w19[i]) - (v9 * w20[i - 1]);
-        e[82 * i + 35] = v9 * w20[i];
-        e[82 * i + 24] = -(v9 * w21[i - 1]);
-        e[82 * i + 31] = v9 * w21[i];
-        e[82 * i + 25] = -(v9 * w22[i - 1]);
-        e[82 * i + 32] = v9 * w22[i];
-        e[82 * i + 19] = -(v9 * w23[i - 1]);
-        e[82 * i + 26] = (v9 * w23[i]) - (v9 * w24[i - 1]);
-        e[82 * i + 33] = v9 * w24[i];
-        e[82 * i + 20] = -(v9 * w25[i - 1]);
-        e[82 * i + 27] = (v9 * w25[i]) - (v9 * w26[i - 1]);
-        e[82 * i + 34] = v9 * w26[i];
-        e[82 * i + 40] = (v119 * w27[i - 1]) - (v119 * w37[i - 1]);
-        e[82 * i + 47] = (v119 * w37[i]) + (v119 * w27[i]);
-        e[82 * i + 41] = (v119 * w28[i - 1]) - (v119 * w38[i - 1]);
-        e[82 * i + 48] = (v119 * w38[i]) + (v119 * w28[i]);
-        e[82 * i + 39] = (v119 * w29[i - 1]) - (v119 * w39[i - 1]);
-        e[82 * i + 46] = v152 + (v119 * w29[i]);
-        e[82 * i + 53] = (v119 * w40[i]) + (v119 * w30[i]);
-        e[82 * i + 42] = v119 * w31[i - 1];
-        e[82 * i + 49] = v119 * w31[i];
-        e[82 * i + 43] = v119 * w32[i - 1];
-        e[82 * i + 50] = v119 * w32[i];
-        e[82 * i + 37] = (v119 * w33[i - 1]) - (v119 * w41[i - 1]);
-        e[82 * i + 44] = v181 + (v119 * w33[i]);
-        e[82 * i + 51] = (v119 * w42[i]) + (v119 * w34[i]);
-        e[82 * i + 38] = (v119 * w35[i - 1]) - (v119 * w43[i - 1]);
-        e[82 * i + 45] = v202 + (v119 * w35[i]);
-        e[82 * i + 52] = (v119 * w44[i]) + (v119 * w36[i]);
-    }
-}
-
-static void work_0(int n, const double *p, const double *g, const double *y, double *w, double *q)
-{
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c2 = p[4];
-    const double c6 = (-0.5) * p[1];
-    const double c11 = p[0];
-    const double c12 = 1.0 / c11;
-    const double c45 = 0.9 * c2;
-    const double c47 = 2.0 * p[6];
-    const double c48 = 2.0 + c47;
-    const double c49 = c45 / c48;
-    const double c61 = 1e-12 * c2;
-    const double c62 = squared(c61);
-    const double c65 = 1.0 / p[5];
-    const double c88 = p[11];
-    const double c90 = c11 / c88;
-    const double c91 = squared(c90);
-    const double c92 = p[2] * c91;
-    const double c93 = c88 / c92;
-    for (int i = 0; i < n - 1; i++) {
-        const double v7 = w2[i + 1];
-        const double v8 = w2[i];
-        const double v10 = g[7 * i + 4];
-        const double v15 = c6 * ((v7 - v8) * (v10 * c12));
-        const double v20 = (w0[i + 1] - w0[i]) * v10;
-        const double v23 = (v8 + v7) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w1[i + 1] - w1[i]) * v10;
-        const double v30 = sin(v23);
-        const double v32 = (v20 * v24) + (v29 * v30);
-        const double v35 = 1.0 / (sqrt(v32) * v32);
-        const double v39 = log(v32);
-        const double v40 = ((((-0.4999999999999998) * v15) * v35) - y[10 * i + 6]) + v39;
-        const double v53 = ((v29 * v24) - (v20 * v30)) / v32;
-        const double v59 = squared((c2 * v40)) + (3.0 * squared((c49 * (v53 - y[10 * i + 8]))));
-        const double v74 = (((0.5000000000000001 * v15) * v35) - y[10 * i + 7]) + v39;
-        const double v82 = squared((c2 * v74)) + (3.0 * squared((c49 * (v53 - y[10 * i + 9]))));
-        const double v86 = (0.5 * (larger(v59, c62) * c65)) + (0.4999999999999999 * (larger(v82, c62) * c65));
-        q[0] += (g[7 * i + 1] * v86) * c93;
-    }
-}
-
-static void work_slope_0(int n, const double *p, const double *g, const double *y, double *w, double *s)
-{
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c0 = p[4];
+    double *restrict w69 = w + 69 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    const double c1 = p[4];
     const double c4 = (-0.5) * p[1];
-    const double c10 = p[0];
-    const double c11 = 1.0 / c10;
-    const double c44 = 1e-12 * c0;
-    const double c45 = squared(c44);
-    const double c49 = 0.9 * c0;
-    const double c51 = 2.0 * p[6];
-    const double c52 = 2.0 + c51;
-    const double c53 = c49 / c52;
-    const double c69 = p[11];
-    const double c71 = c10 / c69;
-    const double c72 = squared(c71);
-    const double c73 = p[2] * c72;
-    const double c74 = c69 / c73;
-    const double c78 = 1.0 / p[5];
+    const double c21 = 1e-12 * c1;
+    const double c22 = squared(c21);
+    const double c26 = 0.9 * c1;
+    const double c29 = 2.0 * p[6];
+    const double c30 = 2.0 + c29;
+    const double c31 = c26 / c30;
+    const double c46 = p[5];
+    const double c113 = 1.0 / c46;
     for (int i = 0; i < n - 1; i++) {
-        const double v5 = w2[i + 1];
-        const double v6 = w2[i];
-        const double v9 = g[7 * i + 4];
-        const double v12 = v9 * c11;
-        const double v14 = c4 * ((v5 - v6) * v12);
-        const double v19 = (w0[i + 1] - w0[i]) * v9;
-        const double v23 = (v6 + v5) * 0.5;
-        const double v24 = cos(v23);
-        const double v29 = (w1[i + 1] - w1[i]) * v9;
-        const double v30 = sin(v23);
-        const double v32 = (v19 * v24) + (v29 * v30);
-        const double v33 = sqrt(v32);
-        const double v35 = 1.0 / (v33 * v32);
-        const double v36 = ((-0.4999999999999998) * v14) * v35;
-        const double v39 = log(v32);
-        const double v41 = c0 * ((v36 - y[10 * i + 6]) + v39);
-        const double v57 = 1.0 / v32;
-        const double v58 = ((v29 * v24) - (v19 * v30)) * v57;
-        const double v61 = c53 * (v58 - y[10 * i + 8]);
-        const double v64 = squared(v41) + (3.0 * squared(v61));
-        const double v65 = (double)(c45 <= v64);
-        const double v75 = g[7 * i + 1] * c74;
-        const double v80 = (v65 / (v65 + (double)(v64 <= c45))) * ((0.5 * v75) * c78);
-        const double v82 = c0 * ((2.0 * v41) * v80);
-        const double v86 = (0.5000000000000001 * v14) * v35;
-        const double v90 = c0 * ((v86 - y[10 * i + 7]) + v39);
-        const double v95 = c53 * (v58 - y[10 * i + 9]);
-        const double v98 = squared(v90) + (3.0 * squared(v95));
-        const double v99 = (double)(c45 <= v98);
-        const double v106 = (v99 / (v99 + (double)(v98 <= c45))) * ((0.4999999999999999 * v75) * c78);
-        const double v108 = c0 * ((2.0 * v90) * v106);
-        const double v111 = v58 * v57;
-        const double v115 = c53 * ((2.0 * v95) * (3.0 * v106));
-        const double v119 = (v86 * v35) * v108;
-        const double v124 = 1.0 / (2.0 * v33);
-        const double v126 = (((v108 * v57) - (v111 * v115)) - (v33 * v119)) - ((v32 * v119) * v124);
-        const double v130 = c53 * ((2.0 * v61) * (3.0 * v80));
-        const double v136 = (v36 * v35) * v82;
-        const double v141 = (((v126 - (v111 * v130)) + (v82 * v57)) - (v33 * v136)) - ((v32 * v136) * v124);
-        const double v145 = (v115 * v57) + (v130 * v57);
-        const double v153 = (v24 * ((v29 * v141) - (v19 * v145))) - (v30 * ((v29 * v145) + (v19 * v141)));
-        const double v154 = 0.5 * v153;
-        const double v161 = (c4 * (0.5000000000000001 * (v108 * v35))) + (c4 * ((-0.4999999999999998) * (v82 * v35)));
-        const double v162 = v12 * v161;
-        const double v170 = ((v24 * v141) - (v30 * v145)) * v9;
-        const double v175 = ((v24 * v145) + (v30 * v141)) * v9;
-        s[10 * i + 6] += -v82;
-        s[10 * i + 7] += -v108;
-        s[10 * i + 4] += v154 - v162;
-        s[10 * i + 14] += v154 + v162;
-        s[10 * i + 8] += -v130;
-        s[10 * i + 9] += -v115;
-        s[10 * i] += -v170;
-        s[10 * i + 10] += v170;
-        s[10 * i + 1] += -v175;
-        s[10 * i + 11] += v175;
+        double sum10 = 0.0;
+        double sum11 = 0.0;
+        double sum12 = 0.0;
+        double sum9 = 0.0;
+        const double v6 = c4 * w5[i];
+        const double v9 = w3[i];
+        const double v10 = sqrt(v9);
+        const double v12 = 1.0 / (v10 * v9);
+        const double v16 = log(v9);
+        const double v33 = 1.0 / v9;
+        const double v34 = w4[i] * v33;
+        const double v98 = v34 * v33;
+        const double v106 = 2.0 * v10;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v7 = zeta[k];
+            const double v13 = (v6 * v7) * v12;
+            const double v18 = c1 * ((v13 - y[SLOTS * i + 6 + k]) + v16);
+            const double v37 = c31 * (v34 - y[SLOTS * i + 6 + 1 * FIBRES + k]);
+            const double v40 = squared(v18) + (3.0 * squared(v37));
+            const double v41 = (double)(c22 <= v40);
+            const double v45 = weight[k];
+            const double v48 = (v41 / (v41 + (double)(v40 <= c22))) * (v45 / c46);
+            const double v50 = c1 * ((2.0 * v18) * v48);
+            const double v74 = c31 * ((2.0 * v37) * (3.0 * v48));
+            const double v102 = (v13 * v12) * v50;
+            const double v108 = (((v50 * v33) - (v98 * v74)) - (v10 * v102)) - ((v9 * v102) / v106);
+            each10[FIBRES * i + k] = -v50;
+            each11[FIBRES * i + k] = -v74;
+            sum10 += v74 * v33;
+            sum11 += v108;
+            sum12 += c4 * (v7 * (v50 * v12));
+            sum9 += (larger(v40, c22) * c113) * v45;
+        }
+        const double v52 = sum10;
+        const double v55 = sum11;
+        const double v59 = sum12;
+        w69[i] = sum9;
+        w70[i] = ((v52 * w19[i]) + (v55 * w13[i])) + (v59 * w25[i]);
+        w71[i] = ((v52 * w20[i]) + (v55 * w14[i])) + (v59 * w26[i]);
+        w72[i] = (v52 * w21[i]) + (v55 * w15[i]);
+        w73[i] = (v52 * w22[i]) + (v55 * w16[i]);
+        w74[i] = (v52 * w23[i]) + (v55 * w17[i]);
+        w75[i] = (v52 * w24[i]) + (v55 * w18[i]);
+    }
+}
+
+static void work_slope_1(int n, const double *p, const double *g, double *w, double *s)
+{
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    const double c0 = p[11];
+    const double c3 = p[0] / c0;
+    const double c4 = squared(c3);
+    const double c5 = p[2] * c4;
+    const double c6 = c0 / c5;
+    for (int i = 0; i < n - 1; i++) {
+        const double v8 = c6 * g[7 * i + 1];
+        s[SLOTS * i + 4] += v8 * w70[i];
+        s[SLOTS * (i + 1) + 4] += v8 * w71[i];
+        s[SLOTS * i + 0] += v8 * w72[i];
+        s[SLOTS * (i + 1) + 0] += v8 * w73[i];
+        s[SLOTS * i + 1] += v8 * w74[i];
+        s[SLOTS * (i + 1) + 1] += v8 * w75[i];
+        for (int k = 0; k < FIBRES; k++) {
+            s[SLOTS * i + 6 + k] += v8 * each10[FIBRES * i + k];
+            s[SLOTS * i + 6 + 1 * FIBRES + k] += v8 * each11[FIBRES * i + k];
+        }
     }
 }
 
@@ -750,13 +972,15 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 10; k++) f[k] = 0.0;
+    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
     rates_0(n, y, f);
     rates_1(n, y, w);
     rates_2(n, p, w);
     rates_3(n, p, w);
-    rates_4(n, p, g, y, w, f);
-    rates_5(n, p, g, w, f);
+    rates_4(n, p, g, w);
+    rates_5(n, p, y, w, f);
+    rates_6(n, p, g, w);
+    rates_7(n, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -767,13 +991,15 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 82; k++) e[k] = 0.0;
+    for (int k = 0; k < n * ENTRIES; k++) e[k] = 0.0;
     jacobian_0(n, e);
     jacobian_1(n, y, w);
     jacobian_2(n, p, w);
     jacobian_3(n, p, w);
-    jacobian_4(n, p, g, y, w, e);
-    jacobian_5(n, p, g, w, e);
+    jacobian_4(n, p, g, w);
+    jacobian_5(n, p, y, w, e);
+    jacobian_6(n, p, g, w);
+    jacobian_7(n, p, g, w, e);
     return SOFTCAT_SOLVED;
 }
 
@@ -785,7 +1011,8 @@ static int work(const softcat_filament *filament, double t, const double *y, dou
     const double *g = filament->places;
     (void)t;
     for (int k = 0; k < 3; k++) q[k] = 0.0;
-    work_0(n, p, g, y, w, q);
+    work_0(n, p, y, w);
+    work_1(n, p, g, w, q);
     return SOFTCAT_SOLVED;
 }
 
@@ -796,21 +1023,35 @@ static int work_slope(const softcat_filament *filament, double t, const double *
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 30; k++) s[k] = 0.0;
-    work_slope_0(n, p, g, y, w, s);
+    for (int k = 0; k < n * 3 * SLOTS; k++) s[k] = 0.0;
+    work_slope_0(n, p, y, w);
+    work_slope_1(n, p, g, w, s);
     return SOFTCAT_SOLVED;
 }
 
-static const int rate[] = {2, 3, -1, -1, 5, -1, -1, -1, -1, -1};
-static const int differential[] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int held_first[] = {1, 1, 1, 1, 1, 1, 0, 0, 0, 0};
-static const int held_last[] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int row[] = {0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 8, 8, 8, 8, 8, 8, 8, 9, 9, 9, 9, 9, 9, 9};
-static const int offset[] = {0, 0, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};
-static const int column[] = {2, 3, 0, 1, 4, 6, 7, 8, 9, 0, 1, 4, 6, 7, 8, 9, 0, 1, 4, 0, 1, 4, 6, 7, 8, 9, 0, 1, 4, 6, 7, 8, 9, 0, 1, 4, 5, 0, 1, 4, 6, 7, 8, 9, 0, 1, 4, 6, 7, 8, 9, 0, 1, 4, 0, 1, 4, 6, 0, 1, 4, 0, 1, 4, 7, 0, 1, 4, 0, 1, 4, 8, 0, 1, 4, 0, 1, 4, 9, 0, 1, 4};
+static const int rate[] = {
+    2, 3, -1, -1, 5, -1, -1, -1, -1, -1};
+static const int differential[] = {
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+static const int held_first[] = {
+    1, 1, 1, 1, 1, 1, 0, 0, 0, 0};
+static const int held_last[] = {
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+static const int row[] = {
+    0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 2,
+    2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 5, 5, 5, 5, 5, 5, 5, 5, 6, 7, 6, 7, 6, 7, 6, 7,
+    6, 7, 6, 7, 6, 7, 8, 9, 8, 9, 8, 9, 8, 9, 8, 9, 8, 9, 8, 9};
+static const int offset[] = {
+    0, 0, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1, 1, 0, -1, -1, -1, 0, 0, 0, 1,
+    1, 1, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
+static const int column[] = {
+    2, 3, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 0, 1, 4, 0, 1, 4, 0, 1, 4, 6,
+    7, 8, 9, 6, 7, 8, 9, 6, 7, 8, 9, 6, 7, 8, 9, 6, 7, 8, 9, 6, 7, 8, 9, 0, 0, 1, 1, 4, 4, 6, 7,
+    0, 0, 1, 1, 4, 4, 0, 0, 1, 1, 4, 4, 8, 9, 0, 0, 1, 1, 4, 4};
 
 const softcat_model softcat_filament_model = {
-    10, 4, 12, 7, 45, 82, 3, 0,
+    10, 4, 12, 7, 100, 82, 3, 0,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, shear, rotary-inertia
- * Digest of the structure: 2e11a355adb4e9deae80ba7743213b8245f8dda377fcaffdbcbe13247ad268ac
+ * Digest of the structure: fc552d8c2f1645333f532723ee269b45f123cefc8459c1e9647b1513f8bc6c1d
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,13 +5,24 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear
- * Digest of the structure: e3ac10a586635bf957fcb9b080db48f70ecb0911e208d3f296acfc6fdaf50ed3
+ * Digest of the structure: 8287e2b84bd0f6177a7db81485a4e9d8cdcc63a65428ff12299c0d0a34e713e6
  */
 #include "filament.h"
 
 #include <math.h>
 
 #include "softcat_model.h"
+
+#define FIBRES 2
+#define SLOTS 9
+#define ENTRIES 81
+#define SCRATCH 76
+
+/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
+static const double zeta[] = {
+    (-0.5773502691896257), 0.5773502691896257};
+static const double weight[] = {
+    0.5, 0.5};
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
@@ -20,14 +31,14 @@ static inline double squared(double a) { return a * a; }
 static void rates_0(int n, const double *y, double *f)
 {
     for (int i = 1; i < n - 1; i++) {
-        f[9 * i] = y[9 * i + 2];
+        f[SLOTS * i + 0] = y[SLOTS * i + 2];
     }
 }
 
 static void rates_1(int n, const double *y, double *f)
 {
     for (int i = 0; i < n - 1; i++) {
-        f[9 * i + 1] = y[9 * i + 3];
+        f[SLOTS * i + 1] = y[SLOTS * i + 3];
     }
 }
 
@@ -36,8 +47,8 @@ static void rates_2(int n, const double *y, double *w)
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[9 * i];
-        w1[i] = y[9 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -45,7 +56,7 @@ static void rates_3(int n, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[9 * i + 1];
+        w2[i] = y[SLOTS * i + 1];
     }
 }
 
@@ -71,7 +82,7 @@ static void rates_5(int n, const double *g, double *w)
     (void)n;
 }
 
-static void rates_6(int n, const double *p, const double *g, const double *y, double *w, double *f)
+static void rates_6(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
@@ -79,68 +90,107 @@ static void rates_6(int n, const double *p, const double *g, const double *y, do
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
-    double *restrict w6 = w + 6 * n;
-    const double c1 = p[5];
-    const double c3 = p[7];
-    const double c4 = squared(c3);
-    const double c5 = 1.0 - c4;
-    const double c6 = c1 / c5;
-    const double c9 = p[1];
-    const double c10 = (-0.5) * c9;
-    const double c16 = p[0];
-    const double c17 = 1.0 / c16;
-    const double c62 = 0.8333333333333334 * c1;
-    const double c63 = 2.0 * c3;
-    const double c64 = 2.0 + c63;
-    const double c65 = c62 / c64;
-    const double c80 = 0.5 * c9;
-    const double c105 = p[6];
-    const double c106 = 0.75 / c105;
-    const double c108 = p[8];
-    const double c113 = 3.0 / c105;
+    const double c26 = 1.0 / p[0];
     for (int i = 0; i < n - 1; i++) {
-        const double v11 = w1[i + 1];
-        const double v12 = w1[i];
-        const double v15 = g[7 * i + 4];
-        const double v19 = (v11 - v12) * (v15 * c17);
-        const double v20 = c10 * v19;
-        const double v25 = (w0[i + 1] - w0[i]) * v15;
-        const double v28 = (v12 + v11) * 0.5;
-        const double v29 = cos(v28);
-        const double v34 = (w2[i + 1] - w2[i]) * v15;
-        const double v35 = sin(v28);
-        const double v37 = (v25 * v29) + (v34 * v35);
-        const double v39 = 1.0 / squared(v37);
-        const double v43 = log(v37);
-        const double v44 = ((((-0.5773502691896257) * v20) * v39) - y[9 * i + 5]) + v43;
-        const double v45 = c6 * v44;
-        const double v53 = c6 * ((((0.5773502691896257 * v20) * v39) - y[9 * i + 6]) + v43);
-        const double v56 = 1.0 / v37;
-        const double v60 = (v34 * v29) - (v25 * v35);
-        const double v66 = v60 * v56;
-        const double v69 = c65 * (v66 - y[9 * i + 7]);
-        const double v73 = c65 * (v66 - y[9 * i + 8]);
-        const double v75 = (0.5 * v69) + (0.5 * v73);
-        const double v76 = v75 * v56;
-        const double v85 = ((-0.28867513459481287) * v45) + (0.28867513459481287 * v53);
-        const double v87 = (c80 * v85) * v39;
-        const double v91 = ((((0.5 * v45) + (0.5 * v53)) * v56) - ((v60 * v76) * v56)) + (((2.0 * v87) * v19) * v56);
-        w3[i] = (v91 * v29) - (v76 * v35);
-        w4[i] = (v91 * v35) + (v76 * v29);
-        w5[i] = ((g[7 * i + 1] * c16) * (v75 - (v60 * v91))) * 0.5;
-        w6[i] = -v87;
-        f[9 * i + 5] = (c106 * v45) * c108;
-        f[9 * i + 6] = (c106 * v53) * c108;
-        f[9 * i + 7] = (c113 * v69) * c108;
-        f[9 * i + 8] = (c113 * v73) * c108;
+        const double v4 = g[7 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w1[i];
+        const double v7 = w1[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w2[i + 1] - w2[i]) * v4;
+        const double v18 = sin(v11);
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w5[i] = (v7 - v6) * (v4 * c26);
     }
 }
 
-static void rates_7(int n, const double *p, const double *g, double *w, double *f)
+static void rates_7(int n, const double *p, const double *y, double *w, double *f)
 {
     double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    const double c4 = p[6];
+    const double c5 = 0.75 / c4;
+    const double c6 = p[5];
+    const double c8 = p[7];
+    const double c9 = squared(c8);
+    const double c10 = 1.0 - c9;
+    const double c11 = c6 / c10;
+    const double c14 = (-0.5) * p[1];
+    const double c28 = p[8];
+    const double c31 = 3.0 / c4;
+    const double c33 = 0.8333333333333334 * c6;
+    const double c35 = 2.0 * c8;
+    const double c36 = 2.0 + c35;
+    const double c37 = c33 / c36;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        const double v16 = c14 * w5[i];
+        const double v19 = w3[i];
+        const double v20 = squared(v19);
+        const double v24 = log(v19);
+        const double v39 = w4[i] / v19;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v17 = zeta[k];
+            const double v26 = c11 * ((((v16 * v17) / v20) - y[SLOTS * i + 5 + k]) + v24);
+            const double v42 = c37 * (v39 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v45 = weight[k];
+            f[SLOTS * i + 5 + k] = (c5 * v26) * c28;
+            f[SLOTS * i + 5 + 1 * FIBRES + k] = (c31 * v42) * c28;
+            sum0 += v26 * v45;
+            sum1 += v26 * (v45 * v17);
+            sum2 += v42 * v45;
+        }
+        w6[i] = sum0;
+        w7[i] = sum1;
+        w8[i] = sum2;
+    }
+}
+
+static void rates_8(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w1 = w + 1 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w9 = w + 9 * n;
+    double *restrict w10 = w + 10 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
+    const double c12 = 0.5 * p[1];
+    for (int i = 0; i < n - 1; i++) {
+        const double v1 = w3[i];
+        const double v2 = 1.0 / v1;
+        const double v4 = w4[i];
+        const double v5 = w8[i];
+        const double v6 = v5 * v2;
+        const double v16 = (c12 * w7[i]) / squared(v1);
+        const double v21 = ((w6[i] * v2) - ((v4 * v6) * v2)) + (((2.0 * v16) * w5[i]) * v2);
+        const double v26 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v27 = cos(v26);
+        const double v29 = sin(v26);
+        w9[i] = (v21 * v27) - (v6 * v29);
+        w10[i] = (v21 * v29) + (v6 * v27);
+        w11[i] = ((g[7 * i + 1] * p[0]) * (v5 - (v4 * v21))) * 0.5;
+        w12[i] = -v16;
+    }
+}
+
+static void rates_9(int n, const double *p, const double *g, double *w, double *f)
+{
+    double *restrict w9 = w + 9 * n;
+    double *restrict w11 = w + 11 * n;
+    double *restrict w12 = w + 12 * n;
     const double c4 = squared(p[8]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
@@ -156,15 +206,15 @@ static void rates_7(int n, const double *p, const double *g, double *w, double *
     const double c33 = c7 * c32;
     const double c34 = c25 / c33;
     for (int i = 1; i < n - 1; i++) {
-        const double v31 = (((w6[i] - w6[i - 1]) + w5[i]) + w5[i - 1]) * (c27 * g[7 * i + 5]);
-        f[9 * i + 2] = (w3[i] - w3[i - 1]) * (c9 * g[7 * i + 6]);
-        f[9 * i + 4] = v31 * c34;
+        const double v31 = (((w12[i] - w12[i - 1]) + w11[i]) + w11[i - 1]) * (c27 * g[7 * i + 5]);
+        f[SLOTS * i + 2] = (w9[i] - w9[i - 1]) * (c9 * g[7 * i + 6]);
+        f[SLOTS * i + 4] = v31 * c34;
     }
 }
 
-static void rates_8(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_10(int n, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w4 = w + 4 * n;
+    double *restrict w10 = w + 10 * n;
     const double c3 = p[8];
     const double c4 = squared(c3);
     const double c5 = p[0];
@@ -185,13 +235,13 @@ static void rates_8(int n, double t, const double *p, const double *g, double *w
     const double c33 = c25 * c32;
     const double c34 = c33 * c6;
     for (int i = 1; i < n - 1; i++) {
-        f[9 * i + 3] = ((w4[i] - w4[i - 1]) * (c9 * g[7 * i + 6])) - c34;
+        f[SLOTS * i + 3] = ((w10[i] - w10[i - 1]) * (c9 * g[7 * i + 6])) - c34;
     }
 }
 
-static void rates_9(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_11(int n, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w4 = w + 4 * n;
+    double *restrict w10 = w + 10 * n;
     const double c1 = p[8];
     const double c2 = squared(c1);
     const double c3 = p[0];
@@ -212,21 +262,21 @@ static void rates_9(int n, double t, const double *p, const double *g, double *w
     const double c31 = c23 * c30;
     const double c32 = c31 * c4;
     const int i = 0;
-    f[9 * i + 3] = (w4[i] * (c7 * g[7 * i + 6])) - c32;
+    f[SLOTS * i + 3] = (w10[i] * (c7 * g[7 * i + 6])) - c32;
     (void)n;
 }
 
 static void jacobian_0(int n, double *e)
 {
     for (int i = 1; i < n - 1; i++) {
-        e[81 * i] = 1.0;
+        e[ENTRIES * i + 0] = 1.0;
     }
 }
 
 static void jacobian_1(int n, double *e)
 {
     for (int i = 0; i < n - 1; i++) {
-        e[81 * i + 1] = 1.0;
+        e[ENTRIES * i + 1] = 1.0;
     }
 }
 
@@ -235,8 +285,8 @@ static void jacobian_2(int n, const double *y, double *w)
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     for (int i = 1; i < n - 1; i++) {
-        w0[i] = y[9 * i];
-        w1[i] = y[9 * i + 4];
+        w0[i] = y[SLOTS * i + 0];
+        w1[i] = y[SLOTS * i + 4];
     }
 }
 
@@ -244,7 +294,7 @@ static void jacobian_3(int n, const double *y, double *w)
 {
     double *restrict w2 = w + 2 * n;
     for (int i = 0; i < n - 1; i++) {
-        w2[i] = y[9 * i + 1];
+        w2[i] = y[SLOTS * i + 1];
     }
 }
 
@@ -270,11 +320,236 @@ static void jacobian_5(int n, const double *g, double *w)
     (void)n;
 }
 
-static void jacobian_6(int n, const double *p, const double *g, const double *y, double *w, double *e)
+static void jacobian_6(int n, const double *p, const double *g, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    const double c39 = 1.0 / p[0];
+    for (int i = 0; i < n - 1; i++) {
+        const double v4 = g[7 * i + 4];
+        const double v5 = (w0[i + 1] - w0[i]) * v4;
+        const double v6 = w1[i];
+        const double v7 = w1[i + 1];
+        const double v11 = (v6 + v7) * 0.5;
+        const double v12 = cos(v11);
+        const double v17 = (w2[i + 1] - w2[i]) * v4;
+        const double v18 = sin(v11);
+        const double v21 = 0.5 * v12;
+        const double v23 = 0.5 * v18;
+        const double v25 = (v17 * v21) - (v5 * v23);
+        const double v26 = v12 * v4;
+        const double v27 = -v26;
+        const double v28 = v18 * v4;
+        const double v29 = -v28;
+        const double v36 = -((v17 * v23) + (v5 * v21));
+        const double v40 = v4 * c39;
+        w3[i] = (v5 * v12) + (v17 * v18);
+        w13[i] = v25;
+        w14[i] = v25;
+        w15[i] = v27;
+        w16[i] = v26;
+        w17[i] = v29;
+        w18[i] = v28;
+        w4[i] = (v17 * v12) - (v5 * v18);
+        w19[i] = v36;
+        w20[i] = v36;
+        w21[i] = v28;
+        w22[i] = v29;
+        w23[i] = v27;
+        w24[i] = v26;
+        w5[i] = (v7 - v6) * v40;
+        w25[i] = -v40;
+        w26[i] = v40;
+    }
+}
+
+static void jacobian_7(int n, const double *p, const double *y, double *w, double *e)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w27 = w + 27 * n;
+    double *restrict w28 = w + 28 * n;
+    double *restrict w29 = w + 29 * n;
+    double *restrict w30 = w + 30 * n;
+    double *restrict w31 = w + 31 * n;
+    double *restrict w32 = w + 32 * n;
+    double *restrict w33 = w + 33 * n;
+    double *restrict w34 = w + 34 * n;
+    double *restrict w35 = w + 35 * n;
+    double *restrict w36 = w + 36 * n;
+    double *restrict w37 = w + 37 * n;
+    double *restrict w38 = w + 38 * n;
+    double *restrict w39 = w + 39 * n;
+    double *restrict w40 = w + 40 * n;
+    double *restrict w41 = w + 41 * n;
+    double *restrict w42 = w + 42 * n;
+    double *restrict w43 = w + 43 * n;
+    double *restrict w44 = w + 44 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    const double c1 = p[5];
+    const double c3 = p[7];
+    const double c4 = squared(c3);
+    const double c5 = 1.0 - c4;
+    const double c6 = c1 / c5;
+    const double c59 = 0.8333333333333334 * c1;
+    const double c61 = 2.0 * c3;
+    const double c62 = 2.0 + c61;
+    const double c63 = c59 / c62;
+    const double c82 = p[8];
+    const double c84 = p[6];
+    const double c85 = 0.75 / c84;
+    const double c86 = c85 * c6;
+    const double c87 = c82 * c86;
+    const double c88 = -c87;
+    const double c93 = (-0.5) * p[1];
+    const double c123 = 3.0 / c84;
+    const double c139 = c123 * c63;
+    const double c140 = c82 * c139;
+    const double c141 = -c140;
+    for (int i = 0; i < n - 1; i++) {
+        double sum0 = 0.0;
+        double sum1 = 0.0;
+        double sum2 = 0.0;
+        double sum3 = 0.0;
+        double sum4 = 0.0;
+        double sum5 = 0.0;
+        double sum6 = 0.0;
+        double sum7 = 0.0;
+        double sum8 = 0.0;
+        const double v11 = w13[i];
+        const double v14 = w25[i];
+        const double v17 = w14[i];
+        const double v19 = w26[i];
+        const double v22 = w15[i];
+        const double v24 = w16[i];
+        const double v26 = w17[i];
+        const double v28 = w18[i];
+        const double v49 = w19[i];
+        const double v54 = w20[i];
+        const double v66 = w21[i];
+        const double v70 = w22[i];
+        const double v74 = w23[i];
+        const double v78 = w24[i];
+        const double v89 = w3[i];
+        const double v90 = 1.0 / v89;
+        const double v95 = c93 * w5[i];
+        const double v98 = 1.0 / squared(v89);
+        const double v101 = 2.0 * v89;
+        const double v126 = c82 * (c123 * (c63 * v90));
+        const double v129 = w4[i] * v90;
+        const double v130 = v129 * v90;
+        const double v133 = c82 * (c123 * (c63 * v130));
+        const double v156 = log(v89);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v7 = weight[k];
+            const double v8 = c6 * v7;
+            const double v31 = zeta[k];
+            const double v32 = v7 * v31;
+            const double v33 = c6 * v32;
+            const double v64 = c63 * v7;
+            const double v99 = (v95 * v31) * v98;
+            const double v100 = v99 * v98;
+            const double v106 = c82 * (c85 * (c6 * (v90 - (v100 * v101))));
+            const double v112 = c82 * (c85 * (c6 * ((v31 * c93) * v98)));
+            const double v158 = c6 * ((v99 - y[SLOTS * i + 5 + k]) + v156);
+            each0[FIBRES * i + k] = -v8;
+            each1[FIBRES * i + k] = -v33;
+            each2[FIBRES * i + k] = -v64;
+            e[ENTRIES * i + 29 + 15 * FIBRES + k] = c88;
+            e[ENTRIES * i + 29 + 14 * FIBRES + k] = (v106 * v11) + (v112 * v14);
+            e[ENTRIES * i + 29 + 18 * FIBRES + k] = (v106 * v17) + (v112 * v19);
+            e[ENTRIES * i + 29 + 12 * FIBRES + k] = v106 * v22;
+            e[ENTRIES * i + 29 + 16 * FIBRES + k] = v106 * v24;
+            e[ENTRIES * i + 29 + 13 * FIBRES + k] = v106 * v26;
+            e[ENTRIES * i + 29 + 17 * FIBRES + k] = v106 * v28;
+            e[ENTRIES * i + 29 + 21 * FIBRES + k] = (v126 * v49) - (v133 * v11);
+            e[ENTRIES * i + 29 + 25 * FIBRES + k] = (v126 * v54) - (v133 * v17);
+            e[ENTRIES * i + 29 + 22 * FIBRES + k] = c141;
+            e[ENTRIES * i + 29 + 19 * FIBRES + k] = (v126 * v66) - (v133 * v22);
+            e[ENTRIES * i + 29 + 23 * FIBRES + k] = (v126 * v70) - (v133 * v24);
+            e[ENTRIES * i + 29 + 20 * FIBRES + k] = (v126 * v74) - (v133 * v26);
+            e[ENTRIES * i + 29 + 24 * FIBRES + k] = (v126 * v78) - (v133 * v28);
+            sum0 += v158 * v7;
+            sum1 += v158 * v32;
+            sum2 += (c63 * (v129 - y[SLOTS * i + 5 + 1 * FIBRES + k])) * v7;
+            sum3 += (v8 * v90) - (v101 * (v100 * v8));
+            sum4 += c93 * (v31 * (v8 * v98));
+            sum5 += (v33 * v90) - (v101 * (v100 * v33));
+            sum6 += c93 * (v31 * (v33 * v98));
+            sum7 += v64 * v90;
+            sum8 += -(v130 * v64);
+        }
+        const double v10 = sum3;
+        const double v13 = sum4;
+        const double v35 = sum5;
+        const double v37 = sum6;
+        const double v48 = sum7;
+        const double v51 = sum8;
+        w6[i] = sum0;
+        w27[i] = (v10 * v11) + (v13 * v14);
+        w28[i] = (v10 * v17) + (v13 * v19);
+        w29[i] = v10 * v22;
+        w30[i] = v10 * v24;
+        w31[i] = v10 * v26;
+        w32[i] = v10 * v28;
+        w7[i] = sum1;
+        w33[i] = (v35 * v11) + (v37 * v14);
+        w34[i] = (v35 * v17) + (v37 * v19);
+        w35[i] = v35 * v22;
+        w36[i] = v35 * v24;
+        w37[i] = v35 * v26;
+        w38[i] = v35 * v28;
+        w8[i] = sum2;
+        w39[i] = (v48 * v49) + (v51 * v11);
+        w40[i] = (v48 * v54) + (v51 * v17);
+        w41[i] = (v48 * v66) + (v51 * v22);
+        w42[i] = (v48 * v70) + (v51 * v24);
+        w43[i] = (v48 * v74) + (v51 * v26);
+        w44[i] = (v48 * v78) + (v51 * v28);
+    }
+}
+
+static void jacobian_8(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w1 = w + 1 * n;
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
@@ -317,350 +592,271 @@ static void jacobian_6(int n, const double *p, const double *g, const double *y,
     double *restrict w42 = w + 42 * n;
     double *restrict w43 = w + 43 * n;
     double *restrict w44 = w + 44 * n;
-    const double c1 = p[5];
-    const double c3 = p[7];
-    const double c4 = squared(c3);
-    const double c5 = 1.0 - c4;
-    const double c6 = c1 / c5;
-    const double c9 = p[1];
-    const double c10 = (-0.5) * c9;
-    const double c16 = p[0];
-    const double c17 = 1.0 / c16;
-    const double c62 = 0.8333333333333334 * c1;
-    const double c63 = 2.0 * c3;
-    const double c64 = 2.0 + c63;
-    const double c65 = c62 / c64;
-    const double c80 = 0.5 * c9;
-    const double c95 = (-0.28867513459481287) * c6;
-    const double c96 = c80 * c95;
-    const double c102 = 0.5 * c6;
-    const double c106 = 0.28867513459481287 * c6;
-    const double c107 = c80 * c106;
-    const double c216 = 0.5 * c65;
-    const double c456 = p[8];
-    const double c458 = p[6];
-    const double c459 = 0.75 / c458;
-    const double c460 = c459 * c6;
-    const double c461 = c456 * c460;
-    const double c462 = -c461;
-    const double c488 = 3.0 / c458;
-    const double c492 = c488 * c65;
-    const double c493 = c456 * c492;
-    const double c494 = -c493;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict w47 = w + 47 * n;
+    double *restrict w48 = w + 48 * n;
+    double *restrict w49 = w + 49 * n;
+    double *restrict w50 = w + 50 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict w57 = w + 57 * n;
+    double *restrict w58 = w + 58 * n;
+    double *restrict w59 = w + 59 * n;
+    double *restrict w60 = w + 60 * n;
+    double *restrict w61 = w + 61 * n;
+    double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
+    double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    const double c12 = 0.5 * p[1];
     for (int i = 0; i < n - 1; i++) {
-        const double v11 = w1[i + 1];
-        const double v12 = w1[i];
-        const double v15 = g[7 * i + 4];
-        const double v18 = v15 * c17;
-        const double v19 = (v11 - v12) * v18;
-        const double v20 = c10 * v19;
-        const double v25 = (w0[i + 1] - w0[i]) * v15;
-        const double v28 = (v12 + v11) * 0.5;
-        const double v29 = cos(v28);
-        const double v34 = (w2[i + 1] - w2[i]) * v15;
-        const double v35 = sin(v28);
-        const double v37 = (v25 * v29) + (v34 * v35);
-        const double v39 = 1.0 / squared(v37);
-        const double v40 = ((-0.5773502691896257) * v20) * v39;
-        const double v43 = log(v37);
-        const double v45 = c6 * ((v40 - y[9 * i + 5]) + v43);
-        const double v49 = (0.5773502691896257 * v20) * v39;
-        const double v53 = c6 * ((v49 - y[9 * i + 6]) + v43);
-        const double v56 = 1.0 / v37;
-        const double v57 = ((0.5 * v45) + (0.5 * v53)) * v56;
-        const double v60 = (v34 * v29) - (v25 * v35);
-        const double v66 = v60 * v56;
-        const double v75 = (0.5 * (c65 * (v66 - y[9 * i + 7]))) + (0.5 * (c65 * (v66 - y[9 * i + 8])));
-        const double v76 = v75 * v56;
-        const double v78 = (v60 * v76) * v56;
-        const double v85 = ((-0.28867513459481287) * v45) + (0.28867513459481287 * v53);
-        const double v87 = (c80 * v85) * v39;
-        const double v88 = 2.0 * v87;
-        const double v90 = (v88 * v19) * v56;
-        const double v91 = (v57 - v78) + v90;
-        const double v97 = c96 * v39;
-        const double v103 = c102 * v56;
-        const double v104 = ((v19 * (2.0 * (-v97))) * v56) - v103;
-        const double v108 = c107 * v39;
-        const double v113 = ((v19 * (2.0 * (-v108))) * v56) - v103;
-        const double v115 = 0.5 * v29;
-        const double v117 = 0.5 * v35;
-        const double v119 = (v34 * v115) - (v25 * v117);
-        const double v120 = v119 * v56;
-        const double v121 = c10 * v18;
-        const double v123 = ((-0.5773502691896257) * v121) * v39;
-        const double v124 = v40 * v39;
-        const double v125 = 2.0 * v37;
-        const double v126 = v125 * v119;
-        const double v127 = v124 * v126;
-        const double v130 = c6 * (v120 - (v123 + v127));
-        const double v133 = (0.5773502691896257 * v121) * v39;
-        const double v134 = v49 * v39;
-        const double v135 = v134 * v126;
-        const double v138 = c6 * (v120 - (v133 + v135));
-        const double v142 = v57 * v56;
-        const double v143 = v142 * v119;
-        const double v147 = (v34 * v117) + (v25 * v115);
-        const double v150 = v66 * v56;
-        const double v153 = c65 * ((v147 * v56) + (v150 * v119));
-        const double v155 = v76 * v56;
-        const double v157 = (v153 * v56) + (v155 * v119);
-        const double v161 = v78 * v56;
-        const double v163 = (((v76 * v147) + (v60 * v157)) * v56) + (v161 * v119);
-        const double v167 = ((-0.28867513459481287) * v130) + (0.28867513459481287 * v138);
-        const double v170 = v87 * v39;
-        const double v171 = v170 * v126;
-        const double v172 = ((c80 * v167) * v39) - v171;
-        const double v175 = v88 * v18;
-        const double v178 = v90 * v56;
-        const double v179 = v178 * v119;
-        const double v181 = (((((0.5 * v130) + (0.5 * v138)) * v56) - v143) + v163) + ((((v19 * (2.0 * v172)) - v175) * v56) - v179);
-        const double v183 = v91 * v117;
-        const double v187 = (v76 * v115) - (v35 * v157);
-        const double v191 = c6 * ((v123 - v127) + v120);
-        const double v195 = c6 * ((v133 - v135) + v120);
-        const double v203 = ((-0.28867513459481287) * v191) + (0.28867513459481287 * v195);
-        const double v206 = ((c80 * v203) * v39) - v171;
-        const double v212 = (((((0.5 * v191) + (0.5 * v195)) * v56) - v143) + v163) + ((((v19 * (2.0 * v206)) + v175) * v56) - v179);
-        const double v217 = c216 * v56;
-        const double v219 = (v60 * v217) * v56;
-        const double v222 = (v29 * v219) + (v35 * v217);
-        const double v223 = v29 * v15;
-        const double v224 = v125 * v223;
-        const double v225 = v124 * v224;
-        const double v226 = v223 * v56;
-        const double v228 = c6 * (v225 - v226);
-        const double v230 = v134 * v224;
-        const double v232 = c6 * (v230 - v226);
-        const double v236 = v142 * v223;
-        const double v238 = v35 * v15;
-        const double v240 = v238 * v56;
-        const double v243 = c65 * (v240 + (v150 * v223));
-        const double v246 = (v243 * v56) + (v155 * v223);
-        const double v251 = (((v76 * v238) + (v60 * v246)) * v56) + (v161 * v223);
-        const double v255 = ((-0.28867513459481287) * v228) + (0.28867513459481287 * v232);
-        const double v258 = v170 * v224;
-        const double v259 = ((c80 * v255) * v39) + v258;
-        const double v263 = v178 * v223;
-        const double v265 = (((((0.5 * v228) + (0.5 * v232)) * v56) + v236) - v251) + (((v19 * (2.0 * v259)) * v56) + v263);
-        const double v267 = v35 * v246;
-        const double v270 = c6 * (v226 - v225);
-        const double v273 = c6 * (v226 - v230);
-        const double v281 = ((-0.28867513459481287) * v270) + (0.28867513459481287 * v273);
-        const double v284 = ((c80 * v281) * v39) - v258;
-        const double v289 = (((((0.5 * v270) + (0.5 * v273)) * v56) - v236) + v251) + (((v19 * (2.0 * v284)) * v56) - v263);
-        const double v292 = v125 * v238;
-        const double v293 = v124 * v292;
-        const double v295 = c6 * (v293 - v240);
-        const double v297 = v134 * v292;
-        const double v299 = c6 * (v297 - v240);
-        const double v303 = v142 * v238;
-        const double v305 = v150 * v238;
-        const double v307 = c65 * (v305 - v226);
-        const double v309 = v155 * v238;
-        const double v310 = (v307 * v56) + v309;
-        const double v312 = v76 * v223;
-        const double v315 = v161 * v238;
-        const double v317 = ((((0.5 * v295) + (0.5 * v299)) * v56) + v303) - ((((v60 * v310) - v312) * v56) + v315);
-        const double v320 = ((-0.28867513459481287) * v295) + (0.28867513459481287 * v299);
-        const double v323 = v170 * v292;
-        const double v324 = ((c80 * v320) * v39) + v323;
-        const double v328 = v178 * v238;
-        const double v330 = v317 + (((v19 * (2.0 * v324)) * v56) + v328);
-        const double v335 = c6 * (v240 - v293);
-        const double v338 = c6 * (v240 - v297);
-        const double v344 = c65 * (v226 - v305);
-        const double v346 = (v344 * v56) - v309;
-        const double v351 = ((((0.5 * v335) + (0.5 * v338)) * v56) - v303) - (((v312 + (v60 * v346)) * v56) - v315);
-        const double v354 = ((-0.28867513459481287) * v335) + (0.28867513459481287 * v338);
-        const double v357 = ((c80 * v354) * v39) - v323;
-        const double v362 = v351 + (((v19 * (2.0 * v357)) * v56) - v328);
-        const double v372 = v91 * v115;
-        const double v376 = (v29 * v157) + (v76 * v117);
-        const double v383 = (v35 * v219) - (v29 * v217);
-        const double v385 = v29 * v246;
-        const double v395 = g[7 * i + 1] * c16;
-        const double v409 = v91 * v147;
-        const double v425 = -(0.5 * (v395 * (c216 + (v60 * v219))));
-        const double v426 = v91 * v238;
-        const double v439 = v91 * v223;
-        const double v491 = -(c456 * (c488 * v153));
-        const double v496 = c456 * (c488 * v243);
-        const double v497 = -v496;
-        const double v499 = c456 * (c488 * v307);
-        const double v501 = c456 * (c488 * v344);
-        w3[i] = (v91 * v29) - (v76 * v35);
-        w7[i] = v29 * v104;
-        w8[i] = v29 * v113;
-        w9[i] = ((v29 * v181) - v183) - v187;
-        w10[i] = ((v29 * v212) - v183) - v187;
-        w11[i] = v222;
-        w12[i] = v222;
-        w13[i] = (v29 * v265) - v267;
-        w14[i] = (v29 * v289) + v267;
-        w15[i] = (v29 * v330) - (v35 * v310);
-        w16[i] = (v29 * v362) - (v35 * v346);
-        w4[i] = (v91 * v35) + (v76 * v29);
-        w17[i] = v35 * v104;
-        w18[i] = v35 * v113;
-        w19[i] = ((v35 * v181) + v372) - v376;
-        w20[i] = ((v35 * v212) + v372) - v376;
-        w21[i] = v383;
-        w22[i] = v383;
-        w23[i] = (v35 * v265) + v385;
-        w24[i] = (v35 * v289) - v385;
-        w25[i] = (v35 * v330) + (v29 * v310);
-        w26[i] = (v35 * v362) + (v29 * v346);
-        w5[i] = (v395 * (v75 - (v60 * v91))) * 0.5;
-        w27[i] = -(0.5 * (v395 * (v60 * v104)));
-        w28[i] = -(0.5 * (v395 * (v60 * v113)));
-        w29[i] = -(0.5 * (v395 * (v153 + ((v60 * v181) - v409))));
-        w30[i] = -(0.5 * (v395 * (v153 + ((v60 * v212) - v409))));
-        w31[i] = v425;
-        w32[i] = v425;
-        w33[i] = 0.5 * (v395 * (v243 - (v426 + (v60 * v265))));
-        w34[i] = -(0.5 * (v395 * (v243 + ((v60 * v289) - v426))));
-        w35[i] = 0.5 * (v395 * (v307 - ((v60 * v330) - v439)));
-        w36[i] = 0.5 * (v395 * (v344 - (v439 + (v60 * v362))));
-        w6[i] = -v87;
-        w37[i] = v97;
-        w38[i] = v108;
-        w39[i] = -v172;
-        w40[i] = -v206;
-        w41[i] = -v259;
-        w42[i] = -v284;
-        w43[i] = -v324;
-        w44[i] = -v357;
-        e[81 * i + 56] = c462;
-        e[81 * i + 55] = c456 * (c459 * v130);
-        e[81 * i + 59] = c456 * (c459 * v191);
-        e[81 * i + 53] = c456 * (c459 * v228);
-        e[81 * i + 57] = c456 * (c459 * v270);
-        e[81 * i + 54] = c456 * (c459 * v295);
-        e[81 * i + 58] = c456 * (c459 * v335);
-        e[81 * i + 63] = c462;
-        e[81 * i + 62] = c456 * (c459 * v138);
-        e[81 * i + 66] = c456 * (c459 * v195);
-        e[81 * i + 60] = c456 * (c459 * v232);
-        e[81 * i + 64] = c456 * (c459 * v273);
-        e[81 * i + 61] = c456 * (c459 * v299);
-        e[81 * i + 65] = c456 * (c459 * v338);
-        e[81 * i + 69] = v491;
-        e[81 * i + 73] = v491;
-        e[81 * i + 70] = c494;
-        e[81 * i + 67] = v496;
-        e[81 * i + 71] = v497;
-        e[81 * i + 68] = v499;
-        e[81 * i + 72] = v501;
-        e[81 * i + 76] = v491;
-        e[81 * i + 80] = v491;
-        e[81 * i + 77] = c494;
-        e[81 * i + 74] = v496;
-        e[81 * i + 78] = v497;
-        e[81 * i + 75] = v499;
-        e[81 * i + 79] = v501;
+        const double v1 = w3[i];
+        const double v2 = 1.0 / v1;
+        const double v3 = w6[i] * v2;
+        const double v4 = w4[i];
+        const double v5 = w8[i];
+        const double v6 = v5 * v2;
+        const double v8 = (v4 * v6) * v2;
+        const double v16 = 1.0 / squared(v1);
+        const double v17 = (c12 * w7[i]) * v16;
+        const double v18 = 2.0 * v17;
+        const double v19 = w5[i];
+        const double v21 = (v18 * v19) * v2;
+        const double v22 = (v3 - v8) + v21;
+        const double v27 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v28 = cos(v27);
+        const double v30 = sin(v27);
+        const double v33 = v28 * v2;
+        const double v36 = c12 * v16;
+        const double v39 = (v19 * (2.0 * v36)) * v2;
+        const double v40 = v28 * v39;
+        const double v44 = v6 * v2;
+        const double v45 = v4 * v44;
+        const double v53 = (v17 * v16) * (2.0 * v1);
+        const double v60 = (((v45 * v2) + (v8 * v2)) - (v3 * v2)) + (((v19 * (2.0 * (-v53))) * v2) - (v21 * v2));
+        const double v62 = v30 * v44;
+        const double v63 = (v28 * v60) + v62;
+        const double v64 = w13[i];
+        const double v66 = v28 * v44;
+        const double v67 = w19[i];
+        const double v70 = w27[i];
+        const double v73 = w33[i];
+        const double v76 = v18 * v2;
+        const double v77 = v28 * v76;
+        const double v78 = w25[i];
+        const double v80 = ((((v63 * v64) - (v66 * v67)) + (v33 * v70)) + (v40 * v73)) + (v77 * v78);
+        const double v81 = 0.5 * v30;
+        const double v83 = 0.5 * v28;
+        const double v85 = (v22 * v81) + (v6 * v83);
+        const double v87 = v4 * v2;
+        const double v88 = v87 * v2;
+        const double v90 = v30 * v2;
+        const double v91 = (v28 * v88) + v90;
+        const double v92 = w39[i];
+        const double v95 = w14[i];
+        const double v97 = w20[i];
+        const double v100 = w28[i];
+        const double v103 = w34[i];
+        const double v105 = (((v63 * v95) - (v66 * v97)) + (v33 * v100)) + (v40 * v103);
+        const double v106 = w26[i];
+        const double v110 = w40[i];
+        const double v116 = w15[i];
+        const double v118 = w21[i];
+        const double v121 = w29[i];
+        const double v124 = w35[i];
+        const double v126 = (((v63 * v116) - (v66 * v118)) + (v33 * v121)) + (v40 * v124);
+        const double v127 = w41[i];
+        const double v130 = w16[i];
+        const double v132 = w22[i];
+        const double v135 = w30[i];
+        const double v138 = w36[i];
+        const double v140 = (((v63 * v130) - (v66 * v132)) + (v33 * v135)) + (v40 * v138);
+        const double v141 = w42[i];
+        const double v144 = w17[i];
+        const double v146 = w23[i];
+        const double v149 = w31[i];
+        const double v152 = w37[i];
+        const double v154 = (((v63 * v144) - (v66 * v146)) + (v33 * v149)) + (v40 * v152);
+        const double v155 = w43[i];
+        const double v158 = w18[i];
+        const double v160 = w24[i];
+        const double v163 = w32[i];
+        const double v166 = w38[i];
+        const double v168 = (((v63 * v158) - (v66 * v160)) + (v33 * v163)) + (v40 * v166);
+        const double v169 = w44[i];
+        const double v176 = v30 * v39;
+        const double v180 = (v30 * v60) - v66;
+        const double v187 = (((v180 * v64) - (v62 * v67)) + (v90 * v70)) + (v176 * v73);
+        const double v188 = v30 * v76;
+        const double v193 = (v22 * v83) - (v6 * v81);
+        const double v196 = v33 - (v30 * v88);
+        const double v205 = (((v180 * v95) - (v62 * v97)) + (v90 * v100)) + (v176 * v103);
+        const double v218 = (((v180 * v116) - (v62 * v118)) + (v90 * v121)) + (v176 * v124);
+        const double v227 = (((v180 * v130) - (v62 * v132)) + (v90 * v135)) + (v176 * v138);
+        const double v236 = (((v180 * v144) - (v62 * v146)) + (v90 * v149)) + (v176 * v152);
+        const double v245 = (((v180 * v158) - (v62 * v160)) + (v90 * v163)) + (v176 * v166);
+        const double v250 = g[7 * i + 1] * p[0];
+        const double v256 = 0.5 * (v250 * v87);
+        const double v260 = 0.5 * (v250 * (v4 * v39));
+        const double v268 = 0.5 * (v250 * (1.0 + (v4 * v88)));
+        const double v272 = 0.5 * (v250 * (v22 - v45));
+        const double v276 = 0.5 * (v250 * (v4 * v60));
+        const double v282 = (((v272 * v67) + (v276 * v64)) + (v256 * v70)) + (v260 * v73);
+        const double v285 = 0.5 * (v250 * (v4 * v76));
+        const double v296 = (((v272 * v97) + (v276 * v95)) + (v256 * v100)) + (v260 * v103);
+        const double v308 = (((v272 * v118) + (v276 * v116)) + (v256 * v121)) + (v260 * v124);
+        const double v317 = (((v272 * v132) + (v276 * v130)) + (v256 * v135)) + (v260 * v138);
+        const double v326 = (((v272 * v146) + (v276 * v144)) + (v256 * v149)) + (v260 * v152);
+        const double v335 = (((v272 * v160) + (v276 * v158)) + (v256 * v163)) + (v260 * v166);
+        w9[i] = (v22 * v28) - (v6 * v30);
+        w45[i] = (v80 - v85) - (v91 * v92);
+        w46[i] = ((v105 + (v77 * v106)) - v85) - (v91 * v110);
+        w47[i] = v126 - (v91 * v127);
+        w48[i] = v140 - (v91 * v141);
+        w49[i] = v154 - (v91 * v155);
+        w50[i] = v168 - (v91 * v169);
+        w10[i] = (v22 * v30) + (v6 * v28);
+        w51[i] = ((v187 + (v188 * v78)) + v193) + (v196 * v92);
+        w52[i] = ((v205 + (v188 * v106)) + v193) + (v196 * v110);
+        w53[i] = v218 + (v196 * v127);
+        w54[i] = v227 + (v196 * v141);
+        w55[i] = v236 + (v196 * v155);
+        w56[i] = v245 + (v196 * v169);
+        w11[i] = (v250 * (v5 - (v4 * v22))) * 0.5;
+        w57[i] = (v268 * v92) - (v282 + (v285 * v78));
+        w58[i] = (v268 * v110) - (v296 + (v285 * v106));
+        w59[i] = (v268 * v127) - v308;
+        w60[i] = (v268 * v141) - v317;
+        w61[i] = (v268 * v155) - v326;
+        w62[i] = (v268 * v169) - v335;
+        w12[i] = -v17;
+        w63[i] = (v53 * v64) - (v36 * v73);
+        w64[i] = (v53 * v95) - (v36 * v103);
+        w65[i] = (v53 * v116) - (v36 * v124);
+        w66[i] = (v53 * v130) - (v36 * v138);
+        w67[i] = (v53 * v144) - (v36 * v152);
+        w68[i] = (v53 * v158) - (v36 * v166);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v34 = each0[FIBRES * i + k];
+            const double v41 = each1[FIBRES * i + k];
+            const double v113 = each2[FIBRES * i + k];
+            each3[FIBRES * i + k] = (v33 * v34) + (v40 * v41);
+            each4[FIBRES * i + k] = -(v91 * v113);
+            each5[FIBRES * i + k] = (v90 * v34) + (v176 * v41);
+            each6[FIBRES * i + k] = v196 * v113;
+            each7[FIBRES * i + k] = -((v256 * v34) + (v260 * v41));
+            each8[FIBRES * i + k] = v268 * v113;
+            each9[FIBRES * i + k] = -(v36 * v41);
+        }
     }
 }
 
-static void jacobian_7(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_9(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w7 = w + 7 * n;
-    double *restrict w8 = w + 8 * n;
-    double *restrict w9 = w + 9 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w12 = w + 12 * n;
-    double *restrict w13 = w + 13 * n;
-    double *restrict w14 = w + 14 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w27 = w + 27 * n;
-    double *restrict w28 = w + 28 * n;
-    double *restrict w29 = w + 29 * n;
-    double *restrict w30 = w + 30 * n;
-    double *restrict w31 = w + 31 * n;
-    double *restrict w32 = w + 32 * n;
-    double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w36 = w + 36 * n;
-    double *restrict w37 = w + 37 * n;
-    double *restrict w38 = w + 38 * n;
-    double *restrict w39 = w + 39 * n;
-    double *restrict w40 = w + 40 * n;
-    double *restrict w41 = w + 41 * n;
-    double *restrict w42 = w + 42 * n;
-    double *restrict w43 = w + 43 * n;
-    double *restrict w44 = w + 44 * n;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict w47 = w + 47 * n;
+    double *restrict w48 = w + 48 * n;
+    double *restrict w49 = w + 49 * n;
+    double *restrict w50 = w + 50 * n;
+    double *restrict w57 = w + 57 * n;
+    double *restrict w58 = w + 58 * n;
+    double *restrict w59 = w + 59 * n;
+    double *restrict w60 = w + 60 * n;
+    double *restrict w61 = w + 61 * n;
+    double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
+    double *restrict w66 = w + 66 * n;
+    double *restrict w67 = w + 67 * n;
+    double *restrict w68 = w + 68 * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
     const double c1 = squared(p[8]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
     const double c4 = p[2];
     const double c5 = c4 * c2;
     const double c6 = c3 / c5;
-    const double c61 = 0.08333333333333333 * c4;
-    const double c63 = squared(p[1]);
-    const double c64 = c61 * c63;
-    const double c65 = c64 * c2;
-    const double c66 = c1 / c65;
-    const double c70 = squared(c2);
-    const double c71 = c4 * c70;
-    const double c72 = c64 / c71;
+    const double c51 = 0.08333333333333333 * c4;
+    const double c53 = squared(p[1]);
+    const double c54 = c51 * c53;
+    const double c55 = c54 * c2;
+    const double c56 = c1 / c55;
+    const double c60 = squared(c2);
+    const double c61 = c4 * c60;
+    const double c62 = c54 / c61;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        const double v73 = (c66 * g[7 * i + 5]) * c72;
-        const double v106 = ((v73 * w39[i]) - (v73 * w40[i - 1])) + (v73 * w30[i - 1]);
-        const double v135 = ((v73 * w41[i]) - (v73 * w42[i - 1])) + (v73 * w34[i - 1]);
-        const double v156 = ((v73 * w43[i]) - (v73 * w44[i - 1])) + (v73 * w36[i - 1]);
-        e[81 * i + 5] = -(v9 * w7[i - 1]);
-        e[81 * i + 12] = v9 * w7[i];
-        e[81 * i + 6] = -(v9 * w8[i - 1]);
-        e[81 * i + 13] = v9 * w8[i];
-        e[81 * i + 4] = -(v9 * w9[i - 1]);
-        e[81 * i + 11] = (v9 * w9[i]) - (v9 * w10[i - 1]);
-        e[81 * i + 18] = v9 * w10[i];
-        e[81 * i + 7] = -(v9 * w11[i - 1]);
-        e[81 * i + 14] = v9 * w11[i];
-        e[81 * i + 8] = -(v9 * w12[i - 1]);
-        e[81 * i + 15] = v9 * w12[i];
-        e[81 * i + 2] = -(v9 * w13[i - 1]);
-        e[81 * i + 9] = (v9 * w13[i]) - (v9 * w14[i - 1]);
-        e[81 * i + 16] = v9 * w14[i];
-        e[81 * i + 3] = -(v9 * w15[i - 1]);
-        e[81 * i + 10] = (v9 * w15[i]) - (v9 * w16[i - 1]);
-        e[81 * i + 17] = v9 * w16[i];
-        e[81 * i + 39] = (v73 * w27[i - 1]) - (v73 * w37[i - 1]);
-        e[81 * i + 46] = (v73 * w37[i]) + (v73 * w27[i]);
-        e[81 * i + 40] = (v73 * w28[i - 1]) - (v73 * w38[i - 1]);
-        e[81 * i + 47] = (v73 * w38[i]) + (v73 * w28[i]);
-        e[81 * i + 38] = (v73 * w29[i - 1]) - (v73 * w39[i - 1]);
-        e[81 * i + 45] = v106 + (v73 * w29[i]);
-        e[81 * i + 52] = (v73 * w40[i]) + (v73 * w30[i]);
-        e[81 * i + 41] = v73 * w31[i - 1];
-        e[81 * i + 48] = v73 * w31[i];
-        e[81 * i + 42] = v73 * w32[i - 1];
-        e[81 * i + 49] = v73 * w32[i];
-        e[81 * i + 36] = (v73 * w33[i - 1]) - (v73 * w41[i - 1]);
-        e[81 * i + 43] = v135 + (v73 * w33[i]);
-        e[81 * i + 50] = (v73 * w42[i]) + (v73 * w34[i]);
-        e[81 * i + 37] = (v73 * w35[i - 1]) - (v73 * w43[i - 1]);
-        e[81 * i + 44] = v156 + (v73 * w35[i]);
-        e[81 * i + 51] = (v73 * w44[i]) + (v73 * w36[i]);
+        const double v63 = (c56 * g[7 * i + 5]) * c62;
+        const double v86 = ((v63 * w63[i]) - (v63 * w64[i - 1])) + (v63 * w58[i - 1]);
+        const double v111 = ((v63 * w65[i]) - (v63 * w66[i - 1])) + (v63 * w60[i - 1]);
+        const double v132 = ((v63 * w67[i]) - (v63 * w68[i - 1])) + (v63 * w62[i - 1]);
+        e[ENTRIES * i + 4] = -(v9 * w45[i - 1]);
+        e[ENTRIES * i + 7] = (v9 * w45[i]) - (v9 * w46[i - 1]);
+        e[ENTRIES * i + 10] = v9 * w46[i];
+        e[ENTRIES * i + 2] = -(v9 * w47[i - 1]);
+        e[ENTRIES * i + 5] = (v9 * w47[i]) - (v9 * w48[i - 1]);
+        e[ENTRIES * i + 8] = v9 * w48[i];
+        e[ENTRIES * i + 3] = -(v9 * w49[i - 1]);
+        e[ENTRIES * i + 6] = (v9 * w49[i]) - (v9 * w50[i - 1]);
+        e[ENTRIES * i + 9] = v9 * w50[i];
+        e[ENTRIES * i + 22] = (v63 * w57[i - 1]) - (v63 * w63[i - 1]);
+        e[ENTRIES * i + 25] = v86 + (v63 * w57[i]);
+        e[ENTRIES * i + 28] = (v63 * w64[i]) + (v63 * w58[i]);
+        e[ENTRIES * i + 20] = (v63 * w59[i - 1]) - (v63 * w65[i - 1]);
+        e[ENTRIES * i + 23] = v111 + (v63 * w59[i]);
+        e[ENTRIES * i + 26] = (v63 * w66[i]) + (v63 * w60[i]);
+        e[ENTRIES * i + 21] = (v63 * w61[i - 1]) - (v63 * w67[i - 1]);
+        e[ENTRIES * i + 24] = v132 + (v63 * w61[i]);
+        e[ENTRIES * i + 27] = (v63 * w68[i]) + (v63 * w62[i]);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v68 = (v63 * each7[FIBRES * (i - 1) + k]) - (v63 * each9[FIBRES * (i - 1) + k]);
+            const double v73 = (v63 * each9[FIBRES * i + k]) + (v63 * each7[FIBRES * i + k]);
+            e[ENTRIES * i + 29 + k] = -(v9 * each3[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 2 * FIBRES + k] = v9 * each3[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 1 * FIBRES + k] = -(v9 * each4[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 3 * FIBRES + k] = v9 * each4[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 8 * FIBRES + k] = v68;
+            e[ENTRIES * i + 29 + 10 * FIBRES + k] = v73;
+            e[ENTRIES * i + 29 + 9 * FIBRES + k] = v63 * each8[FIBRES * (i - 1) + k];
+            e[ENTRIES * i + 29 + 11 * FIBRES + k] = v63 * each8[FIBRES * i + k];
+        }
     }
 }
 
-static void jacobian_8(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_10(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w17 = w + 17 * n;
-    double *restrict w18 = w + 18 * n;
-    double *restrict w19 = w + 19 * n;
-    double *restrict w20 = w + 20 * n;
-    double *restrict w21 = w + 21 * n;
-    double *restrict w22 = w + 22 * n;
-    double *restrict w23 = w + 23 * n;
-    double *restrict w24 = w + 24 * n;
-    double *restrict w25 = w + 25 * n;
-    double *restrict w26 = w + 26 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
     const double c1 = squared(p[8]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -668,38 +864,34 @@ static void jacobian_8(int n, const double *p, const double *g, double *w, doubl
     const double c6 = c3 / c5;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        e[81 * i + 22] = -(v9 * w17[i - 1]);
-        e[81 * i + 29] = v9 * w17[i];
-        e[81 * i + 23] = -(v9 * w18[i - 1]);
-        e[81 * i + 30] = v9 * w18[i];
-        e[81 * i + 21] = -(v9 * w19[i - 1]);
-        e[81 * i + 28] = (v9 * w19[i]) - (v9 * w20[i - 1]);
-        e[81 * i + 35] = v9 * w20[i];
-        e[81 * i + 24] = -(v9 * w21[i - 1]);
-        e[81 * i + 31] = v9 * w21[i];
-        e[81 * i + 25] = -(v9 * w22[i - 1]);
-        e[81 * i + 32] = v9 * w22[i];
-        e[81 * i + 19] = -(v9 * w23[i - 1]);
-        e[81 * i + 26] = (v9 * w23[i]) - (v9 * w24[i - 1]);
-        e[81 * i + 33] = v9 * w24[i];
-        e[81 * i + 20] = -(v9 * w25[i - 1]);
-        e[81 * i + 27] = (v9 * w25[i]) - (v9 * w26[i - 1]);
-        e[81 * i + 34] = v9 * w26[i];
+        e[ENTRIES * i + 13] = -(v9 * w51[i - 1]);
+        e[ENTRIES * i + 16] = (v9 * w51[i]) - (v9 * w52[i - 1]);
+        e[ENTRIES * i + 19] = v9 * w52[i];
+        e[ENTRIES * i + 11] = -(v9 * w53[i - 1]);
+        e[ENTRIES * i + 14] = (v9 * w53[i]) - (v9 * w54[i - 1]);
+        e[ENTRIES * i + 17] = v9 * w54[i];
+        e[ENTRIES * i + 12] = -(v9 * w55[i - 1]);
+        e[ENTRIES * i + 15] = (v9 * w55[i]) - (v9 * w56[i - 1]);
+        e[ENTRIES * i + 18] = v9 * w56[i];
+        for (int k = 0; k < FIBRES; k++) {
+            e[ENTRIES * i + 29 + 4 * FIBRES + k] = -(v9 * each5[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 5 * FIBRES + k] = -(v9 * each6[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
+        }
     }
 }
 
-static void jacobian_9(int n, const double *p, const double *g, double *w, double *e)
+static void jacobian_11(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w17 = w + 17 * n;
-    double *restrict w18 = w + 18 * n;
-    double *restrict w19 = w + 19 * n;
-    double *restrict w20 = w + 20 * n;
-    double *restrict w21 = w + 21 * n;
-    double *restrict w22 = w + 22 * n;
-    double *restrict w23 = w + 23 * n;
-    double *restrict w24 = w + 24 * n;
-    double *restrict w25 = w + 25 * n;
-    double *restrict w26 = w + 26 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
     const double c1 = squared(p[8]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -707,64 +899,52 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     const double c6 = c3 / c5;
     const int i = 0;
     const double v9 = c6 * g[7 * i + 6];
-    e[81 * i + 29] = v9 * w17[i];
-    e[81 * i + 30] = v9 * w18[i];
-    e[81 * i + 28] = v9 * w19[i];
-    e[81 * i + 35] = v9 * w20[i];
-    e[81 * i + 31] = v9 * w21[i];
-    e[81 * i + 32] = v9 * w22[i];
-    e[81 * i + 26] = v9 * w23[i];
-    e[81 * i + 33] = v9 * w24[i];
-    e[81 * i + 27] = v9 * w25[i];
-    e[81 * i + 34] = v9 * w26[i];
+    e[ENTRIES * i + 16] = v9 * w51[i];
+    e[ENTRIES * i + 19] = v9 * w52[i];
+    e[ENTRIES * i + 14] = v9 * w53[i];
+    e[ENTRIES * i + 17] = v9 * w54[i];
+    e[ENTRIES * i + 15] = v9 * w55[i];
+    e[ENTRIES * i + 18] = v9 * w56[i];
+    for (int k = 0; k < FIBRES; k++) {
+        e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
+        e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
+    }
     (void)n;
 }
 
-static void work_0(int n, const double *p, const double *g, const double *y, double *w, double *q)
+static void work_0(int n, const double *p, const double *y, double *w)
 {
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c4 = p[5];
-    const double c5 = 0.8333333333333334 * c4;
-    const double c7 = p[7];
-    const double c8 = 2.0 * c7;
-    const double c9 = 2.0 + c8;
-    const double c10 = c5 / c9;
-    const double c40 = squared(c7);
-    const double c41 = 1.0 - c40;
-    const double c42 = c4 / c41;
-    const double c46 = (-0.5) * p[1];
-    const double c48 = p[0];
-    const double c49 = 1.0 / c48;
-    const double c66 = 1e-12 * c4;
-    const double c67 = squared(c66);
-    const double c70 = 1.0 / p[6];
-    const double c93 = p[8];
-    const double c95 = c48 / c93;
-    const double c96 = squared(c95);
-    const double c97 = p[2] * c96;
-    const double c98 = c93 / c97;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w69 = w + 69 * n;
+    const double c3 = p[5];
+    const double c4 = 0.8333333333333334 * c3;
+    const double c6 = p[7];
+    const double c7 = 2.0 * c6;
+    const double c8 = 2.0 + c7;
+    const double c9 = c4 / c8;
+    const double c20 = squared(c6);
+    const double c21 = 1.0 - c20;
+    const double c22 = c3 / c21;
+    const double c25 = (-0.5) * p[1];
+    const double c41 = 1e-12 * c3;
+    const double c42 = squared(c41);
+    const double c45 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
-        const double v14 = g[7 * i + 4];
-        const double v15 = (w2[i + 1] - w2[i]) * v14;
-        const double v16 = w1[i];
-        const double v17 = w1[i + 1];
-        const double v19 = (v16 + v17) * 0.5;
-        const double v20 = cos(v19);
-        const double v25 = (w0[i + 1] - w0[i]) * v14;
-        const double v26 = sin(v19);
-        const double v31 = (v25 * v20) + (v15 * v26);
-        const double v32 = ((v15 * v20) - (v25 * v26)) / v31;
-        const double v52 = c46 * ((v17 - v16) * (v14 * c49));
-        const double v55 = 1.0 / squared(v31);
-        const double v59 = log(v31);
-        const double v60 = ((((-0.5773502691896257) * v52) * v55) - y[9 * i + 5]) + v59;
-        const double v64 = (3.0 * squared((c10 * (v32 - y[9 * i + 7])))) + (0.75 * squared((c42 * v60)));
-        const double v84 = c42 * ((((0.5773502691896257 * v52) * v55) - y[9 * i + 6]) + v59);
-        const double v87 = (3.0 * squared((c10 * (v32 - y[9 * i + 8])))) + (0.75 * squared(v84));
-        const double v91 = (0.5 * (larger(v64, c67) * c70)) + (0.5 * (larger(v87, c67) * c70));
-        q[0] += (g[7 * i + 1] * v91) * c98;
+        double sum9 = 0.0;
+        const double v11 = w3[i];
+        const double v12 = w4[i] / v11;
+        const double v27 = c25 * w5[i];
+        const double v30 = squared(v11);
+        const double v34 = log(v11);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v17 = 3.0 * squared((c9 * (v12 - y[SLOTS * i + 5 + 1 * FIBRES + k])));
+            const double v36 = c22 * ((((v27 * zeta[k]) / v30) - y[SLOTS * i + 5 + k]) + v34);
+            const double v48 = (larger(v17 + (0.75 * squared(v36)), c42) * c45) * weight[k];
+            sum9 += v48;
+        }
+        w69[i] = sum9;
     }
 }
 
@@ -798,85 +978,103 @@ static void work_1(int n, double t, const double *p, const double *g, double *w,
     }
 }
 
-static void work_slope_0(int n, const double *p, const double *g, const double *y, double *w, double *s)
+static void work_2(int n, const double *p, const double *g, double *w, double *q)
 {
-    double *restrict w0 = w;
-    double *restrict w1 = w + 1 * n;
-    double *restrict w2 = w + 2 * n;
-    const double c0 = p[5];
-    const double c2 = p[7];
-    const double c3 = squared(c2);
-    const double c4 = 1.0 - c3;
-    const double c5 = c0 / c4;
-    const double c9 = (-0.5) * p[1];
-    const double c15 = p[0];
-    const double c16 = 1.0 / c15;
-    const double c49 = 1e-12 * c0;
-    const double c50 = squared(c49);
-    const double c53 = 0.8333333333333334 * c0;
-    const double c54 = 2.0 * c2;
-    const double c55 = 2.0 + c54;
-    const double c56 = c53 / c55;
-    const double c74 = p[8];
-    const double c76 = c15 / c74;
-    const double c77 = squared(c76);
-    const double c78 = p[2] * c77;
-    const double c79 = c74 / c78;
-    const double c83 = 1.0 / p[6];
+    double *restrict w69 = w + 69 * n;
+    const double c3 = p[8];
+    const double c6 = p[0] / c3;
+    const double c7 = squared(c6);
+    const double c8 = p[2] * c7;
+    const double c9 = c3 / c8;
     for (int i = 0; i < n - 1; i++) {
-        const double v10 = w1[i + 1];
-        const double v11 = w1[i];
-        const double v14 = g[7 * i + 4];
-        const double v17 = v14 * c16;
-        const double v19 = c9 * ((v10 - v11) * v17);
-        const double v24 = (w0[i + 1] - w0[i]) * v14;
-        const double v28 = (v11 + v10) * 0.5;
-        const double v29 = cos(v28);
-        const double v34 = (w2[i + 1] - w2[i]) * v14;
-        const double v35 = sin(v28);
-        const double v37 = (v24 * v29) + (v34 * v35);
-        const double v39 = 1.0 / squared(v37);
-        const double v40 = ((-0.5773502691896257) * v19) * v39;
-        const double v43 = log(v37);
-        const double v45 = c5 * ((v40 - y[9 * i + 5]) + v43);
-        const double v60 = 1.0 / v37;
-        const double v61 = ((v34 * v29) - (v24 * v35)) * v60;
-        const double v64 = c56 * (v61 - y[9 * i + 7]);
-        const double v69 = (3.0 * squared(v64)) + (0.75 * squared(v45));
-        const double v70 = (double)(c50 <= v69);
-        const double v84 = (0.5 * (g[7 * i + 1] * c79)) * c83;
-        const double v85 = (v70 / (v70 + (double)(v69 <= c50))) * v84;
-        const double v88 = c5 * ((2.0 * v45) * (0.75 * v85));
-        const double v92 = (0.5773502691896257 * v19) * v39;
-        const double v96 = c5 * ((v92 - y[9 * i + 6]) + v43);
-        const double v100 = c56 * (v61 - y[9 * i + 8]);
-        const double v105 = (3.0 * squared(v100)) + (0.75 * squared(v96));
-        const double v106 = (double)(c50 <= v105);
-        const double v110 = (v106 / (v106 + (double)(v105 <= c50))) * v84;
-        const double v113 = c5 * ((2.0 * v96) * (0.75 * v110));
-        const double v116 = 2.0 * v37;
-        const double v121 = v61 * v60;
-        const double v125 = c56 * ((2.0 * v100) * (3.0 * v110));
-        const double v127 = ((v113 * v60) - (v116 * ((v92 * v39) * v113))) - (v121 * v125);
-        const double v137 = c56 * ((2.0 * v64) * (3.0 * v85));
-        const double v139 = ((v127 + (v88 * v60)) - (v116 * ((v40 * v39) * v88))) - (v121 * v137);
-        const double v143 = (v125 * v60) + (v137 * v60);
-        const double v151 = (v29 * ((v34 * v139) - (v24 * v143))) - (v35 * ((v24 * v139) + (v34 * v143)));
-        const double v152 = 0.5 * v151;
-        const double v159 = (c9 * (0.5773502691896257 * (v113 * v39))) + (c9 * ((-0.5773502691896257) * (v88 * v39)));
-        const double v160 = v17 * v159;
-        const double v168 = ((v29 * v139) - (v35 * v143)) * v14;
-        const double v173 = ((v35 * v139) + (v29 * v143)) * v14;
-        s[9 * i + 5] += -v88;
-        s[9 * i + 6] += -v113;
-        s[9 * i + 4] += v152 - v160;
-        s[9 * i + 13] += v160 + v152;
-        s[9 * i + 7] += -v137;
-        s[9 * i + 8] += -v125;
-        s[9 * i] += -v168;
-        s[9 * i + 9] += v168;
-        s[9 * i + 1] += -v173;
-        s[9 * i + 10] += v173;
+        q[0] += (g[7 * i + 1] * w69[i]) * c9;
+    }
+}
+
+static void work_slope_0(int n, const double *p, const double *y, double *w)
+{
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w69 = w + 69 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    const double c1 = p[5];
+    const double c3 = p[7];
+    const double c4 = squared(c3);
+    const double c5 = 1.0 - c4;
+    const double c6 = c1 / c5;
+    const double c9 = (-0.5) * p[1];
+    const double c26 = 1e-12 * c1;
+    const double c27 = squared(c26);
+    const double c30 = 0.8333333333333334 * c1;
+    const double c32 = 2.0 * c3;
+    const double c33 = 2.0 + c32;
+    const double c34 = c30 / c33;
+    const double c51 = p[6];
+    const double c116 = 1.0 / c51;
+    for (int i = 0; i < n - 1; i++) {
+        double sum10 = 0.0;
+        double sum11 = 0.0;
+        double sum12 = 0.0;
+        double sum9 = 0.0;
+        const double v11 = c9 * w5[i];
+        const double v14 = w3[i];
+        const double v16 = 1.0 / squared(v14);
+        const double v20 = log(v14);
+        const double v36 = 1.0 / v14;
+        const double v37 = w4[i] * v36;
+        const double v104 = 2.0 * v14;
+        const double v109 = v37 * v36;
+        for (int k = 0; k < FIBRES; k++) {
+            const double v12 = zeta[k];
+            const double v17 = (v11 * v12) * v16;
+            const double v22 = c6 * ((v17 - y[SLOTS * i + 5 + k]) + v20);
+            const double v40 = c34 * (v37 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v45 = (3.0 * squared(v40)) + (0.75 * squared(v22));
+            const double v46 = (double)(c27 <= v45);
+            const double v50 = weight[k];
+            const double v53 = (v46 / (v46 + (double)(v45 <= c27))) * (v50 / c51);
+            const double v56 = c6 * ((2.0 * v22) * (0.75 * v53));
+            const double v80 = c34 * ((2.0 * v40) * (3.0 * v53));
+            const double v111 = ((v56 * v36) - (v104 * ((v17 * v16) * v56))) - (v109 * v80);
+            each10[FIBRES * i + k] = -v56;
+            each11[FIBRES * i + k] = -v80;
+            sum10 += v80 * v36;
+            sum11 += v111;
+            sum12 += c9 * (v12 * (v56 * v16));
+            sum9 += (larger(v45, c27) * c116) * v50;
+        }
+        const double v58 = sum10;
+        const double v61 = sum11;
+        const double v65 = sum12;
+        w69[i] = sum9;
+        w70[i] = ((v58 * w19[i]) + (v61 * w13[i])) + (v65 * w25[i]);
+        w71[i] = ((v58 * w20[i]) + (v61 * w14[i])) + (v65 * w26[i]);
+        w72[i] = (v58 * w21[i]) + (v61 * w15[i]);
+        w73[i] = (v58 * w22[i]) + (v61 * w16[i]);
+        w74[i] = (v58 * w23[i]) + (v61 * w17[i]);
+        w75[i] = (v58 * w24[i]) + (v61 * w18[i]);
     }
 }
 
@@ -905,7 +1103,37 @@ static void work_slope_1(int n, double t, const double *p, const double *g, doub
     const double c26 = c10 / c25;
     const double c27 = c22 * c26;
     for (int i = 0; i < n; i++) {
-        s[9 * n + 9 * i + 1] += g[7 * i + 3] * c27;
+        s[SLOTS * n + SLOTS * i + 1] += g[7 * i + 3] * c27;
+    }
+}
+
+static void work_slope_2(int n, const double *p, const double *g, double *w, double *s)
+{
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    const double c0 = p[8];
+    const double c3 = p[0] / c0;
+    const double c4 = squared(c3);
+    const double c5 = p[2] * c4;
+    const double c6 = c0 / c5;
+    for (int i = 0; i < n - 1; i++) {
+        const double v8 = c6 * g[7 * i + 1];
+        s[SLOTS * i + 4] += v8 * w70[i];
+        s[SLOTS * (i + 1) + 4] += v8 * w71[i];
+        s[SLOTS * i + 0] += v8 * w72[i];
+        s[SLOTS * (i + 1) + 0] += v8 * w73[i];
+        s[SLOTS * i + 1] += v8 * w74[i];
+        s[SLOTS * (i + 1) + 1] += v8 * w75[i];
+        for (int k = 0; k < FIBRES; k++) {
+            s[SLOTS * i + 5 + k] += v8 * each10[FIBRES * i + k];
+            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each11[FIBRES * i + k];
+        }
     }
 }
 
@@ -915,17 +1143,19 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
     const int n = filament->sites;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * 9; k++) f[k] = 0.0;
+    for (int k = 0; k < n * SLOTS; k++) f[k] = 0.0;
     rates_0(n, y, f);
     rates_1(n, y, f);
     rates_2(n, y, w);
     rates_3(n, y, w);
     rates_4(n, w);
     rates_5(n, g, w);
-    rates_6(n, p, g, y, w, f);
-    rates_7(n, p, g, w, f);
-    rates_8(n, t, p, g, w, f);
-    rates_9(n, t, p, g, w, f);
+    rates_6(n, p, g, w);
+    rates_7(n, p, y, w, f);
+    rates_8(n, p, g, w);
+    rates_9(n, p, g, w, f);
+    rates_10(n, t, p, g, w, f);
+    rates_11(n, t, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -936,17 +1166,19 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
     const double *p = filament->parameters;
     const double *g = filament->places;
     (void)t;
-    for (int k = 0; k < n * 81; k++) e[k] = 0.0;
+    for (int k = 0; k < n * ENTRIES; k++) e[k] = 0.0;
     jacobian_0(n, e);
     jacobian_1(n, e);
     jacobian_2(n, y, w);
     jacobian_3(n, y, w);
     jacobian_4(n, w);
     jacobian_5(n, g, w);
-    jacobian_6(n, p, g, y, w, e);
-    jacobian_7(n, p, g, w, e);
-    jacobian_8(n, p, g, w, e);
+    jacobian_6(n, p, g, w);
+    jacobian_7(n, p, y, w, e);
+    jacobian_8(n, p, g, w);
     jacobian_9(n, p, g, w, e);
+    jacobian_10(n, p, g, w, e);
+    jacobian_11(n, p, g, w, e);
     return SOFTCAT_SOLVED;
 }
 
@@ -957,8 +1189,9 @@ static int work(const softcat_filament *filament, double t, const double *y, dou
     const double *p = filament->parameters;
     const double *g = filament->places;
     for (int k = 0; k < 3; k++) q[k] = 0.0;
-    work_0(n, p, g, y, w, q);
+    work_0(n, p, y, w);
     work_1(n, t, p, g, w, q);
+    work_2(n, p, g, w, q);
     return SOFTCAT_SOLVED;
 }
 
@@ -968,22 +1201,36 @@ static int work_slope(const softcat_filament *filament, double t, const double *
     const int n = filament->sites;
     const double *p = filament->parameters;
     const double *g = filament->places;
-    for (int k = 0; k < n * 27; k++) s[k] = 0.0;
-    work_slope_0(n, p, g, y, w, s);
+    for (int k = 0; k < n * 3 * SLOTS; k++) s[k] = 0.0;
+    work_slope_0(n, p, y, w);
     work_slope_1(n, t, p, g, s);
+    work_slope_2(n, p, g, w, s);
     return SOFTCAT_SOLVED;
 }
 
-static const int rate[] = {2, 3, -1, -1, -1, -1, -1, -1, -1};
-static const int differential[] = {1, 1, 1, 1, 0, 1, 1, 1, 1};
-static const int held_first[] = {1, 0, 1, 0, 1, 0, 0, 0, 0};
-static const int held_last[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int row[] = {0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 6, 6, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 8, 8, 8, 8, 8, 8, 8};
-static const int offset[] = {0, 0, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1};
-static const int column[] = {2, 3, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 5, 6, 7, 8, 0, 1, 4, 0, 1, 4, 5, 0, 1, 4, 0, 1, 4, 6, 0, 1, 4, 0, 1, 4, 7, 0, 1, 4, 0, 1, 4, 8, 0, 1, 4};
+static const int rate[] = {
+    2, 3, -1, -1, -1, -1, -1, -1, -1};
+static const int differential[] = {
+    1, 1, 1, 1, 0, 1, 1, 1, 1};
+static const int held_first[] = {
+    1, 0, 1, 0, 1, 0, 0, 0, 0};
+static const int held_last[] = {
+    1, 1, 1, 1, 1, 1, 1, 1, 1};
+static const int row[] = {
+    0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 2, 2,
+    2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 5, 6, 5, 6, 5, 6, 5,
+    6, 5, 6, 5, 6, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8, 7, 8};
+static const int offset[] = {
+    0, 0, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1,
+    1, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
+static const int column[] = {
+    2, 3, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 6,
+    7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 5, 6, 7, 8, 0, 0, 1, 1, 4, 4, 5, 6, 0,
+    0, 1, 1, 4, 4, 0, 0, 1, 1, 4, 4, 7, 8, 0, 0, 1, 1, 4, 4};
 
 const softcat_model softcat_filament_model = {
-    9, 4, 9, 7, 45, 81, 3, 1,
+    9, 4, 9, 7, 100, 81, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear
- * Digest of the structure: e3ac10a586635bf957fcb9b080db48f70ecb0911e208d3f296acfc6fdaf50ed3
+ * Digest of the structure: 8287e2b84bd0f6177a7db81485a4e9d8cdcc63a65428ff12299c0d0a34e713e6
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient, surface-tension
- * Digest of the structure: e09791b60528c3b1c0a80fbdf33b590660cc49d0a47b24c2158fbc9805e7a8f7
+ * Digest of the structure: 038fbf0db3023f9202b7a8eae8a4372c73f22fdd028dba5fce3c1635255bf178
  */
 
 #ifndef SOFTCAT_FILAMENT_H

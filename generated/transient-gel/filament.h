@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
- * Digest of the structure: 1f0eebb3b7a3ab63d75ba08768c1aad15fb2ad9035df572702096a0f1826e2fc
+ * Digest of the structure: 81636a812308f520908cfaf9defd0f3da2af570461c69a039eaa9bdb89dd46a3
  */
 
 #ifndef SOFTCAT_FILAMENT_H

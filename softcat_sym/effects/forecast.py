@@ -49,7 +49,6 @@ _KINKED = 0.1
 """Share of the sag that rings, from which on the load counts as sudden."""
 
 
-@lru_cache(maxsize=256)
 def forecast(scene: Scene) -> Motion:
     """Foresee the motion of a scene: closed forms of beam, cable and string put together (THEORY 5-7, 11).
 
@@ -58,6 +57,11 @@ def forecast(scene: Scene) -> Motion:
     scene : Scene
         Any scene.
     """
+    return _forecast(scene.without_numerics())
+
+
+@lru_cache(maxsize=256)
+def _forecast(scene: Scene) -> Motion:
     free, rings = quasi_static_history(scene), ringing(scene)
     history = free
     if pull_of_surface(scene):

@@ -41,7 +41,6 @@ class Vibration:
     material_share: float
 
 
-@lru_cache(maxsize=256)
 def first_vibration(scene: Scene) -> Vibration | None:
     """The first mode of an elastic strand; None without a spring, or of one that a pin alone holds.
 
@@ -55,6 +54,11 @@ def first_vibration(scene: Scene) -> Vibration | None:
     scene : Scene
         Any scene.
     """
+    return _first_vibration(scene.without_numerics())
+
+
+@lru_cache(maxsize=256)
+def _first_vibration(scene: Scene) -> Vibration | None:
     modulus = instant_modulus(scene)
     kinds = (scene.ends.left, scene.ends.right)
     if modulus is None or sorted(kinds) == ["free", "pinned"]:

@@ -102,6 +102,10 @@ class Scene(Part):
                 table[name] = part.given()
         return table
 
+    def without_numerics(self) -> Scene:
+        """The same scene at the program's own resolution: what does not depend on it is computed once."""
+        return self.model_copy(update={"numerics": Numerics()})
+
     def replace(self, changes: Mapping[str, object]) -> Scene:
         """Return a scene with some values changed, validated anew.
 

@@ -26,7 +26,9 @@ def test_rates_and_derivatives_are_those_of_the_filament_written_out(sites: int)
     outputs = [rates, ca.jacobian(rates, unknowns), ca.vertcat(*powers), ca.jacobian(ca.vertcat(*powers), unknowns)]
     wanted = [np.asarray(one) for one in ca.Function("f", [unknowns], outputs)(np.append(state[:, 0], state[:-1, 1]))]
 
-    found = CModel(template_of(recording()).with_fibres().text).at(t, state, np.array([p]), np.stack([cell, 1 / cell], axis=1))
+    found = CModel(template_of(recording()).with_fibres().text).at(
+        t, state, np.array([p]), np.stack([cell, 1 / cell], axis=1)
+    )
     order = np.append(2 * np.arange(sites), 2 * np.arange(sites - 1) + 1)
     np.testing.assert_allclose(found.rates[order], wanted[0].ravel(), rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(found.jacobian[np.ix_(order, order)], wanted[1], rtol=1e-12, atol=1e-12)
