@@ -161,7 +161,7 @@ class _Sampled:
         rates = strains.rates
         if rates is not None:
             rates = StrainRates(*(stage(name, getattr(rates, name)) for name in ("Lam_t", "Gam_t", "k_t")))
-        return Strains(*(stage(name, getattr(strains, name)) for name in ("Lam", "Gam", "k")), rates)
+        return Strains(stage("Lam", strains.Lam), stage("Gam", strains.Gam), stage("k", strains.k), rates)
 
     def _angles(self, setting: Setting, state: Recall) -> ca.SX:
         psi = ca.SX.zeros(setting.grid.cells + 1)

@@ -40,7 +40,7 @@ def test_the_runtime_is_the_one_of_the_package() -> None:
 
 
 @pytest.mark.parametrize(
-    "folder", [pytest.param(f, marks=() if f == "stretched-rubber-band" else pytest.mark.slow) for f in FOLDERS]
+    "folder", [pytest.param(f, marks=() if f == "rubber-strand" else pytest.mark.slow) for f in FOLDERS]
 )
 def test_a_product_is_what_is_generated_today(folder: str) -> None:
     files = model_files(export(sc.load_scene(folder)).description, products.NAME, products.COMMAND)
