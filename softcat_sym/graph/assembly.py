@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import casadi as ca
 
 from softcat_sym.equations import symbols as sy
@@ -9,9 +11,9 @@ from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.body import Body, node_masses
 from softcat_sym.graph.cell_printer import Inputs, parameter_inputs
 from softcat_sym.graph.discretisation import Discretisation, Setting, State, Unknowns
-from softcat_sym.graph.graph import Graph
+from softcat_sym.graph.graph import Expressions, Graph
 from softcat_sym.graph.grid import Grid
-from softcat_sym.graph.instant import Instant, When, balances_of, instant, observables_of, powers_of, rates_of
+from softcat_sym.graph.instant import When, balances_of, instant, observables_of, powers_of, rates_of
 from softcat_sym.graph.kirchhoff import KIRCHHOFF
 from softcat_sym.graph.layout import Block, Layout
 from softcat_sym.graph.lengths import lengths_of
@@ -55,8 +57,14 @@ def assemble(
     supports = held(body.supports, given.named, values[sy.L_0], time * scale)
     setting = Setting(values, grid, body.profile, supports, scale, lengths_of(grid))
     when = When(time, node_masses(equations, grid, body, given))
-    now = instant(equations, theory, setting, given, state, when)
-    return _graph_of(equations, effects, given, state, time, now, dict(unknowns.profiles), grid)
+
+    def write() -> Expressions:
+        now = instant(equations, theory, setting, given, state, when)
+        rates = rates_of(now)
+        found = state.moving.gather(rates), state.still.gather(balances_of(now, rates))
+        return Expressions(found, powers_of(now), observables_of(now))
+
+    return _graph_of(equations, effects, given, state, time, write, dict(unknowns.profiles), grid)
 
 
 def _graph_of(
@@ -65,11 +73,10 @@ def _graph_of(
     given: Inputs,
     state: State,
     time: ca.SX,
-    now: Instant,
+    write: Callable[[], Expressions],
     profiles: dict[str, tuple[float, float]],
     grid: Grid,
 ) -> Graph:
-    rates = rates_of(now)
     return Graph(
         grid=grid,
         effects=effects,
@@ -79,11 +86,9 @@ def _graph_of(
         x=state.moving.vector,
         z=state.still.vector,
         p=given.vector,
-        raw_rates=(state.moving.gather(rates), state.still.gather(balances_of(now, rates))),
-        raw_powers=powers_of(now),
+        write=write,
         state_names=state.moving.names,
         algebraic_names=state.still.names,
-        raw_observables=observables_of(now),
         start=state.moving.start,
         straight=state.still.start,
         x_kinds=state.moving.kinds,

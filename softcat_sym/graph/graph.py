@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,6 +15,25 @@ from softcat_sym.graph.grid import Floats, Grid
 def tidy(*expressions: ca.SX) -> list[ca.SX]:
     """Dense, with common subexpressions shared between them; integrators refuse structural zeros in an output."""
     return list(ca.cse([ca.densify(expression) for expression in expressions]))
+
+
+@dataclass(frozen=True)
+class Expressions:
+    """What a filament is in terms of its unknowns, before common subexpressions are shared.
+
+    Attributes
+    ----------
+    rates : tuple of casadi.SX
+        `ode` and `alg`.
+    powers : tuple of casadi.SX
+        Plastic power, power of the changing load, power of the necking gradient.
+    observables : mapping of str to casadi.SX
+        What a trajectory shows.
+    """
+
+    rates: tuple[ca.SX, ca.SX]
+    powers: tuple[ca.SX, ca.SX, ca.SX]
+    observables: Mapping[str, ca.SX]
 
 
 @dataclass(frozen=True)
@@ -36,14 +55,10 @@ class Graph:
         Names of the inputs `p`, in order.
     t, x, z, p : casadi.SX
         Time, differential states (nx,), algebraic states (nz,), parameters.
-    raw_rates : tuple of casadi.SX
-        `ode` and `alg` before common subexpressions are shared.
-    raw_powers : tuple of casadi.SX
-        `powers` before common subexpressions are shared.
+    write : callable
+        Writes the expressions, when they are first asked for.
     state_names, algebraic_names : tuple of str
         What each component is, for messages.
-    raw_observables : mapping of str to casadi.SX
-        What `observables` computes, before common subexpressions are shared.
     start : ndarray, shape (nx,)
         Differential states of the straight, relaxed filament at rest.
     straight : ndarray, shape (nz,)
@@ -66,11 +81,9 @@ class Graph:
     x: ca.SX
     z: ca.SX
     p: ca.SX
-    raw_rates: tuple[ca.SX, ca.SX]
-    raw_powers: tuple[ca.SX, ca.SX, ca.SX]
+    write: Callable[[], Expressions]
     state_names: tuple[str, ...]
     algebraic_names: tuple[str, ...]
-    raw_observables: Mapping[str, ca.SX]
     start: Floats
     straight: Floats
     x_kinds: tuple[str, ...]
@@ -97,9 +110,14 @@ class Graph:
         return "y" in self.z_kinds
 
     @cached_property
+    def raw(self) -> Expressions:
+        """The expressions; a compiled run needs them only for what a trajectory shows."""
+        return self.write()
+
+    @cached_property
     def rates(self) -> tuple[ca.SX, ca.SX]:
         """`ode` and `alg`: tidied when first asked for, which a compiled run never does."""
-        ode, alg = tidy(*self.raw_rates)
+        ode, alg = tidy(*self.raw.rates)
         return ode, alg
 
     @property
@@ -118,13 +136,13 @@ class Graph:
 
         In ``energy_scale`` times undeformed area and span. Their sums would fill a row of every Jacobian.
         """
-        plastic, load, gradient = tidy(*self.raw_powers)
+        plastic, load, gradient = tidy(*self.raw.powers)
         return plastic, load, gradient
 
     @cached_property
     def observables(self) -> ca.Function:
         """(t, x, z, p) to node and cell fields and energies, in SI per unit undeformed area."""
-        inputs, outputs = [self.t, self.x, self.z, self.p], self.raw_observables
+        inputs, outputs = [self.t, self.x, self.z, self.p], self.raw.observables
         names = ["time", "state", "algebraic", "parameters"]
         return ca.Function("observables", inputs, tidy(*outputs.values()), names, list(outputs))
 

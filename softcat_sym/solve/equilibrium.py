@@ -35,7 +35,7 @@ class Equilibrium:
         self._bends = "bending" in graph.effects
         inputs = [graph.t, graph.x, graph.z, graph.p]
         # As built: a handful of evaluations is not worth the search for common subexpressions.
-        alg = ca.densify(graph.raw_rates[1])
+        alg = ca.densify(graph.raw.rates[1])
         jacobian = ca.jacobian(alg, graph.z)
         # Of a beam that does not stretch: the first whole step ends at the answer, however far that is.
         self._linear = not ca.depends_on(jacobian, graph.z)

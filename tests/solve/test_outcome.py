@@ -17,7 +17,7 @@ from .filaments import graph_of, midpoint, prepared, scene_of, settings_of, with
 
 
 def _with_ode(graph: Graph, ode: ca.SX) -> Graph:
-    return dataclasses.replace(graph, raw_rates=(ode, graph.alg))
+    return dataclasses.replace(graph, write=lambda: dataclasses.replace(graph.raw, rates=(ode, graph.alg)))
 
 
 def test_every_outcome_gives_its_own_advice() -> None:
