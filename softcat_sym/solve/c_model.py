@@ -15,7 +15,7 @@ import numpy as np
 from softcat_sym.codegen.model_text import Model
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph.grid import Floats
-from softcat_sym.native import SOON, beside, compile_library, load
+from softcat_sym.native import OPTIMISED, SOON, beside, compile_library, load
 from softcat_sym.solve.interrupts import watched
 
 Doubles = ct.POINTER(ct.c_double)
@@ -23,6 +23,9 @@ Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
 _MODEL = "softcat_filament_model"
+
+# As fast as at -O3, and compiled in two thirds of the time.
+_RUNTIME = ("-O2", *OPTIMISED[1:])
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
 
@@ -264,7 +267,7 @@ def _headers() -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
-    library = load(compile_library(runtime_sources()), "softcat_sensitivities", "softcat_message")
+    library = load(compile_library(runtime_sources(), flags=_RUNTIME), "softcat_sensitivities", "softcat_message")
     library.softcat_sensitivities.argtypes = _signature()
     library.softcat_message.restype = ct.c_char_p
     return library
