@@ -251,6 +251,8 @@ class Names(AsValidator):
             raise refusal(_unknown_name(value, self.words), f"{', '.join(self.words)}{list_of_one}")
         if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
             raise refusal(f"{shown(value)} is not a list of names", self.accepted)
+        if not value:
+            raise refusal(f"{shown(value)} names nothing", self.accepted)
         repeated = sorted({item for item in value if value.count(item) > 1})
         if repeated:
             raise refusal(f"{', '.join(map(repr, repeated))} named twice", "each name once")

@@ -40,11 +40,14 @@ def read_overrides(overrides: Mapping[str, object] | Sequence[str]) -> tuple[lis
     read: list[Override] = []
     faults: list[Fault] = []
     for text in [overrides] if isinstance(overrides, str) else overrides:
-        path, equals, value = text.partition("=")
-        if equals and path.strip():
-            read.append(Override(path.strip(), _value(value)))
-        else:
+        path, equals, given = text.partition("=")
+        override = Override(path.strip(), _value(given))
+        if not equals or not override.path:
             faults.append(Fault("--set", f"{shown(text)} sets nothing", _FORM))
+        elif override.value == {} and "." not in override.path:
+            faults.append(Fault(override.path, "an empty table, which would drop every key", "table.key=value"))
+        else:
+            read.append(override)
     return read, faults
 
 
@@ -56,7 +59,7 @@ def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
     overrides : iterable of Override
         In order; the last one wins.
     table : dict
-        Raw scene.
+        Raw scene. A table as a value replaces the table of the scene: an empty one is its defaults.
 
     Returns
     -------
@@ -71,8 +74,6 @@ def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
             here = here.setdefault(name, {}) if isinstance(here, dict) else None
         if not isinstance(here, dict):
             faults.append(Fault(override.path, "leads to no key", "table.key, as in the scene file"))
-        elif not tables and isinstance(override.value, Mapping) and not override.value:
-            faults.append(Fault(override.path, "an empty table, which would drop every key", "table.key=value"))
         elif override.value is None:
             here.pop(key, None)
         else:

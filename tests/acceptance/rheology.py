@@ -63,7 +63,7 @@ def scene(
     cells: int = 20,
     rtol: float | None = None,
 ) -> sc.Scene:
-    """A scene whose numbers are SI; span 1 m, density 1000 kg/m^3, gravity 10 m/s^2, 1 s and 2 frames if not given.
+    """A scene whose numbers are SI, run once, without an estimate; span 1 m, density 1000 kg/m^3, gravity 10 m/s^2, 1 s and 2 frames if not given.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def scene(
         "initial": dict(initial or {}),
         "load": _with_units({"gravity": 10.0, **(load or {})}),
         "run": _with_units({"duration": 1.0, "frames": 2, **(run or {})}) | {"effects": named},
-        "numerics": {"cells": cells, "grading": 1.0} | ({} if rtol is None else {"rtol": rtol}),
+        "numerics": {"cells": cells, "grading": 1.0, "estimate": False} | ({} if rtol is None else {"rtol": rtol}),
     }
     return sc.Scene.model_validate(table)
 

@@ -51,6 +51,7 @@ MISTAKES: dict[str, Mistake] = {
     "a name, not a list": Mistake(INK, ("run.effects=inertia",), "'inertia'", '["inertia"]'),
     "a number": Mistake(INK, ("run.effects=3",), "3 is not a list of names", "auto, paper, or a list of names"),
     "numbers": Mistake(INK, (of(1, 2),), "[1, 2] is not a list of names", "auto, paper, or a list of names"),
+    "an empty list": Mistake(INK, ("run.effects=[]",), "[] names nothing", "auto, paper, or a list of names"),
     # Effects that miss another.
     "yields without flow": Mistake(INK, (of("yielding"),), "'yielding' without 'viscous-flow'", "add 'viscous-flow'"),
     "shear, no bending": Mistake(INK, (of(*STRING, "shear"),), "'shear' without 'bending'", "leave 'shear' out"),
@@ -196,7 +197,6 @@ def test_two_mistakes_are_two_faults(softcat: Softcat, tmp_path: Path) -> None:
         ("slime-slope", ("inertia", "bending", "viscous-flow"), True),
         ("drying-ink", ("inertia", "bending", "viscous-flow"), True),
         (INK, ("inertia",), True),
-        (INK, (), True),
         (INK, ("inertia", "bending"), False),
         (INK, ("bending", "finite-stretch"), True),
     ],

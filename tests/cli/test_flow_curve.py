@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import sys
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -116,6 +117,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     assert not output.exists()
 
 
+@cache
 def cases() -> dict[str, FlowCurveFit]:
     narrow = np.geomspace(1, 1.02, 5)
     return {
@@ -128,8 +130,9 @@ def cases() -> dict[str, FlowCurveFit]:
     }
 
 
-@pytest.mark.parametrize(("name", "fit"), cases().items(), ids=cases())
-def test_the_picture_has_room_for_its_words(name: str, fit: FlowCurveFit) -> None:
+@pytest.mark.parametrize("name", ["exact", "noisy", "falling", "narrow", "wide", "plateau"])
+def test_the_picture_has_room_for_its_words(name: str) -> None:
+    fit = cases()[name]
     figure: Figure = flow_curve_figure(fit)
     with style.styled():
         figure.draw_without_rendering()

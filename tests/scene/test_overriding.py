@@ -97,5 +97,10 @@ def test_replace() -> None:
         scene.replace({"numerics.cell": 40})
 
 
+def test_an_empty_table_is_the_defaults_in_python() -> None:
+    fine = load_scene("no-yield", {"numerics.cells": 40})
+    assert fine.replace({"numerics": {}}) == load_scene("no-yield", {"numerics": {}}) == load_scene("no-yield")
+
+
 def test_an_empty_table_is_no_value() -> None:
     assert "run: an empty table, which would drop every key" in refused("no-yield", ["run={}"])

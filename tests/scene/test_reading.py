@@ -180,7 +180,7 @@ def tables(draw: st.DrawFn) -> dict[str, Any]:
             "duration": f"{draw(positive)!r} hour",
             "frames": draw(st.integers(2, 1000)),
             "accuracy": draw(st.floats(1e-12, 0.999)),
-            "effects": draw(words | st.lists(st.text(max_size=5), max_size=3, unique=True)),
+            "effects": draw(words | st.lists(st.text(max_size=5), min_size=1, max_size=3, unique=True)),
             "closure": draw(st.sampled_from(["material", "printed"])),
         },
         "numerics": draw(st.fixed_dictionaries({}, optional={key: st.just(value) for key, value in numerics.items()})),
