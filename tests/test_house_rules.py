@@ -15,6 +15,7 @@ def run(*command: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
 
 
+@pytest.mark.tooling
 @pytest.mark.parametrize(
     "tool",
     [
@@ -29,6 +30,7 @@ def test_tool_is_content(tool: tuple[str, ...]) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.tooling
 def test_layers_are_kept() -> None:
     done = run(
         sys.executable, "-c", "from importlinter.cli import lint_imports_command; lint_imports_command()", "--no-cache"

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.tooling
+
 FOLDER = Path(__file__).parents[2] / "derivations"
 NOTEBOOKS = sorted(FOLDER.glob("[0-9][0-9]_*.py"))
 EXECUTE = """

@@ -84,6 +84,7 @@ def _spent(command: list[str], cache: Path) -> Spent:
     return Spent(wall, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
 
 
+@pytest.mark.tooling
 def test_cold_start(tmp_path: Path) -> None:
     """The promise is 6 s from a cold start to files on disk, on a machine that does nothing else.
 

@@ -15,6 +15,8 @@ import pytest
 
 import softcat_sym as sc
 
+pytestmark = pytest.mark.tooling
+
 ROOT = Path(__file__).parents[2]
 HOW_TO = ("12_own_rheology", "13_first_run", "14_ink_bridging", "15_fit_your_data", "16_take_the_c_away")
 FUNCTIONS = [name for name in sc.__all__ if not inspect.isclass(getattr(sc, name))]

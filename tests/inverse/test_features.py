@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -74,10 +75,16 @@ def test_the_errors_are_what_the_scatter_of_many_films_says() -> None:
         assert 0.75 < np.sqrt(np.mean(np.square(values))) < 1.25, name
 
 
+@cache
+def slow_maxwell() -> sc.Trajectory:
+    """Four gravity times of the small-deflection model."""
+    changes = {"model": "small-deflection", "groups.duration": 4, "run.frames": 201, "numerics.estimate": False}
+    return sc.simulate(sc.load_scene("maxwell-slow", changes))
+
+
 @pytest.mark.parametrize("noise", [0.01, 0.03])
 def test_the_ringing_of_the_slow_maxwell_scene_is_found_under_noise(noise: float) -> None:
-    changes = {"model": "small-deflection", "groups.duration": 4, "run.frames": 201}
-    run = sc.simulate(sc.load_scene("maxwell-slow", changes))
+    run = slow_maxwell()
     time, midpoint = run.data.time.values, run.data.midpoint.values
     scale = float(np.abs(midpoint).max())
     clean = read(time, midpoint, 1e-3 * scale)

@@ -156,20 +156,20 @@ static int read_lines(reader *r, softcat_request *to, unsigned char *seen)
 
 int softcat_read_request(const softcat_structure *s, const char *path, softcat_request *to)
 {
-    reader r = {.s = s, .path = path};
     size_t count = (size_t)s->model->parameters;
     memset(to, 0, sizeof *to);
     to->params = calloc(count, sizeof(double));
     unsigned char *seen = calloc(count + OTHERS, 1);
+    FILE *file = fopen(path, "r");
+    reader r = {.s = s, .path = path, .file = file};
     int wrong = 1;
-    if (!to->params || !seen) {
-        fprintf(stderr, "%s\n", softcat_explain(SOFTCAT_MEMORY));
-    } else if (!(r.file = fopen(path, "r"))) {
+    if (!file)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
-    } else {
+    else if (!to->params || !seen)
+        fprintf(stderr, "%s\n", softcat_explain(SOFTCAT_MEMORY));
+    else
         wrong = read_lines(&r, to, seen);
-        fclose(r.file);
-    }
+    if (file) fclose(file);
     free(seen);
     const char *slash = strrchr(path, '/');
     size_t folder = slash ? (size_t)(slash - path) + 1 : 0, length = strlen(to->start);
@@ -241,13 +241,14 @@ static int read_table(reader *r, softcat_request *to)
 
 int softcat_read_start(const softcat_structure *s, softcat_request *to)
 {
-    reader r = {.s = s, .path = to->start, .file = fopen(to->start, "r")};
-    if (!r.file) {
+    FILE *file = fopen(to->start, "r");
+    reader r = {.s = s, .path = to->start, .file = file};
+    if (!file) {
         fprintf(stderr, "%s: %s\n", to->start, strerror(errno));
         return 1;
     }
     int wrong = read_table(&r, to);
-    fclose(r.file);
+    fclose(file);
     return wrong;
 }
 
