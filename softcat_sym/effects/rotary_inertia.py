@@ -14,7 +14,7 @@ _SLOPE = 12.3
 """Mean square slope over mean square sag of a clamped beam's first mode, times L^2."""
 
 _SHAPE = 0.05
-"""Of that change of a frequency, what height and amplitude of a ringing change by: the weight bends the strand as far as
+"""Of the change of frequency, what height and amplitude of a ringing change by: the weight bends the strand as far as
 before, and only the share of the first mode in that shape changes. Measured 0.005 between clamps; in strands that yield
 at first it may be more."""
 
