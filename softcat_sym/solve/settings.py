@@ -137,11 +137,11 @@ def _longest_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
     a ringing by little of the sag is lost from the beginning.
     """
     rings = ringing(scene)
-    if "inertia" not in effects.names or rings.amplitude < scene.run.accuracy * expected_sag(scene):
+    lasts = rings.decay == 0 and rings.amplitude > scene.run.accuracy * expected_sag(scene)
+    if "inertia" not in effects.names or not lasts:
         return None
-    periods = rings.phase(scene.run.duration) / (2 * math.pi)
-    per_period = (_TAKEN_PER_PERIOD * periods / (_TAKEN * rtol)) ** 0.2
-    return 2 * math.pi / (rings.frequency * per_period) if per_period > 0 else None
+    period = 2 * math.pi / rings.frequency
+    return period / (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
 
 
 def _steepest(scene: Scene) -> float:
