@@ -14,9 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from softcat_sym.graph.grid import Floats
-
-FEWEST_PERIODS = 10.0
-"""In a run that is compared by heights and amplitudes."""
+from softcat_sym.trajectory.settling import FEWEST_PERIODS
 
 WINDOW_PERIODS, WINDOW_FRAMES = 5.0, 20
 """Least length of a window."""

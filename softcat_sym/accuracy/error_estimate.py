@@ -17,7 +17,7 @@ class ErrorEstimate:
     space : float or None
         Of the grid, by Richardson's extrapolation from a coarser one.
     time : float or None
-        Of the time steps, from a run at a looser tolerance.
+        Of the time steps, from a run at a looser tolerance, or at a tighter one of a filament that rings on.
     section : float or None
         Of the fibres (or of the order k) through the thickness, from a run with more of them; None also where a
         section has nothing to resolve.

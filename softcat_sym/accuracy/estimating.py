@@ -9,7 +9,6 @@ import numpy as np
 
 from softcat_sym.accuracy.companions import Differences
 from softcat_sym.accuracy.control import Controlled, controlled
-from softcat_sym.accuracy.deviation import FEWEST_PERIODS
 from softcat_sym.accuracy.error_estimate import ErrorEstimate
 from softcat_sym.accuracy.resolution import Resolution, resolution_of
 from softcat_sym.clock import Clock
@@ -23,6 +22,7 @@ from softcat_sym.solve import Progress, Silence
 from softcat_sym.solve.keeping import Form, kept, packed, unpacked
 from softcat_sym.trajectory import Trajectory
 from softcat_sym.trajectory.midpoint import midpoint_heights
+from softcat_sym.trajectory.settling import FEWEST_PERIODS
 from softcat_sym.trajectory.validity import shortest_hinge_cell
 
 MISSED_BY_LITTLE = 2.0

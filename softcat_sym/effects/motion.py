@@ -43,6 +43,8 @@ class Motion:
         Growth of a neck, e-folds.
     capillary : float
         Share of the sag that surface tension would take, or takes.
+    rings_on : bool
+        Whether it has rung for so long, and to its end, that its height and amplitude are told, and no phase.
     """
 
     sag: float
@@ -61,6 +63,7 @@ class Motion:
     sheared: float
     folds: float
     capillary: float
+    rings_on: bool = False
 
     def amplified(self, change: float) -> float:
         """A relative change of the sag as it shows in the midpoint and in the phase of its ringing; 1 at the most."""

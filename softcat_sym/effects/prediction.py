@@ -13,6 +13,9 @@ from softcat_sym.equations.surface import SURFACES, surface_tension
 from softcat_sym.equations.symbols import h0
 from softcat_sym.scene import Scene, gravity_time, groups_of, is_held
 
+_THROUGHOUT = 2.0
+"""G over that of first yield from which the whole section yields."""
+
 
 def instant_modulus(scene: Scene) -> float | None:
     """Young's modulus of a sudden load [Pa]: all springs together; None for a fluid without any."""
@@ -138,6 +141,12 @@ def first_yield_gravity_number(scene: Scene) -> float:
     """
     plain = _first_yield(scene.filament.section, beam_of(scene), groups_of(scene).delta)
     return plain * (1 + beam_share_of_surface(scene)) * share_of_yield(scene)
+
+
+def yields_throughout(scene: Scene) -> bool:
+    """Whether the weight is so far beyond the first fibre's yield that no part of the section stays elastic."""
+    gravity_number = gravity_number_of(scene)
+    return gravity_number is not None and gravity_number > _THROUGHOUT * first_yield_gravity_number(scene)
 
 
 def share_of_yield(scene: Scene) -> float:

@@ -20,6 +20,7 @@ from softcat_sym.effects.prediction import (
     static_modulus,
     weight_stress,
     yield_stress_of,
+    yields_throughout,
 )
 from softcat_sym.scene import Scene, distance, groups_of, is_held, undeformed_area
 from softcat_sym.scene.geometry import stress_free_length
@@ -143,8 +144,11 @@ def flow_sag(scene: Scene, weight: float, first: float, time: float) -> float:
     gravity_number = gravity_number_of(scene)
     if gravity_number is not None and gravity_number < first_yield_gravity_number(scene) and start_sag(scene) == 0:
         return 0.0
-    sag, reached = _flow_table(scene, weight, max(first, _SHALLOW))
-    return float(np.interp(time, reached, sag)) - max(first, _SHALLOW)
+    first = max(first, _SHALLOW)
+    sag, reached = _flow_table(scene, weight, first)
+    flown = float(np.interp(time, reached, sag)) - first
+    # A beam of which a part stays elastic is held by that, however fast the rest flows.
+    return flown if gravity_number is None or yields_throughout(scene) else min(flown, first)
 
 
 @lru_cache(maxsize=64)

@@ -9,12 +9,12 @@ from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.natural_frequency import solid_decay
 from softcat_sym.effects.prediction import (
     effective_viscosity,
-    first_yield_gravity_number,
     gravity_number_of,
     instant_modulus,
     static_modulus,
     viscous_number,
     weight_stress,
+    yields_throughout,
 )
 from softcat_sym.effects.quasi_static import elastic_sag_under, load_factor, retardation, slackness, start_sag
 from softcat_sym.equations import regimes
@@ -117,13 +117,9 @@ def _decay(scene: Scene, frequency: float) -> float:
         return arm / (2 * late) if late > 0 else 0.0
     viscosity, modulus, gravity_number = effective_viscosity(scene), instant_modulus(scene), gravity_number_of(scene)
     held = gravity_number is not None and gravity_number < float(regimes.ARREST_THRESHOLD)
-    # What is held rings on, unless it has flowed so slowly that it comes to rest without a swing.
-    creeps = (viscous_number(scene) or 0.0) > _OVERDAMPED and _yields(scene)
+    # What is held rings on, unless all of a section has flowed so slowly that it comes to rest without a swing; as long
+    # as a part of it stays elastic, that rings.
+    creeps = (viscous_number(scene) or 0.0) > _OVERDAMPED and yields_throughout(scene)
     if not viscosity or modulus is None or (held and not creeps):
         return 0.0
     return modulus / (2 * viscosity)
-
-
-def _yields(scene: Scene) -> bool:
-    gravity_number = gravity_number_of(scene)
-    return gravity_number is not None and gravity_number > first_yield_gravity_number(scene)

@@ -120,7 +120,7 @@ class CompiledIntegration:
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solve.integrate.Integration.run`."""
-        asked = self._asked(start, p, np.linspace(0.0, duration, self.frames))
+        asked = self._asked(start, p, np.linspace(0.0, duration, self.frames), scale)
         checkpoint = checkpoint_of(progress, lambda: self._identity(asked))
         known = checkpoint.before if checkpoint is not None else None
         known = known or at_start(start.x, start.z)
@@ -144,10 +144,10 @@ class CompiledIntegration:
         # Where there is nothing before the samples, the first of them lies just behind the start.
         first = max(first, begin + _BESIDE * (end - begin))
         every = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
-        run = self._asked(start, p, every)
+        run = self._asked(start, p, every, scale)
         return self._integrated(run, every, at_start(start.x, start.z), scale, progress, None)
 
-    def _asked(self, start: Start, p: Floats, times: Floats) -> Run:
+    def _asked(self, start: Start, p: Floats, times: Floats, scale: float) -> Run:
         return Run(
             parameters=np.ascontiguousarray(p),
             places=self.filament.places,
@@ -159,6 +159,7 @@ class CompiledIntegration:
             work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
             kinks=self.kinks,
             most_steps=max(_MOST_STEPS, _STEPS_PER_FRAME * len(times)),
+            longest_step=(self.settings.longest_step or 0.0) / scale,
         )
 
     def _integrated(
@@ -186,7 +187,14 @@ class CompiledIntegration:
         yield from (text.encode() for text in (self.filament.model.model.text, *runtime_sources().values()))
         yield from (part.tobytes() for part in (run.parameters, run.places, run.state, run.times, run.kinks))
         yield np.array(
-            [run.relative, run.work_absolute, run.method, run.most_steps, *np.atleast_1d(run.absolute)]
+            [
+                run.relative,
+                run.work_absolute,
+                run.longest_step,
+                run.method,
+                run.most_steps,
+                *np.atleast_1d(run.absolute),
+            ]
         ).tobytes()
 
     def _watched(self, under_way: _UnderWay, scale: float, progress: Progress, checkpoint: Checkpoint | None) -> None:

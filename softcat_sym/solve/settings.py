@@ -13,13 +13,14 @@ from softcat_sym.effects import Effects
 from softcat_sym.effects.forecast import expected_sag, expected_strain
 from softcat_sym.effects.prediction import (
     elastic_sag,
-    first_yield_gravity_number,
     gravity_number_of,
     instant_modulus,
     viscous_number,
     weight_stress,
     yield_stress_of,
+    yields_throughout,
 )
+from softcat_sym.effects.ringing import ringing
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.graph.choosing import choose_grid
 from softcat_sym.graph.grid import Floats
@@ -43,12 +44,14 @@ _QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load star
 # viscous stress holds, of one that creeps to rest, and of one that rings.
 _FLOWING, _HELD_BACK, _CREEPING, _RINGING = 0.3, 0.03, 1.0, 0.012
 _LOOSEST = 1e-3  # of the compiled method: a looser tolerance rejects more steps than it saves
+# Amplitude that the method itself takes from a ringing over a run, over rtol: a tenth of the accuracy of a ringing by
+# half of the sag. In n steps a period it takes 5e-6 (2 pi)^6/n^5 of the amplitude, for n of nine and more.
+_TAKEN, _TAKEN_PER_PERIOD = 17.0, 0.31
 _PER_YIELD_STRAIN = 0.02  # absolute strain, over the yield strain, against which one that creeps to rest is measured
 _ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
 
 _OVERDAMPED = 5.0  # V above which a descending filament does not turn back
 _SHORT_MEMORY = 0.02  # relaxation time in sqrt(L/g) below which a Maxwell filament does not ring
-_THROUGHOUT = 2.0  # G over that of first yield from which the whole section yields
 _SLOW_PERIODS = 20.0
 _NOISE = 5 * float(np.finfo(float).eps)
 
@@ -67,6 +70,8 @@ class Settings:
         Why this one.
     across : float or None
         Absolute tolerance of all but axial velocities, where theirs is looser for what rounding leaves in them.
+    longest_step : float or None
+        [s]; None where only the tolerances limit the steps.
     """
 
     solver: Name
@@ -74,6 +79,7 @@ class Settings:
     atol: float
     reason: str
     across: float | None = None
+    longest_step: float | None = None
 
     def absolute(self, kinds: Iterable[str]) -> Floats:
         """Absolute tolerance of unknowns of these kinds."""
@@ -120,7 +126,22 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     wanted = rtol * smallest
     noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
     across = max(wanted, noise * _steepest(scene))
-    return Settings("rosenbrock", rtol, max(wanted, noise), "the compiled one", across)
+    longest = _longest_step(scene, effects, rtol) if share == _RINGING else None
+    return Settings("rosenbrock", rtol, max(wanted, noise), "the compiled one", across, longest)
+
+
+def _longest_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
+    """Longest step [s] of a filament that rings: an L-stable method takes from the ringing what no tolerance misses.
+
+    The tolerances hold the error of a step. It falls with the amplitude, so that steps grow as the ringing is lost, and
+    a ringing by little of the sag is lost from the beginning.
+    """
+    rings = ringing(scene)
+    lasts = rings.decay == 0 and rings.amplitude > scene.run.accuracy * expected_sag(scene)
+    if "inertia" not in effects.names or not lasts:
+        return None
+    period = 2 * math.pi / rings.frequency
+    return period / (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
 
 
 def _steepest(scene: Scene) -> float:
@@ -226,8 +247,7 @@ def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
         return False
     if scene.load.shake > 0:
         return False
-    throughout = _THROUGHOUT * first_yield_gravity_number(scene) < gravity_number <= math.sqrt(2)
-    return throughout and viscous > _OVERDAMPED
+    return yields_throughout(scene) and gravity_number <= math.sqrt(2) and viscous > _OVERDAMPED
 
 
 def _is_slow(scene: Scene) -> bool:

@@ -23,6 +23,9 @@ STRIDE = 1.25
 NOISE = 0.01
 """Share of the accuracy below which a change of the mean is none: the time steps err by about as much."""
 
+FEWEST_PERIODS = 10.0
+"""In a run of which height and amplitude are told, and no phase, where it rings on to the end."""
+
 _SAMPLES = 200
 _FRAMES_PER_PERIOD = 8
 _WORTH = 0.1
@@ -91,6 +94,22 @@ def ringing_at_last(
     if not piece.outcome.is_success:
         return None, "the frames are too far apart to show the ringing: more run.frames would"
     return asdict(ringing_of(midpoint_heights(prepared.graph, piece)[1:] * rest_length(scene) + 0.0)), ""
+
+
+def rings_on(scene: Scene, told: dict[str, float] | None, largest: float) -> bool:
+    """Whether a run rings for so long, and to its end, that height and amplitude are all that an answer tells of it.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+    told : dict of str to float, or None
+        As from :func:`ringing_at_last`.
+    largest : float
+        Largest distance of the midpoint [m].
+    """
+    long = scene.load.shake == 0 and scene.run.duration >= FEWEST_PERIODS * period_of(scene)
+    return told is not None and long and told["amplitude"] > scene.run.accuracy * largest
 
 
 def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: Progress) -> float | None:

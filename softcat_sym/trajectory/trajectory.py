@@ -21,7 +21,7 @@ from softcat_sym.trajectory.fields import least_energy, node_positions, whole_sp
 from softcat_sym.trajectory.regime import regime_of
 from softcat_sym.trajectory.rupture import rupture_frame
 from softcat_sym.trajectory.seen import seen
-from softcat_sym.trajectory.settling import ringing_at_last
+from softcat_sym.trajectory.settling import ringing_at_last, rings_on
 from softcat_sym.trajectory.swing import SEEN, frames_a_period, too_few_frames
 from softcat_sym.trajectory.validity import warnings_of
 from softcat_sym.trajectory.verdict import verdict
@@ -153,11 +153,12 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    motion = seen(scene, effects, time, places, fields)
+    largest = float(np.max(np.abs(midpoint)))
+    rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
+    motion = replace(seen(scene, effects, time, places, fields), rings_on=rings_on(scene, rings, largest))
     measured = measures(scene, effects, motion)
     per_period = frames_a_period(time, midpoint, ringing(scene).frequency)
-    rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
-    fades = rings is not None and rings["amplitude"] < SEEN * float(np.max(np.abs(midpoint)))
+    fades = rings is not None and rings["amplitude"] < SEEN * largest
     warnings = [
         *warnings_of(scene, effects, motion.capillary, places[0], fields, carried),
         *(too_few_frames(time, per_period) if outcome.is_success and not fades else []),
@@ -171,7 +172,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
         "accuracy": scene.run.accuracy,
         "midpoint_final_m": float(midpoint[-1]),
-        "midpoint_largest_m": float(np.max(np.abs(midpoint))),
+        "midpoint_largest_m": largest,
         "midpoint_last_fifth_m": float(midpoint[-1] - np.interp(0.8 * time[-1], time, midpoint)),
         "frames_a_period": per_period,
         "midpoint_settled_m": rings,

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from softcat_sym.accuracy.companions import Before, Differences, differences, with_more_fibres
 from softcat_sym.accuracy.deviation import Judge
 from softcat_sym.accuracy.resolution import Resolution
+from softcat_sym.graph.grid import Floats
 
 from .known import FIRST, LINEAR, Known
 
@@ -38,6 +40,23 @@ def test_another_order_is_missed_by_a_known_factor(order: float, least: float, m
     found = differences(answer, FIRST, known, Judge(answer, ()), ACCURACY)
     assert found.space is not None
     assert least < known.parts(FIRST)[0] / found.space < most
+
+
+def test_what_steps_take_from_a_ringing_is_found_though_looser_ones_can_take_little_more() -> None:
+    """Of a higher mode nearly all is lost in the end at this tolerance, and all of it at once at a looser one."""
+    time = np.linspace(0.0, 1.0, 2001)
+    asked = []
+
+    def run(at: Resolution) -> Floats:
+        asked.append(at)
+        lost = 10 * (at.rtol / FIRST.rtol) ** 2
+        return np.asarray(np.cos(400 * np.pi * time) - 1 + 0.03 * np.exp(-lost * time) * np.cos(2160 * np.pi * time))
+
+    answer, exact = run(FIRST), run(replace(FIRST, rtol=1e-9))
+    judge = Judge.of(answer, 200.0, ACCURACY)
+    found = differences(answer, FIRST, run, judge, ACCURACY)
+    assert found.time == pytest.approx(judge.between(answer, exact).size, rel=0.3)
+    assert min(at.rtol for at in asked[2:]) > 0.1 * FIRST.rtol
 
 
 def test_what_has_nothing_to_resolve_is_not_run() -> None:

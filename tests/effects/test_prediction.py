@@ -105,7 +105,7 @@ def test_nothing_flows_below_first_yield_or_without_a_viscosity() -> None:
     assert flowing_sag(load_scene("no-yield")) == 0
 
 
-@pytest.mark.parametrize("gravity_number", [0.1, 0.4, 1.0, 1.4])
+@pytest.mark.parametrize("gravity_number", [0.2, 0.4, 1.0, 1.4])
 def test_arrest_is_no_deeper_than_the_catenary_that_just_holds(gravity_number: float) -> None:
     """(3.13): sigma_Y = rho g L (H + 1/(8 H)), the tension of a shallow catenary at its supports."""
     stress = RHO * G * SPAN / gravity_number
