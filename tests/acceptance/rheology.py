@@ -63,7 +63,7 @@ def scene(
     cells: int = 20,
     rtol: float | None = None,
 ) -> sc.Scene:
-    """A scene whose numbers are SI, run once, without an estimate; span 1 m, density 1000 kg/m^3, gravity 10 m/s^2, 1 s and 2 frames if not given.
+    """A scene in SI numbers, run without an estimate; 1 m, 1000 kg/m^3, 10 m/s^2, 1 s and 2 frames if not given.
 
     Parameters
     ----------

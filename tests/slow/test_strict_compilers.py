@@ -15,7 +15,9 @@ pytestmark = pytest.mark.slow
 SCENES = ("no-yield", "ink-bridge", "maxwell-slow", "beam-viscometer", "drawn-blob")
 """Of different laws, ends, sections and surroundings."""
 WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-c", "-o", "/dev/null")
-COMPILERS = {"gcc": (*WARNINGS, "-O1", "-fanalyzer"), "clang": WARNINGS}
+COMPILERS = {"gcc": ("-O1", "-fanalyzer"), "clang": ()}
+STRAIGHT = "softcat_rhs.c"
+"""Thousands of assignments by CasADi, without a pointer of its own: its analysis takes minutes."""
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +38,8 @@ def test_no_compiler_warns_of_anything(compiler: str, sources: list[Path]) -> No
         pytest.skip(f"no {compiler}")
     said = {}
     for path in sources:
-        command = [compiler, *COMPILERS[compiler], f"-I{path.parent}", str(path)]
+        more = COMPILERS[compiler] if path.name != STRAIGHT else ()
+        command = [compiler, *WARNINGS, *more, f"-I{path.parent}", str(path)]
         done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
         if done.returncode:
             said[f"{path.parent.name}/{path.name}"] = done.stderr[:400]
