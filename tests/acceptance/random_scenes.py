@@ -123,7 +123,7 @@ def _scene(generator: np.random.Generator) -> sc.Scene:
         initial=initial,
         load=load,
         run={"duration": duration * _TIME, "frames": FRAMES, "accuracy": 1e-2 if accuracy < 0.5 else 1e-3},
-    ).replace({"numerics.cells": None, "numerics.grading": None})
+    ).replace({"numerics": {}})
 
 
 def not_too_long(drawn: Draw, retardation: float, periods: float = _PERIODS) -> float:

@@ -59,6 +59,9 @@ def spent(checkout: Path, scene: str, cache: Path) -> Spent:
 def test_no_bundled_scene_is_slower_than_in_the_other_checkout(tmp_path: Path) -> None:
     rows, slower, sums = [], [], [0.0, 0.0, 0.0, 0.0]
     for scene in SCENES:
+        if not any(Path(OTHER, "softcat_sym").rglob(f"{scene}.toml")):
+            print(scene, "is new", flush=True)
+            continue
         caches = [tmp_path / scene / which for which in ("old", "new")]
         # In turn, so that a busy neighbour slows both.
         cold, warm = (
