@@ -141,7 +141,8 @@ def _longest_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
     if "inertia" not in effects.names or not lasts:
         return None
     period = 2 * math.pi / rings.frequency
-    return period / (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
+    per_period = (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
+    return period / float(per_period)
 
 
 def _steepest(scene: Scene) -> float:
