@@ -34,8 +34,8 @@ _STEPS = 0.2
 _STATES = 6
 """Unknowns of a cell that are no fibre's, counted in fibres: there are two of each."""
 
-_COMPILING = 80.0
-"""Cells that are integrated, with their companions, in the time in which a library for as many fibres is compiled."""
+_COMPILING = 1000.0
+"""Time in which the library for another number of fibres is compiled, a second whatever their number."""
 
 
 def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[[int], float]) -> Resolution:
@@ -103,5 +103,5 @@ def _cost(one: Resolution, at: Resolution) -> float:
     """Time that a resolution takes, in that of a cell with one fibre."""
     fibres = one.fibres or 0
     steps = float((at.rtol / one.rtol) ** _STEPS)
-    compiling = _COMPILING * fibres if one.fibres != at.fibres else 0.0
+    compiling = _COMPILING if one.fibres != at.fibres else 0.0
     return float(one.cells * (fibres + _STATES) * steps + compiling)
