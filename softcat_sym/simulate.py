@@ -76,7 +76,7 @@ def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
 
 def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
     """Run, estimate, and repeat with what the finished run calls for."""
-    from softcat_sym.accuracy import as_accurate_as_asked
+    from softcat_sym.accuracy import as_accurate_as_asked, frames_of_first
     from softcat_sym.clock import Clock
     from softcat_sym.effects import choose_effects
     from softcat_sym.single_run import rest_of, run_once
@@ -90,7 +90,8 @@ def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
             ends = rest_of(scene, effects, listener)
             clock.lap("estimate")
         asked = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
-        trajectory = run_once(asked, asked, effects, clock, listener)
+        times = frames_of_first(asked, effects)
+        trajectory = run_once(asked, asked, effects, clock, listener, times)
         last = len(repeats) == _REPEATS
         if scene.numerics.estimate and (last or not trajectory.overlooked):
             trajectory = as_accurate_as_asked(trajectory, effects, clock, listener)

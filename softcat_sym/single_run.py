@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
 
 from softcat_sym.clock import Clock
 from softcat_sym.effects import Effects
 from softcat_sym.graph.choosing import choose_cells
-from softcat_sym.scene import Scene
+from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Progress, Silence, choose_backend, prepare, settings_for
 from softcat_sym.solve.assembled import assembled
 from softcat_sym.solve.keeping import kept
 from softcat_sym.trajectory import Trajectory, judge
 from softcat_sym.trajectory.keeping import trajectory_form
+from softcat_sym.trajectory.midpoint import midpoint_heights
 from softcat_sym.trajectory.settling import settling_time
 
 _FEWEST_CELLS = 8
@@ -54,7 +58,9 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: 
     return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
 
 
-def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
+def run_once(
+    scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0
+) -> Trajectory:
     """Integrate once, and judge the answer.
 
     Parameters
@@ -69,13 +75,15 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
         Told of every stage.
     progress : Progress
         Told about simulated time.
+    times : int
+        At which the midpoint is looked at, where these are more than the frames, and a whole number between any two.
     """
 
     def identity() -> Iterator[str]:
         yield from ("run", scene.to_toml(), resolved.to_toml(), *run_texts(effects))
 
     def run() -> Trajectory:
-        return _run_once(scene, resolved, effects, clock, progress)
+        return _run_once(scene, resolved, effects, clock, progress, max(times, scene.run.frames))
 
     return kept(identity, run, trajectory_form(scene))
 
@@ -104,19 +112,25 @@ def run_texts(effects: Effects) -> tuple[str, str]:
     return json.dumps(effects.reasons), json.dumps(effects.left_out)
 
 
-def _run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress) -> Trajectory:
-    tried = resolved
+def _run_once(
+    scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int
+) -> Trajectory:
+    stride = (times - 1) // (scene.run.frames - 1)
+    tried = resolved if stride == 1 else resolved.replace({"run.frames": times})
     for left in reversed(range(_TRIES)):
         prepared = build(tried, effects, clock, progress)
         clock.lap("build")
         progress.doing("solving" if left == _TRIES - 1 else "solving again, in shorter steps")
         solution = prepared.solve(progress)
         clock.lap("solve")
+        heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) if stride > 1 else None
+        if stride > 1:
+            solution = solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), scene.run.frames))
         progress.doing("checking the answer")
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
         if trajectory.outcome not in OF_A_STEP_TOO_LONG or scene.numerics.rtol is not None or not left:
             break
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
         # elastic may be undefined, where the step is too long: both ask for shorter ones.
-        tried = resolved.replace({"numerics.rtol": prepared.settings.rtol / _TIGHTER})
-    return trajectory
+        tried = tried.replace({"numerics.rtol": prepared.settings.rtol / _TIGHTER})
+    return replace(trajectory, heights=heights)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import asdict, replace
 
 import numpy as np
@@ -18,7 +19,7 @@ from softcat_sym.graph.grading import choose_grading
 from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.single_run import build, run_once, run_texts
-from softcat_sym.solve import Progress, Silence
+from softcat_sym.solve import Progress, Silence, choose_backend
 from softcat_sym.solve.keeping import Form, kept, packed, unpacked
 from softcat_sym.trajectory import Trajectory
 from softcat_sym.trajectory.midpoint import midpoint_heights
@@ -95,15 +96,18 @@ class _Runs:
             scene = self.last.scene
             self._progress.stage(f"refining to {at.cells} cells" + (f", {at.fibres} fibres" if at.fibres else ""))
             self._beside = 0
-            self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress)
+            times = frames_to_see(scene, at, self._periods)
+            self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress, times)
         if not self.last.outcome.is_success:
             return None
-        unseen = self._frames(at) > self.last.scene.run.frames
-        return self.companion(at) if unseen else np.asarray(self.last.data["midpoint"])
+        wanted, heights = frames_to_see(self.last.scene, at, self._periods), self.last.heights
+        if wanted == self.last.scene.run.frames:
+            return np.asarray(self.last.data["midpoint"])
+        return heights if heights is not None and len(heights) == wanted else self.companion(at)
 
     def companion(self, at: Resolution) -> Floats | None:
         """Run for the midpoint only, in the same units."""
-        scene = at.of(self.last.scene).replace({"run.frames": self._frames(at)})
+        scene = at.of(self.last.scene).replace({"run.frames": frames_to_see(self.last.scene, at, self._periods)})
         key = scene.to_toml()
         if key not in self._known:
             self._beside += 1
@@ -113,14 +117,6 @@ class _Runs:
                 lambda: ("companion", key, *run_texts(self._effects)), lambda: self._midpoint(scene), _MIDPOINT
             )
         return self._known[key] if self._known[key].size else None
-
-    def _frames(self, at: Resolution) -> int:
-        """Output times: enough to see a long ringing, which is not told frame by frame."""
-        asked = self.last.scene.run.frames
-        if self._periods < FEWEST_PERIODS:
-            return asked
-        fits = MOST_NUMBERS // (at.cells * (_STATES + 2 * (at.fibres or 0)))
-        return max(asked, min(math.ceil(FRAMES_PER_PERIOD * self._periods) + 1, fits))
 
     def _midpoint(self, scene: Scene) -> Floats:
         """Heights of the midpoint [m]; none without an answer."""
@@ -185,7 +181,29 @@ def periods_of(run: Trajectory) -> float:
     run : Trajectory
         Any.
     """
-    if "inertia" not in run.summary["effects"]:
+    return _periods_in(run.scene, run.summary["effects"], run.summary["time_final_s"])
+
+
+def frames_of_first(scene: Scene, effects: Effects) -> int:
+    """Output times of the first run of a scene that is to be estimated, from :func:`frames_to_see`."""
+    if not scene.numerics.estimate:
+        return scene.run.frames
+    at = resolution_of(scene, effects, compiled=choose_backend(scene, effects).compiled)
+    return frames_to_see(scene, at, _periods_in(scene, effects.names, scene.run.duration))
+
+
+def frames_to_see(scene: Scene, at: Resolution, periods: float) -> int:
+    """Output times that show a long ringing, which is not told frame by frame; the frames asked for are among them."""
+    asked = scene.run.frames
+    if periods < FEWEST_PERIODS:
+        return asked
+    fits = MOST_NUMBERS // (at.cells * (_STATES + 2 * (at.fibres or 0)))
+    wanted = min(math.ceil(FRAMES_PER_PERIOD * periods), fits - 1)
+    return max(1, math.ceil(wanted / (asked - 1))) * (asked - 1) + 1
+
+
+def _periods_in(scene: Scene, effects: Collection[str], duration: float) -> float:
+    if "inertia" not in effects:
         return 0.0
-    rings = ringing(run.scene)
-    return rings.frequency * run.summary["time_final_s"] / (2 * math.pi) if rings.amplitude > 0 else 0.0
+    rings = ringing(scene)
+    return rings.frequency * duration / (2 * math.pi) if rings.amplitude > 0 else 0.0

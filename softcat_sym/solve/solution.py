@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from softcat_sym.graph.grid import Floats
 from softcat_sym.solve.outcome import Outcome
@@ -34,3 +34,8 @@ class Solution:
     outcome: Outcome
     complaint: str
     steps: int
+
+    def every(self, stride: int, time: Floats) -> Solution:
+        """The same at every so many of its times, called those of `time`."""
+        x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
+        return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)

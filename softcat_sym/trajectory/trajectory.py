@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ import numpy as np
 from softcat_sym.effects import Effects
 from softcat_sym.effects.natural_frequency import damping_note
 from softcat_sym.effects.ringing import ringing
+from softcat_sym.graph.grid import Floats
 from softcat_sym.scene import Scene, rest_length
 from softcat_sym.solve import Outcome, Prepared, Silence, Solution
 from softcat_sym.trajectory.checking import measures, overlooked, spared
@@ -47,6 +48,8 @@ class Trajectory:
     overlooked : dict of str to str
         Effects that ``auto`` has left out and that the run shows to matter, and how; empty in what `simulate` returns
         with success.
+    heights : ndarray or None
+        Midpoint at more times than the frames [m], evenly spaced, where these do not show its ringing.
     """
 
     scene: Scene
@@ -54,6 +57,7 @@ class Trajectory:
     summary: dict[str, Any]
     outcome: Outcome
     overlooked: dict[str, str]
+    heights: Floats | None = field(default=None, compare=False)
 
     def __repr__(self) -> str:
         told, sizes = self.summary, self.data.sizes
