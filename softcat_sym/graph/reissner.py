@@ -118,7 +118,7 @@ class _Sampled:
             for j in range(cell.branches)
         ]
         points = cell.points(strains, plastic)
-        section = cell.resultants(strains, angle, points, setting.total)
+        section = cell.resultants(strains, angle, points)
         stretch = ca.sqrt(slope[0] ** 2 + slope[1] ** 2)
         force_x, force_y = stage("section_force_x", section.force[0]), stage("section_force_y", section.force[1])
         # Along the tangent of the centreline, not along the normal of the section: conjugate to its stretch.

@@ -16,7 +16,7 @@ from softcat_sym.equations.filament import FilamentEquations
 from softcat_sym.graph.cell_printer import Pair, inputs_of
 from softcat_sym.graph.discretisation import Setting
 from softcat_sym.graph.profile import outline
-from softcat_sym.graph.section_rule import Sampling, Total
+from softcat_sym.graph.section_rule import Sampling
 from softcat_sym.printing import CellFunction
 
 _NO_STRESS = 1e-12
@@ -104,6 +104,7 @@ class ResolvedPrinter:
         self._values = dict(setting.values)
         self._inputs = inputs_of(equations)
         self._rule = rule
+        self._total = setting.total
         self._varies = setting.profile.cells is not None
         self._moduli = [branch.modulus for branch in equations.law.branches]
         self.outline = outline(setting.profile, equations.shape.area_power, setting.values)
@@ -216,13 +217,13 @@ class ResolvedPrinter:
         pair = {sy.sigma: stress["axial"], re.tau_f: stress["shear"]}
         return {**stress, **self._evaluate({"dissipation": viscous.dissipation, "speed": viscous.speed}, pair)}
 
-    def resultants(self, strains: Strains, angle: ca.SX, points: Points, total: Total) -> Resultants:
+    def resultants(self, strains: Strains, angle: ca.SX, points: Points) -> Resultants:
         """Forces and couple of every section, and what they do to positions and section angle."""
         cell, mean = self._resolved.cell, self._rule.mean
         means = {
-            re.sigma_mean: mean("axial_stress", points.axial_stress, total),
-            re.sigma_zeta: mean("axial_stress", points.axial_stress, total, linear=True),
-            re.tau_mean: mean("shear_stress", points.shear_stress, total),
+            re.sigma_mean: mean("axial_stress", points.axial_stress, self._total),
+            re.sigma_zeta: mean("axial_stress", points.axial_stress, self._total, linear=True),
+            re.tau_mean: mean("shear_stress", points.shear_stress, self._total),
             re.Lam: strains.Lam,
         }
         if self.outline.h_cells is not None:
