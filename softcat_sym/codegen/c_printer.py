@@ -95,7 +95,7 @@ class Target:
     each : bool
         Whether there is one for each fibre.
     adds : bool
-        Whether the result is added to it: it is a sum over the fibres.
+        Whether the result is added to it.
     """
 
     text: str
@@ -146,10 +146,9 @@ def statements(
         found[when[k]].append(f"const double {text[k]} = {_bare(written)};")
     for target, result in zip(targets, code.results, strict=True):
         ready = when[result] if result >= 0 else When.BEFORE
-        each = target.each or target.adds
-        if ready == (When.AFTER if each else When.FIBRE):
+        if ready == (When.AFTER if target.each else When.FIBRE):
             raise PrintingError(f"{target.text} is computed when its fibres are not, or for each of them")
-        at = When.FIBRE if each else max(When.SITE, ready)
+        at = When.FIBRE if target.each else max(When.SITE, ready)
         sign = "+=" if target.adds else "="
         found[at].append(f"{target.text} {sign} {_bare(text[result]) if result >= 0 else '0.0'};")
     return found

@@ -82,7 +82,7 @@ class Writer:
         """Write a function that computes values at its sites; the call of it."""
         sums = [leaf for leaf in self._leaves.within(ca.vertcat(*values)) if leaf.kind == SUM]
         values = [*values, *(self._leaves.summed(leaf) for leaf in sums)]
-        targets = [*targets, *(Target(self.leaf(leaf), adds=True) for leaf in sums)]
+        targets = [*targets, *(Target(self.leaf(leaf), each=True, adds=True) for leaf in sums)]
         leaves = self._leaves.within(ca.vertcat(*values))
         plain = code_of([self._leaves.symbol(leaf) for leaf in leaves], list(values))
         code, leaves = with_reciprocals(plain, leaves)

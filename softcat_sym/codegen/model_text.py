@@ -94,7 +94,7 @@ def _named(name: str, count: int) -> list[str]:
     return [name.replace(EACH, str(k)) for k in range(count)] if EACH in name else [name]
 
 
-_MARK, _SUM = "@", " SUM"  # stand in the text for what is known only later
+_MARK = "@"  # stands in the text for what is known only later
 
 
 def template_of(recording: Recording) -> Template:
@@ -227,15 +227,16 @@ def _work(
     loops, size = loops_of(recording.leaves, [*others, *items]), writer.slots.count
     calls = []
     for k, loop in enumerate(loops):
-        targets = [Target(f"q[{index[name]}]{_SUM}") if name in index else writer.field(name) for name in loop.names]
+        targets = [
+            Target(f"q[{index[name]}]", adds=True) if name in index else writer.field(name) for name in loop.names
+        ]
         calls.append(writer.function(f"work_{k}", loop.where, loop.values, targets))
 
     def entry(name: str, one: Entry) -> Target:
         before = times(index[name], f"{size} * n")
-        return Target(f"s[{before}{writer.slots.at(*one)}]{_SUM}", EACH in one[0])
+        return Target(f"s[{before}{writer.slots.at(*one)}]", EACH in one[0], adds=True)
 
     changes = _derivatives(writer, chain, loops, "work_slope", entry)
-    writer.functions = [text.replace(f"{_SUM} =", " +=") for text in writer.functions]
     return POWERS, calls, changes
 
 

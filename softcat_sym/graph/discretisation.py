@@ -14,7 +14,7 @@ from softcat_sym.graph.grid import Grid
 from softcat_sym.graph.layout import Block, Layout
 from softcat_sym.graph.lengths import Lengths
 from softcat_sym.graph.profile import Profile
-from softcat_sym.graph.section_rule import OneFibre, SectionRule
+from softcat_sym.graph.section_rule import OneFibre, SectionRule, Total
 from softcat_sym.graph.supports import Held
 
 
@@ -66,7 +66,7 @@ def unstaged(name: str, value: ca.SX) -> ca.SX:
     return value
 
 
-def untotalled(name: str, value: ca.SX) -> ca.SX:
+def without_sums(name: str, value: ca.SX) -> ca.SX:
     """Sums over fibres stand for themselves only where one fibre stands for all.
 
     Raises
@@ -115,7 +115,7 @@ class Setting:
         Of the grid.
     stage : Stage
         What becomes of the fields that other places read.
-    total : Stage
+    total : callable
         What becomes of sums over the fibres, where one stands for all.
     """
 
@@ -126,7 +126,7 @@ class Setting:
     time_scale: ca.SX
     lengths: Lengths
     stage: Stage = unstaged
-    total: Stage = untotalled
+    total: Total = without_sums
 
     def positions(self, state: Recall) -> tuple[ca.SX, ca.SX]:
         """Positions of all nodes, in rest lengths; those that are held are where the supports are."""

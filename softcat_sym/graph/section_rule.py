@@ -7,8 +7,8 @@ of one rule both are the same.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Protocol
 
 import casadi as ca
 import numpy as np
@@ -26,12 +26,8 @@ _MOMENT_POINTS = 200
 """Of the sums that stand for integrals over a half; they are exact for what they are taken of."""
 
 
-class Total(Protocol):
-    """Names a sum over the fibres of each cell, and puts a symbol in its place."""
-
-    def __call__(self, name: str, value: ca.SX) -> ca.SX:
-        """What stands for the sum of `value`, given for one fibre that stands for all."""
-        ...
+Total = Callable[[str, ca.SX], ca.SX]
+"""Names a sum over the fibres of each cell, given for one that stands for all, and puts a symbol in its place."""
 
 
 @dataclass(frozen=True)

@@ -111,7 +111,7 @@ class Run:
         Times that no step runs over.
     most_steps : int
         Before it gives up.
-    longest_step : float
+    max_step : float
         0 for none.
     method : int
         0: Rodas5P, 1: Rodas4, 2: Rodas3P, as softcat_rosenbrock.h numbers them.
@@ -126,7 +126,7 @@ class Run:
     work_absolute: float
     kinks: Floats
     most_steps: int
-    longest_step: float = 0.0
+    max_step: float = 0.0
     method: int = 0
 
 
@@ -235,7 +235,7 @@ class CModel:
         filament = Filament(sites, doubles(run.parameters), doubles(run.places))
         options = Options(relative=run.relative, absolute=doubles(absolute), most_steps=run.most_steps)
         options.work_absolute, options.method = run.work_absolute, run.method
-        options.largest_step = run.longest_step
+        options.largest_step = run.max_step
         if len(run.kinks):
             options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
         if stop is not None:

@@ -159,7 +159,7 @@ class CompiledIntegration:
             work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
             kinks=self.kinks,
             most_steps=max(_MOST_STEPS, _STEPS_PER_FRAME * len(times)),
-            longest_step=(self.settings.longest_step or 0.0) / scale,
+            max_step=(self.settings.max_step or 0.0) / scale,
         )
 
     def _integrated(
@@ -190,7 +190,7 @@ class CompiledIntegration:
             [
                 run.relative,
                 run.work_absolute,
-                run.longest_step,
+                run.max_step,
                 run.method,
                 run.most_steps,
                 *np.atleast_1d(run.absolute),

@@ -70,7 +70,7 @@ class Settings:
         Why this one.
     across : float or None
         Absolute tolerance of all but axial velocities, where theirs is looser for what rounding leaves in them.
-    longest_step : float or None
+    max_step : float or None
         [s]; None where only the tolerances limit the steps.
     """
 
@@ -79,7 +79,7 @@ class Settings:
     atol: float
     reason: str
     across: float | None = None
-    longest_step: float | None = None
+    max_step: float | None = None
 
     def absolute(self, kinds: Iterable[str]) -> Floats:
         """Absolute tolerance of unknowns of these kinds."""
@@ -126,11 +126,11 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     wanted = rtol * smallest
     noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
     across = max(wanted, noise * _steepest(scene))
-    longest = _longest_step(scene, effects, rtol) if share == _RINGING else None
+    longest = _max_step(scene, effects, rtol) if share == _RINGING else None
     return Settings("rosenbrock", rtol, max(wanted, noise), "the compiled one", across, longest)
 
 
-def _longest_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
+def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
     """Longest step [s] of a filament that rings: an L-stable method takes from the ringing what no tolerance misses.
 
     The tolerances hold the error of a step. It falls with the amplitude, so that steps grow as the ringing is lost, and

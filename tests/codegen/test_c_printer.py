@@ -108,7 +108,7 @@ def test_what_all_rows_share_is_computed_before_the_loop() -> None:
 
 def test_what_all_fibres_of_a_site_share_is_computed_before_the_loop_over_them() -> None:
     code = code_of([A, B], [ca.exp(B) * A])
-    found = statements(code, ["z[k]", "y[i]"], [When.FIBRE, When.SITE], [Target("sum", adds=True)])
+    found = statements(code, ["z[k]", "y[i]"], [When.FIBRE, When.SITE], [Target("sum", each=True, adds=True)])
     assert "exp" in found[When.SITE][0]
     assert found[When.FIBRE] == ["sum += v1 * z[k];"]
 

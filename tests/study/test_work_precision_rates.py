@@ -73,7 +73,7 @@ def test_stable_step_of_a_spring_and_of_a_decay(matrix: list[list[float]], step:
     assert stable_step(np.array(matrix, dtype=float)) == pytest.approx(step, rel=1e-4)
 
 
-def test_nothing_that_moves_has_no_longest_step() -> None:
+def test_nothing_that_moves_has_no_max_step() -> None:
     assert stable_step(np.zeros((2, 2))) == np.inf
 
 
