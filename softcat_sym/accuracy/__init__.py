@@ -2,11 +2,10 @@
 
 from softcat_sym.accuracy.deviation import Deviation, Judge
 from softcat_sym.accuracy.error_estimate import ErrorEstimate
-from softcat_sym.accuracy.estimating import FRAMES_PER_PERIOD, as_accurate_as_asked, frames_of_first, periods_of
+from softcat_sym.accuracy.estimating import as_accurate_as_asked, frames_of_first, periods_of
 from softcat_sym.accuracy.resolution import Resolution, resolution_of
 
 __all__ = [
-    "FRAMES_PER_PERIOD",
     "Deviation",
     "ErrorEstimate",
     "Judge",

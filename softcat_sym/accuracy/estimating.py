@@ -29,10 +29,11 @@ from softcat_sym.trajectory.validity import shortest_hinge_cell
 MISSED_BY_LITTLE = 2.0
 """Times the accuracy asked: an estimated error up to there is an answer with its error bar, beyond it a failure."""
 
-FRAMES_PER_PERIOD = 8
-"""Of a ringing that is looked at by its height and amplitude."""
+FRAMES_PER_PERIOD = 20
+"""Of a ringing that is looked at by its height and amplitude. A string's odd modes are multiples of the first, with
+amplitudes that fall as the cube: at eight frames a period the seventh and ninth, 1/400 of it, pass for the first."""
 
-MOST_NUMBERS = 10_000_000
+MOST_NUMBERS = 20_000_000
 """Of all output times together: what a run that is looked at closely may hold in memory."""
 
 _STATES = 10
@@ -68,7 +69,7 @@ def as_accurate_as_asked(
     guess = resolution_of(first.scene, effects, compiled=first.summary["backend"] == "compiled")
     start = replace(guess, rtol=first.summary["rtol"])
     scene, periods = first.scene, periods_of(first)
-    runs = _Runs(first, effects, clock, progress or Silence(), periods)
+    runs = _Runs(first, effects, clock, progress or Silence(), frames_to_see(scene, guess, periods))
 
     def grading(cells: int) -> float:
         return scene.numerics.grading or choose_grading(scene, cells, effects)
@@ -79,11 +80,11 @@ def as_accurate_as_asked(
 
 
 class _Runs:
-    """The answer so far, and runs beside it."""
+    """The answer so far, and runs beside it; all of them have `frames` output times, so that they can be compared."""
 
-    def __init__(self, first: Trajectory, effects: Effects, clock: Clock, progress: Progress, periods: float) -> None:
+    def __init__(self, first: Trajectory, effects: Effects, clock: Clock, progress: Progress, frames: int) -> None:
         self.last, self._waiting, self._beside = first, True, 0
-        self._effects, self._clock, self._progress, self._periods = effects, clock, progress, periods
+        self._effects, self._clock, self._progress, self._frames = effects, clock, progress, frames
         self._known: dict[str, Floats] = {}
 
     def answer(self, at: Resolution) -> Floats | None:
@@ -96,18 +97,17 @@ class _Runs:
             scene = self.last.scene
             self._progress.stage(f"refining to {at.cells} cells" + (f", {at.fibres} fibres" if at.fibres else ""))
             self._beside = 0
-            times = frames_to_see(scene, at, self._periods)
-            self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress, times)
+            self.last = run_once(scene, at.of(scene), self._effects, self._clock, self._progress, self._frames)
         if not self.last.outcome.is_success:
             return None
-        wanted, heights = frames_to_see(self.last.scene, at, self._periods), self.last.heights
-        if wanted == self.last.scene.run.frames:
+        if self._frames == self.last.scene.run.frames:
             return np.asarray(self.last.data["midpoint"])
-        return heights if heights is not None and len(heights) == wanted else self.companion(at)
+        heights = self.last.heights
+        return heights if heights is not None and len(heights) == self._frames else self.companion(at)
 
     def companion(self, at: Resolution) -> Floats | None:
         """Run for the midpoint only, in the same units."""
-        scene = at.of(self.last.scene).replace({"run.frames": frames_to_see(self.last.scene, at, self._periods)})
+        scene = at.of(self.last.scene).replace({"run.frames": self._frames})
         key = scene.to_toml()
         if key not in self._known:
             self._beside += 1

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import tomllib
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -12,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.accuracy import FRAMES_PER_PERIOD, Judge, periods_of
+from softcat_sym.accuracy import Judge, periods_of
 from softcat_sym.effects import choose_effects
 from softcat_sym.errors import SoftcatError
 from softcat_sym.graph.grading import choose_grading
@@ -138,15 +137,10 @@ def _judged(scene: sc.Scene, run: sc.Trajectory | None, found: Calibrated) -> Ca
 def true_error(scene: sc.Scene, run: sc.Trajectory) -> tuple[float, str]:
     """Error of a run by a finer one, measured as the estimate is; or why there is none.
 
-    A ringing that the frames do not show is run again, both times with frames enough.
+    A ringing that the frames do not show is compared at as many times as the estimate was.
     """
-    periods, frames, midpoint = periods_of(run), scene.run.frames, run.data.midpoint.values
-    best = _finer(scene, run.summary)
-    seen = math.ceil(FRAMES_PER_PERIOD * periods) + 1
-    if Judge.of(midpoint, periods, scene.run.accuracy).windows and seen > frames:
-        best = best.replace({"run.frames": seen})
-        midpoint = sc.simulate(_same(scene, run.summary).replace({"run.frames": seen})).data.midpoint.values
-    reference = sc.simulate(best)
+    periods, midpoint = periods_of(run), run.data.midpoint.values if run.heights is None else run.heights
+    reference = sc.simulate(_finer(scene, run.summary).replace({"run.frames": len(midpoint)}))
     if not reference.outcome.is_success:
         return np.nan, f"reference: {reference.outcome.name}"
     wanted = reference.data.midpoint.values
