@@ -139,7 +139,7 @@ def is_told(key: str, value: object) -> bool:
 
 def commands() -> str:
     """What ``softcat --help`` says, of every command."""
-    from softcat_sym.cli import app
+    from softcat_sym.cli.application import app
 
     group: Any = typer.main.get_command(app)
     parts = []

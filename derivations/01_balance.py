@@ -33,11 +33,14 @@ import mpmath as mp
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata
 
-from softcat_sym.equations import balance, kinematics, loading, motion
-from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.symbols import A0, M_X, Q, X, a_g, f_g, g, g_on, rho, s, t, x_X, x_X_before, y_X, y_X_before
+from softcat_sym.physics import kinematics
+from softcat_sym.physics import kinematics as balance
+from softcat_sym.physics import kinematics as motion
+from softcat_sym.physics import loads as loading
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.symbols import A0, M_X, Q, X, a_g, f_g, g, g_on, rho, s, t, x_X, x_X_before, y_X, y_X_before
 
 x, y, S, theta = motion.x, motion.y, motion.stretch, motion.angle
 axial, shear, moment = motion.axial_force, motion.transverse_force, motion.moment
@@ -285,7 +288,7 @@ prove_equal(printed_column[1].subs(uniform).doit(), 2 * column[1].subs(uniform).
 # The two components are, in the angle,
 
 # %%
-for derived, held in zip(F, balance.EQUATIONS, strict=True):
+for derived, held in zip(F, balance.BALANCE_EQUATIONS, strict=True):
     with_N = derived.subs(shear, N_derived)
     prove_equal(with_N.subs([(moment.diff(X), M_X), (axial, Q), (S, s), (theta, sy.theta)]), held.right)
 
@@ -298,13 +301,13 @@ for derived, held in zip(F, balance.EQUATIONS, strict=True):
 # %%
 derived_stretch = sp.sqrt(x_X**2 + y_X**2)
 prove_equal(kinematics.LARGE_ROTATION.stretch, derived_stretch)
-assert [e.right for e in kinematics.EQUATIONS[:2]] == [derived_stretch, sp.atan2(y_X, x_X)]
+assert [e.right for e in kinematics.KINEMATICS_EQUATIONS[:2]] == [derived_stretch, sp.atan2(y_X, x_X)]
 force = balance.internal_force(kinematics.LARGE_ROTATION, bending=True)
 polar = {x_X: s * sp.cos(sy.theta), y_X: s * sp.sin(sy.theta)}
 string = balance.internal_force(kinematics.LARGE_ROTATION, bending=False)
 for held, taut, derived in (
-    (force.horizontal, string.horizontal, balance.EQUATIONS[0].right),
-    (force.vertical, string.vertical, balance.EQUATIONS[1].right),
+    (force.horizontal, string.horizontal, balance.BALANCE_EQUATIONS[0].right),
+    (force.vertical, string.vertical, balance.BALANCE_EQUATIONS[1].right),
 ):
     prove_equal(derived, held.subs(polar))
     prove_equal(derived.subs(M_X, 0), taut.subs(polar))
@@ -357,7 +360,7 @@ def leading(exact: sp.Expr, order: int) -> sp.Expr:
 
 
 held = kinematics.SMALL_SLOPE
-assert [e.right for e in kinematics.EQUATIONS[2:]] == [held.stretch, y_X]
+assert [e.right for e in kinematics.KINEMATICS_EQUATIONS[2:]] == [held.stretch, y_X]
 prove_equal(leading(sp.atan2(y_X, x_X).subs(flat), 1), Y)
 exact_stretch = derived_stretch.subs(flat)
 prove_equal(1 + small**2 * leading(exact_stretch - 1, 2), held.stretch.subs(flat))
@@ -393,7 +396,7 @@ def during(expression: sp.Expr) -> sp.Expr:
 ramp = g * step.subs(u, t / g_on)
 prove_equal(ramp, during(loading.ramped_gravity()))
 prove_equal(sp.diff(ramp, t), during(loading.ramp_rate()))
-assert [e.right for e in loading.EQUATIONS][:2] == [loading.ramped_gravity(), loading.ramp_rate()]
+assert [e.right for e in loading.LOADING_EQUATIONS][:2] == [loading.ramped_gravity(), loading.ramp_rate()]
 for outside in (-g_on, 2 * g_on):
     assert loading.ramp_rate().subs(t, outside) == 0
 
@@ -411,7 +414,7 @@ for outside in (-g_on, 2 * g_on):
 table_height = -a_g * g / (2 * sp.pi * f_g) ** 2 * sp.sin(2 * sp.pi * f_g * t)
 prove_equal(g + sp.diff(table_height, t, 2), g * loading.shaking())
 prove_equal(sp.diff(loading.shaking(), t), loading.shaking_rate())
-assert [e.right for e in loading.EQUATIONS][2:] == [loading.shaking(), loading.shaking_rate()]
+assert [e.right for e in loading.LOADING_EQUATIONS][2:] == [loading.shaking(), loading.shaking_rate()]
 shaken = Terms(
     gravity=loading.ramped_gravity(),
     gravity_rate=loading.ramp_rate(),

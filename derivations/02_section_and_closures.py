@@ -31,25 +31,22 @@ from dataclasses import replace
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata
 
-from softcat_sym.equations import (
-    balance,
-    closure,
-    energy,
-    filament,
-    kinematics,
-    motion,
-    paper_section,
-    rheology,
-    section,
-)
-from softcat_sym.equations import through_thickness as layers
-from softcat_sym.equations.bulk import nu
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.laws import bingham, law_of, maxwell
-from softcat_sym.equations.section import CIRCLE, NONE, RECTANGLE, SHEET, UNIFORM, WIDE
-from softcat_sym.equations.section_means import scaled
-from softcat_sym.equations.section_response import PLANE_STRAIN, SectionResponse
-from softcat_sym.equations.symbols import (
+from softcat_sym.physics import closures as closure
+from softcat_sym.physics import closures as layers
+from softcat_sym.physics import closures as paper_section
+from softcat_sym.physics import energy, filament, kinematics
+from softcat_sym.physics import kinematics as balance
+from softcat_sym.physics import kinematics as motion
+from softcat_sym.physics import laws as bingham
+from softcat_sym.physics import laws as maxwell
+from softcat_sym.physics import laws as rheology
+from softcat_sym.physics import sections as section
+from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.laws import law_of
+from softcat_sym.physics.section_response import PLANE_STRAIN, SectionResponse
+from softcat_sym.physics.sections import CIRCLE, NONE, RECTANGLE, SHEET, UNIFORM, WIDE, scaled
+from softcat_sym.physics.symbols import (
     A0,
     M_X,
     E,
@@ -186,7 +183,7 @@ for letter, derived in (
     (paper_section.h, UNIFORM.thickness),
     (paper_section.I_z, of_a_rectangle),
 ):
-    prove_equal(derived, next(e.right for e in paper_section.EQUATIONS if e.left == letter))
+    prove_equal(derived, next(e.right for e in paper_section.PAPER_SECTION_EQUATIONS if e.left == letter))
 
 # %% [markdown]
 # ## Tension and moment: (2.10), (2.11), (2.23)
@@ -209,7 +206,7 @@ for shape in (RECTANGLE, CIRCLE):
     prove_equal(tension, area_ * sigma_0)
     prove_equal(moment, inertia_ * (sigma_1 / (h / 2)))
     prove_equal(paper_section.STRESS_FIELD.subs({T: tension, M: moment, I_z: inertia_, z: h * zeta / 2}), linear)
-by_name = {e.name: e.right for e in paper_section.EQUATIONS}
+by_name = {e.name: e.right for e in paper_section.PAPER_SECTION_EQUATIONS}
 assert (by_name["tension"], by_name["moment"]) == (paper_section.TENSION, paper_section.MOMENT)
 prove_equal(by_name["tension of a linear stress"], sigma_0 * A)
 prove_equal(by_name["moment of a linear stress"], I_z * paper_section.stress_slope)
@@ -500,7 +497,7 @@ assert printed.axial_correction == 0
 rate, bending_rate = sp.symbols("rate bending_rate", real=True)  # <phi> and <phi zeta>/<zeta^2>
 prove_equal(area * rate / A0, rate / printed.recall_mean)
 prove_equal(area * thick / 2 * m_2 * bending_rate / (A0 * h0 / 2 * m_2), bending_rate / printed.recall_bending)
-held = {e.name: e.right for e in closure.EQUATIONS}
+held = {e.name: e.right for e in closure.CLOSURE_EQUATIONS}
 prove_equal(field.coeff(zeta, 0), held["mean stress, printed closure"])
 prove_equal(field.coeff(zeta, 1), held["bending stress, printed closure"])
 assert held["axial force, printed closure"] == T
@@ -739,7 +736,7 @@ for old, new in in_motion:
 prove_equal(sp.trigsimp(sp.expand(residual)), 0)
 prove_equal(
     energy.flux(),
-    sum(f * v for f, v in zip(motion.internal_force(), (x.diff(t), y.diff(t)), strict=True))
+    sum(f * v for f, v in zip(motion.internal_force_field(), (x.diff(t), y.diff(t)), strict=True))
     - motion.moment * theta.diff(t),
 )
 
@@ -940,7 +937,7 @@ for n in range(4):
     projection = layers.amplitude_rate(RECTANGLE, n, sp.Integer(1))
     prove_equal(integrand, to_paper[n] * (2 * n + 1) * layers.polynomial(RECTANGLE, n) / 2)
     assert projection.as_coeff_Mul()[0] == 2 * n + 1
-appendix = [e for e in paper_section.EQUATIONS if e.source.startswith("A 2")]
+appendix = [e for e in paper_section.PAPER_SECTION_EQUATIONS if e.source.startswith("A 2")]
 for n, row in enumerate(appendix):
     assert row.left == paper_section.coefficients[n].diff(t)
     assert row.right == paper_section.coefficient_rate(n, paper_section.coefficients)
@@ -983,7 +980,7 @@ prove_equal(literal, 1 - sp.log(S) / 4)
 for module in (section, rheology, bingham, maxwell, closure, layers, paper_section, energy):
     for equation in module.EQUATIONS:
         check(equation)
-for equation in layers.EQUATIONS:
+for equation in layers.THROUGH_THICKNESS_EQUATIONS:
     if equation.left.is_Derivative:
         n = layers.amplitudes.index(equation.left.expr)
         shape = next(shape for shape in SHAPES if equation.name.endswith(shape.name))

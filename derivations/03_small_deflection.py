@@ -26,32 +26,30 @@
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.equations import small_deflection as held
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.section import CIRCLE, RECTANGLE
-from softcat_sym.equations.small_deflection import (
+from softcat_sym.physics import small_deflection as held
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.regimes import V, delta, tau_star
+from softcat_sym.physics.rheometry import t_star
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE
+from softcat_sym.physics.small_deflection import (
     F_X,
     K_I,
     U_of,
-    V,
     a_0_of,
     a_1_of,
-    delta,
     e_mean,
     e_mean_t,
     m_bar,
     q_bar,
     t_prime,
-    t_star,
     t_star_prime,
-    tau_star,
     x_bar,
     y_bar,
     y_of,
     y_XX,
     y_XXt,
 )
-from softcat_sym.equations.symbols import (
+from softcat_sym.physics.symbols import (
     A0,
     M_X,
     E,

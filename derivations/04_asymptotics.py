@@ -28,28 +28,13 @@ import math
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.equations import asymptotics as held
-from softcat_sym.equations import rheometry, small_deflection
-from softcat_sym.equations.asymptotics import (
-    K_I,
-    B,
-    R,
-    V,
-    alpha,
-    delta,
-    f_of,
-    phi,
-    phi_of,
-    phi_t,
-    phi_tt,
-    t_high,
-    t_low,
-    t_star,
-    tau_star,
-    x_bar,
-    y_bar,
-)
-from softcat_sym.equations.dimensions import check
+from softcat_sym.physics import closed_forms as held
+from softcat_sym.physics import rheometry, small_deflection
+from softcat_sym.physics.closed_forms import f_of, phi, phi_of, phi_t, phi_tt, t_low
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.regimes import V, delta, tau_star
+from softcat_sym.physics.rheometry import B, R, alpha, t_high, t_star
+from softcat_sym.physics.small_deflection import K_I, x_bar, y_bar
 
 t, tau, x = t_star, tau_star, x_bar
 half, third = sp.Rational(1, 2), sp.Rational(1, 3)
@@ -65,7 +50,7 @@ def elongation(shape: sp.Expr) -> sp.Expr:
 y, q = y_bar(x, t), small_deflection.q_bar(t)
 without_bending = small_deflection.REDUCED.residual().subs({K_I: 0, V: 1 / (2 * B)})
 prove_equal(without_bending, q * D(y, x, x) - B * tau * (D(y, t, t) + 1))
-prove_equal(held.EQUATIONS[0].residual(), B - 1 / (2 * V))
+prove_equal(held.ASYMPTOTICS_EQUATIONS[0].residual(), B - 1 / (2 * V))
 
 # %% [markdown]
 # ## Free fall, and when it ends
@@ -318,7 +303,7 @@ by_hand = sum(
     for c, k in zip(complete, (3, 2, 1, 0), strict=True)
 )
 prove_equal(by_hand, first_order)
-whole = next(e for e in held.EQUATIONS if e.name == "departure from any slow descent")
+whole = next(e for e in held.ASYMPTOTICS_EQUATIONS if e.name == "departure from any slow descent")
 prove_equal(by_hand, whole.residual())
 
 # %% [markdown]
@@ -467,7 +452,7 @@ prove_equal(sp.expand(residue.subs(R, derived_R)), 0)
 period_later = ringing.subs(t, t + held.PERIOD) - held.f_rest
 prove_equal(period_later, sp.exp(-held.DECAY_RATE * held.PERIOD) * (ringing - held.f_rest))
 assert {ringing.coeff(s).subs(t, 0) for s in (held.f_cos, held.f_sin)} <= {0, 1}
-prove_equal(rheometry.FREQUENCY.residual(), R - held.FREQUENCY)  # what the rheometer inverts
+prove_equal(rheometry.RINGING_FREQUENCY.residual(), R - held.FREQUENCY)  # what the rheometer inverts
 
 # %% [markdown]
 # With $t_{high}$ and $B$ tied by the 1/3 law, $24\tau c = 4\varepsilon/\alpha$: there is ringing for
@@ -534,9 +519,9 @@ assert 10 < when[0.025] < 12 and when[0.0025] < onset_time
 # ## Dimensions, what is left to compare, and the misprints
 
 # %%
-for equation in held.EQUATIONS:
+for equation in held.ASYMPTOTICS_EQUATIONS:
     check(equation)
-rows = {equation.name: equation for equation in held.EQUATIONS}
+rows = {equation.name: equation for equation in held.ASYMPTOTICS_EQUATIONS}
 prove_equal(rows["outer solution"].residual(), t - (tau * sp.log(phi) + phi**3 / (9 * B)))
 prove_equal(rows["outer solution from rest"].residual(), t - held.OUTER_TIME_FROM_REST)
 prove_equal(rows["1/3 law"].residual(), phi - third_law)
@@ -546,7 +531,7 @@ prove_equal(rows["inertia falls to alpha of the tension"].residual(), late_ratio
 prove_equal(rows["start of the 1/3 law"].residual(), t_high - held.T_HIGH)
 prove_equal(rows["ringing"].residual(), f - ringing)
 prove_equal(rows["frequency of ringing"].residual(), R - derived_R.subs(c, frozen_c))
-assert len(held.EQUATIONS) == 15
+assert len(held.ASYMPTOTICS_EQUATIONS) == 15
 
 record_errata(
     "04_asymptotics",

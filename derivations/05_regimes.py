@@ -23,10 +23,11 @@ import mpmath as mp
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.equations import dimensions, regimes
-from softcat_sym.equations.regimes import BEAMS, E_star, G, H, V, a_c, delta, eps_Y, k_on, psi_T, tau_star, u_L
-from softcat_sym.equations.section import CIRCLE, RECTANGLE
-from softcat_sym.equations.symbols import E, L, eta, g, h0, rho, sigma_Y
+from softcat_sym.physics import equation as dimensions
+from softcat_sym.physics import regimes
+from softcat_sym.physics.regimes import BEAMS, E_star, G, H, V, a_c, delta, eps_Y, k_on, psi_T, tau_star, u_L
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE
+from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, sigma_Y
 
 for equation in regimes.EQUATIONS:
     dimensions.check(equation)
@@ -592,9 +593,9 @@ for number, printed_strain, agrees in (("0.01", 0.07, False), ("0.4", 0.002, Tru
 # ## What the program predicts with them
 
 # %%
-from softcat_sym.effects import prediction
+from softcat_sym.effects import scaling_estimates as prediction
 from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.scene import load_scene
+from softcat_sym.scene.reading import load_scene
 
 for section in gyration:
     for ends in BEAMS:

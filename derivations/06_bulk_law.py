@@ -24,10 +24,11 @@
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.equations import bulk
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.laws import bingham, maxwell
-from softcat_sym.equations.symbols import E, eta, sigma, sigma_Y
+from softcat_sym.physics import bulk
+from softcat_sym.physics import laws as bingham
+from softcat_sym.physics import laws as maxwell
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.symbols import E, eta, sigma, sigma_Y
 
 nu = bulk.nu
 tensile = sp.Symbol("tensile", positive=True)  # a stress in simple tension
@@ -347,7 +348,7 @@ prove_equal(below, sigma_Y / 2)
 # ## What the package holds
 
 # %%
-held = {equation.name: equation for equation in bulk.EQUATIONS}
+held = {equation.name: equation for equation in bulk.BULK_EQUATIONS}
 bingham_flow = derived_flow.subs(phi(new), bingham.bingham_rate().subs(sigma, new))
 prove_equal(held["elasticity, normal"].right, derived_stress[0, 0])
 prove_equal(held["elasticity, shear"].right, derived_stress[0, 1])
@@ -356,7 +357,7 @@ prove_equal(held["equivalent stress"].right ** 2, derived_equivalent**2)
 prove_equal(held["plastic rate, normal"].right, bingham_flow[0, 0])
 prove_equal(held["plastic rate, shear"].right, bingham_flow[0, 1])
 prove_equal(held["plastic power"].right, new * bingham.bingham_rate().subs(sigma, new))
-for equation in bulk.EQUATIONS:
+for equation in bulk.BULK_EQUATIONS:
     check(equation)
 
 # %%

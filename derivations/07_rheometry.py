@@ -25,9 +25,10 @@ import math
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.equations import dimensions, regimes, rheometry
-from softcat_sym.equations.regimes import E_star, H, V, tau_star
-from softcat_sym.equations.rheometry import (
+from softcat_sym.physics import equation as dimensions
+from softcat_sym.physics import regimes, rheometry
+from softcat_sym.physics.regimes import E_star, H, V, tau_star
+from softcat_sym.physics.rheometry import (
     I_0,
     B,
     R,
@@ -43,9 +44,9 @@ from softcat_sym.equations.rheometry import (
     var_R,
     var_t,
 )
-from softcat_sym.equations.symbols import A0, E, L, eta, g, rho
+from softcat_sym.physics.symbols import A0, E, L, eta, g, rho
 
-for equation in rheometry.EQUATIONS:
+for equation in rheometry.RHEOMETRY_EQUATIONS:
     dimensions.check(equation)
 
 tau = tau_star
@@ -135,16 +136,16 @@ decay = 1 / (2 * tau)
 frequency = sp.sqrt(24 * tau * c - 1) / (2 * tau)
 assert sp.expand(quadratic.subs(r, -decay + sp.I * frequency)) == 0
 assert sp.expand(quadratic.subs(r, -decay - sp.I * frequency)) == 0
-prove_equal(frequency, rheometry.FREQUENCY.right)
+prove_equal(frequency, rheometry.RINGING_FREQUENCY.right)
 prove_equal(decay, rheometry.DECAY.right)
-prove_equal(2 * R * tau, rheometry.RINGING.right)
+prove_equal(2 * R * tau, rheometry.FREQUENCY_OVER_DECAY.right)
 prove_equal(2 * R * tau, R / decay)
 
 # %% [markdown]
 # The same $R$, $d$ and $t_{high}$ stand in notebook 4:
 
 # %%
-from softcat_sym.equations import asymptotics
+from softcat_sym.physics import closed_forms as asymptotics
 
 prove_equal(frequency, asymptotics.FREQUENCY)
 prove_equal(decay, asymptotics.DECAY_RATE)
@@ -194,7 +195,7 @@ prove_equal((6 * c).subs(B, B_onset), rheometry.LARGEST_FREQUENCY_AT_ONSET.right
 # %%
 prove_equal((2 * R * both.ringing) * (2 * R * both.fading), 1)
 lost = decay * 2 * sp.pi / frequency  # the amplitude falls by exp(lost) in a period
-prove_equal(lost, 2 * sp.pi / rheometry.RINGING.right.subs(R, frequency))
+prove_equal(lost, 2 * sp.pi / rheometry.FREQUENCY_OVER_DECAY.right.subs(R, frequency))
 assert 535 < sp.exp(2 * sp.pi).n() < 536
 
 # the modulus of either

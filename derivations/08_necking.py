@@ -32,10 +32,14 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.equations import motion, necking, section, surface
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.laws import bingham, maxwell
-from softcat_sym.equations.symbols import A0, T, X, eta, h0, s, sigma, sigma_Y, t, x_X, y_X
+from softcat_sym.physics import kinematics as motion
+from softcat_sym.physics import laws as bingham
+from softcat_sym.physics import laws as maxwell
+from softcat_sym.physics import loads as surface
+from softcat_sym.physics import necking
+from softcat_sym.physics import sections as section
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.symbols import A0, T, X, eta, h0, s, sigma, sigma_Y, t, x_X, y_X
 
 # %% [markdown]
 # ## First way: equilibrium
@@ -477,5 +481,5 @@ stiffness = sp.diff(E * sp.log(s) / s + pressure / sp.sqrt(s), s).subs(s, 1)
 prove_equal(stiffness, E - pressure / 2)
 prove_equal(sp.solve(stiffness.subs({pressure: gamma / R, E: 3 * mu}), gamma)[0], 6 * mu * R)
 prove_equal(-gamma / R + 2 * gamma / R, gamma / R)  # A sigma_xx + 2 pi gamma R = A sigma + pi gamma R
-for equation in surface.EQUATIONS:
+for equation in surface.SURFACE_EQUATIONS:
     check(equation)

@@ -29,11 +29,16 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.equations import balance, bulk, closure, kinematics, motion, reissner, section
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.laws import bingham, maxwell
-from softcat_sym.equations.reissner import Gam, Lam, S, gamma_p, k, kappa_s, psi, tau_f
-from softcat_sym.equations.symbols import (
+from softcat_sym.physics import bulk, kinematics, reissner
+from softcat_sym.physics import closures as closure
+from softcat_sym.physics import kinematics as balance
+from softcat_sym.physics import kinematics as motion
+from softcat_sym.physics import laws as bingham
+from softcat_sym.physics import laws as maxwell
+from softcat_sym.physics import sections as section
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.reissner import Gam, Lam, S, gamma_p, k, kappa_s, psi, tau_f
+from softcat_sym.physics.symbols import (
     A0,
     M_X,
     E,
@@ -90,7 +95,7 @@ prove_equal(first_order.coeff(small, 2), (Gam**2 - y**2 * k**2) / (2 * Lam**2))
 prove_equal(sp.series(sp.atan2(small * Gam, Lam), small, 0, 2).removeO().coeff(small, 1), Gam / Lam)
 
 thickness = {"both ways": h0 / sp.sqrt(Lam), "sheet": h0 / Lam}
-cells = {"both ways": reissner.cell(section.UNIFORM), "sheet": reissner.cell(section.WIDE)}
+cells = {"both ways": reissner.shearing_cell(section.UNIFORM), "sheet": reissner.shearing_cell(section.WIDE)}
 axial = {name: sp.log(Lam) - h * zeta / 2 * k / Lam for name, h in thickness.items()}
 shear = Gam / Lam
 shear_modulus = E / (2 * (1 + bulk.nu))

@@ -26,23 +26,29 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.equations import bulk, strings
-from softcat_sym.equations.catalogue import all_equations
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.law import Law
-from softcat_sym.equations.laws import from_shear, law_of
-from softcat_sym.equations.laws.bingham import bingham_rate
-from softcat_sym.equations.laws.herschel_bulkley import herschel_bulkley_rate
-from softcat_sym.equations.laws.maxwell import maxwell_means, maxwell_rate
-from softcat_sym.equations.laws.multimode_maxwell import mode
-from softcat_sym.equations.laws.power_law import SMALL_STRESS, K, n, power_law_rate
-from softcat_sym.equations.laws.standard_linear import E_2
-from softcat_sym.equations.regimes import H
-from softcat_sym.equations.rheometry import mu
-from softcat_sym.equations.section import RECTANGLE
-from softcat_sym.equations.section_means import scaled
-from softcat_sym.equations.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
+from softcat_sym.physics import bulk
+from softcat_sym.physics import closed_forms as from_shear
+from softcat_sym.physics import closed_forms as strings
+from softcat_sym.physics.equation import all_equations, check
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.laws import (
+    E_2,
+    SMALL_STRESS,
+    K,
+    Law,
+    bingham_rate,
+    herschel_bulkley_rate,
+    law_of,
+    maxwell_means,
+    maxwell_rate,
+    mode,
+    n,
+    power_law_rate,
+)
+from softcat_sym.physics.regimes import H
+from softcat_sym.physics.rheometry import mu
+from softcat_sym.physics.sections import RECTANGLE, scaled
+from softcat_sym.physics.symbols import E, L, eta, eta_s, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 
 for module, equations in all_equations().items():
     if module == "strings" or module.startswith("laws."):
@@ -113,7 +119,7 @@ measured = {
     # Trouton: tau = mu times the shear rate
     eta: sp.solve(sp.Eq(rate, sp.sqrt(3) * (sp.sqrt(3) * mu * rate) / eta), eta)[0],
 }
-held = {equation.left: equation.right for equation in from_shear.EQUATIONS}
+held = {equation.left: equation.right for equation in from_shear.FROM_SHEAR_EQUATIONS}
 for constant, derived in measured.items():
     prove_equal(derived, held[constant])
 # tau - tau_Y = k rate^n, put into the rule in tension

@@ -27,7 +27,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.inverse import fitted_scene
+from softcat_sym.fitting.flow_curve import fitted_scene
 
 STRAND = """
 [filament]

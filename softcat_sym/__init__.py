@@ -16,45 +16,51 @@ from typing import TYPE_CHECKING, Any
 from softcat_sym.simulate import simulate
 
 if TYPE_CHECKING:
-    from softcat_sym.ensemble import Ensemble, simulate_many
+    from softcat_sym.ensemble.ensemble import Ensemble, simulate_many
     from softcat_sym.errors import SceneError, SoftcatError, SoftcatWarning
-    from softcat_sym.generating import generate
-    from softcat_sym.inverse import Fit, Measurements, fit, fit_flow_curve
-    from softcat_sym.scene import Scene, bundled_names, load_scene
-    from softcat_sym.solve import Outcome
-    from softcat_sym.study.card import Card, card
-    from softcat_sym.study.explanation import Explanation, explain
-    from softcat_sym.study.pricing import Pricing, price_effects
-    from softcat_sym.study.sweep import Sweep, sweep
-    from softcat_sym.trajectory import Trajectory, open_run
+    from softcat_sym.fitting.fit import Fit, fit
+    from softcat_sym.fitting.flow_curve import fit_flow_curve
+    from softcat_sym.fitting.measurements import Measurements
+    from softcat_sym.generation import generate
+    from softcat_sym.results.files import open_run
+    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.scene.bundled import bundled_names
+    from softcat_sym.scene.reading import load_scene
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.outcome import Outcome
+    from softcat_sym.studies.card import card
+    from softcat_sym.studies.card_rules import Card
+    from softcat_sym.studies.explanation import Explanation, explain
+    from softcat_sym.studies.pricing import Pricing, price_effects
+    from softcat_sym.studies.sweep import Sweep, sweep
 
     __version__: str
 
 _HOMES = {
-    "Card": "softcat_sym.study.card",
-    "Ensemble": "softcat_sym.ensemble",
-    "Explanation": "softcat_sym.study.explanation",
-    "Fit": "softcat_sym.inverse",
-    "Measurements": "softcat_sym.inverse",
-    "Outcome": "softcat_sym.solve",
-    "Pricing": "softcat_sym.study.pricing",
-    "Scene": "softcat_sym.scene",
-    "SceneError": "softcat_sym.errors",
-    "SoftcatError": "softcat_sym.errors",
-    "SoftcatWarning": "softcat_sym.errors",
-    "Sweep": "softcat_sym.study.sweep",
-    "Trajectory": "softcat_sym.trajectory",
-    "bundled_names": "softcat_sym.scene",
-    "card": "softcat_sym.study.card",
-    "explain": "softcat_sym.study.explanation",
-    "fit": "softcat_sym.inverse",
-    "fit_flow_curve": "softcat_sym.inverse",
-    "generate": "softcat_sym.generating",
-    "load_scene": "softcat_sym.scene",
-    "open_run": "softcat_sym.trajectory",
-    "price_effects": "softcat_sym.study.pricing",
-    "simulate_many": "softcat_sym.ensemble",
-    "sweep": "softcat_sym.study.sweep",
+    "Card": "studies.card_rules",
+    "Ensemble": "ensemble.ensemble",
+    "Explanation": "studies.explanation",
+    "Fit": "fitting.fit",
+    "Measurements": "fitting.measurements",
+    "Outcome": "solvers.outcome",
+    "Pricing": "studies.pricing",
+    "Scene": "scene.scene",
+    "SceneError": "errors",
+    "SoftcatError": "errors",
+    "SoftcatWarning": "errors",
+    "Sweep": "studies.sweep",
+    "Trajectory": "results.trajectory",
+    "bundled_names": "scene.bundled",
+    "card": "studies.card",
+    "explain": "studies.explanation",
+    "fit": "fitting.fit",
+    "fit_flow_curve": "fitting.flow_curve",
+    "generate": "generation",
+    "load_scene": "scene.reading",
+    "open_run": "results.files",
+    "price_effects": "studies.pricing",
+    "simulate_many": "ensemble.ensemble",
+    "sweep": "studies.sweep",
 }
 
 __all__ = [
@@ -95,7 +101,7 @@ def __getattr__(name: str) -> Any:
         home = _HOMES[name]
     except KeyError:
         raise AttributeError(f"module 'softcat_sym' has no attribute {name!r}; it has {', '.join(__all__)}") from None
-    return getattr(importlib.import_module(home), name)
+    return getattr(importlib.import_module(f"softcat_sym.{home}"), name)
 
 
 def __dir__() -> list[str]:

@@ -6,9 +6,10 @@ import warnings
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from softcat_sym.scene import Scene, SceneLike
-    from softcat_sym.solve import Progress
-    from softcat_sym.trajectory import Trajectory
+    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.scene.reading import SceneLike
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.solution import Progress
 
 _REPEATS = 2
 
@@ -46,7 +47,7 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Trajectory:
         Of what speaks against the answer, as ``.summary["warnings"]`` has it.
     """
     from softcat_sym.errors import SoftcatWarning
-    from softcat_sym.scene import as_scene
+    from softcat_sym.scene.reading import as_scene
 
     run = simulated(as_scene(scene), progress)
     for text in run.summary["warnings"]:
@@ -65,7 +66,7 @@ def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
         If the user stops it.
     """
     # Imported here, so that `import softcat_sym` stays light.
-    from softcat_sym.solve import Silence, watched
+    from softcat_sym.solvers.solution import Silence, watched
 
     with watched() as interrupts:
         try:
@@ -76,9 +77,9 @@ def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
 
 def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
     """Run, estimate, and repeat with what the finished run calls for."""
-    from softcat_sym.accuracy import as_accurate_as_asked, frames_of_first
     from softcat_sym.clock import Clock
-    from softcat_sym.effects import choose_effects
+    from softcat_sym.effects.choosing import choose_effects
+    from softcat_sym.error_control.control import as_accurate_as_asked, frames_of_first
     from softcat_sym.single_run import rest_of, run_once
 
     clock, shown = Clock(), dict[str, str]()

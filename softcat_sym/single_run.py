@@ -9,16 +9,18 @@ from dataclasses import replace
 import numpy as np
 
 from softcat_sym.clock import Clock
-from softcat_sym.effects import Effects
-from softcat_sym.graph.choosing import choose_cells
-from softcat_sym.scene import Scene, rest_length
-from softcat_sym.solve import Outcome, Prepared, Progress, Silence, choose_backend, prepare, settings_for
-from softcat_sym.solve.assembled import assembled
-from softcat_sym.solve.keeping import kept
-from softcat_sym.trajectory import Trajectory, judge
-from softcat_sym.trajectory.keeping import trajectory_form
-from softcat_sym.trajectory.midpoint import midpoint_heights
-from softcat_sym.trajectory.settling import settling_time
+from softcat_sym.discretization.assembly import choose_cells
+from softcat_sym.effects.choosing import Effects
+from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.results.files import trajectory_form
+from softcat_sym.results.motion import settling_time
+from softcat_sym.results.trajectory import Trajectory, judge
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.solvers.checkpoint import kept
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.run import Prepared, assembled, prepare
+from softcat_sym.solvers.settings import choose_backend, settings_for
+from softcat_sym.solvers.solution import Progress, Silence
 
 _FEWEST_CELLS = 8
 

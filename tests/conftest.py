@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from softcat_sym import progress
-from softcat_sym.native import find_compiler
+from softcat_sym.codegen.compiler import find_compiler
 
 HERE = Path(__file__).parent
 PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"

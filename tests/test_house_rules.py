@@ -71,8 +71,8 @@ def test_every_public_name_is_documented() -> None:
 def test_a_filament_is_assembled_without_the_slow_parts_of_sympy() -> None:
     code = (
         "import sys, softcat_sym as sc\n"
-        "from softcat_sym.effects import choose_effects\n"
-        "from softcat_sym.solve.assembled import assembled\n"
+        "from softcat_sym.effects.choosing import choose_effects\n"
+        "from softcat_sym.solvers.run import assembled\n"
         "scene = sc.load_scene('arrested-overdamped')\n"
         "assembled(scene, choose_effects(scene))\n"
         "assert 'sympy.physics.units' not in sys.modules, 'simplify loads it, in a seventh of a second'"

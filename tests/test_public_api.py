@@ -70,7 +70,7 @@ def test_one_exception_catches_all() -> None:
 def test_a_name_takes_the_place_of_no_module() -> None:
     """Loading a module of the same name would put the module where the function was."""
     code = (
-        "import softcat_sym as sc, softcat_sym.simulate, softcat_sym.study.explanation, softcat_sym.cli\n"
+        "import softcat_sym as sc, softcat_sym.simulate, softcat_sym.studies.explanation, softcat_sym.cli\n"
         "assert all(callable(getattr(sc, name)) for name in sc.__all__)\n"
     )
     in_a_new_python(code)

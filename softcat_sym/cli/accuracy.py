@@ -19,7 +19,7 @@ from softcat_sym.cli.application import (
 )
 
 if TYPE_CHECKING:
-    from softcat_sym.study.work_precision import Plan
+    from softcat_sym.studies.work_precision import Plan
 
 _POINTS = "accuracy-points.json"
 
@@ -60,9 +60,9 @@ def accuracy(
     The error is of space and time together, against a converged answer in which two families of methods agree. What
     takes longer than the limit, or cannot solve the scene, is listed. It takes minutes; after Ctrl-C --resume goes on.
     """
-    from softcat_sym.report.accuracy import print_accuracy, write_accuracy
-    from softcat_sym.report.progress import StepProgress
-    from softcat_sym.study.work_precision import kept_points, study
+    from softcat_sym.plotting.accuracy import print_accuracy, write_accuracy
+    from softcat_sym.plotting.terminal import StepProgress
+    from softcat_sym.studies.work_precision import kept_points, study
 
     plan = _plan(cells, rtol, program, limit, cold=not warm_only)
     asked, output = scene_and_directory(scene, changes, output, "accuracy")
@@ -85,8 +85,8 @@ def accuracy(
 
 def _plan(cells: str | None, rtol: str | None, program: list[str] | None, limit: float, *, cold: bool) -> Plan:
     """What the options ask for; what they leave out is as in the study."""
-    from softcat_sym.study.work_precision import CELLS, TOLERANCES, Plan
-    from softcat_sym.study.work_precision_programs import PROGRAMS
+    from softcat_sym.studies.work_precision import CELLS, TOLERANCES, Plan
+    from softcat_sym.studies.work_precision_programs import PROGRAMS
 
     keys = tuple(one.key for one in PROGRAMS)
     unknown = [key for key in program or () if key not in keys]

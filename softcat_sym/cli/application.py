@@ -14,8 +14,8 @@ from typer.core import TyperGroup
 from softcat_sym.cli.completing import complete_change, complete_scene
 
 if TYPE_CHECKING:
-    from softcat_sym.scene import Scene
-    from softcat_sym.solve import Outcome
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.outcome import Outcome
 
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
 
@@ -105,7 +105,7 @@ def _root(
 
 def scene_of(name: str, changes: list[str] | None) -> Scene:
     """Read the scene that a command names, with its changes."""
-    from softcat_sym.scene import load_scene
+    from softcat_sym.scene.reading import load_scene
 
     return load_scene(name, changes or [])
 
@@ -132,7 +132,7 @@ def output_directory(output: Path | None, command: str, scene: str | None = None
         check_directory(output)
     except OSError:
         if asked is not None:
-            from softcat_sym.effects import choose_effects
+            from softcat_sym.effects.choosing import choose_effects
 
             choose_effects(asked)
         raise

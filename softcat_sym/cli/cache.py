@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from softcat_sym.native import CacheEntry
+    from softcat_sym.codegen.library import CacheEntry
 
 _SHOWN = 20
 _BESIDE = {"elements": "states of finite elements", "answers": "answers of acceptance checks"}
@@ -29,7 +29,8 @@ def cache(
     Folder: SOFTCAT_CACHE, else softcat_sym in XDG_CACHE_HOME or ~/.cache. Limit: SOFTCAT_CACHE_LIMIT (512 MB); beyond
     it the libraries go that were not used for longest.
     """
-    from softcat_sym.native import cache_entries, cache_folder, clear_cache, size_text
+    from softcat_sym.codegen.compiler import cache_folder
+    from softcat_sym.codegen.library import cache_entries, clear_cache, size_text
 
     folder = cache_folder()
     if clear:
@@ -45,7 +46,8 @@ def cache(
 def _show(entries: Sequence[CacheEntry]) -> None:
     from datetime import datetime
 
-    from softcat_sym.native import cache_folder, cache_limit, compiler_name, kept_texts, size_text
+    from softcat_sym.codegen.compiler import cache_folder, compiler_name
+    from softcat_sym.codegen.library import cache_limit, kept_texts, size_text
 
     total, limit, texts = sum(entry.size for entry in entries), cache_limit(), kept_texts()
     typer.echo(f"folder     {cache_folder()}")
@@ -67,7 +69,7 @@ def _count(entries: int) -> str:
 
 def _beside(folder: Path) -> list[str]:
     """What the acceptance checks keep in the same folder."""
-    from softcat_sym.native import size_text
+    from softcat_sym.codegen.library import size_text
 
     lines = []
     for name, what in _BESIDE.items():

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
     from pathlib import Path
 
-    from softcat_sym.scene import Scene
-    from softcat_sym.solve import Progress
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.solution import Progress
 
 SagOption = Annotated[
     str | None,
@@ -137,18 +137,18 @@ def _asked(
         return *scene_and_directory(scene, changes, output, "card"), ()
     if not given:
         raise typer.BadParameter("name a scene, or give --density, --span, --diameter, --law ...", param_hint="SCENE")
-    from softcat_sym.study.card.from_flags import scene_from_flags
+    from softcat_sym.studies.card import scene_from_flags
 
     asked, notes = scene_from_flags(flags, changes)
     return asked, output_directory(output, "card", asked=asked), notes
 
 
 def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: bool) -> None:
-    from softcat_sym.report.card_files import write_card
-    from softcat_sym.report.card_terminal import print_card
-    from softcat_sym.report.progress import FitProgressBar as Bar
-    from softcat_sym.report.progress import IntegrationProgress
-    from softcat_sym.study.card import card as made
+    from softcat_sym.plotting.card import write_card
+    from softcat_sym.plotting.card_terminal import print_card
+    from softcat_sym.plotting.terminal import FitProgressBar as Bar
+    from softcat_sym.plotting.terminal import IntegrationProgress
+    from softcat_sym.studies.card import card as made
 
     def listening(what: str) -> AbstractContextManager[Progress]:
         return IntegrationProgress(order.scene.run.duration, what, quiet=quiet)

@@ -3,24 +3,165 @@
 from __future__ import annotations
 
 import re
+from enum import StrEnum
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from softcat_sym.cli.application import (
+    INTERRUPTED,
     VALIDATION,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
+    complain,
+    judge,
     scene_and_directory,
+    scene_of,
 )
-from softcat_sym.cli.compare_calculix import Engine, compare_in_calculix
-from softcat_sym.cli.compare_elements import compare_with_elements
+from softcat_sym.cli.going_on import going_on
 
 if TYPE_CHECKING:
-    from softcat_sym.reference import Mesh
+    from softcat_sym.reference.element_loop import Clamp, Mesh
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.studies.compare import Listening
+
+
+class Engine(StrEnum):
+    """What the filament is held against."""
+
+    ELEMENTS = "elements"
+    CALCULIX = "calculix"
+    BOTH = "both"
+
+
+def compare_in_calculix(
+    asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, deck_only: bool, quiet: bool
+) -> None:
+    """Run CalculiX and the filament, with our elements if wanted; write, print and judge. Or write the deck alone."""
+    if deck_only:
+        _write_deck(asked, output, mesh, clamp, quiet=quiet)
+        return
+    from softcat_sym.ensemble.block_store import FOLDER
+    from softcat_sym.plotting.compare_files import calculix_table, write_calculix_comparison
+    from softcat_sym.plotting.terminal import IntegrationProgress
+    from softcat_sym.studies.compare import compare_with_calculix
+
+    checkpoint = output / "elements.npz" if engine is Engine.BOTH else None
+    told = {"scene": asked.to_toml(), "mesh": str(mesh), "clamp": clamp.value, "engine": engine.value}
+
+    def left() -> str:
+        kept = [one.name for one in (checkpoint, output / FOLDER) if one is not None and one.exists()]
+        return f"{' and '.join(kept)} in {output}: the same command goes on from there" if kept else ""
+
+    # The same command goes on, as with our elements.
+    with going_on(output, "compare", told, resume=True, left=left):
+        comparison = compare_with_calculix(
+            asked,
+            mesh,
+            clamp=clamp,
+            with_elements=engine is Engine.BOTH,
+            checkpoint=checkpoint,
+            progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
+        )
+        written = write_calculix_comparison(comparison, output)
+    if not quiet:
+        from rich.console import Console
+
+        Console().print(calculix_table(comparison))
+        for warning in comparison.warnings:
+            typer.echo(f"note: {warning}")
+        typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
+    judge(comparison.trajectory.outcome, comparison.trajectory.summary["complaint"], quiet=quiet)
+
+
+def _write_deck(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
+    """Write the deck of CalculiX, which need not be installed."""
+    from softcat_sym.plotting.compare_files import write_deck
+    from softcat_sym.reference.calculix import calculix_deck
+
+    written = write_deck(asked, calculix_deck(asked, mesh, clamp=clamp), output)
+    if not quiet:
+        typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
+
+
+def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
+    """Run the elements, or go on with them, and the filament; write, print and judge."""
+    from softcat_sym.plotting.compare_files import write_comparison
+    from softcat_sym.plotting.terminal import IntegrationProgress
+    from softcat_sym.plotting.vtk import vtk_available, write_vtk
+    from softcat_sym.studies.compare import compare as against_elements
+
+    checkpoint = output / "elements.npz"
+    if checkpoint.is_file() and not quiet:
+        typer.echo(f"the elements go on from {checkpoint}")
+    try:
+        comparison = against_elements(
+            asked,
+            mesh,
+            clamp=clamp,
+            checkpoint=checkpoint,
+            progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
+        )
+    except KeyboardInterrupt:
+        kept = f"the same command goes on from {checkpoint}" if checkpoint.is_file() else "nothing was written"
+        complain(f"interrupted; {kept}")
+        raise typer.Exit(INTERRUPTED) from None
+    written = write_comparison(comparison, output)
+    if vtk_available():
+        written.append(write_vtk(asked, comparison.elements, output / "vtk")[0])
+    if not quiet:
+        from softcat_sym.plotting.compare_files import print_comparison
+
+        print_comparison(comparison)
+        typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
+    own = comparison.filament.trajectory
+    judge(own.outcome, own.summary["complaint"], quiet=quiet)
+
+
+def compare_varied(
+    name: str, changes: list[str] | None, vary: str, output: Path | None, mesh: Mesh, clamp: Clamp, *, quiet: bool
+) -> None:
+    """Measure the theories at every value; compare.json, a chart and tables in DIR.
+
+    The elements keep their states in DIR/elements: what is finished there is not run again.
+    """
+    from softcat_sym.plotting.terminal import IntegrationProgress
+    from softcat_sym.plotting.theory_end import print_theory_end, write_theory_end
+    from softcat_sym.studies.theory_end import read_variation, where_theory_ends
+
+    variation = read_variation(vary)
+    asked, output = scene_and_directory(name, changes, output, "compare")
+
+    def listening(value: str, scene: Scene) -> Listening:
+        return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
+
+    def scene_with(change: str) -> Scene:
+        return scene_of(name, [*(changes or []), change])
+
+    folder = output / "elements"
+    try:
+        end = where_theory_ends(
+            asked,
+            variation,
+            scene_with,
+            folder,
+            along=mesh.along,
+            through=mesh.through,
+            clamp=clamp,
+            progress=listening,
+        )
+    except KeyboardInterrupt:
+        kept = f"the same command goes on from {folder}" if folder.is_dir() else "nothing was written"
+        complain(f"interrupted; {kept}")
+        raise typer.Exit(INTERRUPTED) from None
+    written = write_theory_end(end, output)
+    if not quiet:
+        print_theory_end(end)
+        typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
 
 
 MeshOption = Annotated[
@@ -74,12 +215,10 @@ def compare(
     With --vary the errors of the theories stand against one variable, beside those of half as many elements and what
     each run costs; where the filament gets thinner, the slender limit is extrapolated.
     """
-    from softcat_sym.reference import Clamp
+    from softcat_sym.reference.element_loop import Clamp
 
     face = Clamp.FIXED if fixed_face else Clamp.THINNING
     if vary is not None:
-        from softcat_sym.cli.compare_vary import compare_varied
-
         if deck_only or engine is not Engine.ELEMENTS:
             raise typer.BadParameter("it varies the runs of our own elements only", param_hint="--vary")
         compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, quiet=quiet)
@@ -94,7 +233,7 @@ def compare(
 
 def _mesh(text: str) -> Mesh:
     """Read ``64x4``; what is no mesh of this kind is refused by the mesh itself."""
-    from softcat_sym.reference import Mesh
+    from softcat_sym.reference.element_loop import Mesh
 
     found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text, re.ASCII)
     if found is None:

@@ -30,7 +30,7 @@ def complete_change(incomplete: str) -> list[str]:
     incomplete : str
         What was typed so far: ``mat``, or ``numerics.c``. Behind an equals sign nothing is offered.
     """
-    from softcat_sym.scene.model import known_keys
+    from softcat_sym.scene.scene import known_keys
 
     known = known_keys()
     tables = set(known) - {""}

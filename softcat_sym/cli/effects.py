@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
     from pathlib import Path
 
-    from softcat_sym.scene import Scene
-    from softcat_sym.solve import Progress
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.solution import Progress
 
 
 @app.command(rich_help_panel=VALIDATION)
@@ -55,9 +55,9 @@ def effects(
 
 
 def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) -> None:
-    from softcat_sym.report.pricing import print_pricing, write_pricing
-    from softcat_sym.report.progress import FitProgressBar
-    from softcat_sym.study.pricing import price_effects
+    from softcat_sym.plotting.pricing import print_pricing, write_pricing
+    from softcat_sym.plotting.terminal import FitProgressBar
+    from softcat_sym.studies.pricing import price_effects
 
     with going_on(output, "effects", {"scene": asked.to_toml()}, resume=resume):
         pricing = price_effects(asked, _listening(asked, "", quiet=quiet), name)
@@ -71,9 +71,9 @@ def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) ->
 
 
 def _all(output: Path | None, changes: list[str], *, quiet: bool) -> None:
-    from softcat_sym.report.pricing import kept_pricings, write_pricings
-    from softcat_sym.scene import bundled_names
-    from softcat_sym.study.bundled_pricing import price_bundled
+    from softcat_sym.plotting.pricing import kept_pricings, write_pricings
+    from softcat_sym.scene.bundled import bundled_names
+    from softcat_sym.studies.pricing import price_bundled
 
     refused = [error for name in bundled_names() if (error := _refusal(name, changes)) is not None]
     if len(refused) == len(bundled_names()):
@@ -93,7 +93,7 @@ def _all(output: Path | None, changes: list[str], *, quiet: bool) -> None:
 
 def _left(output: Path) -> str:
     """What an interrupted command over all scenes leaves behind beside its parts."""
-    from softcat_sym.report.pricing import kept_pricings
+    from softcat_sym.plotting.pricing import kept_pricings
 
     kept = len(kept_pricings(output))
     return f"{kept} scenes are in {output}: the same command goes on from there" if kept else ""
@@ -101,7 +101,7 @@ def _left(output: Path) -> str:
 
 def _refusal(name: str, changes: list[str]) -> SoftcatError | None:
     """What is wrong with the changes of a scene, if anything is."""
-    from softcat_sym.effects import choose_effects
+    from softcat_sym.effects.choosing import choose_effects
 
     try:
         choose_effects(scene_of(name, changes))
@@ -111,6 +111,6 @@ def _refusal(name: str, changes: list[str]) -> SoftcatError | None:
 
 
 def _listening(asked: Scene, before: str, *, quiet: bool) -> Callable[[str], AbstractContextManager[Progress]]:
-    from softcat_sym.report.progress import IntegrationProgress
+    from softcat_sym.plotting.terminal import IntegrationProgress
 
     return lambda what: IntegrationProgress(asked.run.duration, f"{before}{what}", quiet=quiet)

@@ -19,10 +19,10 @@ from softcat_sym.cli.going_on import ResumeOption, going_on
 from softcat_sym.cli.pairs import read_pair
 
 if TYPE_CHECKING:
-    from softcat_sym.inverse import CriticalSpan
-    from softcat_sym.inverse.design.trial import Trial
-    from softcat_sym.inverse.filament_fit import FitProgress
-    from softcat_sym.scene import Scene
+    from softcat_sym.design.critical_span import CriticalSpan
+    from softcat_sym.design.information import Trial
+    from softcat_sym.fitting.fit import FitProgress
+    from softcat_sym.scene.scene import Scene
 
 _RANGE = "LOW:HIGH"
 
@@ -85,9 +85,9 @@ def experiment(
     """
     asked, output = scene_and_directory(scene, changes, output, "experiment")
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
-    from softcat_sym.inverse import design_experiment
-    from softcat_sym.report.experiment_files import write_experiment
-    from softcat_sym.report.progress import FitProgressBar as Bar
+    from softcat_sym.design.experiment import design_experiment
+    from softcat_sym.plotting.design import write_experiment
+    from softcat_sym.plotting.terminal import FitProgressBar as Bar
 
     how = _How(nuisance=nuisance or [], frames_at_most=frames_at_most, rough=rough, sag_at_most=sag_at_most)
     told = {"scene": asked.to_toml(), "free": free, "noise": noise, "within": within, "how": how, "sag": sag}
@@ -121,6 +121,6 @@ def _within(given: dict[str, str | None]) -> dict[str, object]:
 
 
 def _critical(scene: Scene, limit: str, progress: FitProgress) -> CriticalSpan:
-    from softcat_sym.inverse import critical_span
+    from softcat_sym.design.critical_span import critical_span
 
     return critical_span(scene, limit, told=lambda span, _: progress.stage(f"sag of a span of {span:.3g} m", 0, 1))

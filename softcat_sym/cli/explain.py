@@ -41,8 +41,8 @@ def explain(
         asked = scene_of(scene, changes)
     else:
         asked, output = scene_and_directory(scene, changes, output, "explain")
-    from softcat_sym.report.explain import print_explanation, write_explanation
-    from softcat_sym.study.explanation import explain as explained
+    from softcat_sym.plotting.explain import print_explanation, write_explanation
+    from softcat_sym.studies.explanation import explain as explained
 
     explanation = explained(asked)
     written = [] if output is None else write_explanation(explanation, asked, output)

@@ -22,8 +22,8 @@ from softcat_sym.cli.application import (
 )
 
 if TYPE_CHECKING:
-    from softcat_sym.study.blocks import KeptBlocks
-    from softcat_sym.study.figure_scenes import FigureScene, FilmedScene
+    from softcat_sym.ensemble.block_store import KeptBlocks
+    from softcat_sym.studies.paper_figures import FigureScene, FilmedScene
 
 _NUMBERS = ("2", "3a", "3b", "4")
 
@@ -83,7 +83,7 @@ def _left(output: Path, asked: list[str], waiting: list[str]) -> str:
 
 def _parts(output: Path) -> KeptBlocks:
     """Finished runs of figure 3(a); those of another program are refused."""
-    from softcat_sym.study.blocks import KeptBlocks
+    from softcat_sym.ensemble.block_store import KeptBlocks
 
     digest = hashlib.sha256(f"figure 3(a)\n{importlib.metadata.version('softcat_sym')}".encode()).hexdigest()
     return KeptBlocks(output, digest, {"what": "runs of figure 3(a)"}, resume=True)
@@ -92,9 +92,9 @@ def _parts(output: Path) -> KeptBlocks:
 def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 2."""
     del output, filmed
-    from softcat_sym.report.maxwell_descent import caption, maxwell_descent_files
-    from softcat_sym.report.progress import StepProgress
-    from softcat_sym.study.maxwell_descent import RELAXATION, SLENDERNESS, maxwell_descents
+    from softcat_sym.plotting.maxwell_descent import caption, maxwell_descent_files
+    from softcat_sym.plotting.terminal import StepProgress
+    from softcat_sym.studies.paper_figures import RELAXATION, SLENDERNESS, maxwell_descents
 
     with StepProgress(2 * len(RELAXATION) * len(SLENDERNESS), "figure 2", quiet=quiet) as progress:
         panels = maxwell_descents(progress.step)
@@ -104,10 +104,10 @@ def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: boo
 def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 3(a)."""
     del filmed
-    from softcat_sym.ensemble.progress import MembersBar, NobodyListens
-    from softcat_sym.report.figure_phase import caption, phase_files
-    from softcat_sym.scene import load_scene
-    from softcat_sym.study.phase_diagram import SETTINGS, phase_diagram
+    from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
+    from softcat_sym.plotting.figure_phase import caption, phase_files
+    from softcat_sym.scene.reading import load_scene
+    from softcat_sym.studies.phase import SETTINGS, phase_diagram
 
     scene = load_scene("arrested-overdamped", list(SETTINGS))
     with nullcontext(NobodyListens()) if quiet else MembersBar("figure 3(a)") as progress:
@@ -117,9 +117,8 @@ def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
 
 def _midpoints(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 3(b)."""
-    from softcat_sym.report.figure_midpoints import caption, midpoint_files
-    from softcat_sym.study.figure_facts import scene_facts
-    from softcat_sym.study.figure_scenes import SCENES
+    from softcat_sym.plotting.figure_midpoints import caption, midpoint_files
+    from softcat_sym.studies.paper_figures import SCENES, scene_facts
 
     scenes = [_film(of, output, filmed, quiet) for of in SCENES]
     return midpoint_files(scenes), caption({each.of.name: scene_facts(each) for each in scenes})
@@ -127,8 +126,8 @@ def _midpoints(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Ma
 
 def _snapshots(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 4."""
-    from softcat_sym.report.figure_snapshots import caption, snapshot_files
-    from softcat_sym.study.figure_scenes import SCENES, SNAPSHOTS
+    from softcat_sym.plotting.figure_snapshots import caption, snapshot_files
+    from softcat_sym.studies.paper_figures import SCENES, SNAPSHOTS
 
     scenes = [_film(of, output, filmed, quiet) for of in SCENES if of.name in SNAPSHOTS]
     return snapshot_files(scenes), caption({each.of.name: each for each in scenes})
@@ -136,8 +135,8 @@ def _snapshots(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Ma
 
 def _film(of: FigureScene, output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> FilmedScene:
     """Run a scene, once for all figures."""
-    from softcat_sym.report.progress import IntegrationProgress
-    from softcat_sym.study.figure_scenes import film_scene
+    from softcat_sym.plotting.terminal import IntegrationProgress
+    from softcat_sym.studies.paper_figures import film_scene
 
     if of.name not in filmed:
         filmed[of.name] = film_scene(

@@ -23,12 +23,14 @@ from softcat_sym.cli.application import (
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.cli.going_on import ResumeOption, going_on
 from softcat_sym.cli.pairs import read_pair
-from softcat_sym.inverse.defaults import STARTS
+from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
-    from softcat_sym.inverse import Fit, LawComparison, Loss, Measurements
-    from softcat_sym.inverse.filament_fit import FitProgress
-    from softcat_sym.scene import Scene
+    from softcat_sym.fitting.fit import Fit, FitProgress
+    from softcat_sym.fitting.least_squares import Loss
+    from softcat_sym.fitting.measurements import Measurements
+    from softcat_sym.fitting.model_selection import LawComparison
+    from softcat_sym.scene.scene import Scene
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
@@ -105,9 +107,9 @@ def fit(
         raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
     limits, charged = _bounds(bounds or []), _loss(loss, scale)
     asked, output = scene_and_directory(scene, changes, output, "fit")
-    from softcat_sym.inverse import read_measurements
-    from softcat_sym.report.fit_files import write_fit
-    from softcat_sym.report.progress import FitProgressBar
+    from softcat_sym.fitting.measurements import read_measurements
+    from softcat_sym.plotting.fit_files import write_fit
+    from softcat_sym.plotting.terminal import FitProgressBar
 
     how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
     films = read_measurements(data)
@@ -140,9 +142,8 @@ def _found(
     films: Measurements, scene: Scene, free: list[str], laws: list[str], how: _How, progress: FitProgress
 ) -> tuple[Fit, LawComparison | None]:
     """Fit what is free, all constants of a law, or those of several laws, of which the best comes first."""
-    from softcat_sym.inverse import fit as fit_filament
-    from softcat_sym.inverse import fit_laws
-    from softcat_sym.inverse.laws import fit_law
+    from softcat_sym.fitting.fit import fit as fit_filament
+    from softcat_sym.fitting.model_selection import fit_law, fit_laws
 
     if not laws:
         return fit_filament(films, scene, free, **how, progress=progress), None
@@ -155,7 +156,7 @@ def _found(
 def _tell(found: Fit, laws: LawComparison | None, written: list[Path], output: Path, *, quiet: bool) -> None:
     """Print, and exit with 1 if there is no optimum."""
     if not quiet:
-        from softcat_sym.report.fit_terminal import print_fit, print_laws
+        from softcat_sym.plotting.fit_files import print_fit, print_laws
 
         if laws is not None:
             print_laws(laws)
@@ -168,7 +169,7 @@ def _tell(found: Fit, laws: LawComparison | None, written: list[Path], output: P
 
 
 def _loss(kind: str, scale: float | None) -> Loss:
-    from softcat_sym.inverse import Loss
+    from softcat_sym.fitting.least_squares import Loss
 
     if scale is not None and kind == "linear":
         raise typer.BadParameter("least squares have none: name --loss soft-l1 or cauchy", param_hint="--scale")

@@ -35,8 +35,8 @@ def flow_curve(
     """
     if changes and scene is None:
         raise typer.BadParameter("it changes a scene: name one with --scene", param_hint="--set")
-    from softcat_sym.inverse import fit_flow_curve, fitted_scene
-    from softcat_sym.report.flow_curve import print_flow_curve, write_flow_curve
+    from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
+    from softcat_sym.plotting.flow_curve import print_flow_curve, write_flow_curve
 
     fit = fit_flow_curve(curve)
     handed_on = None if scene is None else fitted_scene(fit, scene, law, changes or [])

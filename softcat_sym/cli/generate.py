@@ -22,7 +22,7 @@ from softcat_sym.cli.application import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from softcat_sym.scene import Scene
+    from softcat_sym.scene.scene import Scene
 
 
 @app.command(rich_help_panel=DEVELOPER)
@@ -67,15 +67,15 @@ def generate(
 
 
 def _one(asked: Scene, output: Path, name: str, *, rhs: bool) -> list[Path]:
-    from softcat_sym import generating
+    from softcat_sym import generation
 
-    return generating.generate(asked, output, rhs, name)
+    return generation.generate(asked, output, rhs, name)
 
 
 def _all(output: Path, *, quiet: bool) -> list[Path]:
-    from softcat_sym import products
-    from softcat_sym.report.progress import StepProgress
-    from softcat_sym.scene import bundled_names
+    from softcat_sym import generation
+    from softcat_sym.plotting.terminal import StepProgress
+    from softcat_sym.scene.bundled import bundled_names
 
     with StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
-        return products.write(output, progress.step)
+        return generation.write(output, progress.step)

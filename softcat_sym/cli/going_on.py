@@ -16,7 +16,7 @@ from softcat_sym.cli.application import INTERRUPTED, complain
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
-    from softcat_sym.study.blocks import KeptResults
+    from softcat_sym.ensemble.block_store import KeptResults
 
 ResumeOption = Annotated[
     bool, typer.Option("--resume", help="Go on from where the same command was interrupted; see DIR/parts.")
@@ -47,9 +47,9 @@ def going_on(
     SoftcatError
         If what is there is another command's, or is not to be resumed.
     """
+    from softcat_sym.ensemble.block_store import kept_text
     from softcat_sym.files import made
-    from softcat_sym.solve.keeping import kept_by
-    from softcat_sym.study.blocks import kept_text
+    from softcat_sym.solvers.checkpoint import kept_by
 
     results = _results(output, what, asked, resume=resume)
     with made(output):
@@ -73,7 +73,7 @@ def going_on(
 
 
 def _results(output: Path, what: str, asked: Mapping[str, object], *, resume: bool) -> KeptResults:
-    from softcat_sym.study.blocks import KeptBlocks, KeptResults
+    from softcat_sym.ensemble.block_store import KeptBlocks, KeptResults
 
     told = {"what": what, "version": importlib.metadata.version("softcat_sym"), **asked}
     digest = hashlib.sha256(json.dumps(told, sort_keys=True, default=str).encode()).hexdigest()

@@ -59,7 +59,7 @@ def new(
     given = {path: text for path, text in flags.items() if text is not None}
     if not given and sys.stdin.isatty() and sys.stdout.isatty():
         given = _asked()
-    from softcat_sym.scene.template import scene_template
+    from softcat_sym.scene.keys import scene_template
 
     try:
         text, scene = scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
@@ -74,8 +74,7 @@ def new(
 
 def _asked() -> dict[str, str]:
     """Ask for one value after the other, each again until it is one."""
-    from softcat_sym.scene.keys import scene_keys
-    from softcat_sym.scene.template import example_values, scene_template
+    from softcat_sym.scene.keys import example_values, scene_keys, scene_template
 
     meaning = {key.path: key.meaning for key in scene_keys()}
     answers: dict[str, str] = {}

@@ -23,9 +23,8 @@ from softcat_sym.cli.application import (
 from softcat_sym.cli.sweep import ClusterOption, ResumeOption, SchedulerOption, WorkersOption
 
 if TYPE_CHECKING:
-    from softcat_sym.scene import Scene
-    from softcat_sym.study.blocks import KeptBlocks
-
+    from softcat_sym.ensemble.block_store import KeptBlocks
+    from softcat_sym.scene.scene import Scene
 
 PlaneOption = Annotated[
     list[str] | None,
@@ -58,12 +57,11 @@ def phase(
     mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy 1e-2, with 40 graded cells.
     Finished runs are kept in DIR/parts until all are there: an interrupted diagram goes on with --resume.
     """
-    from softcat_sym.ensemble.progress import MembersBar, NobodyListens
-    from softcat_sym.report.phase_files import write_phase_diagram
-    from softcat_sym.report.phase_terminal import print_phase_diagram
-    from softcat_sym.study.blocks import kept_text
-    from softcat_sym.study.phase_diagram import SETTINGS, phase_diagram
-    from softcat_sym.study.phase_plane import PLANES
+    from softcat_sym.ensemble.block_store import kept_text
+    from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
+    from softcat_sym.plotting.phase import print_phase_diagram, write_phase_diagram
+    from softcat_sym.studies.phase import SETTINGS, phase_diagram
+    from softcat_sym.studies.phase_runs import PLANES
 
     asked, output = scene_and_directory(scene, changes, output, "phase", SETTINGS)
     planes = plane or list(PLANES)
@@ -92,7 +90,7 @@ def phase(
 
 def _kept(asked: Scene, output: Path, *, resume: bool) -> KeptBlocks:
     """The folder of the finished runs; which scene, and which program, is their owner."""
-    from softcat_sym.study.blocks import KeptBlocks
+    from softcat_sym.ensemble.block_store import KeptBlocks
 
     version = importlib.metadata.version("softcat_sym")
     digest = hashlib.sha256(f"phase diagram\n{version}\n{asked.to_toml()}".encode()).hexdigest()

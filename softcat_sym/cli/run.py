@@ -26,10 +26,10 @@ from softcat_sym.cli.without_dask import without_dask
 if TYPE_CHECKING:
     import xarray as xr
 
-    from softcat_sym.report.animation_files import FilmOrder
-    from softcat_sym.report.contract import PicturedScene, Summary
-    from softcat_sym.scene import Scene
-    from softcat_sym.solve.checkpoint import Checkpoints
+    from softcat_sym.plotting.animation_frames import FilmOrder
+    from softcat_sym.plotting.style import PicturedScene, Summary
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.checkpoint import Checkpoints
 
 _FOLDER = "checkpoint"
 
@@ -79,10 +79,10 @@ def run(
     asked, output = scene_and_directory(scene, changes, output, "run")
     checkpoints = _checkpoints(asked, output, resume=resume)
     from softcat_sym.files import made, written_together
-    from softcat_sym.report.progress import IntegrationProgress
-    from softcat_sym.report.run_files import write_run
+    from softcat_sym.plotting.run_files import write_run
+    from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
-    from softcat_sym.solve.checkpoint import Resumable
+    from softcat_sym.solvers.checkpoint import Resumable
 
     try:
         with without_dask(), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
@@ -102,7 +102,7 @@ def run(
     if order is not None:
         _film_of_a_run(order, output, (trajectory.data, written.summary, asked), quiet=quiet)
     if not quiet:
-        from softcat_sym.report.terminal import print_summary
+        from softcat_sym.plotting.terminal import print_summary
 
         films = (output / order.name,) if order else ()
         print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
@@ -113,20 +113,20 @@ def run(
 
 def pictures_asked(animate: str | None, seconds: float, style: str) -> tuple[FilmOrder | None, str]:
     """What the options of films and pictures ask for, refused before anything is computed."""
-    from softcat_sym.report.picture_style import picture_style
+    from softcat_sym.plotting.style import picture_style
 
     drawn = picture_style(style)
     if animate is None:
         return None, drawn
-    from softcat_sym.report.animation_files import film_order
+    from softcat_sym.plotting.animation_frames import film_order
 
     return film_order(animate, seconds), drawn
 
 
 def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, PicturedScene], *, quiet: bool) -> Path:
     """Draw a film, with a bar on the terminal."""
-    from softcat_sym.report.animation_files import write_film
-    from softcat_sym.report.progress import StepProgress
+    from softcat_sym.plotting.animation_frames import write_film
+    from softcat_sym.plotting.terminal import StepProgress
 
     with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
         path, note = write_film(order, output, run, progress.step)
@@ -149,7 +149,7 @@ def _film_of_a_run(
 
 def _checkpoints(asked: Scene, output: Path, *, resume: bool) -> Checkpoints:
     """The folder of the states of this run; what it is asked, and of which program, is its owner."""
-    from softcat_sym.solve.checkpoint import Checkpoints
+    from softcat_sym.solvers.checkpoint import Checkpoints
 
     version = importlib.metadata.version("softcat_sym")
     return Checkpoints(output / _FOLDER, f"{version}\n{asked.to_toml()}".encode(), resume=resume)

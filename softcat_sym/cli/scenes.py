@@ -20,7 +20,7 @@ from softcat_sym.cli.application import (
 from softcat_sym.cli.completing import complete_scene
 
 if TYPE_CHECKING:
-    from softcat_sym.study.gallery import Asked, Exhibit
+    from softcat_sym.studies.gallery import Asked, Exhibit
 
 
 @app.command(rich_help_panel=EVERYDAY)
@@ -43,7 +43,7 @@ def scenes(
     Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command goes on;
     scenes that are there already are not run again.
     """
-    from softcat_sym.scene import bundled_lesson, bundled_names, bundled_title
+    from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_title
 
     if unknown := [name for name in only or () if name not in bundled_names()]:
         raise typer.BadParameter(f"no bundled scene {unknown[0]!r}: softcat scenes lists them", param_hint="--only")
@@ -59,8 +59,8 @@ def scenes(
 
 
 def _gallery(names: list[str], changes: list[str], output: Path, *, quiet: bool) -> None:
-    from softcat_sym.report.gallery import kept_exhibits, write_gallery
-    from softcat_sym.study.gallery import asked_of
+    from softcat_sym.plotting.gallery import kept_exhibits, write_gallery
+    from softcat_sym.studies.gallery import asked_of
 
     asked = [asked_of(name, changes) for name in names]
     check_directory(output)
@@ -87,9 +87,9 @@ def _stands(kept: Exhibit | None, asked: Asked) -> bool:
 
 def _run(asked: list[Asked], done: dict[str, Exhibit], output: Path, *, quiet: bool) -> None:
     """Run scenes, each of which is in its place before the next begins."""
-    from softcat_sym.report.gallery import write_exhibit
-    from softcat_sym.report.progress import StepProgress
-    from softcat_sym.study.gallery import exhibit_of
+    from softcat_sym.plotting.gallery import write_exhibit
+    from softcat_sym.plotting.terminal import StepProgress
+    from softcat_sym.studies.gallery import exhibit_of
 
     with StepProgress(len(asked), "gallery", quiet=quiet) as progress:
         for one in asked:

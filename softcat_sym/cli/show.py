@@ -13,6 +13,6 @@ def show(scene: SceneArgument, changes: SetOption = None) -> None:
 
     TOML in SI units, which is a scene again: softcat show ink-bridge > my-ink.toml
     """
-    from softcat_sym.scene.writing import toml_of
+    from softcat_sym.scene.toml import toml_of
 
     typer.echo(toml_of(scene_of(scene, changes), every_default=True), nl=False)

@@ -24,7 +24,8 @@ from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
-    from softcat_sym.study.sweep import Sweep, SweepPlan
+    from softcat_sym.studies.sweep import Sweep
+    from softcat_sym.studies.sweep_table import SweepPlan
 
 VaryOption = Annotated[
     list[str] | None,
@@ -88,8 +89,8 @@ def sweep(
     --set run.frames=41. Finished blocks are kept in DIR/parts until all are there: an interrupted sweep goes on with
     --resume.
     """
-    from softcat_sym.study.blocks.workplaces import check_workplace
-    from softcat_sym.study.sweep import plan_sweep
+    from softcat_sym.ensemble.executor import check_workplace
+    from softcat_sym.studies.sweep_table import plan_sweep
 
     check_workplace(workers, scheduler, local_cluster)
     if (table is None) is not bool(vary):
@@ -105,12 +106,10 @@ def sweep(
 def _run(
     plan: SweepPlan, output: Path, where: tuple[int | None, str | None, int | None], *, resume: bool, quiet: bool
 ) -> Sweep:
-    from softcat_sym.ensemble import MembersBar
-    from softcat_sym.ensemble.progress import NobodyListens
-    from softcat_sym.report.sweep_files import write_sweep
-    from softcat_sym.report.sweep_terminal import print_sweep
-    from softcat_sym.study.blocks import kept_text
-    from softcat_sym.study.sweep import run_sweep
+    from softcat_sym.ensemble.block_store import kept_text
+    from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
+    from softcat_sym.plotting.sweep import print_sweep, write_sweep
+    from softcat_sym.studies.sweep import run_sweep
 
     try:
         with nullcontext(NobodyListens()) if quiet else MembersBar("sweep") as bar:

@@ -5,11 +5,210 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from softcat_sym.codegen.c_printer import number
-from softcat_sym.codegen.description import Description, Given
-from softcat_sym.codegen.versions import VERSIONS
+from softcat_sym.codegen.c_printer import VERSIONS, CSource, number
+from softcat_sym.codegen.model import Model, Structure
+from softcat_sym.discretization.graph import CATALOGUE, Graph, parameter_values
+from softcat_sym.discretization.grid import End, choose_grading, towards_middle
+from softcat_sym.effects.choosing import Effects
 from softcat_sym.errors import PrintingError
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import si_unit
+
+LEAST_CELLS = 4
+"""Per half span: with fewer, the two ends see each other."""
+
+_UNITS = {
+    "span": "m",
+    "drop": "m",
+    "left_angle": "rad",
+    "right_angle": "rad",
+    "point_mass_per_area": "kg/m^2",
+    "time_scale": "s",
+    "second_modulus": "Pa",
+    "index": "1",
+}
+_ENDINGS = {"_time": "s", "_dx": "m", "_dy": "m", "_youngs_modulus": "Pa", "_viscosity": "Pa*s"}
+
+_MEANINGS = {
+    "rest_length": "length of the undeformed filament",
+    "thickness": "of the section; the diameter of a circle",
+    "gravity": "acceleration",
+    "ramp": "time within which gravity comes on, 0 at once",
+    "shake": "amplitude with which gravity oscillates, over g",
+    "shake_frequency": "cycles in a second",
+    "viscosity": "extensional",
+    "yield_stress": "in tension",
+    "index": "exponent n of the flow",
+    "poisson": "used by shear only",
+    "curvature": "natural",
+    "aspect": "width over thickness",
+    "surface_tension": "of the filament's surface",
+    "span": "horizontal distance between the supports",
+    "drop": "of the right support below the left one",
+    "left_angle": "of the clamp, counterclockwise",
+    "right_angle": "of the clamp, counterclockwise",
+    "point_mass_per_area": "mass at midspan over the undeformed section",
+    "time_scale": "unit of time in which the computation works; 0: sqrt(rest_length / gravity)",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """A parameter of a filament.
+
+    Attributes
+    ----------
+    name, unit, meaning : str
+        SI.
+    bound : str
+        ``any``, ``not-negative``, ``positive`` or ``poisson``.
+    value : float
+        That of the scene.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    bound: str
+    value: float
+
+
+@dataclass(frozen=True)
+class Description:
+    """A scene's filament as C sees it.
+
+    Attributes
+    ----------
+    scene : Scene
+        What was asked.
+    effects : Effects
+        The physics in force.
+    structure : Structure
+        What its text depends on.
+    model : Model
+        Its physics as C text.
+    parameters : tuple of Given
+        In the order of the model.
+    on_cells : tuple of bool
+        Whether each slot belongs to the cell of its site.
+    profiles : tuple of (float, float)
+        What each slot is of a plastic strain that is linear through the thickness.
+    cells : int
+        Per half span.
+    grading, relative, absolute : float
+        Ratio of the longest cell to the shortest, and tolerances.
+    towards_middle : bool
+        Whether cells are short at midspan, too.
+    """
+
+    scene: Scene
+    effects: Effects
+    structure: Structure
+    model: Model
+    parameters: tuple[Given, ...]
+    on_cells: tuple[bool, ...]
+    profiles: tuple[tuple[float, float], ...]
+    cells: int
+    grading: float
+    relative: float
+    absolute: float
+    towards_middle: bool
+
+    @property
+    def title(self) -> str:
+        """Of the scene."""
+        return self.scene.title or "a filament"
+
+    @property
+    def digest(self) -> str:
+        """Of the text of the physics: two filaments share a structure if theirs are the same."""
+        return CSource({"model.c": self.model.text}).digest
+
+    @property
+    def least_cells(self) -> int:
+        """Per half span."""
+        return LEAST_CELLS
+
+
+def describe(
+    scene: Scene, effects: Effects, graph: Graph, structure: Structure, model: Model, tolerances: tuple[float, float]
+) -> Description:
+    """Gather what is known of a scene's filament.
+
+    Parameters
+    ----------
+    scene, effects
+        What is asked, and the physics in force.
+    graph, structure, model
+        What it became.
+    tolerances : (float, float)
+        Relative and absolute.
+    """
+    values = parameter_values(scene)
+    units = {name: _unit(scene, name, model.parameters) for name in model.parameters}
+    given = tuple(
+        Given(name, units[name], _meaning(name, units[name]), _bound(scene, name), float(values[name]))
+        for name in model.parameters
+    )
+    cells = graph.grid.cells if graph.grid.is_half else graph.grid.cells // 2
+    names = [slot.name for slot in model.slots]
+    grading = scene.numerics.grading or choose_grading(scene, cells, effects)
+    return Description(
+        scene=scene,
+        effects=effects,
+        structure=structure,
+        model=model,
+        parameters=given,
+        on_cells=tuple(_is_on_cells(graph, name) for name in names),
+        profiles=tuple(graph.profiles.get(name, (0.0, 0.0)) for name in names),
+        cells=cells,
+        grading=float(grading),
+        relative=float(tolerances[0]),
+        absolute=float(tolerances[1]),
+        towards_middle=towards_middle(scene, effects),
+    )
+
+
+def _is_on_cells(graph: Graph, kind: str) -> bool:
+    """Whether the unknowns of a kind stand in the middle of cells."""
+    for kinds, places, where in (
+        (graph.x_kinds, graph.x_places, graph.x_where),
+        (graph.z_kinds, graph.z_places, graph.z_where),
+    ):
+        if kind in kinds:
+            first = kinds.index(kind)
+            return bool(where[first] != graph.grid.nodes[places[first]])
+    return False
+
+
+def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
+    if name == "viscosity" and "index" in names:
+        return "Pa*s^n"
+    known = {one.name: one.unit for one in CATALOGUE} | _UNITS
+    if name in known:
+        return known[name]
+    for own in scene.material.parameters:
+        if own.name == name:
+            return str(si_unit(own.dimension)).replace(" ", "") or "1"
+    return next((unit for ending, unit in _ENDINGS.items() if name.endswith(ending)), "1")
+
+
+def _meaning(name: str, unit: str) -> str:
+    return "consistency K of the flow" if unit == "Pa*s^n" else _MEANINGS.get(name, "")
+
+
+def _bound(scene: Scene, name: str) -> str:
+    if name == "poisson":
+        return "poisson"
+    own = {parameter.name for parameter in scene.material.parameters}
+    free = ("curvature", "drop", "left_angle", "right_angle")
+    if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
+        return "any"
+    zero = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", "surface_tension")
+    return "not-negative" if name in zero or name.startswith("motion_") else "positive"
+
 
 DEFAULT_NAME = "filament"
 
@@ -254,3 +453,112 @@ int {prefix}_solve_sensitivities(const double *params, int cells, const double *
 def shown(one: Given) -> str:
     """Unit, value and meaning of a parameter in a few words."""
     return f"[{one.unit}] {one.value:.6g}{f': {one.meaning}' if one.meaning else ''}"
+
+
+def header_text(described: Description, name: str, command: str) -> str:
+    """The C header.
+
+    Parameters
+    ----------
+    described, name, command
+        As :func:`softcat_sym.codegen.interface.source_text` takes them.
+    """
+    prefix = prefix_of(name)
+    big, guard = prefix.upper(), f"SOFTCAT_{symbol(name)}_H"
+    parts = [
+        heading(described, command),
+        f"#ifndef {guard}\n#define {guard}",
+        '#include "softcat_solve.h"',
+        '#ifdef __cplusplus\nextern "C" {\n#endif',
+        "/* Numbers of the parameters; all are in SI units. Values are those of the scene. */\n"
+        + _enumeration([f"{big}_P_{symbol(one.name)}" for one in described.parameters], f"{big}_PARAMETERS").format(
+            *(shown(one) for one in described.parameters)
+        ),
+        "/* Numbers of the unknowns of a site: a node, or the cell to its right. */\n"
+        + _enumeration([f"{big}_SLOT_{symbol(slot.name)}" for slot in described.model.slots], f"{big}_SLOTS").format(
+            *(_words(described, k) for k in range(len(described.model.slots)))
+        ),
+        _constants(described, big),
+        _FUNCTIONS.format(
+            prefix=prefix,
+            big=big,
+            structure=symbol_of(name, "structure"),
+            grid=_grid(described),
+            least=described.least_cells,
+        ),
+        "#ifdef __cplusplus\n}\n#endif",
+        "#endif",
+    ]
+    return "\n\n".join(parts) + "\n"
+
+
+def _enumeration(names: list[str], count: str) -> str:
+    """An enum with a place for a comment on each name."""
+    width = max(map(len, names)) + 1
+    lines = [f"    {f'{name},':{width}} /* {{}} */" for name in names]
+    return "\n".join(["enum {{", *lines, f"    {count}", "}};"])
+
+
+def _words(described: Description, slot: int) -> str:
+    known = described.model.slots[slot]
+    where = "cell" if described.on_cells[slot] else "node"
+    return f"{where}, {'differential' if known.differential else 'algebraic'}"
+
+
+def _constants(described: Description, big: str) -> str:
+    scene = described.scene
+    values = {
+        "CELLS": str(described.cells),
+        "GRADING": number(described.grading),
+        "RELATIVE": number(described.relative),
+        "ABSOLUTE": number(described.absolute),
+        "DURATION": number(scene.run.duration),
+        "FRAMES": str(scene.run.frames),
+    }
+    said = "/* How the scene is run: cells a half span, longest over shortest cell, tolerances, [s], times. */"
+    return "\n".join([said, *(f"#define {big}_SCENE_{key} {value}" for key, value in values.items())])
+
+
+def _grid(described: Description) -> str:
+    ends = described.structure.ends
+    if ends[0] is End.SYMMETRY:
+        return "half the filament, from its plane of symmetry (x = 0) to the right support: cells + 1 nodes"
+    return "the whole filament from left to right: 2 * cells + 1 nodes, the middle one number `cells`"
+
+
+_FUNCTIONS = """\
+extern const softcat_structure {structure};
+
+/* Doubles that one time takes in `out`, 2 for each node; 0 if cells < {least}. Solved is
+ * {grid}. */
+int {prefix}_row(int cells);
+
+/* Fill params [{big}_PARAMETERS] with the scene's. */
+void {prefix}_defaults(double *params);
+
+/* Positions [m] of all nodes at n times, with the scene's grading and tolerances.
+ *
+ * params  [{big}_PARAMETERS] SI
+ * cells   per half span, {least} or more
+ * times   [n] increasing, from 0 on [s]; the filament is at rest at t = 0
+ * out     [n * {prefix}_row(cells)] x_0 y_0 x_1 y_1 ... of each time; NaN at times not reached
+ * status  or NULL
+ * Returns SOFTCAT_SOLVED or a code; softcat_explain says what it means. */
+int {prefix}_solve(const double *params, int cells, const double *times, int n, double *out,
+                   softcat_status *status);
+
+/* The same for the height [m] of the node at X = 0 only: out [n]. */
+int {prefix}_midpoint(const double *params, int cells, const double *times, int n, double *out,
+                      softcat_status *status);
+
+/* Positions, and their derivatives by parameters number by[0] ... by[by_count - 1] in the same
+ * pass: derivatives [by_count * n * {prefix}_row(cells)] in m per SI unit. */
+int {prefix}_solve_sensitivities(const double *params, int cells, const double *times, int n,
+                                 const int *by, int by_count, double *out, double *derivatives,
+                                 softcat_status *status);
+
+/* All that softcat_solve.h offers: grading, tolerances, a starting shape, stopping, the thickness
+ * along the filament, all unknowns, work. */
+int {prefix}_solve_with(const double *params, int cells, const double *times, int n,
+                        const softcat_settings *settings, const softcat_results *results,
+                        softcat_status *status);"""

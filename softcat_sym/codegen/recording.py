@@ -1,26 +1,277 @@
-"""A filament of a few cells with its grid as symbols, taken apart into fields that one site after another computes."""
+"""A filament of a few cells with its grid as symbols, recorded as instructions and taken apart into fields."""
 
 from __future__ import annotations
 
+import math
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import casadi as ca
 import numpy as np
 
-from softcat_sym.codegen.leaves import FIBRE, PARAMETER, PLACE, STAGED, TIME, UNKNOWN, Leaf, Leaves
-from softcat_sym.codegen.reciprocals import INVERTED, PER
-from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.filament import FilamentEquations
-from softcat_sym.graph.assembly import inputs_for, layouts_of
-from softcat_sym.graph.body import Body
-from softcat_sym.graph.discretisation import Discretisation, Setting, Unknowns
-from softcat_sym.graph.grid import End, Grid
-from softcat_sym.graph.instant import When, balances_of, instant, powers_of, rates_of
-from softcat_sym.graph.layout import Block
-from softcat_sym.graph.lengths import Lengths
-from softcat_sym.graph.parameters import POINT_MASS, TIME_SCALE
-from softcat_sym.graph.profile import Profile
-from softcat_sym.graph.supports import held
+from softcat_sym.discretization.assembly import (
+    Body,
+    When,
+    balances_of,
+    inputs_for,
+    instant,
+    layouts_of,
+    powers_of,
+    rates_of,
+)
+from softcat_sym.discretization.graph import POINT_MASS, TIME_SCALE, Discretisation, Setting, Unknowns
+from softcat_sym.discretization.grid import Block, End, Grid, Lengths
+from softcat_sym.discretization.section_rule import EACH
+from softcat_sym.discretization.supports import Profile, held
+from softcat_sym.errors import PrintingError
+from softcat_sym.physics import symbols
+from softcat_sym.physics.filament import FilamentEquations
+
+_NAMES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
+
+
+@dataclass(frozen=True)
+class Instruction:
+    """One elementary operation.
+
+    Attributes
+    ----------
+    operation : str
+        CasADi's name without ``OP_``; ``INPUT`` and ``CONST`` for what is given.
+    arguments : tuple of int
+        Numbers of earlier instructions; of an input its number.
+    value : float
+        Of a constant.
+    """
+
+    operation: str
+    arguments: tuple[int, ...]
+    value: float = 0.0
+
+
+@dataclass(frozen=True)
+class Code:
+    """Instructions, and which of them are the results.
+
+    Attributes
+    ----------
+    instructions : tuple of Instruction
+        In the order of evaluation.
+    results : tuple of int
+        Number of the instruction that gives each output; -1 for a zero.
+    """
+
+    instructions: tuple[Instruction, ...]
+    results: tuple[int, ...]
+
+
+def code_of(inputs: list[ca.SX], outputs: list[ca.SX]) -> Code:
+    """Instructions that compute scalars from scalars, equal ones shared.
+
+    Raises
+    ------
+    PrintingError
+        If an output holds a symbol that is not among the inputs.
+    """
+    shared = ca.cse([ca.densify(ca.SX(output)) for output in outputs])
+    try:
+        function = ca.Function("code", [ca.vertcat(*inputs)], [ca.vertcat(*shared)])
+    except RuntimeError as error:
+        raise PrintingError(f"an expression of the generated code has a symbol that is no input: {error}") from error
+    found: list[Instruction] = []
+    at: dict[int, int] = {}
+    known: dict[Instruction, int] = {}
+    results = [-1] * len(outputs)
+
+    def add(instruction: Instruction) -> int:
+        if instruction not in known:
+            known[instruction] = len(found)
+            found.append(instruction)
+        return known[instruction]
+
+    for k in range(function.n_instructions()):
+        name = _NAMES[function.instruction_id(k)].removeprefix("OP_")
+        read, written = function.instruction_input(k), function.instruction_output(k)
+        if name == "OUTPUT":
+            results[written[1]] = at[read[0]]
+        elif name == "INPUT":
+            at[written[0]] = add(Instruction("INPUT", (read[1],)))
+        elif name == "CONST":
+            at[written[0]] = add(Instruction("CONST", (), float(function.instruction_constant(k))))
+        else:
+            at[written[0]] = add(Instruction(name, tuple(at[place] for place in read)))
+    return Code(tuple(found), tuple(results))
+
+
+UNKNOWN, STAGED, PLACE, DERIVATIVE, PARAMETER, TIME = "unknown", "staged", "place", "derivative", "parameter", "time"
+FIBRE, SUM = "fibre", "sum"
+"""Where a fibre is and what it counts for; a sum over the fibres of a cell."""
+
+
+@dataclass(frozen=True, order=True)
+class Leaf:
+    """One input of an expression.
+
+    Attributes
+    ----------
+    kind : str
+        One of the eight kinds above.
+    name : str
+        Which unknown, field, length, entry or parameter.
+    site : int
+        Where: a site, or the distance from the site that is being looked at; zero for what has no place.
+    """
+
+    kind: str
+    name: str
+    site: int = 0
+
+    @property
+    def is_local(self) -> bool:
+        """Whether it belongs to a site."""
+        return self.kind not in (PARAMETER, TIME, FIBRE)
+
+    @property
+    def is_each(self) -> bool:
+        """Whether it differs from fibre to fibre."""
+        return self.kind == FIBRE or EACH in self.name
+
+    def seen_from(self, site: int) -> Leaf:
+        """The same with the distance in place of the site."""
+        return Leaf(self.kind, self.name, self.site - site) if self.is_local else self
+
+
+class Leaves:
+    """The CasADi symbols of leaves, each made once."""
+
+    def __init__(self) -> None:
+        self._symbols: dict[Leaf, ca.SX] = {}
+        self._leaves: dict[str, Leaf] = {}
+        self.totals: set[str] = set()
+        self._summed: dict[str, ca.SX] = {}
+
+    def symbol(self, leaf: Leaf) -> ca.SX:
+        """The symbol of a leaf."""
+        if leaf not in self._symbols:
+            name = f"{leaf.kind}:{leaf.name}@{leaf.site}"
+            self._symbols[leaf], self._leaves[name] = ca.SX.sym(name), leaf
+        return self._symbols[leaf]
+
+    def sum_of(self, value: ca.SX) -> ca.SX:
+        """A symbol for the sum over the fibres of what is given for one that stands for all."""
+        if value.is_zero():
+            return ca.SX(0)
+        leaf = Leaf(SUM, str(len(self._summed)))
+        self._summed[leaf.name] = value
+        return self.symbol(leaf)
+
+    def summed(self, leaf: Leaf) -> ca.SX:
+        """What a sum is of."""
+        return self._summed[leaf.name]
+
+    def column(self, kind: str, name: str, sites: range) -> ca.SX:
+        """The symbols of a field, one below the other."""
+        return ca.vertcat(*(self.symbol(Leaf(kind, name, site)) for site in sites))
+
+    def within(self, expression: ca.SX) -> list[Leaf]:
+        """The leaves of an expression, sorted."""
+        return sorted(self._leaves[symbol.name()] for symbol in ca.symvar(expression))
+
+    def adopt(self, symbol: ca.SX, leaf: Leaf) -> None:
+        """Let a symbol that was made elsewhere stand for a leaf."""
+        self._symbols[leaf], self._leaves[symbol.name()] = symbol, leaf
+
+    def moved(self, expression: ca.SX, site: int) -> ca.SX:
+        """The expression as seen from a site."""
+        leaves = [leaf for leaf in self.within(expression) if leaf.is_local]
+        if not leaves or site == 0:
+            return expression
+        old = ca.vertcat(*(self.symbol(leaf) for leaf in leaves))
+        new = ca.vertcat(*(self.symbol(leaf.seen_from(site)) for leaf in leaves))
+        return ca.substitute(expression, old, new)
+
+
+PER = "per_"
+INVERTED = "cell", "node", "mass"
+"""Lengths and mass of a site whose inverses a run is given too, under names that begin with `PER`."""
+
+
+def with_reciprocals(code: Code, leaves: Sequence[Leaf]) -> tuple[Code, list[Leaf]]:
+    """The same results with fewer divisions, and what they are made of.
+
+    Parameters
+    ----------
+    code : Code
+        Instructions.
+    leaves : sequence of Leaf
+        Its inputs; those that the new code has besides follow them.
+    """
+    divisors = Counter(one.arguments[-1] for one in code.instructions if one.operation in ("DIV", "INV"))
+    inputs, found = list(leaves), list[Instruction]()
+    known: dict[Instruction, int] = {}
+    number: dict[int, int] = {}
+    alike: dict[int, bool] = {}
+
+    def add(instruction: Instruction, *, uniform: bool) -> int:
+        if instruction not in known:
+            known[instruction] = len(found)
+            alike[len(found)] = uniform
+            found.append(instruction)
+        return known[instruction]
+
+    def inverse(divisor: int) -> int:
+        one = found[divisor]
+        if one.operation == "CONST":
+            return add(Instruction("CONST", (), 1 / one.value), uniform=True)
+        if _is_inverted(one, inputs):
+            leaf = inputs[one.arguments[0]]
+            other = Leaf(PLACE, PER + leaf.name, leaf.site)
+            if other not in inputs:
+                inputs.append(other)
+            return add(Instruction("INPUT", (inputs.index(other),)), uniform=False)
+        return add(Instruction("INV", (divisor,)), uniform=alike[divisor])
+
+    for k, one in enumerate(code.instructions):
+        if one.operation == "INPUT":
+            number[k] = add(one, uniform=not inputs[one.arguments[0]].is_local)
+            continue
+        arguments = tuple(number[argument] for argument in one.arguments)
+        uniform = all(alike[argument] for argument in arguments)
+        if one.operation in ("DIV", "INV") and _pays(found, inputs, alike, arguments, divisors[one.arguments[-1]]):
+            over = inverse(arguments[-1])
+            number[k] = (
+                over if one.operation == "INV" else add(Instruction("MUL", (arguments[0], over)), uniform=uniform)
+            )
+        else:
+            number[k] = add(Instruction(one.operation, arguments, one.value), uniform=uniform)
+    return Code(tuple(found), tuple(number[r] if r >= 0 else -1 for r in code.results)), inputs
+
+
+def _pays(
+    found: Sequence[Instruction],
+    inputs: Sequence[Leaf],
+    alike: dict[int, bool],
+    arguments: Sequence[int],
+    times: int,
+) -> bool:
+    """Whether the divisor is better inverted."""
+    divisor = found[arguments[-1]]
+    if divisor.operation == "CONST":
+        return math.isfinite(divisor.value) and divisor.value != 0
+    if _is_inverted(divisor, inputs):
+        return True
+    if alike[arguments[-1]]:
+        return not all(alike[argument] for argument in arguments)
+    return times > 1
+
+
+def _is_inverted(one: Instruction, inputs: Sequence[Leaf]) -> bool:
+    if one.operation != "INPUT":
+        return False
+    leaf = inputs[one.arguments[0]]
+    return leaf.kind == PLACE and leaf.name in INVERTED
+
 
 CELLS = 12
 """Of the filament that is taken apart: enough for sites in the middle that see neither end."""
@@ -174,7 +425,7 @@ def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End
     blocks = {block.name: block for layout in (layouts.moving, layouts.still) for block in layout.blocks}
     recorder = _Recorder(leaves, blocks)
     scale, values = given.named[TIME_SCALE], given.symbols
-    supports = held(body.supports, given.named, values[sy.L_0], time * scale)
+    supports = held(body.supports, given.named, values[symbols.L_0], time * scale)
     nodes, cells = range(CELLS + 1), range(CELLS)
     profile = body.profile
     if profile.nodes is not None:
@@ -182,7 +433,9 @@ def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End
     lengths = Lengths(*(leaves.column(PLACE, n, s) for n, s in (("X", nodes), ("cell", cells), ("node", nodes))))
     mass = leaves.column(PLACE, "mass", nodes)
     if body.weighted:
-        mass += leaves.column(PLACE, "hung", nodes) * (given.named[POINT_MASS] / (values[sy.rho] * values[sy.L_0]))
+        mass += leaves.column(PLACE, "hung", nodes) * (
+            given.named[POINT_MASS] / (values[symbols.rho] * values[symbols.L_0])
+        )
     setting = Setting(values, grid, profile, supports, scale, lengths, recorder.stage, recorder.total)
     now = instant(equations, theory, setting, given, recorder, When(time, mass))
     rates = rates_of(now)

@@ -1,11 +1,12 @@
 """Bending: curvature, moment and transverse force, with the bending plastic strain where the law flows."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate, always
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, chord_angle, groups_of
+from softcat_sym.effects.effect import Effect, Estimate, Motion, always
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene, chord_angle, groups_of
 
 _LAYER, _PINNED = 0.5, 0.1
 """Length over which a clamp bends a string, and sag below which a string is a beam, in h0/H: clamped, and pinned."""

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.plastic_overshoot import hinge_pace, overshoot, rebound, ringing_share
-from softcat_sym.effects.prediction import (
+from softcat_sym.effects.scaling_estimates import (
     beam_of,
     duration_star,
     first_yield_gravity_number,
@@ -24,12 +24,19 @@ from softcat_sym.effects.prediction import (
     weight_stress,
     yield_stress_of,
 )
-from softcat_sym.effects.resonance import shaken_share
-from softcat_sym.equations import regimes
-from softcat_sym.equations.fibres import SHEAR_CORRECTION
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.scene import Scene, gravity_time, groups_of, is_held, is_slack, stress_free_length, undeformed_area
-from softcat_sym.scene.support_path import farthest
+from softcat_sym.physics import regimes
+from softcat_sym.physics.reissner import SHEAR_CORRECTION
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.parts import farthest
+from softcat_sym.scene.scene import (
+    Scene,
+    gravity_time,
+    groups_of,
+    is_held,
+    is_slack,
+    stress_free_length,
+    undeformed_area,
+)
 
 TURNS_BACK = 0.05
 """Underdamped: it springs back by more than this share of its sag, as a finished run is judged.
@@ -65,7 +72,7 @@ class ExpectedRegime:
     Attributes
     ----------
     name : str
-        As :data:`softcat_sym.trajectory.regime.Regime`.
+        As :data:`softcat_sym.results.motion.Regime`.
     reason : str
         In words, with the numbers that decide.
     gravity_number : float or None

@@ -1,14 +1,15 @@
 """Extensibility: axial strain and tension; without it the filament is a beam that bends and does not stretch."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Collection
 from dataclasses import replace
 
 from softcat_sym.effects.bending import BENDING
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, distance, is_held, rest_length
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene, distance, is_held, rest_length
 
 _MEANINGLESS_WITHOUT = {
     *("finite-stretch", "thinning", "large-rotation", "shear", "fibres", "necking-gradient"),

@@ -1,16 +1,17 @@
 """Fibres: the plastic strain has any profile through the thickness, not only a linear one."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
 from softcat_sym.effects.bending import bending_share
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.law import flow_nonlinearity
-from softcat_sym.effects.motion import Motion
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.equations.symbols import c
-from softcat_sym.scene import Scene
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.symbols import c
+from softcat_sym.scene.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:

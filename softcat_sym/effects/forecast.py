@@ -2,30 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from functools import lru_cache
 
 import numpy as np
+import numpy.typing as npt
 
+from softcat_sym.effects.effect import Motion
+from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.missed_inertia import missed_from_rest, missed_inertia
-from softcat_sym.effects.motion import Motion
-from softcat_sym.effects.natural_frequency import solid_decay, solid_retardation
-from softcat_sym.effects.necks import neck_folds
-from softcat_sym.effects.prediction import (
-    beam_share_of_surface,
-    bending_stiffness,
-    duration_star,
-    effective_viscosity_at,
-    first_yield_gravity_number,
-    gravity_number_of,
-    instant_modulus,
-    pull_of_surface,
-    static_modulus,
-    surface_stress,
-    weight_stress,
-    yield_stress_of,
-)
 from softcat_sym.effects.quasi_static import (
     Floats,
     History,
@@ -36,11 +22,313 @@ from softcat_sym.effects.quasi_static import (
     slackness,
     start_sag,
 )
-from softcat_sym.effects.resonance import shaken_peak, shaken_phase, shaken_share
-from softcat_sym.effects.ringing import Ringing, ringing
-from softcat_sym.effects.shearing import sheared_share
-from softcat_sym.scene import Scene, distance, groups_of, is_held, is_slack
-from softcat_sym.scene.support_path import farthest
+from softcat_sym.effects.scaling_estimates import (
+    beam_of,
+    beam_share_of_surface,
+    bending_stiffness,
+    duration_star,
+    effective_viscosity_at,
+    first_yield_gravity_number,
+    gravity_number_of,
+    instant_modulus,
+    neck_folds,
+    neck_length,
+    pull_of_surface,
+    static_modulus,
+    surface_stress,
+    weight_stress,
+    yield_stress_of,
+)
+from softcat_sym.errors import Fault
+from softcat_sym.physics import regimes
+from softcat_sym.physics.reissner import SHEAR_CORRECTION
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.parts import farthest
+from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, is_slack, rest_length, undeformed_area
+
+
+def shaken_share(scene: Scene) -> float:
+    """Largest swing by the shaking over the sag under steady gravity: a times the gain; 0 where nothing shakes.
+
+    Of a mode of frequency omega, driven from rest at r omega, the forced and the free vibration together reach at most
+    (1 + r)/sqrt((1 - r^2)^2 + (2 zeta r)^2) static deflections (Rayleigh 1877, section 46). In the damping zeta counts
+    besides the decay that resonance has the time of the run to build up, by one static deflection in 2/omega. What
+    flows has nothing to spring back: r = 0.
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+    """
+    return scene.load.shake * (1 + _ratio(scene)) * steady_gain(scene)
+
+
+def steady_gain(scene: Scene) -> float:
+    """Amplitude of the forced vibration over that of a filament in balance at every instant."""
+    ratio, rings = _ratio(scene), ringing(scene)
+    if ratio == 0:
+        return 1.0
+    damping = rings.decay / rings.frequency + 1 / (rings.frequency * scene.run.duration)
+    return 1 / math.hypot(1 - ratio**2, 2 * damping * ratio)
+
+
+def shaken_peak(scene: Scene) -> float:
+    """Steady load that would stretch and bend the filament as far as the shaken one does, over that without shaking."""
+    return 1 + shaken_share(scene)
+
+
+def shaken_phase(scene: Scene) -> float:
+    """How many times a small change of the stiffness shows in the swing: d log gain / d log r^2 = r^2 gain."""
+    return min(1.0, shaken_share(scene)) * 2 * _ratio(scene) ** 2 * steady_gain(scene)
+
+
+def _ratio(scene: Scene) -> float:
+    """Frequency of the shaking over that of the first mode; 0 where nothing springs back."""
+    if scene.load.shake == 0:
+        return 0.0
+    frequency = ringing(scene).frequency
+    return 2 * math.pi * scene.load.shake_frequency / frequency if math.isfinite(frequency) else 0.0
+
+
+def outrunning_faults(scene: Scene) -> list[Fault]:
+    """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its support path and material.
+    """
+    modulus = instant_modulus(scene)
+    if modulus is None or not scene.ends.motion:
+        return []
+    fastest = max(_speeds(scene), default=0.0)
+    wave = math.sqrt(modulus / scene.filament.density)
+    if fastest <= wave:
+        return []
+    found = f"the right support moves at {fastest:.3g} m/s, but waves run along the filament at {wave:.3g} m/s"
+    return [Fault("ends.motion", found, "a slower path, or run.effects without inertia")]
+
+
+def _speeds(scene: Scene) -> list[float]:
+    return [
+        math.hypot(after[1] - before[1], after[2] - before[2]) / (after[0] - before[0])
+        for before, after in itertools.pairwise(((0.0, 0.0, 0.0), *scene.ends.motion))
+        if after[0] > before[0]
+    ]
+
+
+_DAMPING = (0.0, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5, 3.0, 3.25, 3.5)
+_PAST = (1.0, 0.981, 0.945, 0.841, 0.729, 0.643, 0.517, 0.425, 0.325, 0.250, 0.191, 0.129, 0.0695, 0.0239, 0.0059, 0.0)
+"""u - 1 where u first stops, of D: from u'' = 1 - u - D u^2 u'."""
+
+
+def damping(gravity_number: float, viscous: float) -> float:
+    """D = (5/6) sqrt(1/10) V G^(5/2)."""
+    return 5 / 6 * math.sqrt(0.1) * viscous * math.pow(gravity_number, 2.5)
+
+
+def ringing_share(frequency: float, ramp: float) -> float:
+    """Share of the swing that a ramp of gravity leaves: 1 for none, 0 for a slow one (the quintic step, section 3)."""
+    number = frequency * ramp
+    if number < 1e-2:
+        return 1.0
+    return abs(float(regimes.ramp_gain().subs(regimes.k_on, number)))
+
+
+def overshoot(gravity_number: float, viscous: float, ramp: float) -> float:
+    """u: where the filament first stops, over the depth at which it could rest.
+
+    Parameters
+    ----------
+    gravity_number, viscous : float
+        G and V (3.10).
+    ramp : float
+        Time over which gravity is switched on, in sqrt(L/g).
+    """
+    past = float(np.interp(damping(gravity_number, viscous), _DAMPING, _PAST))
+    return 1 + past * ringing_share(math.sqrt(10 / gravity_number), ramp)
+
+
+def rebound(gravity_number: float, yield_strain: float, past: float) -> float:
+    """How far the elastic filament springs back once it has stopped, over its sag.
+
+    It swings about the depth at which the elastic stress, 1/G + (16/3) E* h (h - h_stop) less than that of the stop,
+    carries the weight; to twice that distance: 2 (1 - 1/u)/(1 + G^2 u^2/(12 eps_Y)).
+
+    Parameters
+    ----------
+    gravity_number, yield_strain : float
+        G and eps_Y (3.9, 3.10).
+    past : float
+        u, of :func:`overshoot`.
+    """
+    return 2 * (1 - 1 / past) / (1 + (gravity_number * past) ** 2 / (12 * yield_strain))
+
+
+def hinge_pace(gravity_number: float, viscous: float, sag: float, time: float) -> float:
+    """Plastic rate that is left at a clamp after a time, over sigma_Y/eta.
+
+    The hinge must turn by 4 h. A viscous beam under the tension A sigma_Y turns over the length
+    sqrt(eta I/(A sigma_Y t)), which narrows: its outer fibre flows at 4 sqrt(3) h sqrt(G V/t) sigma_Y/eta.
+    """
+    return 4 * math.sqrt(3) * sag * math.sqrt(gravity_number * viscous / time) if time > 0 else math.inf
+
+
+def neck_draw(scene: Scene, gravity_number: float, viscous: float, sag: float) -> float:
+    """Strain of the necks at the two ends, when the elongation of the fall gathers there.
+
+    A neck grows at sigma_Y/eta while the section flows, for the half period pi sqrt(G/10) of the fall: of the
+    elongation (8/3) h^2 of the span the share 1 - exp(-pi sqrt(G/10)/(G V)) goes into two necks, none shorter than pi
+    sqrt(beta) h0 (Audoly & Hutchinson 2016).
+    """
+    if viscous == 0:
+        gathered = 1.0
+    else:
+        gathered = -math.expm1(-math.pi * math.sqrt(gravity_number / 10) / (gravity_number * viscous))
+    return gathered * 8 / 3 * sag**2 * rest_length(scene) / (2 * neck_length(scene))
+
+
+def missed_inertia(time: Floats, sag: Floats, gravity: float, ramp: float) -> float:
+    """Largest difference of the sag at the output times, over the largest sag.
+
+    A filament released at once follows free fall until its balanced sag H(t) ~ t^p is no deeper, at t_i with
+    g t_i^2/2 = H(t_i); from then on it is late by about t_i, so that p H t_i/t is missed. Under a slow load what is
+    missed is the acceleration over gravity. Ringing is not in it.
+
+    Parameters
+    ----------
+    time, sag : ndarray, shape (n,)
+        Output times [s] and balanced sag [m], from t = 0.
+    gravity : float
+        [m/s^2].
+    ramp : float
+        Duration of the ramp of gravity [s].
+    """
+    largest = float(np.max(np.abs(sag)))
+    if largest == 0 or gravity == 0 or len(time) < 2:
+        return 0.0
+    moved = np.abs(sag - sag[0])
+    slow = _accelerated(time, sag, gravity)
+    if ramp > 0:
+        loaded = time > ramp
+        return max(_late(time[loaded], moved[loaded], gravity), slow) / largest
+    jump = float(np.abs(sag[0]))
+    return max(_late(time[1:], moved[1:] + jump, gravity), jump, slow) / largest
+
+
+def missed_from_rest(time: Floats, sag: Floats, gravity: float) -> float:
+    """Largest difference of the sag, over the largest sag, of a filament that hangs in balance and begins to flow.
+
+    It springs back about its balance at omega^2 = g/H, so that the speed v with which the flow begins sets it ringing
+    with v/omega.
+
+    Parameters
+    ----------
+    time, sag : ndarray, shape (n,)
+        Output times [s] and balanced sag [m], from t = 0.
+    gravity : float
+        [m/s^2].
+    """
+    largest = float(np.max(np.abs(sag)))
+    if largest == 0 or gravity == 0 or len(time) < 2:
+        return 0.0
+    speed = abs(float(sag[1] - sag[0])) / float(time[1] - time[0])
+    return min(1.0, speed * float(np.sqrt(largest / gravity)) / largest)
+
+
+def _late(time: Floats, sag: Floats, gravity: float) -> float:
+    """Largest sag missed by being late [m]."""
+    if len(time) < 2 or not np.any(sag > 0):
+        return 0.0
+    safe = np.maximum(sag, 1e-12 * np.max(sag))
+    power = np.clip(np.gradient(np.log(safe), np.log(time)), 0.0, 1.0)
+    fallen = 2 * safe / (gravity * time**2)
+    return float(np.max(power * safe * np.minimum(1.0, fallen ** (1 / (2 - power)))))
+
+
+def _accelerated(time: Floats, sag: Floats, gravity: float) -> float:
+    """Largest acceleration over gravity, in sags [m]: that much of the load is missing at that time."""
+    if len(time) < 3:
+        return 0.0
+    acceleration = np.abs(np.diff(sag, 2)) / (time[1] - time[0]) ** 2
+    return float(np.max(np.minimum(acceleration / gravity, 1.0) * np.abs(sag[1:-1])))
+
+
+_HINGES = 0.7
+"""Change of the sag per h0/L, against plane-stress elements: the hinges of a yielding filament shear most."""
+
+_BENT_ENDS = 5.0
+"""Of a string in clamps: its bent ends, about h0/(6 H) long, are stiffened by less where they shear."""
+
+_SHEAR_SAG = {
+    regimes.CLAMPED: 1 / 8,
+    regimes.PROPPED: 1 / 8,
+    regimes.PINNED: 1 / 8,
+    regimes.CANTILEVER: 3 / 8,
+}
+"""Midspan sag by shear alone over q L^2/(kappa mu A)."""
+
+
+def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
+    """Change of the sag by shear, of it.
+
+    Parameters
+    ----------
+    scene : Scene
+        Section, ends and law.
+    sag : float
+        Over span.
+    tension_share : float
+        Share of the load that is carried in tension, which does not shear.
+    """
+    delta, beam = groups_of(scene).delta, beam_of(scene)
+    shape, correction = SECTIONS[scene.filament.section], float(SHEAR_CORRECTION[scene.filament.section])
+    compliance = float(regimes.gyration(shape)) * 2 * (1 + scene.material.poisson) / correction * delta**2
+    bent = _SHEAR_SAG[beam] / float(beam.midspan_sag) * compliance * (1 - tension_share)
+    clamped = "clamped" in (scene.ends.left, scene.ends.right)
+    ends = _BENT_ENDS * delta * sag * tension_share if clamped else 0.0
+    hinges = _HINGES * delta if clamped and yield_stress_of(scene) is not None else 0.0
+    return max(hinges, bent + ends)
+
+
+def lagging(time: npt.NDArray[np.float64], force: npt.NDArray[np.float64], lag: float) -> npt.NDArray[np.float64]:
+    """Force that a spring beside a dashpot has given way to: lag dF/dt + F = force, from 0 at the first frame.
+
+    Parameters
+    ----------
+    time : ndarray, shape (frames,)
+        [s].
+    force : ndarray, shape (frames, cells)
+        Constant from each frame to the next.
+    lag : float
+        Retardation time [s]; with 0 the spring follows at once.
+    """
+    if lag <= 0:
+        return force
+    felt = np.zeros_like(force)
+    for frame, kept in enumerate(np.exp(-np.diff(time) / lag)):
+        felt[frame + 1] = kept * felt[frame] + (1 - kept) * force[frame]
+    return felt
+
+
+def compliant_sag(scene: Scene, shear_force: npt.NDArray[np.float64], length: npt.NDArray[np.float64]) -> float:
+    """Sag over span that the transverse force of a finished run would add elastically: its sum times 1/(kappa mu A).
+
+    Parameters
+    ----------
+    shear_force : ndarray, shape (frames, cells)
+        [N].
+    length : ndarray, shape (cells,)
+        Of each cell [m].
+    """
+    modulus = instant_modulus(scene)
+    if modulus is None:
+        return 0.0
+    correction = float(SHEAR_CORRECTION[scene.filament.section])
+    stiffness = correction * modulus / (2 * (1 + scene.material.poisson)) * undeformed_area(scene)
+    half = len(length) // 2
+    return float(np.max(np.abs(shear_force[:, :half] @ length[:half]))) / stiffness / scene.filament.span
+
 
 _TIP_SLOPE = 64 / 17
 """Slope at the tip of a cantilever over the sag of its middle over the span, (1/6)/(17/384) of a linear beam."""

@@ -1,12 +1,13 @@
 """Gravity ramp: the weight is switched on smoothly instead of at once."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.loading import ramp_rate, ramped_gravity
-from softcat_sym.scene import Scene
+from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.loads import ramp_rate, ramped_gravity
+from softcat_sym.scene.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:

@@ -1,13 +1,14 @@
 """Gravity shaking: the weight oscillates, as in a frame that is shaken up and down."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.effects.motion import Motion
-from softcat_sym.effects.resonance import shaken_share
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.loading import shaking, shaking_rate
-from softcat_sym.scene import Scene
+from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.forecast import shaken_share
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.loads import shaking, shaking_rate
+from softcat_sym.scene.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:

@@ -1,12 +1,13 @@
 """Large rotation: exact stretch and turning instead of their small-slope forms."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.kinematics import LARGE_ROTATION as EXACT
-from softcat_sym.scene import Scene, is_held
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.kinematics import LARGE_ROTATION as EXACT
+from softcat_sym.scene.scene import Scene, is_held
 
 _HELD, _FREE = 0.07, 0.25
 """Change of the sag per slope squared: of a filament held at both ends, and at one."""

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from softcat_sym.equations.law import Law
-from softcat_sym.equations.laws import law_of
-from softcat_sym.scene import Scene
-from softcat_sym.scene.laws import SOLIDS
+from softcat_sym.physics.laws import Law, law_of
+from softcat_sym.scene.material import SOLIDS
+from softcat_sym.scene.scene import Scene
 
 
 def law_in(scene: Scene) -> Law:

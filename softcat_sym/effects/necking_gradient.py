@@ -1,14 +1,15 @@
 """Necking gradient: the slope of a neck's surface stiffens it, so that strain cannot gather in one place."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
-from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene, groups_of
 
 _UNEVENNESS = 4e-4
 """Unevenness that a neck grows from: one e-fold of it changes the sag of the paper's arrested filament by 1 %."""

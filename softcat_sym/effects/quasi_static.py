@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.prediction import (
+from softcat_sym.effects.scaling_estimates import (
     bending_stiffness,
     effective_viscosity_at,
     first_yield_gravity_number,
@@ -22,8 +22,7 @@ from softcat_sym.effects.prediction import (
     yield_stress_of,
     yields_throughout,
 )
-from softcat_sym.scene import Scene, distance, groups_of, is_held, undeformed_area
-from softcat_sym.scene.geometry import stress_free_length
+from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, stress_free_length, undeformed_area
 
 Floats = npt.NDArray[np.float64]
 

@@ -1,14 +1,15 @@
 """Rotary inertia: it takes a moment to turn a section faster."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
-from softcat_sym.effects.motion import Motion
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.equations import regimes
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.physics import regimes
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene, groups_of
 
 _SLOPE = 12.3
 """Mean square slope over mean square sag of a clamped beam's first mode, times L^2."""

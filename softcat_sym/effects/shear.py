@@ -1,16 +1,16 @@
 """Shear: the section turns by itself, and is sheared against the centreline (Reissner's kinematics)."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, of_large_deflections
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
 from softcat_sym.effects.law import flow_nonlinearity, is_solid, law_in
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.fibres import SHEAR_CORRECTION
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene, distance, is_held
-from softcat_sym.scene.geometry import stress_free_length
-from softcat_sym.scene.support_path import farthest
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.reissner import SHEAR_CORRECTION
+from softcat_sym.scene.parts import farthest
+from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
 
 
 def elastic_stretch(scene: Scene) -> float:

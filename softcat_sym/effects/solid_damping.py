@@ -1,11 +1,12 @@
 """Solid damping: a viscous stress eta_s eps_t beside spring and flow, so that what does not flow rings down too."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:

@@ -1,13 +1,14 @@
 """Surface tension: the surface pulls the filament together with the force that its energy has along the centreline."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.effects.motion import Motion
-from softcat_sym.effects.prediction import instant_modulus, pull_of_surface, surface_stress, yield_stress_of
-from softcat_sym.equations.filament import Terms
+from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.scaling_estimates import instant_modulus, pull_of_surface, surface_stress, yield_stress_of
 from softcat_sym.errors import Fault
-from softcat_sym.scene import Scene
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene
 
 _STARTS = "it acts at once, on a strand laid down without stress"
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from softcat_sym.effects.expected_regime import ExpectedRegime
-from softcat_sym.effects.forecast import expected_sag, expected_strain, forecast
-from softcat_sym.effects.plastic_overshoot import neck_draw
-from softcat_sym.effects.prediction import viscous_number
+from softcat_sym.effects.forecast import expected_sag, expected_strain, forecast, neck_draw
+from softcat_sym.effects.scaling_estimates import viscous_number
 from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
-from softcat_sym.scene import Scene, groups_of
+from softcat_sym.scene.scene import Scene, groups_of
 
 THICK = 0.1
 """h0/L above which the end zones, a thickness long at each end (Saint-Venant), fill more than a fifth of the span."""

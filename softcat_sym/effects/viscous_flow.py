@@ -1,12 +1,13 @@
 """Viscous flow: plastic strain that grows with the stress (without a threshold, unless yielding is in force)."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene
 
 
 def _indispensable(scene: Scene) -> str:

@@ -1,12 +1,13 @@
 """Viscous stress: a stress proportional to the strain rate, beside any elastic one."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.motion import Motion
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene
 
 
 def _indispensable(scene: Scene) -> str:

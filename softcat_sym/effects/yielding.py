@@ -1,13 +1,14 @@
 """Yielding: nothing flows below the yield stress."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate
+from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.motion import Motion
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.equations.filament import Terms
-from softcat_sym.scene import Scene
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene
 
 
 def _contribute(terms: Terms) -> Terms:

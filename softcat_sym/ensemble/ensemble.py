@@ -1,28 +1,381 @@
-"""What an ensemble returns: a row for each member, whatever became of it."""
+"""Many runs that differ in some values: integrated side by side in threads, one result."""
 
 from __future__ import annotations
 
+import ctypes
 import importlib.metadata
 import json
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+import os
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
+import numpy.typing as npt
 
-from softcat_sym.ensemble.grouped import is_group
-from softcat_sym.ensemble.members import Member
-from softcat_sym.ensemble.running import Record
-from softcat_sym.ensemble.table import Row, is_number, kind_of
-from softcat_sym.scene import Scene
-from softcat_sym.scene.kinds import Number, Quantity
-from softcat_sym.scene.units import SI_UNITS
+from softcat_sym.discretization.assembly import Body, choose_body, choose_grid
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats, Grid
+from softcat_sym.ensemble.table import Choosing, Member, Row, is_group, is_number, kind_of, members_of, rows_of
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.progress import Display
+from softcat_sym.results.fields import (
+    energy_residual,
+    least_energy,
+    midpoint_heights,
+    node_positions,
+    whole_span_fields,
+)
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.verdict import verdict as trajectory_verdict
+from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.scene.units import SI_UNITS, Number, Quantity
 from softcat_sym.simulate import simulated, without_estimate
-from softcat_sym.solve import Outcome
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.solvers.compiled import CompiledFilament, External
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.run import Assembled, Prepared, assembled, prepare
+from softcat_sym.solvers.settings import Settings, settings_for
+from softcat_sym.solvers.solution import Silence, Solution, watched
 
 if TYPE_CHECKING:
     import xarray as xr
+    from rich.console import Console
+
+
+def verdict(member: Member, prepared: Prepared, solution: Solution) -> tuple[Outcome, str, float]:
+    """Outcome, complaint and energy residual of a run.
+
+    Parameters
+    ----------
+    member : Member
+        What was asked.
+    prepared : Prepared
+        How it was integrated.
+    solution : Solution
+        Its first and its last frame are enough: the energy balance is closed between these two, where `simulate` looks
+        at every frame, and the last one shows whether strain has gathered in one cell.
+
+    Returns
+    -------
+    Outcome, str, float
+        A neck that the grid decides first, then a failed integration, then an energy balance that does not close.
+    """
+    scene = member.scene
+    fields = whole_span_fields(scene, prepared, solution)
+    residual = energy_residual(fields, least_energy(scene))
+    audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
+    nodes = node_positions(prepared.graph, rest_length(scene))[0]
+    return *trajectory_verdict(scene, member.effects, solution, fields, nodes, audited), residual
+
+
+class MembersProgress(Protocol):
+    """Listens to a running ensemble."""
+
+    def update(self, done: int, members: int, left: float) -> None:
+        """Take note of the members done, of how many there are, and of the time left [s]."""
+        ...
+
+
+class NobodyListens:
+    """Tells nobody."""
+
+    def update(self, done: int, members: int, left: float) -> None:
+        """Do nothing."""
+        del done, members, left
+
+
+class MembersBar(Display):
+    """Tells on standard error how many members are done, and how long the rest takes.
+
+    Parameters
+    ----------
+    description : str
+        What is going on.
+    console : rich.console.Console or None
+        Where to; standard error by default.
+
+    Examples
+    --------
+    >>> with MembersBar() as bar:  # doctest: +SKIP
+    ...     ensemble = simulate_many(scene, table, progress=bar)
+    """
+
+    def __init__(self, description: str = "members", *, console: Console | None = None) -> None:
+        super().__init__(console=console)
+        self.stage(description)
+
+    def update(self, done: int, members: int, left: float) -> None:
+        """Take note of how far it is."""
+        self.reach(done / members, f"{done} of {members}", left)
+
+
+_FIRST_AND_LAST = 2
+
+Key = tuple[object, ...]
+
+
+class Workshop:
+    """Prepares members for integration; what several of them share is made by the first that needs it.
+
+    Parameters
+    ----------
+    most : int, optional
+        How many sorts of filament are remembered: beyond it the one made first is forgotten. All, if not given.
+    """
+
+    def __init__(self, most: int | None = None) -> None:
+        self._filaments: dict[Key, SharedFilament] = {}
+        self._most = most
+        self._lock = threading.RLock()
+
+    def alone(self) -> AbstractContextManager[object]:
+        """While this is held no other thread makes equations, graphs or code here."""
+        return self._lock
+
+    def prepare(self, member: Member) -> Prepared:
+        """A member with its parameters, start and integrator, as :func:`softcat_sym.simulate.build` makes it.
+
+        Raises
+        ------
+        SceneError
+            If the scene asks for an integrator or a backend that it cannot have.
+        SoftcatError
+            If the compiler refuses; with its message.
+        """
+        scene, effects, backend = member.scene, member.effects, member.backend
+        settings = tolerances(member)
+        grid = choose_grid(scene, effects)
+        body = choose_body(scene, grid)
+        with self._lock:
+            key = (member.pattern, effects.names, backend, settings.solver, *_key_of(grid, body))
+            shared = self._filaments.get(key)
+            if shared is None:
+                if self._most is not None and len(self._filaments) >= self._most:
+                    del self._filaments[next(iter(self._filaments))]
+                first = assembled(scene, effects)
+                shared = self._filaments[key] = SharedFilament(first, first.code(backend, settings))
+        return prepare(scene, shared.first.graph, settings, shared.statics, (backend, shared.code))
+
+
+def tolerances(member: Member) -> Settings:
+    """Integrator and tolerances as `simulate` has them, without what these do not depend on.
+
+    Absolute tolerances follow the largest sag that is foreseen, which under a load that never falls is the last: to
+    foresee it at every output time, as estimates of effects need it, would take longer than many an integration.
+    """
+    scene = member.scene
+    brief = scene.model_copy(update={"run": scene.run.model_copy(update={"frames": _FIRST_AND_LAST})})
+    return settings_for(brief, member.effects, compiled=member.backend.compiled)
+
+
+@dataclass(frozen=True)
+class SharedFilament:
+    """Filaments that differ in numbers only.
+
+    Attributes
+    ----------
+    first : Assembled
+        One of them, with the graph of all.
+    code : CompiledFilament, External or None
+        None if interpreted.
+    """
+
+    first: Assembled
+    code: CompiledFilament | External | None
+
+    def statics(self) -> Graph:
+        """The filament without inertia and viscous stress, for a start that is not straight."""
+        return self._statics
+
+    @cached_property
+    def _statics(self) -> Graph:
+        return self.first.at_rest()
+
+
+def _key_of(grid: Grid, body: Body) -> Key:
+    profile = (_bytes(body.profile.nodes), _bytes(body.profile.cells))
+    return _bytes(grid.nodes), grid.first, grid.last, body.supports, body.weighted, profile
+
+
+def _bytes(values: object) -> bytes | None:
+    return None if values is None else np.asarray(values, dtype=float).tobytes()
+
+
+Item = TypeVar("Item")
+Done = TypeVar("Done")
+
+
+@dataclass(frozen=True)
+class Record:
+    """What is kept of a member's run.
+
+    Attributes
+    ----------
+    midpoint : ndarray, shape (frames,)
+        [m]; NaN after the time that was reached.
+    outcome : Outcome
+        How it ended.
+    complaint : str
+        Why, if that was no success.
+    reached : float
+        Last frame [s].
+    energy_residual : float
+        Between the first and the last frame, relative to the largest energy in them.
+    steps : int
+        Of the integrator.
+    wall : float
+        Seconds, waiting for other threads included.
+    """
+
+    midpoint: Floats
+    outcome: Outcome
+    complaint: str
+    reached: float
+    energy_residual: float
+    steps: int
+    wall: float
+
+
+class Stop(Silence):
+    """Ends integrations from outside: as their listener, it raises when told to.
+
+    Attributes
+    ----------
+    flag : ctypes.c_int
+        Not zero from then on.
+    """
+
+    def __init__(self) -> None:
+        self.flag = ctypes.c_int(0)
+
+    def tell(self) -> None:
+        """Let no integration go on."""
+        self.flag.value = 1
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Look whether to stop.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            If so.
+        """
+        del simulated_time, step_size
+        if self.flag.value:
+            raise KeyboardInterrupt
+
+
+def workers_of(workers: int | None) -> int:
+    """As many as asked, otherwise one for each core that this process may use.
+
+    Raises
+    ------
+    SoftcatError
+        If less than one is asked for.
+    """
+    if workers is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
+        raise SoftcatError(f"workers = {workers!r}: give a whole number of threads, 1 or more, or None for all cores")
+    return workers
+
+
+def run_all(members: Sequence[Member], workshop: Workshop, workers: int, progress: MembersProgress) -> list[Record]:
+    """Run the members, `workers` at a time.
+
+    Returns
+    -------
+    list of Record
+        In the order of the members.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user stops it: no thread goes on.
+    SoftcatError
+        If the compiler refuses or memory is short.
+    """
+    begun, stop = time.monotonic(), Stop()
+
+    def told(done: int) -> None:
+        progress.update(done, len(members), (time.monotonic() - begun) / done * (len(members) - done))
+
+    return side_by_side(lambda member: _run(member, workshop, stop), members, workers, stop, told)
+
+
+def side_by_side(
+    work: Callable[[Item], Done], items: Sequence[Item], workers: int, stop: Stop, told: Callable[[int], None]
+) -> list[Done]:
+    """Work on items in threads.
+
+    Parameters
+    ----------
+    work : callable
+        Its integrations listen to `stop`.
+    items : sequence
+        What is worked on.
+    workers : int
+        How many at a time.
+    stop : Stop
+        Told if this ends before all are done.
+    told : callable
+        Given the number of items done, after each.
+
+    Returns
+    -------
+    list
+        What `work` returns, in the order of the items.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user stops it: no thread goes on. What `work` raises is raised too.
+    """
+    with ThreadPoolExecutor(workers, thread_name_prefix="softcat-member") as pool:
+        try:
+            futures = [pool.submit(work, item) for item in items]
+            for done, future in enumerate(as_completed(futures), start=1):
+                future.result()
+                told(done)
+        finally:
+            stop.tell()
+            pool.shutdown(cancel_futures=True)
+    return [future.result() for future in futures]
+
+
+def _run(member: Member, workshop: Workshop, stop: Stop) -> Record:
+    begun = time.perf_counter()
+    scene = member.scene
+    stop.update(0.0, None)
+    prepared = workshop.prepare(member)
+    solution = prepared.solve(stop)
+    # Without velocities the work against the necking gradient is summed over frames.
+    judged = _first_and_last(solution) if prepared.graph.has_velocities else solution
+    outcome, complaint, residual = verdict(member, prepared, judged)
+    midpoint = np.full(scene.run.frames, np.nan)
+    heights = midpoint_heights(prepared.graph, solution) * rest_length(scene)
+    midpoint[: len(solution.time)] = heights + 0.0  # no minus zero
+    reached = float(solution.time[-1]) * prepared.scale
+    wall = time.perf_counter() - begun
+    return Record(midpoint, outcome, complaint, reached, residual, solution.steps, wall)
+
+
+def _first_and_last(solution: Solution) -> Solution:
+    ends = [0, -1]
+    return replace(
+        solution,
+        time=solution.time[ends],
+        x=solution.x[:, ends],
+        z=solution.z[:, ends],
+        quad=solution.quad[:, ends],
+    )
+
 
 _VERSIONS = ("softcat_sym", "casadi", "sympy", "numpy")
 
@@ -154,3 +507,76 @@ def _column(scenes: Sequence[Scene], rows: Sequence[Row], key: str) -> tuple[str
     if all(is_number(value) for value in given):
         return "member", np.array(given), {"units": "1"} if is_group(key) else {}
     return "member", np.array([str(value) for value in given]), {}
+
+
+Table = Mapping[str, Sequence[object] | npt.NDArray[Any]] | Sequence[Mapping[str, object]] | npt.NDArray[Any]
+
+
+def simulate_many(
+    scene: SceneLike,
+    parameters: Table,
+    *,
+    workers: int | None = None,
+    progress: MembersProgress | None = None,
+    effects: Choosing = "once",
+) -> Ensemble:
+    """Run a filament for every row of a table of parameters.
+
+    Members run through the compiled solver in threads; where there is none for a scene, one after the other.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or dict
+        What the rows have in common.
+    parameters : mapping of str to sequence, sequence of mappings, or structured array
+        Columns by dotted keys, as :meth:`Scene.replace` takes them; a plain number is in the SI unit of its key, text
+        has a unit of its own: ``{"material.yield_stress": [4e3, "5 kPa"], "filament.span": [0.2, 0.3]}``. The groups
+        ``groups.delta``, ``G``, ``V``, ``B``, ``E_star``, ``eps_Y`` and ``tau`` set the thickness and the constants of
+        the law, Young's modulus and times stay unless they are columns themselves [Kamrin & Mahadevan 2012, 3.9, 3.10].
+    workers : int, optional
+        Threads; by default as many as there are cores.
+    progress : MembersProgress, optional
+        Told about members done and time left, such as :class:`softcat_sym.ensemble.MembersBar`.
+    effects : {"once", "each"}
+        Whether effects are chosen for the scene and hold for all rows (anew only where rows change a choice, such as
+        the law or an end, or whether a number is zero), or for each row by itself. Either way no run is repeated with
+        more effects.
+
+    Returns
+    -------
+    Ensemble
+        ``.data`` is an :class:`xarray.Dataset`; a member that fails is a row like the others, with its outcome.
+
+    Raises
+    ------
+    SceneError
+        If the table, or the scene of any row, makes no sense: every fault with its rows, before anything runs.
+    KeyboardInterrupt
+        If the user stops it: all threads have ended then.
+    """
+    if effects not in ("once", "each"):
+        raise SceneError([Fault("effects", f"{effects!r}", "'once' or 'each'")], "of an ensemble")
+    scene = as_scene(scene)
+    threads, rows = workers_of(workers), rows_of(parameters)
+    with watched() as interrupts:
+        try:
+            return _simulated(scene, rows, threads, progress or NobodyListens(), effects)
+        finally:
+            interrupts.check()
+
+
+def _simulated(scene: Scene, rows: list[Row], threads: int, progress: MembersProgress, choosing: Choosing) -> Ensemble:
+    begun = time.perf_counter()
+    members = members_of(scene, rows, choosing)
+    if not all(member.parallel for member in members):
+        # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
+        threads = 1
+    records = run_all(members, Workshop(), threads, progress)
+    notes = {
+        "effects_chosen": choosing,
+        "effects": json.dumps(members[0].effects.reasons),
+        "backend": "; ".join(sorted({str(member.backend) for member in members})),
+        "workers": str(threads),
+        "wall_s": f"{time.perf_counter() - begun:.6g}",
+    }
+    return collect(scene, rows, members, records, notes)

@@ -1,4 +1,4 @@
-"""A scene in CalculiX, a finite element program that is not ours: found, run, watched, ended, and read."""
+"""A scene in CalculiX, a finite element program that is not ours: its input deck, its run, its answers."""
 
 from __future__ import annotations
 
@@ -8,21 +8,324 @@ import signal
 import subprocess
 import tempfile
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference.calculix_deck import STEP, Deck, calculix_deck
-from softcat_sym.reference.calculix_reading import read_displacements, read_status
-from softcat_sym.reference.element import Floats
+from softcat_sym.reference.element_loop import Clamp, Floats, Indices, Mesh, Strip, problem_of
 from softcat_sym.reference.elements import Progress
-from softcat_sym.reference.mesh import Mesh
-from softcat_sym.reference.supports import Clamp
-from softcat_sym.scene import Scene
-from softcat_sym.scene.scales import elastic_time
+from softcat_sym.scene.scene import Scene, elastic_time
+
+_HEAD = re.compile(r"^ displacements \(vx,vy,vz\) for set \S+ and time\s+(\S+)\s*$", re.MULTILINE)
+
+# Fortran leaves the letter out before an exponent of three digits.
+_BARE_EXPONENT = re.compile(r"(?<=\d)(?=[+-]\d{3}\b)")
+
+# The times of print-outs have eight digits.
+_SAME_TIME = 1e-6
+
+
+def read_displacements(text: str, nodes: Indices, time: Floats) -> Floats:
+    """Displacements of printed nodes.
+
+    Parameters
+    ----------
+    text : str
+        Content of a .dat file.
+    nodes : ndarray of int, shape (nodes,)
+        Whose displacements are wanted, in this order.
+    time : ndarray, shape (times,)
+        When, in the order of the file [s].
+
+    Returns
+    -------
+    ndarray, shape (times, nodes, 3)
+        In the unit of the deck.
+
+    Raises
+    ------
+    SoftcatError
+        If the file holds other times or nodes.
+    """
+    parts = _HEAD.split(_BARE_EXPONENT.sub("E", text))
+    found = np.array([float(instant) for instant in parts[1::2]])
+    if found.shape != time.shape or np.abs(found - time).max(initial=0.0) > _SAME_TIME * time[-1]:
+        reached = f"; the last is {found[-1]:.6g} s of {time[-1]:.6g} s" if found.size else ""
+        raise SoftcatError(f"CalculiX printed {found.size} of {time.size} output times{reached}")
+    place = {int(number): column for column, number in enumerate(nodes)}
+    displacement = np.full((len(time), len(nodes), 3), np.nan)
+    for frame, block in enumerate(parts[2::2]):
+        for line in block.splitlines():
+            words = line.split()
+            if len(words) == 4 and words[0].isdigit() and int(words[0]) in place:
+                displacement[frame, place[int(words[0])]] = [float(word) for word in words[1:]]
+    if np.isnan(displacement).any():
+        raise SoftcatError("CalculiX did not print the displacements of every node of the centreline")
+    return displacement
+
+
+def read_status(text: str) -> tuple[int, float, float]:
+    """How far a run is.
+
+    Parameters
+    ----------
+    text : str
+        Content of a .sta file, maybe while it is being written: an unfinished last line is left out.
+
+    Returns
+    -------
+    (int, float, float)
+        Increments that converged, time reached [s], last increment [s].
+    """
+    done, time, increment = 0, 0.0, 0.0
+    for line in text.splitlines(keepends=True):
+        words = line.split()
+        # An attempt that failed has a U behind its number.
+        if len(words) == 7 and line.endswith("\n") and all(word.isdigit() for word in words[:4]):
+            done, time, increment = done + 1, float(words[4]), float(words[6])
+    return done, time, increment
+
+
+# Points of the table that stands for the quintic ramp; straight lines between them miss it by 2e-5 of gravity.
+_RAMP_POINTS = 201
+
+# Keyword lines of CalculiX hold at most 16 entries, and at most 132 characters.
+_IN_A_ROW = 8
+
+# CalculiX judges forces by absolute numbers too: with millimetres and grams, which leave stresses in Pa, those of a
+# filament lie far above them.
+_MM, _GRAM_PER_MM3 = 1e3, 1e-6
+
+# Hilber, Hughes & Taylor's alpha, as CalculiX has it where nothing is said.
+_ALPHA = -0.05
+
+STEP = 0.5
+"""Longest increment unless another is asked for, in L sqrt(rho/E): a 64th of the first period at h0/L = 0.03.
+
+The flow is of first order in it: the midpoint of the bundled scenes moves by 0.02 to 0.25 % when it is halved.
+"""
+
+FIRST_STEP = 0.01
+"""First increment over the longest."""
+
+
+@dataclass(frozen=True)
+class Deck:
+    """An input deck, and how to read what CalculiX prints.
+
+    Attributes
+    ----------
+    text : str
+        The deck; lengths in mm, masses in g, times in s, stresses in Pa.
+    centreline : ndarray of int, shape (columns,)
+        Numbers of the printed nodes: those of the centreline in the plane of symmetry, from midspan to the clamp.
+    X : ndarray, shape (columns,)
+        Their reference positions [m].
+    time : ndarray, shape (frames,)
+        Output times [s]; CalculiX prints all but the first, which is at rest.
+    dofs : int
+        Displacements that are free.
+    """
+
+    text: str
+    centreline: Indices
+    X: Floats
+    time: Floats
+    dofs: int
+
+
+def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clamp.THINNING, step: float = STEP) -> Deck:
+    """Write a scene as a deck of CalculiX.
+
+    Half the span, from the plane of symmetry at midspan to the clamp, and half the width, from the plane of symmetry
+    z = 0 to a free face: plane stress where the width is small against the thickness. The clamped face may do what
+    that of our elements may; across the width it is free, as plane stress is. The motion is integrated by the method
+    of Hilber, Hughes & Taylor (1977) with the little numerical damping that is CalculiX's own choice.
+
+    Parameters
+    ----------
+    scene : Scene
+        What our own elements know.
+    mesh : Mesh, optional
+        64 x 4 equal elements unless given.
+    clamp : Clamp
+        What the clamped face may do.
+    step : float
+        Longest increment in L sqrt(rho/E); CalculiX shortens it where it does not converge.
+
+    Raises
+    ------
+    SceneError
+        If the scene holds what the elements do not know.
+    SoftcatError
+        If the step is no positive number.
+    """
+    if not 0 < step < np.inf:
+        raise SoftcatError(f"CalculiX increments of {step} L sqrt(rho/E): take a positive number, such as {STEP}")
+    problem = problem_of(scene)
+    strip = Strip(mesh if mesh is not None else Mesh(), problem.thickness)
+    layers = _Layers(strip, _MM * scene.filament.span, _MM * scene.filament.width / 2)
+    time = np.linspace(0.0, scene.run.duration, scene.run.frames)
+    held = _held(strip, layers, clamp)
+    lines = [
+        "*HEADING",
+        _title(scene),
+        *layers.lines(),
+        *material_lines(scene),
+        *held,
+        *_ramp(scene),
+        *_time_points(time[1:]),
+        *_motion(scene, step * elastic_time(scene)),
+    ]
+    return Deck(
+        text="\n".join([*lines, ""]),
+        centreline=layers.bottom[strip.centreline],
+        X=scene.filament.span * strip.position[strip.centreline, 0],
+        time=time,
+        dofs=3 * layers.count - sum("," in line for line in held),
+    )
+
+
+class _Layers:
+    """The strip, drawn out across the width into bricks: z = 0, the middle, the free face.
+
+    Parameters
+    ----------
+    strip : Strip
+        Lengths over the span.
+    span, depth : float
+        [mm].
+    """
+
+    def __init__(self, strip: Strip, span: float, depth: float) -> None:
+        self._strip, self._span, self._depth = strip, span, depth
+        nodes = len(strip.position)
+        self.bottom: Indices = np.arange(1, nodes + 1, dtype=np.int32)
+        self.middle: Indices = self.bottom + nodes
+        self.top: Indices = self.bottom + 2 * nodes
+        # The middle layer has the corners of the elements only.
+        self._corners: Indices = np.unique(strip.corner[:, :4])
+        self.count = 2 * nodes + len(self._corners)
+
+    def all_at(self, nodes: Indices) -> Indices:
+        """Numbers of all nodes of the bricks at some nodes of the strip."""
+        corners = nodes[np.isin(nodes, self._corners)]
+        return np.concatenate([self.bottom[nodes], self.middle[corners], self.top[nodes]])
+
+    def over(self, node: int) -> Indices:
+        """Numbers of the bricks' nodes at one node of the strip, from z = 0 outwards."""
+        return self.all_at(np.array([node], dtype=np.int32))
+
+    def lines(self) -> Iterator[str]:
+        """Nodes, elements and sets."""
+        place = self._span * self._strip.position
+        every = np.arange(len(place))
+        yield "*NODE, NSET=NALL"
+        for number, nodes, z in ((self.bottom, every, 0.0), (self.middle, self._corners, 0.5), (self.top, every, 1.0)):
+            for node in nodes:
+                yield f"{number[node]}, {_real(place[node, 0])}, {_real(place[node, 1])}, {_real(z * self._depth)}"
+        yield "*ELEMENT, TYPE=C3D20R, ELSET=EALL"
+        for element, nodes in enumerate(self._strip.corner, start=1):
+            corners, edges = nodes[:4], nodes[4:]
+            parts = (self.bottom[corners], self.top[corners], self.bottom[edges], self.top[edges], self.middle[corners])
+            rows = list(_rows([element, *np.concatenate(parts)]))
+            yield from (row + "," for row in rows[:-1])
+            yield rows[-1]
+        yield "*NSET, NSET=CENTRE"
+        yield from _rows(self.bottom[self._strip.centreline])
+
+
+def _title(scene: Scene) -> str:
+    """The title on one line that CalculiX reads whole and takes for no keyword."""
+    plain = "".join(letter if letter.isascii() and letter.isprintable() else "?" for letter in scene.title)
+    return f"softcat_sym: {plain}"[:80]
+
+
+def _real(value: float) -> str:
+    """A number as CalculiX takes it: of more than 20 characters it reads the first 20, and so drops the exponent."""
+    return f"{value:.12e}"
+
+
+def _rows(numbers: Iterable[object]) -> Iterator[str]:
+    every = list(numbers)
+    for start in range(0, len(every), _IN_A_ROW):
+        yield ", ".join(str(number) for number in every[start : start + _IN_A_ROW])
+
+
+def material_lines(scene: Scene) -> Iterator[str]:
+    """The material, and its section: Hooke's law at small strain, density, and flow above the yield stress.
+
+    Raises
+    ------
+    SoftcatError
+        If the scene has no Young's modulus.
+    """
+    material = scene.material
+    if material.youngs_modulus is None:
+        raise SoftcatError("a deck of CalculiX needs material.youngs_modulus")
+    yield "*MATERIAL, NAME=FILAMENT"
+    yield "*ELASTIC"
+    yield f"{_real(material.youngs_modulus)}, {_real(material.poisson)}"
+    yield "*DENSITY"
+    yield f"{_real(_GRAM_PER_MM3 * scene.filament.density)}"
+    if material.yield_stress is not None:
+        yield "*PLASTIC"
+        yield f"{_real(material.yield_stress)}, 0."
+    if material.viscosity is not None:
+        yield "*CREEP, LAW=NORTON"
+        yield f"{_real(1 / material.viscosity)}, 1., 0."
+    yield "*SOLID SECTION, ELSET=EALL, MATERIAL=FILAMENT"
+
+
+def _held(strip: Strip, layers: _Layers, clamp: Clamp) -> list[str]:
+    """Symmetry in x and z, and the clamp: each line with a comma takes one displacement away."""
+    lines = ["*BOUNDARY"]
+    lines += [f"{number}, 1" for number in layers.all_at(strip.midspan)]
+    lines += [f"{number}, 3" for number in layers.bottom]
+    lines += [f"{number}, 1" for number in layers.all_at(strip.face)]
+    if clamp is Clamp.FIXED:
+        return lines + [f"{number}, 2" for number in layers.all_at(strip.face)]
+    height = strip.position[strip.face, 1]
+    middle = height == 0
+    lines += [f"{number}, 2" for number in layers.all_at(strip.face[middle])]
+    # Every other height follows the upper edge in proportion.
+    upper = int(strip.face[-1])
+    free = int(layers.bottom[upper])
+    for node, share in zip(strip.face[~middle], height[~middle] / height[-1], strict=True):
+        for number in layers.over(int(node)):
+            if number != free:
+                lines += ["*EQUATION", "2", f"{number}, 2, 1., {free}, 2, {_real(-share)}"]
+    return lines
+
+
+def _ramp(scene: Scene) -> Iterator[str]:
+    """The quintic step 10 u^3 - 15 u^4 + 6 u^5; without a ramp nothing."""
+    if scene.load.ramp == 0:
+        return
+    yield "*AMPLITUDE, NAME=RAMP, TIME=TOTAL TIME"
+    for u in np.linspace(0.0, 1.0, _RAMP_POINTS):
+        yield f"{_real(u * scene.load.ramp)}, {_real(u**3 * (10 - 15 * u + 6 * u**2))}"
+
+
+def _time_points(time: Floats) -> Iterator[str]:
+    yield "*TIME POINTS, NAME=FRAMES"
+    yield from _rows(f"{_real(instant)}" for instant in time)
+
+
+def _motion(scene: Scene, longest: float) -> Iterator[str]:
+    first, ramp = FIRST_STEP * longest, ", AMPLITUDE=RAMP" if scene.load.ramp > 0 else ""
+    yield "*STEP, NLGEOM, INC=10000000, AMPLITUDE=STEP"
+    yield f"*DYNAMIC, ALPHA={_ALPHA}"
+    yield f"{_real(first)}, {_real(scene.run.duration)}, {_real(first * 1e-4)}, {_real(longest)}"
+    yield f"*DLOAD{ramp}"
+    yield f"EALL, GRAV, {_real(_MM * scene.load.gravity)}, 0., -1., 0."
+    yield "*NODE PRINT, NSET=CENTRE, TIME POINTS=FRAMES"
+    yield "U"
+    yield "*END STEP"
+
 
 _PROGRAM = "ccx"
 _JOB = "deck"
@@ -116,7 +419,7 @@ def run_calculix(
     Parameters
     ----------
     scene, mesh, clamp, step
-        As :func:`softcat_sym.reference.calculix_deck.calculix_deck`.
+        As :func:`softcat_sym.reference.calculix.calculix_deck`.
     progress : Progress, optional
         Told the simulated time.
 

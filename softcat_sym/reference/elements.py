@@ -2,24 +2,432 @@
 
 from __future__ import annotations
 
+import math
 import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
 import numpy as np
+import numpy.typing as npt
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference.checkpoint import fingerprint, read_checkpoint, write_checkpoint
-from softcat_sym.reference.element_loop import ElementLoop, element_sources
-from softcat_sym.reference.element_run import ElementRun, run_of
-from softcat_sym.reference.interrupts import deferred
-from softcat_sym.reference.march import March
-from softcat_sym.reference.mesh import Mesh, Strip
-from softcat_sym.reference.point_code import point_code
-from softcat_sym.reference.problem import Problem, problem_of
-from softcat_sym.reference.supports import Clamp, half_span_supports
-from softcat_sym.scene import Scene
-from softcat_sym.scene.scales import elastic_time
+from softcat_sym.reference.element_loop import (
+    POINT_STATE,
+    POINTS,
+    Clamp,
+    ElementLoop,
+    Floats,
+    Mesh,
+    Problem,
+    Strip,
+    deferred,
+    element_sources,
+    fingerprint,
+    half_span_supports,
+    largest_frequency,
+    problem_of,
+    read_checkpoint,
+    shape_gradients,
+    write_checkpoint,
+)
+from softcat_sym.reference.material_point import MaterialPoint, point_code
+from softcat_sym.scene.scene import Scene, elastic_time
+
+# Fields kept, evenly spaced; the last output time is always among them.
+_FIELDS = 21
+_LATER = ("displacement", "flow")
+ENERGIES = ("kinetic", "elastic", "dissipated", "gravity_work", "potential")
+
+
+class Records:
+    """Arrays that fill up as a run goes on.
+
+    Parameters
+    ----------
+    problem : Problem
+        For the number of output times and gravity.
+    strip : Strip
+        For the number of nodes and points.
+    """
+
+    def __init__(self, problem: Problem, strip: Strip) -> None:
+        frames = problem.frames
+        self.frame_of_field = np.unique(np.linspace(0, frames - 1, min(_FIELDS, frames)).round().astype(int))
+        fields = len(self.frame_of_field)
+        self.arrays: dict[str, Floats] = {
+            "centreline": np.full((frames, len(strip.centreline), 2), np.nan),
+            "thinning": np.full(frames, np.nan),
+            "clamp_strain_mean": np.full(frames, np.nan),
+            "clamp_strain_largest": np.full(frames, np.nan),
+            "steps": np.full(frames, np.nan),
+            "rate": np.full((fields, len(strip.corner), len(POINTS)), np.nan),
+            "displacement": np.full((fields, *strip.position.shape), np.nan),
+            "flow": np.full((fields, len(strip.corner), len(POINTS), POINT_STATE), np.nan),
+            **{name: np.full(frames, np.nan) for name in ENERGIES},
+        }
+
+    def take(self, frame: int, loop: ElementLoop, gravity: float, steps: int) -> None:
+        """Keep what the loop holds now.
+
+        Parameters
+        ----------
+        frame : int
+            Number of the output time.
+        loop : ElementLoop
+            At the end of a stretch of time.
+        gravity : float
+            rho g L/E at this time.
+        steps : int
+            Taken since the beginning.
+        """
+        strip, arrays = loop.strip, self.arrays
+        place = strip.position + loop.displacement
+        arrays["centreline"][frame] = place[strip.centreline]
+        arrays["thinning"][frame] = np.ptp(place[strip.face, 1]) / np.ptp(strip.position[strip.face, 1])
+        fibre = np.linalg.norm(loop.deformation()[-strip.mesh.through :, :, :, 0], axis=-1)
+        arrays["clamp_strain_mean"][frame] = np.log(fibre).mean()
+        arrays["clamp_strain_largest"][frame] = np.log(fibre.max())
+        arrays["steps"][frame] = steps
+        arrays["kinetic"][frame] = loop.kinetic_energy
+        arrays["elastic"][frame] = loop.elastic_energy
+        arrays["dissipated"][frame] = loop.plastic_work
+        arrays["gravity_work"][frame] = loop.gravity_work
+        arrays["potential"][frame] = gravity * (strip.mass @ loop.displacement[:, 1])
+        field = np.searchsorted(self.frame_of_field, frame)
+        if field < len(self.frame_of_field) and self.frame_of_field[field] == frame:
+            arrays["rate"][field] = loop.rate
+            arrays["displacement"][field] = loop.displacement
+            arrays["flow"][field] = loop.point
+
+    def state(self) -> dict[str, Floats]:
+        """The arrays, for a checkpoint."""
+        return {f"record_{name}": array for name, array in self.arrays.items()}
+
+    def restore(self, state: Mapping[str, npt.NDArray[np.generic]]) -> None:
+        """Take the arrays of a :meth:`state`.
+
+        A checkpoint from before displacements and flow were kept lacks them: those instants stay NaN.
+        """
+        for name, array in self.arrays.items():
+            if name not in _LATER or f"record_{name}" in state:
+                array[...] = state[f"record_{name}"]
+
+
+@dataclass(frozen=True)
+class ElementRun:
+    """A finished run. Lengths in m, times in s, energies in J of the whole filament; shapes are of the half X >= 0.
+
+    Attributes
+    ----------
+    time : ndarray, shape (frames,)
+        Output times.
+    elastic_time : float
+        L sqrt(rho/E) [s]; ``time / elastic_time`` is the time of the paper's section 3.
+    midpoint : ndarray, shape (frames,)
+        Height of the node X = 0, Y = 0, negative downwards.
+    X : ndarray, shape (columns,)
+        Reference positions of the nodes of the centreline.
+    x, y : ndarray, shape (frames, columns)
+        Where they are.
+    thinning : ndarray, shape (frames,)
+        Height of the clamped face over its height at the beginning, lambda.
+    clamp_strain : ndarray, shape (frames,)
+        Logarithm of the axial stretch |F e_X|, mean over the points of the elements at the clamp.
+    clamp_strain_largest : ndarray, shape (frames,)
+        The largest over these points.
+    energy_kinetic, energy_elastic, energy_potential, energy_dissipated, work_external : ndarray, shape (frames,)
+        The potential is that of gravity as it is at the time; external work is what the growth of gravity does.
+    energy_residual : ndarray, shape (frames,)
+        Kinetic + elastic + potential + dissipated - external work.
+    work : float
+        Largest magnitude of the work of gravity: what the residual is to be compared with.
+    rate_time : ndarray, shape (fields,)
+        Output times at which a rate field is kept, the last one included.
+    rate : ndarray, shape (fields, elements, 4)
+        Equivalent tensile plastic rate [1/s] at the Gauss points; the plastic shear rate is sqrt(3) times it.
+    displacement : ndarray, shape (fields, nodes, 2)
+        Displacement of every node at the same instants [m].
+    flow : ndarray, shape (fields, elements, 4, 3)
+        Cp^-1 in the plane, 11, 12, 22, at the Gauss points at the same instants.
+    point : ndarray, shape (elements, 4, 2)
+        Reference positions X, Y of the Gauss points.
+    dofs : int
+        Displacements that are free.
+    steps : int
+        Steps taken.
+    wall : float
+        Seconds spent, those before a resumption included.
+    mesh : Mesh
+        The elements.
+    clamp : Clamp
+        What the clamped face may do.
+    """
+
+    time: Floats
+    elastic_time: float
+    midpoint: Floats
+    X: Floats
+    x: Floats
+    y: Floats
+    thinning: Floats
+    clamp_strain: Floats
+    clamp_strain_largest: Floats
+    energy_kinetic: Floats
+    energy_elastic: Floats
+    energy_potential: Floats
+    energy_dissipated: Floats
+    work_external: Floats
+    energy_residual: Floats
+    work: float
+    rate_time: Floats
+    rate: Floats
+    displacement: Floats
+    flow: Floats
+    point: Floats
+    dofs: int
+    steps: int
+    wall: float
+    mesh: Mesh
+    clamp: Clamp
+
+    @property
+    def energy_error(self) -> float:
+        """Largest residual over the work of gravity; 0 where nothing moved."""
+        return float(np.abs(self.energy_residual).max() / self.work) if self.work > 0 else 0.0
+
+
+def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: int, wall: float) -> ElementRun:
+    """Put units to what was recorded.
+
+    Parameters
+    ----------
+    scene : Scene
+        Gives span, width, density and modulus.
+    strip : Strip
+        The mesh.
+    clamp : Clamp
+        What the clamped face may do.
+    records : Records
+        Complete.
+    dofs : int
+        Displacements that are free.
+    wall : float
+        Seconds spent.
+    """
+    span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
+    time = np.linspace(0.0, scene.run.duration, scene.run.frames)
+    # Two halves, as wide as the filament.
+    joule, stored = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width, _stored(kept)
+    return ElementRun(
+        time=time,
+        elastic_time=scale,
+        midpoint=span * kept["centreline"][:, 0, 1],
+        X=span * strip.position[strip.centreline, 0],
+        x=span * kept["centreline"][..., 0],
+        y=span * kept["centreline"][..., 1],
+        thinning=kept["thinning"],
+        clamp_strain=kept["clamp_strain_mean"],
+        clamp_strain_largest=kept["clamp_strain_largest"],
+        energy_kinetic=joule * kept["kinetic"],
+        energy_elastic=joule * kept["elastic"],
+        energy_potential=joule * kept["potential"],
+        energy_dissipated=joule * kept["dissipated"],
+        work_external=joule * (kept["gravity_work"] + kept["potential"]),
+        energy_residual=joule * (stored - kept["gravity_work"]),
+        work=float(joule * np.abs(kept["gravity_work"]).max()),
+        rate_time=time[records.frame_of_field],
+        rate=kept["rate"] / scale,
+        displacement=span * kept["displacement"],
+        flow=kept["flow"],
+        point=span * strip.points,
+        dofs=dofs,
+        steps=int(kept["steps"][-1]),
+        wall=wall,
+        mesh=strip.mesh,
+        clamp=clamp,
+    )
+
+
+def _stored(kept: Mapping[str, Floats]) -> Floats:
+    """Kinetic, elastic and dissipated energy."""
+    return kept["kinetic"] + kept["elastic"] + kept["dissipated"]
+
+
+@dataclass(frozen=True)
+class ElementField:
+    """The half filament X >= 0 at one instant.
+
+    Attributes
+    ----------
+    time : float
+        [s].
+    displacement : ndarray, shape (nodes, 2)
+        [m].
+    shear_rate : ndarray, shape (elements, 4)
+        Plastic shear rate |Lp| at the Gauss points [1/s].
+    stress : ndarray, shape (elements, 4, 2, 2)
+        Cauchy stress in the plane [Pa]; the other components are zero.
+    """
+
+    time: float
+    displacement: Floats
+    shear_rate: Floats
+    stress: Floats
+
+
+def strip_of(scene: Scene, run: ElementRun) -> Strip:
+    """The mesh of a run, with its nodes; lengths over the span."""
+    return Strip(run.mesh, problem_of(scene).thickness)
+
+
+def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
+    """The fields that were kept, in the order of time.
+
+    Parameters
+    ----------
+    scene : Scene
+        What was run.
+    run : ElementRun
+        What came of it. Instants whose displacements were not kept are left out.
+
+    Yields
+    ------
+    ElementField
+    """
+    strip, problem = strip_of(scene, run), problem_of(scene)
+    modulus = scene.material.youngs_modulus or 0.0
+    law = MaterialPoint(problem.law, dict(problem.material))
+    gradient = shape_gradients(POINTS)
+    for at, rate, displacement, flow in zip(run.rate_time, run.rate, run.displacement, run.flow, strict=True):
+        if not np.isfinite(displacement).all():
+            continue
+        slopes = np.einsum("eai,Jap->epiJ", displacement[strip.corner] / scene.filament.span, gradient)
+        deformation = np.eye(2) + slopes * (2 / strip.size)[:, None, None, :]
+        stress = modulus * _cauchy(law, deformation, flow)
+        yield ElementField(float(at), displacement, math.sqrt(3) * rate, stress)
+
+
+def _cauchy(law: MaterialPoint, deformation: Floats, flow: Floats) -> Floats:
+    """Cauchy stresses over E of points whose plastic state is known; shape (elements, 4, 2, 2)."""
+    found = np.empty_like(deformation)
+    for place in np.ndindex(found.shape[:2]):
+        law.state = flow[place]
+        # No time passes: the elastic response from the plastic state.
+        law.step(deformation[place], 0.0)
+        found[place] = law.cauchy
+    return found
+
+
+# Step over the largest stable one, 2/omega: the rest is for stiffening until the step is chosen anew.
+SAFETY = 0.9
+
+# The step is chosen anew at least this often, in L sqrt(rho/E): an elastic wave has crossed the span once.
+_STRETCH = 1.0
+
+# Element steps between two looks at the clock and the keyboard: about a tenth of a second.
+_CHUNK = 200_000
+
+# A run whose energies do not add up to this, relative to the work of gravity, is not an answer. A sound one is at 1e-5.
+_UNBALANCED = 1e-3
+
+
+class March:
+    """Marches an element loop through the output times of a problem.
+
+    Parameters
+    ----------
+    problem : Problem
+        What is solved.
+    loop : ElementLoop
+        At rest and unstrained.
+    step_factor : float
+        Step over the stable one that is taken by itself.
+    """
+
+    def __init__(self, problem: Problem, loop: ElementLoop, step_factor: float) -> None:
+        self._problem, self._loop, self._factor = problem, loop, step_factor
+        interval = problem.duration / (problem.frames - 1)
+        self._per_frame = math.ceil(interval / _STRETCH)
+        self._length = interval / self._per_frame
+        self._stretches = 0
+        self._steps = 0
+        self._work = 0.0
+        self.records = Records(problem, loop.strip)
+        self._begin()
+        loop.evaluate(loop.step, 0.0)
+        self.records.take(0, loop, loop.gravity(0.0), 0)
+
+    @property
+    def finished(self) -> bool:
+        """Whether the last output time is reached."""
+        return self._stretches == self._per_frame * (self._problem.frames - 1)
+
+    @property
+    def time(self) -> float:
+        """Time reached, in L sqrt(rho/E)."""
+        return self._loop.time
+
+    @property
+    def step(self) -> float:
+        """Length of the steps now, in L sqrt(rho/E)."""
+        return self._loop.step
+
+    def advance(self) -> None:
+        """Take some steps, up to the end of this stretch of time.
+
+        Raises
+        ------
+        SoftcatError
+            If a material point fails or the energies do not add up.
+        """
+        loop = self._loop
+        loop.march(loop.taken + max(1, _CHUNK // len(loop.strip.corner)))
+        if loop.taken < loop.steps:
+            return
+        self._steps += loop.steps
+        self._stretches += 1
+        self._audit()
+        if self._stretches % self._per_frame == 0:
+            self.records.take(self._stretches // self._per_frame, loop, loop.gravity(loop.time), self._steps)
+        if not self.finished:
+            self._begin()
+
+    def state(self) -> dict[str, npt.NDArray[np.generic]]:
+        """All that is needed to go on."""
+        progress = {
+            "stretches": np.array(self._stretches),
+            "total": np.array(self._steps),
+            "work": np.array(self._work),
+        }
+        return {**self._loop.state(), **self.records.state(), **progress}
+
+    def restore(self, state: Mapping[str, npt.NDArray[np.generic]]) -> None:
+        """Go back to a :meth:`state` of the same problem, loop and step factor."""
+        self._loop.restore(state)
+        self.records.restore(state)
+        self._stretches, self._steps = int(state["stretches"].item()), int(state["total"].item())
+        self._work = float(state["work"].item())
+
+    def _begin(self) -> None:
+        loop = self._loop
+        frequency = largest_frequency(loop.strip.size, self._problem.poisson, loop.deformation())
+        steps = math.ceil(self._length * frequency / (2 * SAFETY * self._factor))
+        loop.begin(self._stretches * self._length, self._length / steps, steps)
+
+    def _audit(self) -> None:
+        """Refuse a state whose energies do not add up: steps too long for what the strip has become."""
+        loop = self._loop
+        residual = loop.kinetic_energy + loop.elastic_energy + loop.plastic_work - loop.gravity_work
+        self._work = max(self._work, abs(loop.gravity_work))
+        # Written so that NaN is refused too.
+        if not abs(residual) <= _UNBALANCED * self._work:
+            raise SoftcatError(
+                f"finite elements: at t = {loop.time:.6g} L sqrt(rho/E) the energies miss the work of gravity by "
+                f"{abs(residual) / self._work if self._work else math.inf:.2g} of it; shorten the steps "
+                "(step_factor below 1) or refine the mesh where it is stretched most"
+            )
 
 
 class Progress(Protocol):

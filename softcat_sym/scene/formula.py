@@ -1,18 +1,16 @@
-"""The formula of a user's own flow rule: text to an immutable tree by a whitelist; nothing in it is ever executed."""
+"""The formula of a user's own flow rule: parsed by a whitelist into an immutable tree, units and meaning checked."""
 
 from __future__ import annotations
 
 import ast
 import math
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TypeVar
 
-from softcat_sym.scene.faults import did_you_mean
-from softcat_sym.scene.kinds import refusal
-from softcat_sym.scene.units import shown
+from softcat_sym.scene.units import PURE, STRESS, Dimension, did_you_mean, refusal, same_dimension, shown, si_unit
 
 T = TypeVar("T")
 
@@ -20,7 +18,7 @@ STRESS_NAME = "sigma"
 # How many arguments each function takes.
 _ELEMENTARY = ("exp", "log", "sqrt", "sinh", "cosh", "tanh", "asinh", "atan", "sin", "cos")
 FUNCTIONS = dict.fromkeys((*_ELEMENTARY, "abs", "sign"), 1) | {"min": 2, "max": 2}
-CONSTANTS = {"pi": math.pi}
+FORMULA_CONSTANTS = {"pi": math.pi}
 ACCEPTED = f"numbers, names, + - * / **, and {', '.join(FUNCTIONS)} of {STRESS_NAME} and the parameters"
 
 _BINARY: dict[type[ast.operator], str] = {
@@ -69,7 +67,7 @@ class Formula:
     @property
     def names(self) -> frozenset[str]:
         """Names besides sigma and pi."""
-        return frozenset(node.name for node in _walk(self.tree) if node.name) - {STRESS_NAME, *CONSTANTS}
+        return frozenset(node.name for node in _walk(self.tree) if node.name) - {STRESS_NAME, *FORMULA_CONSTANTS}
 
     def fold(
         self,
@@ -157,8 +155,8 @@ def _read(node: ast.expr, text: str, depth: int) -> Node:  # noqa: C901 - one br
             raise refusal(f"{shown(piece)} is not arithmetic", ACCEPTED)
         case ast.Constant(value=int() | float() as number):
             return Node(piece, number=_finite(number, piece))
-        case ast.Name(id=name) if name in CONSTANTS:
-            return Node(piece, number=CONSTANTS[name])
+        case ast.Name(id=name) if name in FORMULA_CONSTANTS:
+            return Node(piece, number=FORMULA_CONSTANTS[name])
         case ast.Name(id=name) if name in FUNCTIONS:
             raise refusal(f"the function {name} has no argument", f"{name}(...)")
         case ast.Name(id=name):
@@ -244,3 +242,217 @@ def _compute(operation: str, operands: tuple[float, ...]) -> float:
     except ValueError:
         # math.pow calls 0 to a negative power a domain error.
         return math.inf if operation == "pow" and operands[0] == 0 else math.nan
+
+
+RATE: Dimension = (0.0, 0.0, -1.0)
+_ALIKE = ("add", "sub", "min", "max")
+
+
+def check_units(formula: Formula, of: Mapping[str, Dimension], values: Mapping[str, float]) -> None:
+    """Refuse a formula that is not a rate.
+
+    Parameters
+    ----------
+    formula : Formula
+        Of known names only.
+    of : mapping of str to tuple of float
+        Exponents of kg, m and s of each parameter.
+    values : mapping of str to float
+        SI values, for exponents.
+
+    Raises
+    ------
+    PydanticCustomError
+        A `refusal` that names the piece whose units do not fit.
+    """
+    found = _dimension(formula.tree, of, values)
+    if found is not None and not same_dimension(found, RATE):
+        raise refusal(f"{formula.text!r} is {_words(found)}", "a strain rate, 1/s; check the units of the parameters")
+
+
+def _dimension(node: Node, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Dimension | None:  # noqa: C901 - one branch a kind of node
+    """Exponents of kg, m and s; None for a literal zero, which goes with any unit."""
+    if node.number is not None:
+        return PURE if node.number else None
+    if node.name:
+        return STRESS if node.name == STRESS_NAME else of[node.name]
+    operands = [_dimension(argument, of, values) for argument in node.arguments]
+    match node.operation:
+        case "neg" | "abs":
+            return operands[0]
+        case "sign":
+            return PURE
+        case "sqrt":
+            return _times(operands[0], 0.5)
+        case "mul":
+            return _plus(operands[0], operands[1], 1)
+        case "div":
+            return _plus(operands[0], operands[1], -1)
+        case "pow":
+            return _power(node, operands, values)
+        case _ if node.operation in _ALIKE:
+            return _alike(node, operands)
+        case _:
+            if operands[0] is not None and not same_dimension(operands[0], PURE):
+                found = f"the argument {node.arguments[0].piece!r} of {node.operation} is {_words(operands[0])}"
+                raise refusal(found, "a pure number, such as sigma over a stress")
+            return PURE
+
+
+def _alike(node: Node, operands: list[Dimension | None]) -> Dimension | None:
+    one, other = operands
+    if one is not None and other is not None and not same_dimension(one, other):
+        left, right = (argument.piece for argument in node.arguments)
+        raise refusal(
+            f"{node.piece!r} puts {left!r}, {_words(one)}, beside {right!r}, {_words(other)}", "two of the same unit"
+        )
+    return one if one is not None else other
+
+
+def _power(node: Node, operands: list[Dimension | None], values: Mapping[str, float]) -> Dimension | None:
+    base, exponent = operands
+    written = node.arguments[1]
+    if exponent is not None and not same_dimension(exponent, PURE):
+        raise refusal(f"the exponent {written.piece!r} is {_words(exponent)}", "a pure number")
+    if base is None or same_dimension(base, PURE):
+        return base
+    part = Formula(written.piece, written)
+    if STRESS_NAME in _names(written):
+        raise refusal(
+            f"{node.piece!r}: the exponent depends on sigma, but the base is {_words(base)}", "a base without a unit"
+        )
+    return _times(base, part.value(0.0, values))
+
+
+def _names(node: Node) -> set[str]:
+    return {node.name}.union(*(_names(argument) for argument in node.arguments))
+
+
+def _times(dimension: Dimension | None, factor: float) -> Dimension | None:
+    return None if dimension is None else (dimension[0] * factor, dimension[1] * factor, dimension[2] * factor)
+
+
+def _plus(one: Dimension | None, other: Dimension | None, sign: int) -> Dimension | None:
+    if one is None or other is None:
+        return None
+    return (one[0] + sign * other[0], one[1] + sign * other[1], one[2] + sign * other[2])
+
+
+def _words(dimension: Dimension) -> str:
+    return "a pure number" if same_dimension(dimension, PURE) else f"of unit {si_unit(dimension)}"
+
+
+# Below and above the stress scales of the scene.
+_LOWEST, _HIGHEST = 1e-6, 30.0
+_PER_DECADE = 40
+# Faster than this nothing is worth looking at [1/s].
+_FASTEST = 1e30
+_ROUNDING = 1e-9
+# A rate below this is the underflow of a rule that never quite vanishes, not a yield stress.
+_VANISHING = 1e-250
+
+
+def check_rule(formula: Formula, values: dict[str, float], scales: Iterable[float]) -> None:
+    """Refuse a rule that is not odd, not finite, decreases or creates energy, at many stresses.
+
+    Parameters
+    ----------
+    formula : Formula
+        phi(sigma) [1/s].
+    values : dict of str to float
+        SI values of its parameters.
+    scales : iterable of float
+        Stresses of the scene, positive [Pa]; looked at from a millionth of the smallest to 30 times the largest.
+
+    Raises
+    ------
+    PydanticCustomError
+        A `refusal` that names the stress.
+    """
+    stresses = _stresses(scales)
+    at_rest = formula.value(0.0, values)
+    rates = _rates(lambda sigma: formula.value(sigma, values), stresses)
+    if not rates or not any(rates):
+        raise refusal(f"nothing flows at any stress up to {stresses[-1]:.4g} Pa", "a rate that grows with stress")
+    tiny = 1e-12 * next(rate for rate in map(abs, rates) if rate)
+    if not abs(at_rest) <= tiny:
+        raise refusal(f"the rate without stress is {at_rest:.4g} 1/s", "a rate that is 0 at sigma = 0")
+    for sigma, rate in zip(stresses, rates, strict=False):
+        mirror = formula.value(-sigma, values)
+        if not abs(rate + mirror) <= _ROUNDING * abs(rate) + tiny:
+            found = f"not odd: {rate:.4g} 1/s at {sigma:.4g} Pa, but {mirror:.4g} 1/s at {-sigma:.4g} Pa"
+            raise refusal(found, "phi(-sigma) = -phi(sigma), such as sign(sigma)*abs(sigma)**2")
+    _check_dissipation(stresses, rates, tiny)
+
+
+def _check_dissipation(stresses: list[float], rates: list[float], tiny: float) -> None:
+    accepted = "a rate that has the sign of the stress and never decreases"
+    last = 0.0
+    for sigma, rate in zip(stresses, rates, strict=False):
+        if rate < -tiny:
+            raise refusal(f"negative dissipation: the rate is {rate:.4g} 1/s at sigma = {sigma:.4g} Pa", accepted)
+        if rate < last - _ROUNDING * last - tiny:
+            found = f"decreases from {last:.4g} to {rate:.4g} 1/s at sigma = {sigma:.4g} Pa (negative dissipation)"
+            raise refusal(found, accepted)
+        last = rate
+
+
+@lru_cache(maxsize=256)
+def threshold(text: str, values: tuple[tuple[str, float], ...], scales: tuple[float, ...]) -> float:
+    """Find the stress below which a rule is exactly 0, by bisection.
+
+    Parameters
+    ----------
+    text : str
+        phi(sigma).
+    values : tuple of (str, float)
+        SI values of its parameters.
+    scales : tuple of float
+        As for `check_rule`.
+
+    Returns
+    -------
+    float
+        [Pa]; 0 if the rule flows at every stress.
+    """
+    formula, known = parse_formula(text), dict(values)
+    stresses = _stresses(scales)
+    beyond = next((i for i, sigma in enumerate(stresses) if formula.value(sigma, known) != 0), 0)
+    if beyond == 0:
+        return 0.0
+    closed, flowing = stresses[beyond - 1], stresses[beyond]
+    if abs(formula.value(flowing * (1 + 1e-3), known)) < _VANISHING:
+        return 0.0
+    while (middle := (closed + flowing) / 2) not in (closed, flowing):
+        if formula.value(middle, known) == 0:
+            closed = middle
+        else:
+            flowing = middle
+    # The last stress at which nothing flows, rid of the rounding of the bisection.
+    short = float(f"{closed:.13g}")
+    return short if formula.value(short, known) == 0 else closed
+
+
+def _rates(rule: Callable[[float], float], stresses: list[float]) -> list[float]:
+    """Rates up to where they are too fast to matter."""
+    rates: list[float] = []
+    for sigma in stresses:
+        rate = rule(sigma)
+        if math.isnan(rate):
+            raise refusal(f"not a number at sigma = {sigma:.4g} Pa", "a rate that is finite at every stress")
+        if abs(rate) > _FASTEST:
+            if not rates:
+                raise refusal(f"{rate:.4g} 1/s at sigma = {sigma:.4g} Pa", "a rate that is small at small stresses")
+            break
+        rates.append(rate)
+    return rates
+
+
+def _stresses(scales: Iterable[float]) -> list[float]:
+    """Evenly over the decades, and on both sides of each scale, where a rule may have a corner."""
+    given = sorted(scales)
+    low, high = _LOWEST * given[0], _HIGHEST * given[-1]
+    count = math.ceil(_PER_DECADE * math.log10(high / low))
+    sampled = [low * (high / low) ** (i / count) for i in range(count + 1)]
+    near = [scale * factor for scale in given for factor in (1 - 1e-9, 1.0, 1 + 1e-9)]
+    return sorted({*sampled, *near})

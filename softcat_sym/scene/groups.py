@@ -1,15 +1,30 @@
-"""The dimensionless block: a scene given by its groups instead of its constants (THEORY 5)."""
+"""A scene given by its dimensionless groups instead of its constants (THEORY 5)."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import ValidationInfo, ValidatorFunctionWrapHandler, field_validator
+from pydantic_core import PydanticCustomError, ValidationError
 
-from softcat_sym.scene.kinds import Choice, Number, refusal
-from softcat_sym.scene.laws import GROUPED, Law
-from softcat_sym.scene.part import Part
-from softcat_sym.scene.shear_data import INDEXED
+from softcat_sym.errors import Fault
+from softcat_sym.scene.material import (
+    CONSTANTS,
+    FROM_SHEAR,
+    GROUPED,
+    INDEXED,
+    POISSON,
+    Law,
+    Material,
+    kind_of_constant,
+    power,
+    shear_names,
+)
+from softcat_sym.scene.parts import Filament, Load, Part, kinds_of
+from softcat_sym.scene.units import LARGEST, SMALLEST, Choice, Number, fault_of, refusal, shown, with_unit
 
 TimeUnit = Literal["gravity", "elastic"]
 _GROUPED = f"one of the laws {', '.join(GROUPED)}"
@@ -69,3 +84,368 @@ class GroupBlock(Part):
         if unit == "elastic" and info.data.get("law") == "newtonian":
             raise refusal("'elastic', but the law 'newtonian' has no Young's modulus", "gravity")
         return unit
+
+
+GROUND = "1"
+
+_WORDS = {"youngs_modulus": "Young's modulus", "viscosity": "the viscosity", "yield_stress": "the yield stress"}
+
+# What each group relates; the ratio of the two comes with the numbers.
+RELATES = {
+    "G": ("yield_stress", GROUND),
+    "eps_Y": ("yield_stress", "youngs_modulus"),
+    "E_star": ("youngs_modulus", GROUND),
+    "V": ("viscosity", GROUND),
+    "B": ("viscosity", GROUND),
+    "tau": ("viscosity", "youngs_modulus"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """``constant = ratio * other``, where the other may be the ground, 1.
+
+    Attributes
+    ----------
+    path : str
+        Dotted path of the key that states it.
+    constant, other : str
+        Names of material constants, or `GROUND`.
+    ratio : float
+        SI.
+    """
+
+    path: str
+    constant: str
+    other: str
+    ratio: float
+
+
+def faults_of(relations: list[Relation], law: str) -> list[Fault]:
+    """List what is said twice, what the law does not use, and what is missing.
+
+    Parameters
+    ----------
+    relations : list of Relation
+        All that were given.
+    law : str
+        One of `CONSTANTS`.
+
+    Returns
+    -------
+    list of Fault
+        Empty when every constant of the law is fixed exactly once.
+    """
+    faults: list[Fault] = []
+    tree: list[Relation] = []
+    for relation in relations:
+        unused = [name for name in (relation.constant, relation.other) if name not in (*CONSTANTS[law], GROUND)]
+        if unused:
+            # Constants given as such are refused by the material itself.
+            if relation.path.startswith("groups."):
+                found = f"given, but the law '{law}' has no {unused[0].replace('_', ' ')}"
+                faults.append(Fault(relation.path, found, "leaving it out"))
+            continue
+        ring = _chain(tree, relation.constant, relation.other)
+        if ring is None:
+            tree.append(relation)
+            continue
+        names = ", ".join(part.path.removeprefix("groups.") for part in ring)
+        own = relation.path.removeprefix("groups.")
+        found = f"given twice: {names} and {own} together fix more than there is to fix"
+        faults.append(Fault(relation.path, found, "leaving one of them out"))
+    loose = [name for name in CONSTANTS[law] if _chain(tree, name, GROUND) is None]
+    if loose:
+        found = f"missing: nothing fixes {' and '.join(_WORDS[name] for name in loose)}"
+        faults.append(Fault("groups", found, f"one more of {', '.join(_ways(loose, relations))}"))
+    return faults
+
+
+def solve(relations: list[Relation]) -> dict[str, float]:
+    """Follow the relations from the ground.
+
+    Parameters
+    ----------
+    relations : list of Relation
+        Without rings.
+
+    Returns
+    -------
+    dict of str to float
+        SI value of every constant that a chain reaches.
+    """
+    values = {GROUND: 1.0}
+    for _ in relations:
+        for relation in relations:
+            if relation.other in values:
+                values.setdefault(relation.constant, relation.ratio * values[relation.other])
+            elif relation.constant in values:
+                values[relation.other] = values[relation.constant] / relation.ratio
+    del values[GROUND]
+    return values
+
+
+def _chain(tree: list[Relation], start: str, end: str) -> list[Relation] | None:
+    """Return the relations that join two nodes, or None."""
+    if start == end:
+        return []
+    for relation in tree:
+        if start in (relation.constant, relation.other):
+            beyond = relation.other if start == relation.constant else relation.constant
+            rest = _chain([other for other in tree if other is not relation], beyond, end)
+            if rest is not None:
+                return [relation, *rest]
+    return None
+
+
+def _ways(loose: list[str], relations: list[Relation]) -> list[str]:
+    given = {relation.path for relation in relations}
+    groups = [f"groups.{key}" for key, pair in RELATES.items() if pair[0] in loose or pair[1] in loose]
+    return [path for path in (*groups, *(f"material.{name}" for name in loose)) if path not in given]
+
+
+Table = dict[str, Any]
+
+# The paper's own dimensional set (its section 3).
+PAPER = {"filament.span": "0.2 m", "filament.density": "1900 kg/m^3", "load.gravity": "9.81 m/s^2"}
+PAPER_MODULUS = "4 MPa"
+_MODULUS_GROUPS = ("E_star", "eps_Y", "tau")
+# Each of these keys of [groups] stands for one physical key.
+_STANDS_FOR = {
+    "delta": "filament.thickness",
+    "law": "material.law",
+    "ramp": "load.ramp",
+    "duration": "run.duration",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Resolved:
+    """A physical table, what was wrong with its groups, and the paths that are theirs to fill."""
+
+    table: Table
+    faults: tuple[Fault, ...] = ()
+    determined: frozenset[str] = frozenset()
+    complete: bool = True
+
+    def excuses(self, fault: Fault) -> bool:
+        """Tell whether a physical key is missing only because the groups could not be resolved."""
+        return not self.complete and fault.path in self.determined and fault.found.startswith("missing")
+
+
+@dataclass(frozen=True, slots=True)
+class _Scales:
+    """L, rho and g, SI; and the index."""
+
+    span: float
+    density: float
+    gravity: float
+    index: float
+
+    @property
+    def stress(self) -> float:
+        return self.density * self.gravity * self.span
+
+    @property
+    def time(self) -> float:
+        return math.sqrt(self.span / self.gravity)
+
+
+def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
+    """Name the physical paths that ``[groups]`` fills in this table.
+
+    Parameters
+    ----------
+    table : mapping
+        Raw scene.
+
+    Returns
+    -------
+    frozenset of str
+        Dotted paths; empty without groups.
+    """
+    groups = table.get("groups")
+    if not isinstance(groups, Mapping):
+        return frozenset(_STANDS_FOR.values()) if "groups" in table else frozenset()
+    filled = {path for key, path in _STANDS_FOR.items() if key in groups or key in ("delta", "law")}
+    constants = CONSTANTS.get(str(groups.get("law")), ("youngs_modulus", "viscosity", "yield_stress"))
+    given = _section(table, "material")
+    for name in constants:
+        if not {name, *shear_names(name)} & set(given):
+            filled.add(f"material.{name}")
+    if not any(key in groups for key in _MODULUS_GROUPS):
+        # The modulus is then only the paper's default, and may be given beside the groups.
+        filled.discard("material.youngs_modulus")
+    return frozenset(filled)
+
+
+def resolve_groups(table: Table) -> Resolved:
+    """Replace ``[groups]`` by the physical values it determines.
+
+    Parameters
+    ----------
+    table : dict
+        Raw scene; not changed.
+
+    Returns
+    -------
+    Resolved
+        The table without groups. With faults, what could not be determined is left out.
+    """
+    if "groups" not in table:
+        return Resolved(table)
+    determined = determined_by_groups(table) | {"material.youngs_modulus"}
+    rest = {key: dict(value) if isinstance(value, Mapping) else value for key, value in table.items()}
+    raw = rest.pop("groups")
+    if not isinstance(raw, Mapping):
+        no_table = Fault("groups", f"{shown(raw)} is not a table", "a table [groups]")
+        return Resolved(rest, (no_table,), determined | set(PAPER), complete=False)
+    block, faults = _read_block(raw)
+    faults += _given_twice(raw, rest)
+    for path, value in PAPER.items():
+        _fill(rest, path, value)
+    scales = _scales(rest, faults, _index(raw, rest, block))
+    relations = _relations(raw, rest, block, scales)
+    law = raw.get("law")
+    if isinstance(law, str) and law in GROUPED:
+        faults += [*faults_of(relations, law), *_of_another_index(raw, law, _index(raw, rest, block))]
+        _fill(rest, "material.law", law)
+        if block is not None and "n" in raw and law in INDEXED:
+            _fill(rest, "material.index", block.n)
+    if faults or block is None or scales is None or any(relation.ratio <= 0 for relation in relations):
+        return Resolved(rest, tuple(faults), determined, complete=False)
+    faults += _fill_in(rest, block, scales, solve(relations))
+    return Resolved(rest, tuple(faults), determined, complete=not faults)
+
+
+def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]:
+    try:
+        return GroupBlock.model_validate(dict(raw)), []
+    except ValidationError as error:
+        known = {"groups": tuple(GroupBlock.model_fields)}
+        accepted = {f"groups.{name}": kind.accepted for name, kind in kinds_of(GroupBlock).items()}
+        details = [{**one, "loc": ("groups", *one["loc"])} for one in error.errors()]
+        return None, [fault_of(one, known, accepted) for one in details]  # type: ignore[arg-type]
+
+
+def _given_twice(raw: Mapping[str, Any], rest: Table) -> list[Fault]:
+    faults = []
+    for key, path in (*_STANDS_FOR.items(), ("n", "material.index")):
+        table, _, name = path.partition(".")
+        if key in raw and name in _section(rest, table):
+            faults.append(Fault(path, f"given twice, here and as groups.{key}", "one of the two"))
+    if "delta" in raw and "diameter" in _section(rest, "filament"):
+        faults.append(Fault("filament.diameter", "given twice, here and as groups.delta", "one of the two"))
+    return faults
+
+
+def _index(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None) -> float:
+    if block is not None and "n" in raw:
+        return block.n
+    try:
+        return float(kinds_of(Material)["index"].read(_section(rest, "material").get("index", 1.0)))
+    except PydanticCustomError:
+        return 1.0
+
+
+def _poisson(rest: Table) -> float:
+    try:
+        return float(kinds_of(Material)["poisson"].read(_section(rest, "material").get("poisson", POISSON)))
+    except PydanticCustomError:
+        return POISSON
+
+
+def _of_another_index(raw: Mapping[str, Any], law: str, index: float) -> list[Fault]:
+    """Tau and B are ratios of a viscosity."""
+    if law not in INDEXED or index == 1:
+        return []
+    found = f"given, but with an index of {index:g} there is no viscosity to scale"
+    return [Fault(f"groups.{key}", found, "groups.V, K/(rho g L (L/g)^(n/2))") for key in ("tau", "B") if key in raw]
+
+
+def _scales(rest: Table, faults: list[Fault], index: float) -> _Scales | None:
+    """Read L, rho and g; a scale that cannot be read is its own part's fault, gravity 0 is one of the groups."""
+    try:
+        span = kinds_of(Filament)["span"].read(rest["filament"]["span"])
+        density = kinds_of(Filament)["density"].read(rest["filament"]["density"])
+        gravity = kinds_of(Load)["gravity"].read(rest["load"]["gravity"])
+    except (PydanticCustomError, KeyError, TypeError):
+        return None
+    if gravity == 0:
+        faults.append(Fault("load.gravity", "zero, but [groups] is scaled by gravity", "a positive acceleration"))
+        return None
+    return _Scales(span, density, gravity, index)
+
+
+def _relations(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, at: _Scales | None) -> list[Relation]:
+    """All that was said of the constants. Without numbers (a fault elsewhere) the ratios are 0: only who fixes whom."""
+    relations, poisson = [], _poisson(rest)
+    for name in ("youngs_modulus", "viscosity", "yield_stress"):
+        index = at.index if at else 1.0
+        shear = [(one.shear, one.factor(index, poisson)) for one in FROM_SHEAR if one.constant == name]
+        for key, times in ((name, 1.0), *shear):
+            if key in _section(rest, "material"):
+                value = times * _number(rest["material"][key], key, raw.get("law"), index)
+                relations.append(Relation(f"material.{key}", name, GROUND, value))
+    for key, (constant, other) in RELATES.items():
+        if raw.get(key) is not None:
+            ratio = _group_ratio(key, getattr(block, key), at) if block and at else 0.0
+            relations.append(Relation(f"groups.{key}", constant, other, ratio))
+    moduli = {"youngs_modulus", *shear_names("youngs_modulus")}
+    if not any(key in raw for key in _MODULUS_GROUPS) and not moduli & set(_section(rest, "material")):
+        relations.append(Relation("groups", "youngs_modulus", GROUND, _number(PAPER_MODULUS, "youngs_modulus")))
+    return relations
+
+
+def _number(value: object, key: str, law: object = None, index: float = 1.0) -> float:
+    try:
+        return float(kind_of_constant(key, str(law), index).read(value))
+    except PydanticCustomError:
+        return 0.0
+
+
+def _group_ratio(key: str, group: float, at: _Scales) -> float:
+    """Turn a group into the ratio of its two constants, SI [3.9, 3.10]."""
+    return {
+        "G": at.stress / group,
+        "eps_Y": group,
+        "E_star": at.stress * group,
+        "V": at.stress * power(at.time, at.index) * group,
+        "B": at.stress * at.time / (2 * group),
+        "tau": at.time * group,
+    }[key]
+
+
+def _fill_in(rest: Table, block: GroupBlock, at: _Scales, constants: dict[str, float]) -> list[Fault]:
+    """Write the determined values into the table; they are beyond all measure only for absurd groups."""
+    thickness = block.delta * at.span
+    absurd = [
+        f"{name} {value:g}"
+        for name, value in {"thickness": thickness, **constants}.items()
+        if not SMALLEST <= value <= LARGEST
+    ]
+    if absurd:
+        found = f"these groups give {', '.join(absurd)}, beyond {SMALLEST:g} to {LARGEST:g} in SI units"
+        return [Fault("groups", found, "moderate numbers")]
+    elastic = at.span * math.sqrt(at.density / constants["youngs_modulus"])
+    unit = at.time if block.time_unit == "gravity" else elastic
+    _fill(rest, "filament.thickness", with_unit(thickness, "length"))
+    for path, time in (("load.ramp", block.ramp), ("run.duration", block.duration)):
+        if time is not None:
+            _fill(rest, path, with_unit(time * unit, "time"))
+    for name in CONSTANTS[block.law]:
+        if not set(shear_names(name)) & set(_section(rest, "material")):
+            _fill(rest, f"material.{name}", kind_of_constant(name, block.law, at.index).write(constants[name]))
+    return []
+
+
+def _fill(rest: Table, path: str, value: object) -> None:
+    table, _, key = path.partition(".")
+    section = rest.setdefault(table, {})
+    if isinstance(section, dict):
+        section.setdefault(key, value)
+
+
+def _section(table: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    section = table.get(name)
+    return section if isinstance(section, Mapping) else {}

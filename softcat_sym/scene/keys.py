@@ -1,17 +1,20 @@
-"""Every key of the scene file, as the models have it."""
+"""Every key of the scene file, and the first scene of one's own that ``softcat new`` writes."""
 
 from __future__ import annotations
 
+import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pydantic.fields import FieldInfo
 
+from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock
-from softcat_sym.scene.kinds import Kind, Quantity
-from softcat_sym.scene.model import Scene, parts_of_scene
-from softcat_sym.scene.part import Part, dotted, kinds_of
-from softcat_sym.scene.units import SI_UNITS
-from softcat_sym.scene.writing import toml_value
+from softcat_sym.scene.material import CONSTANTS, INDEXED
+from softcat_sym.scene.parts import Part, dotted, kinds_of
+from softcat_sym.scene.scene import Scene, parts_of_scene
+from softcat_sym.scene.toml import toml_value
+from softcat_sym.scene.units import SI_UNITS, Kind, Quantity, consistency_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,3 +93,107 @@ def keys_in_markdown() -> str:
         cells = (f"`{name}`", key.unit, default, key.meaning, key.accepted)
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join([*lines, ""])
+
+
+LAWS = tuple(law for law, constants in CONSTANTS.items() if constants and law not in ("standard-linear", "custom"))
+"""Laws whose constants a template asks for: each has some, and nothing besides."""
+
+_GEOMETRY = {"filament.span": "5 mm", "filament.thickness": "0.4 mm", "filament.density": "2200 kg/m^3"}
+_LATER = ("ends.left", "ends.right", "load.ramp", "run.frames", "run.accuracy", "run.effects")
+"""Keys whose defaults are written as comments, for who wants to change them next."""
+
+
+def example_values(given: Mapping[str, str]) -> dict[str, str]:
+    """Return values of an ink for all that a scene of a law needs, in the order of the file.
+
+    Parameters
+    ----------
+    given : mapping of str to str
+        What is known already, by dotted key; the law and its index decide what is needed besides.
+    """
+    law = given.get("material.law", "bingham")
+    constants = CONSTANTS.get(law, ())
+    values = {**_GEOMETRY, "material.law": law}
+    if "youngs_modulus" in constants:
+        values["material.youngs_modulus"] = "300 kPa"
+    if "yield_stress" in constants:
+        values["material.shear_yield_stress"] = "200 Pa"
+    if law in INDEXED:
+        index = given.get("material.index", "0.5")
+        values["material.index"] = index
+        values["material.shear_consistency"] = f"10 {_consistency_unit(index)}"
+    elif "viscosity" in constants:
+        values["material.shear_viscosity"] = "10 Pa*s"
+    return {**values, "surroundings.surface_tension": "0 N/m", "run.duration": "0.5 s"}
+
+
+def scene_template(title: str, given: Mapping[str, str]) -> tuple[str, Scene]:
+    """Write a scene of a round strand, with a comment on every value, and validate it.
+
+    Parameters
+    ----------
+    title : str
+        For pictures and tables.
+    given : mapping of str to str
+        Texts with units by dotted key; what is needed besides is that of an ink.
+
+    Returns
+    -------
+    str, Scene
+        TOML, and what it says.
+
+    Raises
+    ------
+    SceneError
+        With every fault at once.
+    """
+    law = given.get("material.law", LAWS[0])
+    if law in CONSTANTS and law not in LAWS:
+        found = f"'{law}', whose constants are more than are asked for here"
+        raise SceneError([Fault("material.law", found, f"{', '.join(LAWS)}; softcat show NAME writes others")])
+    values = {**example_values(given), **given}
+    lines = [
+        "# Every value has its unit. What else may stand here, and what it means: softcat keys",
+        f"title = {toml_value(title)}",
+    ]
+    table = ""
+    for key in scene_keys():
+        if key.path not in values and key.path not in _LATER and key.path != "filament.section":
+            continue
+        here, _, name = key.path.partition(".")
+        if here != table:
+            lines += ["", f"[{here}]"]
+            table = here
+        lines += [f"# {key.meaning}{_choice(key)}", _line(key, name, values)]
+    text = "\n".join([*lines, ""])
+    return text, Scene.model_validate(tomllib.loads(text))
+
+
+def _line(key: SceneKey, name: str, values: Mapping[str, str]) -> str:
+    if key.path == "filament.section":
+        return f'{name} = "circle"'
+    if key.path not in values:
+        return f"# {name} = {key.default}"
+    return f"{name} = {toml_value(_value(key.path, values[key.path]))}"
+
+
+def _value(path: str, text: str) -> object:
+    """A number where the key takes one; what is none is refused with the scene."""
+    if path != "material.index":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _choice(key: SceneKey) -> str:
+    """The names among which a key chooses."""
+    return f" ({key.accepted})" if key.path in ("filament.section", "material.law", "ends.left", "ends.right") else ""
+
+
+def _consistency_unit(index: str) -> str:
+    try:
+        return consistency_unit(float(index))
+    except ValueError:
+        return consistency_unit(1)

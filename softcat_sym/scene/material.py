@@ -3,22 +3,439 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, ClassVar, get_args
+from collections.abc import Mapping
+from dataclasses import dataclass
+from keyword import iskeyword
+from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator, model_validator
+from pydantic_core import PydanticCustomError
 
-from softcat_sym.scene.constituents import Mode, Modes, Parameter, Parameters
-from softcat_sym.scene.flow_rule import threshold
-from softcat_sym.scene.formula import Formula, parse_formula
-from softcat_sym.scene.kinds import Choice, Kind, Number, Quantity, Text, refusal
-from softcat_sym.scene.laws import OF_THE_INDEX, Law, check_against_law, check_loss, kind_of_constant
-from softcat_sym.scene.own_law import check_own_law, stress_scales
-from softcat_sym.scene.part import Part
-from softcat_sym.scene.shear_data import FROM_SHEAR, INDEXED, Conversion
-from softcat_sym.scene.units import shown
+from softcat_sym.scene.formula import (
+    FORMULA_CONSTANTS,
+    FUNCTIONS,
+    STRESS_NAME,
+    Formula,
+    check_rule,
+    check_units,
+    parse_formula,
+    threshold,
+)
+from softcat_sym.scene.parts import Part
+from softcat_sym.scene.units import (
+    STRESS,
+    AsValidator,
+    Choice,
+    Dimension,
+    Kind,
+    NotAQuantity,
+    Number,
+    Quantity,
+    Text,
+    consistency_unit,
+    refusal,
+    refusals,
+    same_dimension,
+    shown,
+    si_unit,
+    to_si_of_any,
+)
+
+# `scene.kinds.Kind` documents the three methods once for all kinds.
+# ruff: noqa: D102
+
+
+# Names that already mean something where the parameters of a rule become numbers of the computation.
+RESERVED = frozenset(
+    {
+        "span",
+        "thickness",
+        "density",
+        "gravity",
+        "ramp",
+        "shake",
+        "shake_frequency",
+        "youngs_modulus",
+        "viscosity",
+        "yield_stress",
+        "index",
+        "poisson",
+        "aspect",
+        "time_scale",
+        "second_modulus",
+        "rest_length",
+        STRESS_NAME,
+        *FORMULA_CONSTANTS,
+        *FUNCTIONS,
+    }
+)
+
+_MODE = {"youngs_modulus": Quantity("stress", "1 MPa"), "viscosity": Quantity("viscosity", "2 kPa*s")}
+_MOST = 50
+
+
+@dataclass(frozen=True, slots=True)
+class Mode:
+    """A spring in line with a dashpot; SI.
+
+    Attributes
+    ----------
+    youngs_modulus : float
+        [Pa].
+    viscosity : float
+        [Pa s], extensional.
+    """
+
+    youngs_modulus: float
+    viscosity: float
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A named constant of a flow rule.
+
+    Attributes
+    ----------
+    name : str
+        As it stands in the rule.
+    value : float
+        SI.
+    dimension : tuple of float
+        Exponents of kg, m and s.
+    """
+
+    name: str
+    value: float
+    dimension: Dimension
+
+
+@dataclass(frozen=True, slots=True)
+class Modes(AsValidator):
+    """A list of modes."""
+
+    accepted: str = 'a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
+
+    def read(self, value: object) -> tuple[Mode, ...]:
+        if not isinstance(value, (list, tuple)):
+            raise refusal(f"{shown(value)} is not a list", self.accepted)
+        if len(value) > _MOST:
+            raise refusal(f"{len(value)} modes", f"at most {_MOST} modes")
+        faults: list[tuple[tuple[str, ...], PydanticCustomError]] = []
+        modes = []
+        for number, item in enumerate(value, start=1):
+            read = self._constants(item, str(number), faults)
+            if len(read) == len(_MODE):
+                modes.append(Mode(**read))
+        if faults:
+            raise refusals("modes", faults)
+        return tuple(modes)
+
+    def _constants(
+        self, item: object, number: str, faults: list[tuple[tuple[str, ...], PydanticCustomError]]
+    ) -> dict[str, float]:
+        if isinstance(item, Mode):
+            return {name: getattr(item, name) for name in _MODE}
+        if not isinstance(item, Mapping):
+            faults.append(((number,), refusal(f"{shown(item)} is not a mode", self.accepted)))
+            return {}
+        for key in item:
+            if key not in _MODE:
+                faults.append(((number, str(key)), refusal("unknown key", ", ".join(_MODE))))
+        read = {}
+        for name, kind in _MODE.items():
+            try:
+                if name not in item:
+                    raise refusal("missing", kind.accepted)
+                read[name] = kind.read(item[name])
+            except PydanticCustomError as error:
+                faults.append(((number, name), error))
+        return read
+
+    def write(self, value: tuple[Mode, ...]) -> object:
+        return [{name: kind.write(getattr(mode, name)) for name, kind in _MODE.items()} for mode in value]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameters(AsValidator):
+    """A table of named constants of any unit."""
+
+    accepted: str = 'a table of named constants, such as {s0 = "1 kPa", t0 = "2 s", m = 3}'
+
+    def read(self, value: object) -> tuple[Parameter, ...]:
+        if isinstance(value, tuple) and all(isinstance(item, Parameter) for item in value):
+            return value
+        if not isinstance(value, Mapping):
+            if isinstance(value, (str, list, tuple)) and not value:
+                return ()
+            raise refusal(f"{shown(value)} is not a table", self.accepted)
+        if len(value) > _MOST:
+            raise refusal(f"{len(value)} parameters", f"at most {_MOST} parameters")
+        faults = []
+        parameters = []
+        for name, given in value.items():
+            try:
+                parameters.append(_parameter(name, given))
+            except PydanticCustomError as error:
+                faults.append(((str(name),), error))
+        if faults:
+            raise refusals("parameters", faults)
+        return tuple(sorted(parameters, key=lambda parameter: parameter.name))
+
+    def write(self, value: tuple[Parameter, ...]) -> object:
+        return {
+            parameter.name: f"{parameter.value!r} {unit}" if (unit := si_unit(parameter.dimension)) else parameter.value
+            for parameter in value
+        }
+
+
+def _parameter(name: object, given: object) -> Parameter:
+    if not isinstance(name, str) or not (name.isascii() and name.isidentifier()) or iskeyword(name):
+        raise refusal(f"{shown(name)} is no name", "letters, digits and _, not starting with a digit")
+    if name in RESERVED or name.startswith("_"):
+        raise refusal(f"the name {name!r} already means something", "another name")
+    try:
+        value, dimension = to_si_of_any(given)
+    except NotAQuantity as found:
+        raise refusal(str(found), 'a bare number, or text with a number and a unit, such as "1 kPa"') from None
+    return Parameter(name, value + 0.0, dimension)
+
+
+# Laws whose viscosity is a consistency, and which have an index.
+INDEXED = ("power-law", "herschel-bulkley")
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """One tensile constant from one shear datum.
+
+    Attributes
+    ----------
+    constant, shear : str
+        Names of the keys.
+    indexed : bool or None
+        Whether the law must have an index; None if that does not matter.
+    words : str
+        The rule, by von Mises' equivalence; Trouton's 3 of a Newtonian fluid.
+    """
+
+    constant: str
+    shear: str
+    indexed: bool | None
+    words: str
+
+    def suits(self, law: str | None) -> bool:
+        """Tell whether a law takes this datum."""
+        return self.indexed is None or self.indexed == (law in INDEXED)
+
+    def factor(self, index: float, poisson: float) -> float:
+        """Return the tensile value over the shear one; infinite where it overflows."""
+        if self.constant == "youngs_modulus":
+            return 2 * (1 + poisson)
+        if self.constant == "yield_stress":
+            return math.sqrt(3.0)
+        if not self.indexed:
+            return 3.0
+        return power(3.0, (index + 1) / 2)
+
+
+def power(base: float, exponent: float) -> float:
+    """Raise a positive number to a power; infinite where it overflows."""
+    try:
+        return math.pow(base, exponent)
+    except OverflowError:
+        return math.inf
+
+
+FROM_SHEAR = (
+    Conversion("viscosity", "shear_viscosity", False, "times 3"),
+    Conversion("viscosity", "shear_consistency", True, "times 3^((n+1)/2)"),
+    Conversion("viscosity", "consistency", True, "times 3^((n+1)/2)"),
+    Conversion("yield_stress", "shear_yield_stress", None, "times sqrt(3)"),
+    Conversion("youngs_modulus", "storage_modulus", None, "times 2 (1 + poisson)"),
+)
+
+_SAME = (
+    *(
+        {constant, *(one.shear for one in FROM_SHEAR if one.constant == constant)}
+        for constant in ("youngs_modulus", "viscosity", "yield_stress")
+    ),
+    {"loss_tangent", "loss_modulus", "solid_viscosity"},
+)
+"""Keys of [material] of which a scene has one at most."""
+
+
+def shear_names(constant: str) -> tuple[str, ...]:
+    """Name the shear data that a tensile constant may come from."""
+    return tuple(conversion.shear for conversion in FROM_SHEAR if conversion.constant == constant)
+
+
+def physical_path(path: str) -> str:
+    """Name the key that a value given in another way stands for: ``filament.thickness`` for the diameter."""
+    table, _, key = path.partition(".")
+    if path == "filament.diameter":
+        return "filament.thickness"
+    return f"material.{tensile_name(key) or key}" if table == "material" else path
+
+
+def twins(path: str) -> tuple[str, ...]:
+    """Name the other keys that say the same as this one, by their dotted paths."""
+    table, _, key = path.partition(".")
+    if table == "filament":
+        return tuple(
+            f"filament.{other}"
+            for other in ("thickness", "diameter")
+            if key in ("thickness", "diameter") and other != key
+        )
+    groups = [same for same in _SAME if key in same] if table == "material" else []
+    return tuple(f"material.{other}" for same in groups for other in sorted(same - {key}))
+
+
+def tensile_name(shear: str) -> str:
+    """Name the tensile constant that a shear datum gives; empty if it is none."""
+    return next((conversion.constant for conversion in FROM_SHEAR if conversion.shear == shear), "")
+
+
+Law = Literal[
+    "elastic",
+    "maxwell",
+    "newtonian",
+    "kelvin-voigt",
+    "standard-linear",
+    "multimode-maxwell",
+    "bingham",
+    "power-law",
+    "herschel-bulkley",
+    "custom",
+]
+
+# A constant that a law does not use is refused, never ignored. The index, modes and formulas stand apart.
+CONSTANTS: dict[str, tuple[str, ...]] = {
+    "elastic": ("youngs_modulus",),
+    "maxwell": ("youngs_modulus", "viscosity"),
+    "newtonian": ("viscosity",),
+    "kelvin-voigt": ("youngs_modulus", "viscosity"),
+    "standard-linear": ("youngs_modulus", "second_modulus", "viscosity"),
+    "multimode-maxwell": (),
+    "bingham": ("youngs_modulus", "viscosity", "yield_stress"),
+    "power-law": ("youngs_modulus", "viscosity"),
+    "herschel-bulkley": ("youngs_modulus", "viscosity", "yield_stress"),
+    "custom": ("youngs_modulus",),
+}
+# The laws that a scene may give by its dimensionless groups.
+GROUPED = ("elastic", "maxwell", "newtonian", "kelvin-voigt", "bingham", "power-law", "herschel-bulkley")
+# Laws of a solid that remembers its shape: what they leave behind is no plastic strain.
+SOLIDS = ("elastic", "kelvin-voigt", "standard-linear")
+# Laws that consist of more than their constants.
+_LISTS = {"modes": "multimode-maxwell", "flow": "custom", "parameters": "custom"}
+_NEEDED = ("modes", "flow")
+
+OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency", "consistency")
+"""Keys whose unit may depend on the law and its index."""
+
+_STRESS = Quantity("stress", "9.32 kPa")
+
+
+def kind_of_constant(name: str, law: str | None, index: float) -> Quantity:
+    """Return how a constant is read and written: a consistency has a unit of its own."""
+    if name not in OF_THE_INDEX:
+        return _STRESS
+    if name in ("shear_consistency", "consistency") or (name == "viscosity" and law in INDEXED):
+        unit = consistency_unit(index)
+        return Quantity("consistency", f"120 {unit}", unit=unit)
+    return Quantity("viscosity", "13.84 kPa*s")
+
+
+def check_loss(law: str | None) -> None:
+    """Refuse a loss below yield of a law that has no spring, or whose only stress beside it is a viscous one already.
+
+    Raises
+    ------
+    PydanticCustomError
+        A `refusal`.
+    """
+    why = {"newtonian": "has no spring that could ring", "kelvin-voigt": "has this viscosity as material.viscosity"}
+    if law in why:
+        others = ", ".join(other for other in CONSTANTS if other not in why)
+        raise refusal(f"given, but the law '{law}' {why[law]}", f"leaving it out, or one of the laws {others}")
+
+
+def check_against_law(name: str, law: str | None, value: object, accepted: str) -> None:
+    """Refuse a constant or list that the law needs and has not, or has and does not use.
+
+    Parameters
+    ----------
+    name : str
+        Key of the table ``[material]``.
+    law : str or None
+        None if it was faulty itself.
+    value : object
+        None or empty if not given.
+    accepted : str
+        What the key accepts.
+
+    Raises
+    ------
+    PydanticCustomError
+        A `refusal`.
+    """
+    if law is None:
+        return
+    needed = _LISTS[name] == law and name in _NEEDED if name in _LISTS else name in CONSTANTS[law]
+    used = _LISTS[name] == law if name in _LISTS else needed
+    missing = value is None or value in ((), "")
+    if missing and needed:
+        raise refusal(f"missing: the law '{law}' needs it", accepted)
+    if not missing and not used:
+        laws = _LISTS.get(name) or ", ".join(other for other, constants in CONSTANTS.items() if name in constants)
+        verb = {"yield_stress": "yield", "viscosity": "flow"}.get(name, "use it")
+        raise refusal(f"given, but the law '{law}' does not {verb}", f"leaving it out, or one of the laws {laws}")
+
+
+def stress_scales(parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> tuple[float, ...]:
+    """Return the stresses that the parameters of a flow rule set, and the modulus; positive [Pa]."""
+    sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, STRESS)]
+    return tuple(size for size in (*sizes, youngs_modulus) if size)
+
+
+def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> None:
+    """Refuse unknown symbols, unused parameters, units that do not fit, and rules that no material has.
+
+    Parameters
+    ----------
+    formula : Formula
+        phi(sigma).
+    parameters : tuple of Parameter
+        Its constants.
+    youngs_modulus : float or None
+        E [Pa].
+
+    Raises
+    ------
+    ValidationError
+        With every fault at its key.
+    """
+    known = {parameter.name: parameter for parameter in parameters}
+    faults: list[tuple[tuple[str, ...], PydanticCustomError]] = [
+        (("flow",), refusal(f"unknown symbol '{name}'", f"sigma, pi, and the parameters: {', '.join(known) or 'none'}"))
+        for name in sorted(formula.names - set(known))
+    ]
+    faults += [
+        (("parameters", name), refusal("not used by material.flow", "leaving it out"))
+        for name in known
+        if name not in formula.names
+    ]
+    if not formula.names - set(known):
+        values = {name: parameter.value for name, parameter in known.items()}
+        try:
+            check_units(formula, {name: parameter.dimension for name, parameter in known.items()}, values)
+            check_rule(formula, values, stress_scales(parameters, youngs_modulus))
+        except PydanticCustomError as error:
+            faults.append((("flow",), error))
+    if faults:
+        raise refusals("material", faults)
+
 
 _VISCOSITY = Quantity("viscosity", "13.84 kPa*s")
-_STRESS = Quantity("stress", "9.32 kPa")
 Viscosity = Annotated[float | None, _VISCOSITY]
 Stress = Annotated[float | None, _STRESS]
 _SOLID_VISCOSITY = Quantity("viscosity", "1.2 Pa*s")

@@ -1,4 +1,4 @@
-"""From a name or a path to a scene."""
+"""Scenes from names, paths and dicts."""
 
 from __future__ import annotations
 
@@ -12,12 +12,11 @@ from typing import Any
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.files import read_at_most
 from softcat_sym.scene.bundled import bundled_names, bundled_text
-from softcat_sym.scene.faults import did_you_mean
-from softcat_sym.scene.model import LATE, Scene
-from softcat_sym.scene.overriding import Override, apply, read_overrides
-from softcat_sym.scene.resolving import determined_by_groups
-from softcat_sym.scene.shear_data import physical_path
-from softcat_sym.scene.units import shown
+from softcat_sym.scene.groups import determined_by_groups
+from softcat_sym.scene.material import physical_path
+from softcat_sym.scene.scene import LATE, Scene
+from softcat_sym.scene.toml import Override, apply, read_overrides
+from softcat_sym.scene.units import did_you_mean, shown
 
 # A scene has some kilobytes; whatever is a thousand times longer was given by mistake (a device, a result).
 _LONGEST = 1 << 20

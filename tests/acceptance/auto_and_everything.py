@@ -16,10 +16,10 @@ from multiprocessing import get_context
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY
+from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SoftcatError
+from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.simulate import without_estimate
-from softcat_sym.trajectory import Trajectory
 
 from .kept_answers import fingerprint, kept
 

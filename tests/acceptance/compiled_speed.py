@@ -10,11 +10,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from softcat_sym.graph.grid import Floats
-from softcat_sym.native import OPTIMISED, compile_library, load
-from softcat_sym.solve import Prepared, Silence
-from softcat_sym.solve.c_model import Run, Status
-from softcat_sym.solve.compiled import CompiledIntegration
+from softcat_sym.codegen.library import OPTIMISED, compile_library, load
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.solvers.compiled import CompiledIntegration, Run, Status
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
 from tests.codegen.rosenbrock_library import RUNTIME, Filament
 from tests.rivals import scenes
 from tests.rivals.radau import Solved

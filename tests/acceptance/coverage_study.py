@@ -16,11 +16,10 @@ from multiprocessing import get_context
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.inverse import Fit, Measurements, Series, fit
-from softcat_sym.inverse.estimation.profiles import profile
-from softcat_sym.inverse.filament_problem import FilamentProblem
-from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.inverse.forward.substituting import with_values
+from softcat_sym.fitting.fit import FilamentProblem, Fit, fit
+from softcat_sym.fitting.free_parameters import free_parameters, with_values
+from softcat_sym.fitting.inference import profile
+from softcat_sym.fitting.measurements import Measurements, Series
 
 from .kept_answers import fingerprint, kept
 

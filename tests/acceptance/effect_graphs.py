@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
-from softcat_sym.effects import REGISTRY, Effect, choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import Graph, assemble
-from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
-from softcat_sym.scene import Scene, load_scene
+from softcat_sym.discretization.assembly import assemble, choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect import Effect
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 CELLS = 6
 BESIDE = {"shear": ("fibres",)}

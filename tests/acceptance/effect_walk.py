@@ -1,7 +1,7 @@
 """What every effect must have: a bundled scene, a limit test and a derivation.
 
 A notebook says what it derives in one sentence, *Effects derived here:* each name with the objects of
-``softcat_sym.equations`` that it is compared with, in backquotes; those objects must occur in its code.
+``softcat_sym.physics`` that it is compared with, in backquotes; those objects must occur in its code.
 """
 
 from __future__ import annotations
@@ -11,14 +11,16 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from softcat_sym.effects import Effect, choose_effects
-from softcat_sym.scene import bundled_names, load_scene
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect import Effect
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import load_scene
 
 from .effect_graphs import dispensing, lists
 from .effect_limits import Limit
 
 NOTEBOOKS = Path(__file__).parents[2] / "derivations"
-EQUATIONS = "softcat_sym.equations"
+EQUATIONS = "softcat_sym.physics"
 _SENTENCE = re.compile(r"Effects derived here:(.*?)\.(?:\s|$)(?!`)", re.DOTALL)
 _ENTRY = re.compile(r"`([a-z-]+)`\s+\(([^)]*)\)")
 _CELL = re.compile(r"^# %%(.*)$", re.MULTILINE)

@@ -12,16 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY
-from softcat_sym.native import cache_folder
-from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
-from softcat_sym.reference.checkpoint import fingerprint
-from softcat_sym.reference.element_loop import element_sources
-from softcat_sym.reference.point_code import point_code
-from softcat_sym.reference.problem import problem_of
-from softcat_sym.scene import Scene
-from softcat_sym.scene.scales import elastic_time
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of
+from softcat_sym.reference.elements import ElementRun, run_elements
+from softcat_sym.reference.material_point import point_code
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene, elastic_time
 
 Floats = npt.NDArray[np.float64]
 

@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.accuracy import Judge, periods_of
-from softcat_sym.effects import choose_effects
+from softcat_sym.discretization.grid import choose_grading
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.error_control.control import periods_of
+from softcat_sym.error_control.estimate import Judge
 from softcat_sym.errors import SoftcatError
-from softcat_sym.graph.grading import choose_grading
 from softcat_sym.simulate import without_estimate
 from tests.limited_process import Ask, limit_this_process, side_by_side
 

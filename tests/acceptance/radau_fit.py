@@ -10,8 +10,8 @@ import numpy.typing as npt
 from scipy.integrate import solve_ivp
 from scipy.optimize import least_squares
 
-from softcat_sym.inverse.measurements.series import Series
-from softcat_sym.solve import Prepared
+from softcat_sym.fitting.measurements import Series
+from softcat_sym.solvers.run import Prepared
 from tests.rivals.kirchhoff_c import numbers_of
 from tests.rivals.radau import NumpyFilament, RadauRival
 

@@ -7,10 +7,10 @@ import time
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.report.work_precision import WorkCurve, WorkPoint
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.plotting.work_precision import WorkCurve, WorkPoint
 from softcat_sym.single_run import build
-from softcat_sym.solve import Silence
+from softcat_sym.solvers.solution import Silence
 
 from .pyelastica_rod import DENSITY, GRAVITY, POISSON, RADIUS, SPAN, TIMES, Array, Fall, Rod, fall, set_up
 

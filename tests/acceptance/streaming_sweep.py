@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 import softcat_sym as sc
-from softcat_sym.study.sweep.result import peak_memory
+from softcat_sym.studies.sweep import peak_memory
 
 STEP = 1000
 

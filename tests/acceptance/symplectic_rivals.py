@@ -19,12 +19,11 @@ import casadi as ca
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.graph.grid import Floats
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.single_run import build
-from softcat_sym.solve import Prepared
-from softcat_sym.solve.c_model import Run, Status
-from softcat_sym.solve.compiled import CompiledIntegration
+from softcat_sym.solvers.compiled import CompiledIntegration, Run, Status
+from softcat_sym.solvers.run import Prepared
 
 from .compiled_speed import GeneratedRates
 

@@ -6,9 +6,10 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.effects import REGISTRY, Effect
-from softcat_sym.graph import Graph
-from softcat_sym.scene import load_scene
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.effects.effect import Effect
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.scene.reading import load_scene
 
 from .effect_graphs import dispensing, graph_of, kinds, listed, lists, unknowns
 from .table import show

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from softcat_sym.reference import Mesh
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.results.trajectory import Trajectory
 
 from .elements import (
     INSTANTS,

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from softcat_sym.effects import REGISTRY
+from softcat_sym.effects.registry import REGISTRY
 from tests.cli.in_process import Softcat, sets
 
 from .table import show

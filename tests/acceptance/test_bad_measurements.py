@@ -15,7 +15,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse import Fit, fit
+from softcat_sym.fitting.fit import Fit, fit
 
 from .table import show
 

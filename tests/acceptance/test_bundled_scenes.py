@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.results.trajectory import Trajectory
 
 from ..oracle import curves
 from .table import show

@@ -11,9 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from softcat_sym.reference import Clamp, Mesh
-from softcat_sym.reference.calculix import find_calculix, run_calculix
-from softcat_sym.reference.calculix_deck import STEP, calculix_deck
+from softcat_sym.reference.calculix import STEP, calculix_deck, find_calculix, run_calculix
+from softcat_sym.reference.element_loop import Clamp, Mesh
 
 from .elements import INSTANTS, Floats, digits, elements, midpoints, name_of, percent, plane
 from .kept_answers import kept

@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import pytest
 
-from softcat_sym.scene import Scene
-from softcat_sym.study.card import Card, card
-from softcat_sym.study.card.causes import percent
+from softcat_sym.scene.scene import Scene
+from softcat_sym.studies.card import card
+from softcat_sym.studies.card_rules import Card, percent
 from tests.acceptance.table import show
 
 SPAN, DIAMETER, DENSITY = 1e-3, 1e-4, 4290.0
@@ -88,7 +88,7 @@ def test_the_longest_span_at_the_published_limit_is_the_published_one() -> None:
 @pytest.mark.slow
 def test_every_rule_of_the_bundled_ink_is_explained() -> None:
     """Without what a rule leaves out the solver and the rule agree, so that what is put back is what is to blame."""
-    from softcat_sym.scene import load_scene
+    from softcat_sym.scene.reading import load_scene
 
     found = card(load_scene("ink-bridge"), span=False)
     show(f"{found.scene.title}: {found.regime}", ("rule", "predicts", "solver", "", "error", "blame"), rows(found))

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from softcat_sym.report.closed_form_bias import bias_of, write_closed_form_bias
-from softcat_sym.study.closed_form_bias import FORMULAS, TOLERANCE, BiasPoint, closed_form_bias
+from softcat_sym.plotting.closed_form_bias import bias_of, write_closed_form_bias
+from softcat_sym.studies.closed_form_bias import FORMULAS, TOLERANCE, BiasPoint, closed_form_bias
 from tests.acceptance.table import show
 
 NAMES = (*FORMULAS, "eta")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.results.trajectory import Trajectory
 
 from .table import show
 

@@ -14,10 +14,12 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.native import OPTIMISED, SOON, compile_library
-from softcat_sym.scene import groups_of
-from softcat_sym.solve import Silence, c_model, compiling
-from softcat_sym.solve.c_model import runtime_sources
+from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library
+from softcat_sym.scene.scene import groups_of
+from softcat_sym.solvers import compiled as c_model
+from softcat_sym.solvers import compiled as compiling
+from softcat_sym.solvers.compiled import runtime_sources
+from softcat_sym.solvers.solution import Silence
 from tests.oracle.rk4_filament import run as oracle
 from tests.rivals import casadi_rosenbrock, radau, scenes
 from tests.rivals.casadi_rosenbrock import CompiledRosenbrock, Interpreted
@@ -203,14 +205,14 @@ scene = sc.load_scene("continual-descent", json.loads(sys.argv[1])); mark("scene
 import casadi; mark("import casadi")
 import sympy; mark("import sympy")
 from softcat_sym.single_run import build
-from softcat_sym.codegen.structure import structure_of, model_for
-from softcat_sym.solve.compiling import compile_filament
-from softcat_sym.solve import compiled_settings, choose_backend, prepare
+from softcat_sym.codegen.model import structure_of, model_for
+from softcat_sym.solvers.compiled import compile_filament
+from softcat_sym.solvers import compiled_settings, choose_backend, prepare
 from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import assemble
-from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.discretization import assemble
+from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
 mark("import the rest")
 def line():
     effects = choose_effects(scene); mark("effects")

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from softcat_sym.equations.catalogue import all_equations
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.symbols import fields, table
+from softcat_sym.physics.equation import all_equations, check
+from softcat_sym.physics.symbols import fields, table
 
 from .table import show
 

@@ -10,9 +10,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from softcat_sym.reference import ElementRun, Mesh, run_elements
-from softcat_sym.scene import Scene
-from softcat_sym.scene.scales import elastic_time
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.reference.elements import ElementRun, run_elements
+from softcat_sym.scene.scene import Scene, elastic_time
 from tests.reference.strips import timoshenko_frequency, timoshenko_sag
 from tests.reference.test_elements_beam import cowper, harmonic
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.graph.grid import Floats
-from softcat_sym.solve import Outcome, Silence
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Silence
 
 from .symplectic_rivals import PERIODS, SCENES, Path, Swing, energies, swinging
 from .table import show

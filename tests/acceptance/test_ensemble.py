@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble import Ensemble
-from softcat_sym.solve.c_model import Answer, CModel, Run, Status
+from softcat_sym.ensemble.ensemble import Ensemble
+from softcat_sym.solvers.compiled import Answer, CModel, Run, Status
 
 from .table import show
 

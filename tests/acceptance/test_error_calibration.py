@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.scene import bundled_names, load_scene
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import load_scene
 
 from .error_calibration import Calibrated, calibrations
 from .random_scenes import SEED, random_scenes

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY, Effect
+from softcat_sym.effects.effect import Effect
+from softcat_sym.effects.registry import REGISTRY
 
 from .effect_graphs import lists, with_effects
 from .effect_limits import LIMITS

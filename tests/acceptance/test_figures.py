@@ -12,15 +12,26 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.native import cache_folder
-from softcat_sym.report.figure_midpoints import midpoints_figure
-from softcat_sym.report.figure_snapshots import snapshots_figure
-from softcat_sym.report.figure_strips import BLACK_RATE, strip_at
-from softcat_sym.solve import Silence
-from softcat_sym.study.clamp_strain import filament_clamp_strain
-from softcat_sym.study.figure_facts import MOMENTS, scene_facts, stopping_depth
-from softcat_sym.study.figure_scenes import ALPHA, INSTANTS, OWN, PAPER, PRINTED, SCENES, FilmedScene, film_scene
-from softcat_sym.trajectory.regime import turned_back
+from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.plotting.figure_midpoints import midpoints_figure
+from softcat_sym.plotting.figure_snapshots import snapshots_figure
+from softcat_sym.plotting.figure_strips import BLACK_RATE, strip_at
+from softcat_sym.results.motion import turned_back
+from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.compare import filament_clamp_strain
+from softcat_sym.studies.paper_figures import (
+    ALPHA,
+    INSTANTS,
+    MOMENTS,
+    OWN,
+    PAPER,
+    PRINTED,
+    SCENES,
+    FilmedScene,
+    film_scene,
+    scene_facts,
+    stopping_depth,
+)
 
 from .elements import PUBLISHED
 from .table import show

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse.estimation.optimise import Optimum, check_derivatives, minimise
-from softcat_sym.inverse.filament_problem import FilamentProblem
-from softcat_sym.inverse.measurements.series import Measurements
-from softcat_sym.scene import Scene
+from softcat_sym.fitting.fit import FilamentProblem
+from softcat_sym.fitting.least_squares import Optimum, check_derivatives, minimise
+from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.scene.scene import Scene
 
 from .fitting import CONSTANTS, beside, film, timed, values
 from .table import show

@@ -11,14 +11,11 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse.estimation.least_squares import LINEAR, Loss
-from softcat_sym.inverse.filament_fit import fit
-from softcat_sym.inverse.fit_outcome import FitOutcome
-from softcat_sym.inverse.fitted import Fit
-from softcat_sym.inverse.measurements.series import Measurements
-from softcat_sym.reference import Mesh
-from softcat_sym.scene import Scene, groups_of
-from softcat_sym.scene.scales import elastic_time
+from softcat_sym.fitting.fit import Fit, FitOutcome, fit
+from softcat_sym.fitting.least_squares import LINEAR, Loss
+from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.scene.scene import Scene, elastic_time, groups_of
 from tests.oracle import rk4_filament
 from tests.physics.scenes import scene as paper_filament
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.inverse.estimation.optimise import minimise
-from softcat_sym.inverse.filament_problem import FilamentProblem
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.fitting.fit import FilamentProblem
+from softcat_sym.fitting.least_squares import minimise
 from softcat_sym.single_run import build
 
 from .fitting import CONSTANTS, WRONG, Floats, beside, film, timed

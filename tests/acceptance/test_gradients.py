@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.inverse.forward.model import ForwardModel
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import free_parameters
 
 from .table import show
 

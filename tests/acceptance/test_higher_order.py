@@ -14,11 +14,12 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.graph.choosing import choose_grid
-from softcat_sym.graph.grid import Floats
+from softcat_sym.discretization.assembly import choose_grid
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.single_run import build
-from softcat_sym.solve import Prepared, Silence
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
 
 from .fourth_order_filament import Constants, SplineFilament
 from .table import show

@@ -11,9 +11,8 @@ import sympy as sp
 from scipy.linalg import logm
 from scipy.optimize import brentq
 
-from softcat_sym.equations.symbols import sigma
-from softcat_sym.reference.point import MaterialPoint
-from softcat_sym.reference.point_code import PointLaw
+from softcat_sym.physics.symbols import sigma
+from softcat_sym.reference.material_point import MaterialPoint, PointLaw
 from tests.reference.paths import BINGHAM, ELASTIC, MAXWELL, Floats, integrate, march, shear_and_stretch
 
 from .table import show

@@ -7,11 +7,11 @@ from functools import cache
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.equations import asymptotics as far
-from softcat_sym.equations.regimes import tau_star
-from softcat_sym.equations.rheometry import B, t_star
-from softcat_sym.printing import evaluate
-from softcat_sym.scene import gravity_time
+from softcat_sym.discretization.casadi_printer import evaluate
+from softcat_sym.physics import closed_forms as far
+from softcat_sym.physics.regimes import tau_star
+from softcat_sym.physics.rheometry import B, t_star
+from softcat_sym.scene.scene import gravity_time
 
 from .table import show
 

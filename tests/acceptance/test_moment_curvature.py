@@ -9,8 +9,8 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import linprog
 
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.physics.sections import SECTIONS
 
 from ..physics.one_cell import bend_slowly, one_cell
 from ..physics.scenes import Array

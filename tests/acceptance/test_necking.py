@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.necks import neck_length
+from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference import Mesh
-from softcat_sym.trajectory import Trajectory
-from softcat_sym.trajectory.localisation import neck_strain
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.verdict import neck_strain
 
 from .elements import curve, elements, filament, mean, name_of, plane
 from .table import show

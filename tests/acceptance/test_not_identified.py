@@ -14,7 +14,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError
-from softcat_sym.inverse import Fit, FitOutcome, Measurements, fit
+from softcat_sym.fitting.fit import Fit, FitOutcome, fit
+from softcat_sym.fitting.measurements import Measurements
 
 from .table import show
 

@@ -49,7 +49,7 @@ def test_edge_of_rupture_is_refused_as_localised() -> None:
 
 
 def test_scenes_that_converge_are_not_called_localised() -> None:
-    from softcat_sym.trajectory.localisation import SHARE_OF_ONE_CELL, largest_share_of_one_cell
+    from softcat_sym.results.verdict import SHARE_OF_ONE_CELL, largest_share_of_one_cell
 
     rows = []
     for name in ("no-yield", "arrested-overdamped", "continual-descent", "ink-bridge", "maxwell-slow", "maxwell-fast"):

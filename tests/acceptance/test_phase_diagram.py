@@ -10,12 +10,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.progress import NobodyListens
-from softcat_sym.scene import elastic_time
-from softcat_sym.study.phase_diagram import SETTINGS, PhaseDiagram, PhaseSheet, phase_diagram
-from softcat_sym.study.phase_lines import phase_lines
-from softcat_sym.study.phase_plane import PLANES, Place, duration_at
-from softcat_sym.study.phase_runs import CLAMPS_ONLY, PASSED, PhaseRunner
+from softcat_sym.ensemble.ensemble import NobodyListens
+from softcat_sym.scene.scene import elastic_time
+from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, PhaseSheet, phase_diagram, phase_lines
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY, PASSED, PLANES, PhaseRunner, Place, duration_at
 
 from .table import show
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph.choosing import DEFAULT_FIBRES
-from softcat_sym.graph.section_rule import fibre_rule
+from softcat_sym.discretization.assembly import DEFAULT_FIBRES
+from softcat_sym.discretization.section_rule import fibre_rule
+from softcat_sym.physics.sections import SECTIONS
 
 from ..physics.scenes import GEOMETRY, Array, scene
 from .table import show

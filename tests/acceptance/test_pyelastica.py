@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from softcat_sym.native import find_compiler
-from softcat_sym.report.work_precision import WorkPanel, draw, seconds_for
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.plotting.work_precision import WorkPanel, draw, seconds_for
 
 from .table import show
 

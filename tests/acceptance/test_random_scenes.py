@@ -12,7 +12,8 @@ from statistics import median
 import numpy as np
 import pytest
 
-from softcat_sym.scene import bundled_names, load_scene
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import load_scene
 
 from .auto_and_everything import Answer, answers
 from .random_scenes import NUMBER, SEED, random_scenes

@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.physics.sections import SECTIONS
 
 from ..physics.one_cell import follow, one_cell
 from ..physics.scenes import Array

@@ -12,8 +12,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 
-from softcat_sym.reference import ElementRun, Mesh
-from softcat_sym.scene import Scene
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.reference.elements import ElementRun
+from softcat_sym.scene.scene import Scene
 
 from .elements import INSTANTS, PUBLISHED, Floats, digits, elements, filament, mean, midpoints, name_of, percent, plane
 from .table import show

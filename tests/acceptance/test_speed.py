@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.scene import groups_of
+from softcat_sym.scene.scene import groups_of
 from tests.oracle.rk4_filament import run as oracle
 
 from .table import show

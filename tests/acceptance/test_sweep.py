@@ -16,8 +16,8 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.study.blocks import blocks_of, workplace
-from softcat_sym.study.phase_diagram import SETTINGS, phase_diagram
+from softcat_sym.ensemble.executor import blocks_of, workplace
+from softcat_sym.studies.phase import SETTINGS, phase_diagram
 from tests.faults.commands import ended, softcat, until
 
 from . import streaming_sweep

@@ -13,13 +13,11 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.native import cache_folder
-from softcat_sym.report.canvas import png
-from softcat_sym.report.theory_end_chart import theory_end_figure
-from softcat_sym.report.theory_end_terminal import cost_table, error_table, limit_table, remarks
-from softcat_sym.scene import Scene
-from softcat_sym.study.theory_end import TheoryEnd, TheoryError, where_theory_ends
-from softcat_sym.study.theory_end_values import Variation
+from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.plotting.style import png
+from softcat_sym.plotting.theory_end import cost_table, error_table, limit_table, remarks, theory_end_figure
+from softcat_sym.scene.scene import Scene
+from softcat_sym.studies.theory_end import TheoryEnd, TheoryError, Variation, where_theory_ends
 
 from .elements import PLANE_STRESS
 from .table import show

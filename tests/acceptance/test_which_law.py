@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse import Measurements
-from softcat_sym.inverse.laws import LawComparison, fit_laws
+from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.model_selection import LawComparison, fit_laws
 
 from .table import show
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.native import find_compiler
-from softcat_sym.report.accuracy_tables import best, knee_sentence, program_rows
-from softcat_sym.scene import groups_of
-from softcat_sym.study.work_precision import LEVELS, Plan, WorkPrecision, kept_points, study
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.plotting.accuracy import best, knee_sentence, program_rows
+from softcat_sym.scene.scene import groups_of
+from softcat_sym.studies.work_precision import LEVELS, Plan, WorkPrecision, kept_points, study
 from tests.oracle.rk4_filament import run as paper_rk4
 
 from .table import show

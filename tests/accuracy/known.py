@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from softcat_sym import Scene, load_scene
-from softcat_sym.accuracy.resolution import Resolution
-from softcat_sym.graph.grid import Floats
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.error_control.resolution import Resolution
 
 TIMES = np.linspace(0.0, 1.0, 11)
 EXACT: Floats = -0.02 * TIMES

@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from softcat_sym.accuracy.companions import Before, Differences, differences, with_more_fibres
-from softcat_sym.accuracy.deviation import Judge
-from softcat_sym.accuracy.resolution import Resolution
-from softcat_sym.graph.grid import Floats
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.error_control.estimate import Before, Differences, Judge, differences, with_more_fibres
+from softcat_sym.error_control.resolution import Resolution
 
 from .known import FIRST, LINEAR, Known
 

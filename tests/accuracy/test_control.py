@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from softcat_sym.accuracy.control import ROUNDS, controlled
+from softcat_sym.error_control.control import ROUNDS, controlled
 
 from .known import FIRST, Known, graded, scene_of
 

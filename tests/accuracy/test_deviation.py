@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.accuracy.deviation import Judge
-from softcat_sym.graph.grid import Floats
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.error_control.estimate import Judge
 
 PERIODS, FRAMES, ACCURACY = 200.0, 2001, 1e-2
 TIME = np.linspace(0.0, 1.0, FRAMES)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from softcat_sym import Scene, load_scene, simulate
-from softcat_sym.accuracy import refining
+from softcat_sym.error_control import control as refining
+from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.simulate import without_estimate
-from softcat_sym.trajectory import Trajectory
 
 BEAM_SAG = 1 / 32
 """Of a rectangular beam between clamps, over rho g L^4/(E h0^2): the largest by beam theory, at midspan."""
@@ -101,7 +101,7 @@ def test_a_hinge_that_necks_as_the_grid_lets_it_is_no_success() -> None:
 
 
 def test_what_cannot_be_reached_is_inaccurate(monkeypatch: pytest.MonkeyPatch) -> None:
-    from softcat_sym.accuracy import refining
+    from softcat_sym.error_control import control as refining
 
     monkeypatch.setattr(refining, "MOST_CELLS", 40)
     run = simulate(load_scene("cold-honey", HONEY | {"run.accuracy": 1e-6}))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.solve.compiled import CompiledIntegration
+from softcat_sym.solvers.compiled import CompiledIntegration
 
 SCENE = {
     "filament": {"span": "0.1 m", "thickness": "2 mm", "density": "1000 kg/m^3"},
@@ -21,7 +21,7 @@ def test_a_long_ringing_is_integrated_once_to_be_told_and_to_be_judged(
     most: int, fewest: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Companions have its output times, also where memory limits their number (``most`` values)."""
-    monkeypatch.setattr("softcat_sym.accuracy.estimating.MOST_NUMBERS", most)
+    monkeypatch.setattr("softcat_sym.error_control.control.MOST_NUMBERS", most)
     plain = CompiledIntegration.run
     begun: list[tuple[int, int]] = []
 

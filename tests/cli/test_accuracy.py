@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.native import find_compiler
+from softcat_sym.codegen.compiler import find_compiler
 from tests.cli.in_process import Softcat, sets
 
 SHORT = ("run.effects=paper", "run.duration=0.05 s", "run.frames=6")

@@ -12,7 +12,7 @@ import pytest
 
 from softcat_sym.cli.streams import plain, print_whatever_the_terminal_takes
 from softcat_sym.errors import SceneError
-from softcat_sym.scene import load_scene
+from softcat_sym.scene.reading import load_scene
 
 from .in_process import Softcat
 

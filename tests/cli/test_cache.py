@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from softcat_sym.native.cache import store
-from softcat_sym.native.texts import keep
+from softcat_sym.codegen.library import keep, store
 
 from .in_process import Softcat
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.study.card.from_flags import scene_from_flags
+from softcat_sym.studies.card import scene_from_flags
 from tests.cli.in_process import Softcat, sets
 
 FILES = {"card.html", "card.json", "card.csv", "card.png", "scene.toml"}

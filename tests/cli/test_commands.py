@@ -15,11 +15,10 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.cli.application import output_directory
-from softcat_sym.inverse import fit_flow_curve
-from softcat_sym.inverse.measurements.reading import read_measurements
-from softcat_sym.scene.keys import keys_in_markdown, scene_keys
-from softcat_sym.scene.model import known_keys
-from softcat_sym.scene.template import LAWS
+from softcat_sym.fitting.flow_curve import fit_flow_curve
+from softcat_sym.fitting.measurements import read_measurements
+from softcat_sym.scene.keys import LAWS, keys_in_markdown, scene_keys
+from softcat_sym.scene.scene import known_keys
 from tests.cli.in_process import Softcat
 
 ROOT = Path(__file__).parents[2]

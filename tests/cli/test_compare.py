@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from softcat_sym.cli import main
-from softcat_sym.report.progress import IntegrationProgress
+from softcat_sym.plotting.terminal import IntegrationProgress
 
 SHORT = (
     *("--set", "groups.duration=10", "--set", "run.frames=11"),

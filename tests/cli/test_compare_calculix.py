@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from softcat_sym.cli import main
-from softcat_sym.native import find_compiler
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference import calculix
 from softcat_sym.reference.calculix import find_calculix
-from softcat_sym.report.progress import IntegrationProgress
 
 SHORT = (
     *("--set", "groups.duration=10", "--set", "run.frames=11"),

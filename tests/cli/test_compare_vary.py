@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from softcat_sym import progress
-from softcat_sym.report.progress import IntegrationProgress
+from softcat_sym.plotting.terminal import IntegrationProgress
 from tests.cli.in_process import Softcat, sets
 
 SHORT = sets("groups.duration=10", "run.frames=11", "numerics.cells=10", "filament.width=0.1 mm")

@@ -13,8 +13,8 @@ import xarray as xr
 from PIL import Image
 
 import softcat_sym as sc
-from softcat_sym.report.run_files import write_run
-from softcat_sym.trajectory.stored_run import open_run
+from softcat_sym.plotting.run_files import write_run
+from softcat_sym.results.files import open_run
 from tests.cli.in_process import Softcat
 
 QUICK = ("numerics.cells=10", "run.frames=21", "numerics.estimate=false")

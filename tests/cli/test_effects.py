@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY
-from softcat_sym.study.pricing import EVERYTHING
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.studies.pricing import EVERYTHING
 from tests.cli.in_process import Softcat, sets
 
 NAMES = [effect.name for effect in REGISTRY]
@@ -173,7 +173,7 @@ def test_interrupted_before_anything_is_finished_nothing_is_written(
     def interrupted(*_: object) -> None:
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr("softcat_sym.study.base_run.simulated", interrupted)
+    monkeypatch.setattr("softcat_sym.studies.pricing.simulated", interrupted)
     output = tmp_path / "out"
     done = softcat("effects", "cold-honey", "-o", str(output), *sets(*BARE))
     assert (done.status, done.out) == (130, "")

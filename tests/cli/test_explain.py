@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY
+from softcat_sym.effects.registry import REGISTRY
 from tests.cli.in_process import Softcat, sets
 
 FILES = {"explain.json", "equations.tex", "scene.toml"}
@@ -92,7 +92,7 @@ def test_the_written_scene_is_explained_alike(softcat: Softcat, tmp_path: Path) 
 
 def test_nothing_is_integrated(softcat: Softcat, monkeypatch: pytest.MonkeyPatch) -> None:
     """A scene that takes minutes to run, or ends in rupture, is explained at once."""
-    from softcat_sym.solve import Prepared
+    from softcat_sym.solvers.run import Prepared
 
     monkeypatch.delattr(Prepared, "solve")
     done = softcat("explain", "edge-of-rupture", *sets("numerics.cells=5", "run.duration=1000 s"))

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from softcat_sym.reference import Mesh
-from softcat_sym.study import figure_scenes
-from softcat_sym.study.figure_scenes import INSTANTS, SCENES, SNAPSHOTS
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.studies import paper_figures as figure_scenes
+from softcat_sym.studies.paper_figures import INSTANTS, SCENES, SNAPSHOTS
 
 from .in_process import Softcat
 
@@ -103,7 +103,7 @@ def test_figures_3b_and_4_share_their_runs_and_keep_their_data(
 def test_interrupted_figures_say_how_to_go_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from softcat_sym.report import progress
+    from softcat_sym.plotting import terminal as progress
 
     def stop(self: object, simulated_time: float, step_size: float | None) -> None:
         import signal

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse import filament_fit
+from softcat_sym.fitting import fit as filament_fit
 from tests.cli.in_process import Softcat, sets
 from tests.inverse.filmed import CHEAP, TRUTH, write_film
 

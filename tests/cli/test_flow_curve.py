@@ -17,9 +17,9 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym.cli import main
-from softcat_sym.inverse import FlowCurve, FlowCurveFit, fit_flow_curve
-from softcat_sym.report import style
-from softcat_sym.report.flow_curve import flow_curve_document, flow_curve_figure, print_flow_curve
+from softcat_sym.fitting.flow_curve import FlowCurve, FlowCurveFit, fit_flow_curve
+from softcat_sym.plotting import style
+from softcat_sym.plotting.flow_curve import flow_curve_document, flow_curve_figure, print_flow_curve
 from tests.inverse.curves import RATE, curve_of, write_csv
 
 FILES = {"flow_curve.json", "flow_curve.csv", "flow_curve.png"}

@@ -39,7 +39,7 @@ def test_prices_that_are_there_are_not_asked_again(
     softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("softcat_sym.scene.bundled_names", lambda: NAMES)
-    from softcat_sym.study import bundled_pricing
+    from softcat_sym.studies import pricing as bundled_pricing
 
     command = ("effects", "--bundled", "-q", "-o", str(tmp_path), *BARE)
     # Priced once in earnest; the others are that, under another name.
@@ -77,7 +77,7 @@ def test_prices_that_are_there_are_not_asked_again(
 def test_interrupted_products_are_none_at_all(
     softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from softcat_sym import products
+    from softcat_sym import generation as products
 
     export, turns = products.export, []
 
@@ -96,7 +96,7 @@ def test_interrupted_products_are_none_at_all(
 def test_a_product_that_cannot_be_written_leaves_the_others_as_they_were(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from softcat_sym import products
+    from softcat_sym import generation as products
 
     monkeypatch.setattr(products, "bundled", lambda told: {})
     monkeypatch.setattr(products, "contents", lambda described: {"a/one": "new", "b/two": "new"})
@@ -130,7 +130,7 @@ def test_runs_of_figure_3a_are_kept(softcat: Softcat, tmp_path: Path, monkeypatc
         kept.keep(len(seen), json.dumps({"finished": len(seen)}).encode())
         return stop()
 
-    monkeypatch.setattr("softcat_sym.study.phase_diagram.phase_diagram", study)
+    monkeypatch.setattr("softcat_sym.studies.phase.phase_diagram", study)
     for _ in range(2):
         done = softcat("figures", "--only", "3a", "-q", "-o", str(tmp_path))
         assert done.status == 130

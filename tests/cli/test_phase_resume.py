@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from softcat_sym.study import phase_runs
+from softcat_sym.studies import phase_runs
 from tests.cli.in_process import Softcat, sets
 
 QUICK = ["--plane", "G-V", "--resolution", "4", "--workers", "1", *sets("numerics.cells=6", "run.frames=21")]

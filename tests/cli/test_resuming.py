@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from softcat_sym import single_run
-from softcat_sym.inverse.forward.model import ForwardModel
+from softcat_sym.fitting.forward_model import ForwardModel
 from tests.cli.in_process import Softcat, sets
 from tests.inverse.filmed import CHEAP, write_film
 

@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.study.sweep import work
+from softcat_sym.studies import sweep as work
 from tests.cli.in_process import Softcat, sets
 
 QUICK = sets("run.effects=paper", "numerics.cells=6", "run.frames=21")
@@ -159,7 +159,7 @@ def test_nothing_is_written_if_it_is_stopped_before_a_block_is_finished(
     def stopped(*_: object) -> None:
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr("softcat_sym.study.blocks.embedded.Embedded.run", stopped)
+    monkeypatch.setattr("softcat_sym.ensemble.executor.Embedded.run", stopped)
     output = tmp_path / "out"
     done = softcat("sweep", "arrested-overdamped", "-o", str(output), *varied("groups.G=0.3,0.4"), *QUICK)
     assert (done.status, done.out) == (130, "")

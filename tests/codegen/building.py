@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 
 import softcat_sym as sc
+from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import runtime_files
-from softcat_sym.effects import choose_effects
-from softcat_sym.graph.grid import Floats
-from softcat_sym.native import find_compiler
-from softcat_sym.scene import Scene
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.scene.scene import Scene
 from softcat_sym.single_run import build
-from softcat_sym.solve import Silence
+from softcat_sym.solvers.solution import Silence
 
 PROGRAMS = Path(__file__).parent / "programs"
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic")

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from softcat_sym.graph.grid import Floats
-from softcat_sym.native import OPTIMISED, compile_library, load
+from softcat_sym.codegen.library import OPTIMISED, compile_library, load
+from softcat_sym.discretization.grid import Floats
 
 from . import rosenbrock_library as runtime
 

@@ -8,18 +8,16 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from softcat_sym.codegen.model_text import Model
-from softcat_sym.codegen.sites import Sites, places_of, sites_of
-from softcat_sym.codegen.structure import model_for, structure_of
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import Graph, assemble
-from softcat_sym.graph.choosing import choose_body, choose_grid, choose_theory
-from softcat_sym.graph.grid import Floats
-from softcat_sym.graph.parameters import parameter_values
-from softcat_sym.scene import Scene
-from softcat_sym.solve.starting import Start, starting_state
+from softcat_sym.codegen.loops import Sites, places_of, sites_of
+from softcat_sym.codegen.model import Model, model_for, structure_of
+from softcat_sym.discretization.assembly import assemble, choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.graph import Graph, parameter_values
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.initial_state import Start, starting_state
 
 from .c_values import CModel, Values
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import softcat_sym.codegen
-from softcat_sym.native import compile_library, load
+from softcat_sym.codegen.library import compile_library, load
 
 RUNTIME = Path(softcat_sym.codegen.__file__).parent / "runtime"
 PROBLEMS = Path(__file__).parent / "problems"

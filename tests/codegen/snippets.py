@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.codegen.c_printer import Target, When, helpers_of, statements
-from softcat_sym.codegen.instructions import Code, code_of
-from softcat_sym.native import compile_library, load
+from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.codegen.recording import Code, code_of
 
 STRICT = ("-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wno-unused-function")
 Floats = npt.NDArray[np.float64]

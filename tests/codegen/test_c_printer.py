@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.codegen.c_printer import Target, When, number, statements
-from softcat_sym.codegen.instructions import Code, Instruction, code_of
+from softcat_sym.codegen.recording import Code, Instruction, code_of
 from softcat_sym.errors import PrintingError
 
 from .snippets import compiled, evaluated, text_of, values

@@ -6,10 +6,9 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.codegen.derivatives import Chain
-from softcat_sym.codegen.leaves import STAGED, UNKNOWN, Leaf
-from softcat_sym.codegen.model_text import template_of
-from softcat_sym.codegen.stencil import loops_of
+from softcat_sym.codegen.loops import Chain, loops_of
+from softcat_sym.codegen.model import template_of
+from softcat_sym.codegen.recording import STAGED, UNKNOWN, Leaf
 
 from .c_values import CModel
 from .tiny import NODES, ON_CELLS, Tiny, item, recording, written_out

@@ -10,16 +10,16 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.codegen.c_source import CSource
-from softcat_sym.codegen.general import Dynamics, rhs_source, solver_source
-from softcat_sym.codegen.rolling import rolled
-from softcat_sym.graph import Graph
-from softcat_sym.graph.grid import Floats
+from softcat_sym.codegen.c_printer import CSource
+from softcat_sym.codegen.export import Dynamics, rhs_source, solver_source
+from softcat_sym.codegen.loops import rolled
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
 
 from ..solve.filaments import graph_of, scene_of, without
 
 TEXT = """
-from softcat_sym.codegen.general import rhs_source, solver_source
+from softcat_sym.codegen.export import rhs_source, solver_source
 from tests.solve.filaments import graph_of, scene_of
 graph = graph_of(scene_of("elastic"))
 print(rhs_source(graph).digest, solver_source(graph, 3, {"reltol": 1e-4}).digest)

@@ -17,7 +17,7 @@ OWN = {"filament.c", "filament.h", "manifest.json", "main.c", "Makefile", "CMake
 OWN |= {"parameters.txt", "scene.toml"}
 TEXT = """
 import hashlib
-from softcat_sym.generating import contents_of
+from softcat_sym.generation import contents_of
 from softcat_sym.scene import load_scene
 for name in ("no-yield", "slime-slope"):
     files = contents_of(load_scene(name), "filament", rhs=name == "no-yield")

@@ -11,16 +11,16 @@ from pathlib import Path
 import pytest
 
 import softcat_sym as sc
-from softcat_sym import products
+from softcat_sym import generation as products
+from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.export import model_files, runtime_files
-from softcat_sym.generating import export
-from softcat_sym.native import find_compiler
+from softcat_sym.generation import export
 
 from .building import SANITIZED
 
 ROOT = Path(__file__).parent.parent.parent / "generated"
 FOLDERS = sorted(path.parent.name for path in ROOT.glob("*/manifest.json"))
-HELP = f"run `{products.COMMAND}` or pytest tests/codegen/test_generated_folder.py --update"
+HELP = f"run `{products.PRODUCTS_COMMAND}` or pytest tests/codegen/test_generated_folder.py --update"
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -43,7 +43,7 @@ def test_the_runtime_is_the_one_of_the_package() -> None:
     "folder", [pytest.param(f, marks=() if f == "rubber-strand" else pytest.mark.slow) for f in FOLDERS]
 )
 def test_a_product_is_what_is_generated_today(folder: str) -> None:
-    files = model_files(export(sc.load_scene(folder)).description, products.NAME, products.COMMAND)
+    files = model_files(export(sc.load_scene(folder)).description, products.NAME, products.PRODUCTS_COMMAND)
     for name, text in files.items():
         assert (ROOT / folder / name).read_text(encoding="utf-8") == text, HELP
 
@@ -64,7 +64,7 @@ def test_the_products_are_small_and_say_that_they_are_not_to_be_edited() -> None
     for folder in FOLDERS:
         for name in ("filament.c", "filament.h", "manifest.json"):
             head = (ROOT / folder / name).read_text(encoding="utf-8")[:400].lower()
-            assert "do not edit" in head and products.COMMAND in head
+            assert "do not edit" in head and products.PRODUCTS_COMMAND in head
 
 
 @pytest.mark.slow

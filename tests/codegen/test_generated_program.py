@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects.choosing import choose_effects
 
 from .building import PROGRAMS, SANITIZED, STRICT, TIGHT, Program, Workshop, compiled, interpreted
 

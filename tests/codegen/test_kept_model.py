@@ -12,22 +12,21 @@ from typing import Any
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.codegen import kept_model, structure
-from softcat_sym.codegen.kept_model import template_kept
-from softcat_sym.codegen.model_text import template_of
+from softcat_sym.codegen import model as kept_model
+from softcat_sym.codegen import model as structure
+from softcat_sym.codegen.library import kept_texts
+from softcat_sym.codegen.model import Structure, _template, model_for, template_kept, template_of
 from softcat_sym.codegen.recording import record
-from softcat_sym.codegen.structure import Structure, _template, model_for
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.law import Branch, Flow
-from softcat_sym.equations.symbols import sigma
-from softcat_sym.native import kept_texts
-from softcat_sym.solve.assembled import assembled
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.laws import Branch, Flow
+from softcat_sym.physics.symbols import sigma
+from softcat_sym.solvers.run import assembled
 
 NAMES = "arrested-overdamped", "bread-dough"
 KEYS = f"""
 import softcat_sym as sc
 from softcat_sym.effects import choose_effects
-from softcat_sym.solve.assembled import assembled
+from softcat_sym.solvers.run import assembled
 for name in {NAMES}:
     scene = sc.load_scene(name)
     print(assembled(scene, choose_effects(scene)).structure().key)
@@ -102,7 +101,7 @@ def test_another_number_of_fibres_is_another_library_of_the_same_template() -> N
 
 
 def test_the_program_is_known_by_its_whole_code() -> None:
-    names = {path.name for path in kept_model._files(kept_model.resources.files("softcat_sym.equations"))}
+    names = {path.name for path in kept_model._files(kept_model.resources.files("softcat_sym.physics"))}
     assert {"filament.py", "maxwell.py"} <= names, "folders within folders, too"
 
 

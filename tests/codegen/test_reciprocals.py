@@ -6,9 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.codegen.instructions import Code, code_of
-from softcat_sym.codegen.leaves import PARAMETER, PLACE, UNKNOWN, Leaf
-from softcat_sym.codegen.reciprocals import PER, with_reciprocals
+from softcat_sym.codegen.recording import PARAMETER, PER, PLACE, UNKNOWN, Code, Leaf, code_of, with_reciprocals
 
 from .snippets import text_of, values
 

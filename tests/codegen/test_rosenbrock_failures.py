@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from softcat_sym.native import find_compiler
+from softcat_sym.codegen.compiler import find_compiler
 from tests.codegen import rosenbrock_library as rosenbrock
 from tests.codegen.rosenbrock_library import PROBLEMS, RUNTIME, Settings, consistent, integrate, problem
 

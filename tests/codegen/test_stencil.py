@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from softcat_sym.codegen.loops import Where, loops_of, needed
 from softcat_sym.codegen.recording import CELLS
-from softcat_sym.codegen.stencil import Where, loops_of, needed
 from softcat_sym.errors import PrintingError
 
 from .tiny import NODES, ON_CELLS, Tiny, item, recording

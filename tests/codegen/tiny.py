@@ -6,8 +6,19 @@ from collections.abc import Callable, Sequence
 
 import casadi as ca
 
-from softcat_sym.codegen.leaves import PARAMETER, PLACE, STAGED, TIME, UNKNOWN, Leaf, Leaves
-from softcat_sym.codegen.recording import CELLS, Item, Recording, Slot
+from softcat_sym.codegen.recording import (
+    CELLS,
+    PARAMETER,
+    PLACE,
+    STAGED,
+    TIME,
+    UNKNOWN,
+    Item,
+    Leaf,
+    Leaves,
+    Recording,
+    Slot,
+)
 
 NODES, ON_CELLS = range(CELLS + 1), range(CELLS)
 PARAMETERS, PLACES = ("p",), ("cell", "per_cell")

@@ -9,17 +9,18 @@ import sympy as sp
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from softcat_sym.equations import asymptotics as asy
-from softcat_sym.equations.asymptotics import B, R, alpha, phi, phi_t, phi_tt, t_high, t_star, tau_star
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.equation import Equation
+from softcat_sym.physics import closed_forms as asy
+from softcat_sym.physics.closed_forms import phi, phi_t, phi_tt
+from softcat_sym.physics.equation import Equation, check
+from softcat_sym.physics.regimes import tau_star
+from softcat_sym.physics.rheometry import B, R, alpha, t_high, t_star
 
 Floats = npt.NDArray[np.float64]
 LOAD = 3.3e-5
 PAPER = {B: LOAD, alpha: asy.TOLERANCE}
 
 
-@pytest.mark.parametrize("equation", asy.EQUATIONS, ids=lambda e: e.name)
+@pytest.mark.parametrize("equation", asy.ASYMPTOTICS_EQUATIONS, ids=lambda e: e.name)
 def test_every_term_has_one_dimension(equation: Equation) -> None:
     check(equation)
 

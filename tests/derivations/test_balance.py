@@ -9,9 +9,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from softcat_sym.equations import balance, kinematics, loading, motion
-from softcat_sym.equations.dimensions import DimensionError, check
-from softcat_sym.equations.symbols import A0, M_X, Q, X, g, rho, s, t, x_X, x_X_before, y_X, y_X_before
+from softcat_sym.physics import kinematics
+from softcat_sym.physics import kinematics as balance
+from softcat_sym.physics import kinematics as motion
+from softcat_sym.physics import loads as loading
+from softcat_sym.physics.equation import DimensionError, check
+from softcat_sym.physics.symbols import A0, M_X, Q, X, g, rho, s, t, x_X, x_X_before, y_X, y_X_before
 
 MODULES = (motion, kinematics, balance, loading)
 LAMBDA_0 = rho * A0

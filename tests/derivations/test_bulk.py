@@ -10,11 +10,10 @@ import sympy as sp
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from softcat_sym.equations import bulk
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.laws.bingham import bingham_rate
-from softcat_sym.equations.laws.maxwell import maxwell_rate
-from softcat_sym.equations.symbols import E, eta, sigma_Y
+from softcat_sym.physics import bulk
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.laws import bingham_rate, maxwell_rate
+from softcat_sym.physics.symbols import E, eta, sigma_Y
 
 MODULUS, POISSON, YIELD, VISCOSITY = 1.0, 0.45, 0.02, 0.5
 CONSTANTS = {E: MODULUS, bulk.nu: POISSON, sigma_Y: YIELD, eta: VISCOSITY}
@@ -146,6 +145,6 @@ def test_plane_stress_is_the_general_law_with_a_free_width() -> None:
     assert STRESS(*six(strain))[2, 2] == pytest.approx(0, abs=1e-16)
 
 
-@pytest.mark.parametrize("equation", bulk.EQUATIONS, ids=lambda e: e.name)
+@pytest.mark.parametrize("equation", bulk.BULK_EQUATIONS, ids=lambda e: e.name)
 def test_dimensions(equation: bulk.Equation) -> None:
     assert check(equation) is not None

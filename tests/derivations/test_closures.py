@@ -12,11 +12,15 @@ import sympy as sp
 from scipy import special
 from scipy.integrate import quad, solve_ivp
 
-from softcat_sym.equations import closure, energy, paper_section, rheology, section
-from softcat_sym.equations import through_thickness as layers
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.section import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
-from softcat_sym.equations.symbols import A0, E, M, T, c, eta, h0, s, sigma_Y, theta_X, zeta
+from softcat_sym.physics import closures as closure
+from softcat_sym.physics import closures as layers
+from softcat_sym.physics import closures as paper_section
+from softcat_sym.physics import energy
+from softcat_sym.physics import laws as rheology
+from softcat_sym.physics import sections as section
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
+from softcat_sym.physics.symbols import A0, E, M, T, c, eta, h0, s, sigma_Y, theta_X, zeta
 
 MODULES = (section, rheology, closure, layers, paper_section, energy)
 SHAPES = [(RECTANGLE, UNIFORM), (SHEET, WIDE), (CIRCLE, UNIFORM)]
@@ -214,6 +218,6 @@ def test_the_appendix_in_a_thickness_that_does_not_change(order: int) -> None:
 
 
 def test_the_solver_and_the_layers_hold_the_same_axial_force() -> None:
-    held = {e.name: e.right for e in closure.EQUATIONS}
+    held = {e.name: e.right for e in closure.CLOSURE_EQUATIONS}
     assert sp.simplify(layers.conjugate_force(UNIFORM) - held["axial force, material closure"]) == 0
     assert sp.simplify(layers.conjugate_force(WIDE) - held["axial force of a sheet, material closure"]) == 0

@@ -8,11 +8,10 @@ import sympy as sp
 from scipy.integrate import dblquad
 from scipy.special import iv, ivp
 
-from softcat_sym.equations import necking
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.laws.bingham import bingham_rate
-from softcat_sym.equations.laws.maxwell import maxwell_rate
-from softcat_sym.equations.symbols import T, eta, h0, s, sigma, sigma_Y
+from softcat_sym.physics import necking
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.laws import bingham_rate, maxwell_rate
+from softcat_sym.physics.symbols import T, eta, h0, s, sigma, sigma_Y
 
 STRETCH, STRESS, VISCOSITY, THICKNESS = 1.3, 0.7, 2.0, 0.4
 VALUES = {s: STRETCH, sigma: STRESS, eta: VISCOSITY, h0: THICKNESS, necking.aspect: 2.0, sigma_Y: 0.1}

@@ -11,13 +11,14 @@ import sympy as sp
 from scipy.integrate import quad, solve_bvp
 from scipy.optimize import brentq, linprog, minimize_scalar
 
-from softcat_sym.effects import prediction
+from softcat_sym.effects import scaling_estimates as prediction
 from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.equations import dimensions, regimes
-from softcat_sym.equations.regimes import BEAMS, CLAMPED, PINNED, G, H, H_stop, delta, k_on, psi_T, u_L
-from softcat_sym.equations.section import CIRCLE, RECTANGLE
-from softcat_sym.equations.symbols import L
-from softcat_sym.scene import load_scene
+from softcat_sym.physics import equation as dimensions
+from softcat_sym.physics import regimes
+from softcat_sym.physics.regimes import BEAMS, CLAMPED, PINNED, G, H, H_stop, delta, k_on, psi_T, u_L
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE
+from softcat_sym.physics.symbols import L
+from softcat_sym.scene.reading import load_scene
 
 SECTIONS = [RECTANGLE, CIRCLE]
 MODULUS_OVER_WEIGHT = 4e6 / (1900 * 9.81 * 0.2)

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from softcat_sym.equations import bulk, reissner
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.laws.bingham import bingham_rate
-from softcat_sym.equations.reissner import Gam, Lam, S, k
-from softcat_sym.equations.section import UNIFORM, WIDE, Contraction
-from softcat_sym.equations.symbols import A0, E, M, T, eta, h0, sigma, sigma_Y, x_X, y_X, zeta
+from softcat_sym.physics import bulk, reissner
+from softcat_sym.physics.equation import check
+from softcat_sym.physics.laws import bingham_rate
+from softcat_sym.physics.reissner import Gam, Lam, S, k
+from softcat_sym.physics.sections import UNIFORM, WIDE, Contraction
+from softcat_sym.physics.symbols import A0, E, M, T, eta, h0, sigma, sigma_Y, x_X, y_X, zeta
 
 CONSTANTS = {E: 3.0, bulk.nu: 0.45, A0: 1.7, h0: 0.3, reissner.kappa_s: 0.8, sigma_Y: 0.1, eta: 2.0}
 STATE = (1.25, 0.07, 0.4)
@@ -43,7 +43,7 @@ def stored(cell: reissner.ShearingCell, state: tuple[float, ...]) -> float:
 
 @CONTRACTIONS
 def test_conjugate_forces_are_the_slopes_of_the_energy(contraction: Contraction) -> None:
-    cell = reissner.cell(contraction)
+    cell = reissner.shearing_cell(contraction)
     axial, shear = fibre_stresses(cell, STATE)
     means = (WEIGHTS @ axial, WEIGHTS @ (axial * NODES), WEIGHTS @ shear)
     symbols = [reissner.sigma_mean, reissner.sigma_zeta, reissner.tau_mean, Lam]
@@ -55,7 +55,7 @@ def test_conjugate_forces_are_the_slopes_of_the_energy(contraction: Contraction)
 
 
 def test_a_rigid_rotation_changes_no_strain_and_turns_the_force() -> None:
-    cell = reissner.cell()
+    cell = reissner.shearing_cell()
     strains = compiled([x_X, y_X, reissner.psi], reissner.director_strains())
     force = compiled([reissner.n_1, reissner.n_2, reissner.psi], cell.force)
     gradient, turn = np.array([1.1, 0.3]), 0.9
@@ -66,7 +66,7 @@ def test_a_rigid_rotation_changes_no_strain_and_turns_the_force() -> None:
 
 def test_forces_turn_a_section_by_their_moment_about_it() -> None:
     """Lam n_2 - Gam n_1 is r_X cross F, so that moment of momentum is conserved whatever the law."""
-    cell = reissner.cell()
+    cell = reissner.shearing_cell()
     gradient, angle, force = np.array([1.1, 0.3]), 0.2, (2.0, -0.7)
     stretch, shear = compiled([x_X, y_X, reissner.psi], reissner.director_strains())(*gradient, angle)
     pull = compiled([reissner.n_1, reissner.n_2, reissner.psi], cell.force)(*force, angle)
@@ -90,7 +90,7 @@ def test_a_fibre_flows_as_the_solid_does(axial: float, shear: float) -> None:
 
 def test_a_stiff_shear_leaves_the_force_of_the_thin_filament() -> None:
     """n_1 tends to T + 3/2 M theta_s as Gam falls with the shear modulus."""
-    cell = reissner.cell()
+    cell = reissner.shearing_cell()
     values = {T: 1.0, M: 0.02, S: 0.3, Lam: 1.2, k: 0.4}
     limit = 1.0 + 1.5 * 0.02 * 0.4 / 1.2
     for stiffness in (1e2, 1e4, 1e6):

@@ -10,11 +10,10 @@ import pytest
 import sympy as sp
 from scipy.integrate import quad, solve_bvp, solve_ivp
 
-from softcat_sym.equations import small_deflection as sd
-from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.dimensions import check
-from softcat_sym.equations.equation import Equation
-from softcat_sym.equations.section import CIRCLE, RECTANGLE
+from softcat_sym.physics import small_deflection as sd
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.equation import Equation, check
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 
 Floats = npt.NDArray[np.float64]
 

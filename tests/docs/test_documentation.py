@@ -66,7 +66,7 @@ def test_every_public_name_has_its_place_in_the_api(pages: Path) -> None:
 def test_every_command_has_its_help(pages: Path) -> None:
     import typer.main
 
-    from softcat_sym.cli import app
+    from softcat_sym.cli.application import app
 
     text = html.unescape(re.sub(r"<[^>]+>", "", (pages / "commands.html").read_text(encoding="utf-8")))
     names = list(typer.main.get_command(app).commands)  # type: ignore[attr-defined]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 from typing import Any
 
-from softcat_sym.scene import Scene
+from softcat_sym.scene.scene import Scene
 
 _FILAMENT = {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"}
 _MATERIALS: dict[str, dict[str, Any]] = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError
 
 from .scenes import scene_of

@@ -10,9 +10,9 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
-from softcat_sym.effects.plastic_overshoot import damping, hinge_pace, overshoot, rebound
+from softcat_sym.effects.forecast import damping, hinge_pace, overshoot, rebound
 from softcat_sym.effects.theory_limits import theory_limits
 
 PAPER = "arrested-overdamped"

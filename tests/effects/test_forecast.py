@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from softcat_sym.effects.forecast import forecast
-from softcat_sym.effects.missed_inertia import missed_inertia
+from softcat_sym.effects.forecast import forecast, missed_inertia
+from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.effects.quasi_static import cable_sag, quasi_static_history, smooth_step, start_sag
-from softcat_sym.effects.ringing import ringing
-from softcat_sym.scene import load_scene
+from softcat_sym.scene.reading import load_scene
 
 from .scenes import scene_of
 

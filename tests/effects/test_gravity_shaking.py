@@ -7,17 +7,17 @@ from collections.abc import Callable
 
 import pytest
 
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import expected_regime
-from softcat_sym.effects.forecast import forecast
-from softcat_sym.effects.resonance import shaken_share, steady_gain
-from softcat_sym.effects.ringing import ringing
+from softcat_sym.effects.forecast import forecast, shaken_share, steady_gain
+from softcat_sym.effects.free_vibration import ringing
 from softcat_sym.errors import SceneError
-from softcat_sym.reference.calculix_deck import calculix_deck
-from softcat_sym.reference.problem import problem_of
-from softcat_sym.scene import Scene, load_scene
-from softcat_sym.study.card.rules import unusual
-from softcat_sym.study.phase_plane import refuse_scene
+from softcat_sym.reference.calculix import calculix_deck
+from softcat_sym.reference.element_loop import problem_of
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
+from softcat_sym.studies.card_rules import unusual
+from softcat_sym.studies.phase_runs import refuse_scene
 
 from .scenes import scene_of
 

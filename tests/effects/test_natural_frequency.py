@@ -7,14 +7,14 @@ import math
 import numpy as np
 import pytest
 
-from softcat_sym.effects.natural_frequency import (
+from softcat_sym.effects.free_vibration import (
     damping_note,
     first_vibration,
     solid_decay,
     solid_retardation,
     solid_viscosity,
 )
-from softcat_sym.scene import Scene
+from softcat_sym.scene.scene import Scene
 
 # Roots of the frequency equations (Rayleigh 1877, sections 172 to 177).
 BETA = {

@@ -6,9 +6,10 @@ import math
 
 import pytest
 
-from softcat_sym.effects import REGISTRY
 from softcat_sym.effects.forecast import expected_sag, expected_strain, forecast
-from softcat_sym.effects.prediction import (
+from softcat_sym.effects.quasi_static import flow_sag
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.effects.scaling_estimates import (
     bending_stiffness,
     duration_star,
     elastic_sag,
@@ -16,8 +17,9 @@ from softcat_sym.effects.prediction import (
     smaller_of,
     weight_stress,
 )
-from softcat_sym.effects.quasi_static import flow_sag
-from softcat_sym.scene import Scene, bundled_names, load_scene
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 from .scenes import scene_of
 

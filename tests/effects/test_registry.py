@@ -10,17 +10,21 @@ from typing import Any
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY, choose_effects
+from softcat_sym.discretization.assembly import assemble
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import End, half_span
+from softcat_sym.discretization.kirchhoff import KIRCHHOFF
+from softcat_sym.discretization.reissner import reissner
+from softcat_sym.discretization.section_rule import fibre_rule
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
-from softcat_sym.equations.filament import Terms, derive
-from softcat_sym.equations.laws import law_of
-from softcat_sym.equations.section import SECTIONS
+from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
-from softcat_sym.graph import End, Graph, assemble, half_span
-from softcat_sym.graph.kirchhoff import KIRCHHOFF
-from softcat_sym.graph.reissner import reissner
-from softcat_sym.graph.section_rule import fibre_rule
-from softcat_sym.scene import bundled_names, load_scene
+from softcat_sym.physics.filament import Terms, derive
+from softcat_sym.physics.laws import law_of
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import load_scene
 
 from .scenes import scene_of
 

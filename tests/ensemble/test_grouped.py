@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.grouped import constants_of
-from softcat_sym.ensemble.table import Row
+from softcat_sym.ensemble.table import Row, constants_of
 from softcat_sym.errors import SceneError
 
 CASES: tuple[Row, ...] = (
@@ -25,7 +24,7 @@ def test_as_the_scene_file_would(name: str, row: Row) -> None:
 
 
 def test_each_group_comes_out_as_it_was_asked() -> None:
-    from softcat_sym.scene import groups_of
+    from softcat_sym.scene.scene import groups_of
 
     scene = sc.load_scene("arrested-overdamped")
     asked: Row = {"groups.E_star": 900.0, "groups.eps_Y": 0.004, "groups.tau": 0.02}

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.members import Choosing, members_of
-from softcat_sym.ensemble.table import Row, rows_of
+from softcat_sym.ensemble.table import Choosing, Row, members_of, rows_of
 from softcat_sym.errors import SceneError
 
 SCENE = sc.load_scene("arrested-overdamped", {"run.effects": "paper"})

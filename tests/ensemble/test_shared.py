@@ -5,14 +5,13 @@ from __future__ import annotations
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.members import members_of
-from softcat_sym.ensemble.shared import Workshop, tolerances
-from softcat_sym.equations.filament import FilamentEquations
-from softcat_sym.graph import Graph, assemble
-from softcat_sym.graph.body import Body
-from softcat_sym.graph.discretisation import Discretisation
-from softcat_sym.graph.grid import Grid
-from softcat_sym.solve import settings_for
+from softcat_sym.discretization.assembly import Body, assemble
+from softcat_sym.discretization.graph import Discretisation, Graph
+from softcat_sym.discretization.grid import Grid
+from softcat_sym.ensemble.ensemble import Workshop, tolerances
+from softcat_sym.ensemble.table import members_of
+from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.solvers.settings import settings_for
 
 
 @pytest.mark.parametrize("name", sc.bundled_names())
@@ -31,7 +30,7 @@ def test_equations_are_assembled_once_for_each_structure_and_grid(monkeypatch: p
         made.append(grid.cells)
         return assemble(equations, grid, effects, theory, body)
 
-    monkeypatch.setattr("softcat_sym.solve.assembled.assemble", counted)
+    monkeypatch.setattr("softcat_sym.solvers.run.assemble", counted)
     scene = sc.load_scene("arrested-overdamped", {"run.effects": "paper", "numerics.cells": 6})
     workshop = Workshop()
     for member in members_of(scene, [{"filament.span": 0.2 + 0.01 * number} for number in range(5)], "once"):

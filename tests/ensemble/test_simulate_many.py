@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble import Ensemble, MembersBar
+from softcat_sym.ensemble.ensemble import Ensemble, MembersBar
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.solve import compiled
-from softcat_sym.solve.c_model import CModel
+from softcat_sym.solvers import compiled
+from softcat_sym.solvers.compiled import CModel
 
 SHORT = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 11}
 SCENE = sc.load_scene("arrested-overdamped", SHORT)

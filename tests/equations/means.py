@@ -11,9 +11,9 @@ from itertools import pairwise
 import numpy as np
 import sympy as sp
 
-from softcat_sym.equations.laws.bingham import bingham_means
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.equations.symbols import E, eta, sigma_0, sigma_1, sigma_Y
+from softcat_sym.physics.laws import bingham_means
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.symbols import E, eta, sigma_0, sigma_1, sigma_Y
 
 MODULUS, VISCOSITY, YIELD = 4e6, 13.84e3, 9.32e3
 

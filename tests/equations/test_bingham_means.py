@@ -8,10 +8,9 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from softcat_sym.equations.laws.bingham import bingham_means, bingham_rate
-from softcat_sym.equations.laws.maxwell import maxwell_means, maxwell_rate
-from softcat_sym.equations.section import RECTANGLE, SECTIONS
-from softcat_sym.equations.symbols import E, eta, sigma, sigma_0, sigma_1, sigma_Y, zeta
+from softcat_sym.physics.laws import bingham_means, bingham_rate, maxwell_means, maxwell_rate
+from softcat_sym.physics.sections import RECTANGLE, SECTIONS
+from softcat_sym.physics.symbols import E, eta, sigma, sigma_0, sigma_1, sigma_Y, zeta
 
 from .means import MODULUS, VISCOSITY, YIELD, Means, closed_form, flow_rule, paper, quadrature, sign_cases
 

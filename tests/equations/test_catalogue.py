@@ -6,10 +6,8 @@ import pytest
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from softcat_sym.equations.catalogue import all_equations
-from softcat_sym.equations.dimensions import DimensionError, check, dimension
-from softcat_sym.equations.equation import Equation
-from softcat_sym.equations.symbols import E, eta, field_entry, fields, s, sigma, sigma_Y, table
+from softcat_sym.physics.equation import DimensionError, Equation, all_equations, check, dimension
+from softcat_sym.physics.symbols import E, eta, field_entry, fields, s, sigma, sigma_Y, table
 
 CATALOGUE = all_equations()
 EVERY = [(module, equation) for module, equations in CATALOGUE.items() for equation in equations]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.bulk import nu
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.equations.symbols import A0, E, M, T, a_0, a_1, c, eta, h0, s, sigma_0, sigma_1, theta_X
+from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.symbols import A0, E, M, T, a_0, a_1, c, eta, h0, s, sigma_0, sigma_1, theta_X
 
 from .variants import filament
 

@@ -5,16 +5,14 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.balance import mass_per_length
-from softcat_sym.equations.dimensions import PURE as NONE
-from softcat_sym.equations.dimensions import DimensionError as MismatchError
-from softcat_sym.equations.dimensions import dimension
-from softcat_sym.equations.laws.bingham import bingham_rate
-from softcat_sym.equations.laws.maxwell import maxwell_rate
-from softcat_sym.equations.loading import ramp_rate, ramped_gravity, shaking, shaking_rate
-from softcat_sym.equations.rheology import elastic_stress
-from softcat_sym.equations.section import SECTIONS
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.equation import PURE as NONE
+from softcat_sym.physics.equation import DimensionError as MismatchError
+from softcat_sym.physics.equation import dimension
+from softcat_sym.physics.kinematics import mass_per_length
+from softcat_sym.physics.laws import bingham_rate, elastic_stress, maxwell_rate
+from softcat_sym.physics.loads import ramp_rate, ramped_gravity, shaking, shaking_rate
+from softcat_sym.physics.sections import SECTIONS
 
 from .variants import all_filaments, expressions
 

@@ -8,16 +8,14 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.filament import Terms, derive
-from softcat_sym.equations.in_force import equations_in_force
-from softcat_sym.equations.in_force_section import plain_rate
-from softcat_sym.equations.kinematics import LARGE_ROTATION, TRUE_STRAIN
-from softcat_sym.equations.laws import FIXED, law_of
-from softcat_sym.equations.laws.power_law import K, n
-from softcat_sym.equations.loading import ramp_rate, ramped_gravity, shaking, shaking_rate
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.equations.symbols import E, sigma, sigma_Y, table
-from softcat_sym.equations.written import Stated
+from softcat_sym.physics.equation import Stated
+from softcat_sym.physics.filament import Terms, derive
+from softcat_sym.physics.in_force import equations_in_force, plain_rate
+from softcat_sym.physics.kinematics import LARGE_ROTATION, TRUE_STRAIN
+from softcat_sym.physics.laws import FIXED, K, law_of, n
+from softcat_sym.physics.loads import ramp_rate, ramped_gravity, shaking, shaking_rate
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.symbols import E, sigma, sigma_Y, table
 
 LARGE = Terms(
     centreline=LARGE_ROTATION, strain=TRUE_STRAIN, thins=True, inertia=True, bending=True, stretches=True, flows=True

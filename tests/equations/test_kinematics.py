@@ -7,9 +7,8 @@ import math
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.balance import internal_force
-from softcat_sym.equations.kinematics import LARGE_ROTATION, SMALL_SLOPE, SMALL_STRAIN, TRUE_STRAIN
-from softcat_sym.equations.symbols import M_X, Q, s, theta, x_X, x_X_before, y_X, y_X_before
+from softcat_sym.physics.kinematics import LARGE_ROTATION, SMALL_SLOPE, SMALL_STRAIN, TRUE_STRAIN, internal_force
+from softcat_sym.physics.symbols import M_X, Q, s, theta, x_X, x_X_before, y_X, y_X_before
 
 TANGENT = {x_X: s * sp.cos(theta), y_X: s * sp.sin(theta)}
 

@@ -6,14 +6,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.law import Flow, Law
-from softcat_sym.equations.laws import FIXED, from_shear, law_of
-from softcat_sym.equations.laws.multimode_maxwell import mode
-from softcat_sym.equations.laws.power_law import K, n
-from softcat_sym.equations.laws.standard_linear import E_2
-from softcat_sym.equations.rheometry import mu
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.equations.symbols import E, eta, sigma, sigma_Y
+from softcat_sym.physics import closed_forms as from_shear
+from softcat_sym.physics.laws import E_2, FIXED, Flow, K, Law, law_of, mode, n
+from softcat_sym.physics.rheometry import mu
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.symbols import E, eta, sigma, sigma_Y
 
 MODULUS = 4e6
 STRESSES = np.concatenate([-np.logspace(4, -2, 60), [0.0], np.logspace(-2, 4, 60)]) * 10
@@ -116,7 +113,7 @@ def test_laws_by_their_names() -> None:
 @each_index
 def test_constants_in_shear_and_in_tension(index: float) -> None:
     """Of von Mises's law: sigma_eq = sqrt(3) tau, and the shear rate is sqrt(3) times the equivalent rate."""
-    yielding, trouton, consistency = from_shear.EQUATIONS
+    yielding, trouton, consistency = from_shear.FROM_SHEAR_EQUATIONS
     flow = flow_of("herschel-bulkley", yields=True).rate
     shear = {from_shear.tau_Y: 2.0, from_shear.k_shear: 5.0, n: index, mu: 5.0}
     tensile = {sigma_Y: yielding.right.subs(shear), K: consistency.right.subs(shear), n: index, E: 1e3}

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.laws import law_of
-from softcat_sym.equations.section import CIRCLE, RECTANGLE
-from softcat_sym.equations.symbols import E, eta, s, sigma, sigma_0, sigma_1, sigma_Y
-from softcat_sym.printing import CellFunction, evaluate
+from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
+from softcat_sym.physics.laws import law_of
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE
+from softcat_sym.physics.symbols import E, eta, s, sigma, sigma_0, sigma_1, sigma_Y
 from softcat_sym.scene.formula import parse_formula
 
 STRESSES = np.array([-30.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 30.0])

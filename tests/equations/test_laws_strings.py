@@ -6,10 +6,10 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from softcat_sym.equations import strings
-from softcat_sym.equations.laws.power_law import K, n
-from softcat_sym.equations.regimes import H
-from softcat_sym.equations.symbols import E, L, eta, g, rho, sigma, t
+from softcat_sym.physics import closed_forms as strings
+from softcat_sym.physics.laws import K, n
+from softcat_sym.physics.regimes import H
+from softcat_sym.physics.symbols import E, L, eta, g, rho, sigma, t
 
 AT = {rho: 1e3, g: 9.81, L: 0.2, K: 700.0, eta: 700.0, E: 3e5}
 

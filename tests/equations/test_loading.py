@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.filament import Terms
-from softcat_sym.equations.loading import quintic_step, ramp_rate, ramped_gravity, shaking, shaking_rate
-from softcat_sym.equations.symbols import a_g, f_g, g, g_on, t
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.loads import quintic_step, ramp_rate, ramped_gravity, shaking, shaking_rate
+from softcat_sym.physics.symbols import a_g, f_g, g, g_on, t
 
 u = sp.Symbol("u", real=True)
 inside = sp.Symbol("v", positive=True)

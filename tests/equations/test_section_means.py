@@ -16,14 +16,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from softcat_sym.equations.laws.bingham import bingham_means, bingham_rate
-from softcat_sym.equations.laws.herschel_bulkley import herschel_bulkley_rate
-from softcat_sym.equations.laws.maxwell import maxwell_means, maxwell_rate
-from softcat_sym.equations.laws.power_law import K, n, power_law_rate
-from softcat_sym.equations.section import CIRCLE, RECTANGLE, Section
-from softcat_sym.equations.section_means import SectionMeans, quadrature_means, scaled
-from softcat_sym.equations.symbols import E, eta, sigma_0, sigma_1, sigma_Y, zeta
-from softcat_sym.printing import CellFunction
+from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.physics.laws import (
+    K,
+    bingham_means,
+    bingham_rate,
+    herschel_bulkley_rate,
+    maxwell_means,
+    maxwell_rate,
+    n,
+    power_law_rate,
+)
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE, Section, SectionMeans, quadrature_means, scaled
+from softcat_sym.physics.symbols import E, eta, sigma_0, sigma_1, sigma_Y, zeta
 
 from .means import MODULUS, VISCOSITY, YIELD, sign_cases
 

@@ -8,8 +8,8 @@ import mpmath
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.section import CIRCLE, NONE, RECTANGLE, SECTIONS, SHEET, UNIFORM, Section
-from softcat_sym.equations.symbols import A0, c, h0, s, zeta
+from softcat_sym.physics.sections import CIRCLE, NONE, RECTANGLE, SECTIONS, SHEET, UNIFORM, Section
+from softcat_sym.physics.symbols import A0, c, h0, s, zeta
 
 SHAPES = [RECTANGLE, CIRCLE]
 EDGES = ["-0.999", "-0.7", "-0.2", "0", "0.35", "0.8", "0.99"]

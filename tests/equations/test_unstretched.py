@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.filament import FilamentEquations, Terms, derive
-from softcat_sym.equations.kinematics import LARGE_ROTATION, TRUE_STRAIN
-from softcat_sym.equations.laws import law_of
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.equations.section_means import SectionMeans, of_bending_alone
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.filament import FilamentEquations, Terms, derive
+from softcat_sym.physics.kinematics import LARGE_ROTATION, TRUE_STRAIN
+from softcat_sym.physics.laws import law_of
+from softcat_sym.physics.sections import SECTIONS, SectionMeans, of_bending_alone
 
 AXIAL = {sy.s, sy.s_t, sy.x_X, sy.x_Xt, sy.sigma_0, sy.a_0, sy.T, sy.Q}
 CLOSED = ("elastic", "maxwell", "newtonian", "kelvin-voigt", "standard-linear", "bingham")

@@ -8,12 +8,13 @@ from itertools import product
 
 import sympy as sp
 
-from softcat_sym.equations import kinematics, section
-from softcat_sym.equations.closure import CLOSURES
-from softcat_sym.equations.filament import FilamentEquations, Terms, derive
-from softcat_sym.equations.laws import law_of
-from softcat_sym.equations.loading import ramp_rate, ramped_gravity
-from softcat_sym.equations.section_response import BranchResponse, SectionResponse
+from softcat_sym.physics import kinematics
+from softcat_sym.physics import sections as section
+from softcat_sym.physics.closures import CLOSURES
+from softcat_sym.physics.filament import FilamentEquations, Terms, derive
+from softcat_sym.physics.laws import law_of
+from softcat_sym.physics.loads import ramp_rate, ramped_gravity
+from softcat_sym.physics.section_response import BranchResponse, SectionResponse
 
 LAWS = ("elastic", "maxwell", "bingham")
 

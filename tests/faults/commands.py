@@ -14,7 +14,7 @@ from pathlib import Path
 PATIENCE = 120.0
 """Seconds that a busy machine is given."""
 
-_OFTEN = "from softcat_sym.solve.checkpoint import Checkpoints\nCheckpoints.__init__.__kwdefaults__['every'] = 0.1\n"
+_OFTEN = "from softcat_sym.solvers.checkpoint import Checkpoints\nCheckpoints.__init__.__kwdefaults__['every'] = 0.1\n"
 _MAIN = "import sys\nsys.argv[0] = 'softcat'\nfrom softcat_sym.cli import main\nmain()\n"
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically, made, replace_atomically, write_all, written_together
-from softcat_sym.reference.checkpoint import write_checkpoint
+from softcat_sym.reference.element_loop import write_checkpoint
 from tests.cli.in_process import Softcat, sets
 
 from .tiny_disk import files_in, remount, tiny_disk

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from softcat_sym.native import find_compiler
+from softcat_sym.codegen.compiler import find_compiler
 
 from .commands import PATIENCE, ended, softcat, until
 from .tiny_disk import files_in

@@ -12,13 +12,14 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import find_compiler
 from softcat_sym.single_run import build
-from softcat_sym.solve import Prepared, Silence, Solution, checkpoint, compiled
-from softcat_sym.solve.checkpoint import Checkpoints, Resumable
-from softcat_sym.solve.record import Reached, at_start
+from softcat_sym.solvers import checkpoint, compiled
+from softcat_sym.solvers.checkpoint import Checkpoints, Resumable
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Reached, Silence, Solution, at_start
 
 RTOL = 1e-7
 SMALL = {"numerics.cells": 24, "numerics.rtol": RTOL, "run.frames": 81, "numerics.estimate": False}

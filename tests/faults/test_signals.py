@@ -14,10 +14,10 @@ from typing import Any
 
 import pytest
 
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.library import recall
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
-from softcat_sym.native import find_compiler
-from softcat_sym.native.texts import recall
-from softcat_sym.solve.c_model import CModel
+from softcat_sym.solvers.compiled import CModel
 
 from .commands import ended, hanging, is_gone, softcat, until
 from .tiny_disk import files_in

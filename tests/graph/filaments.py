@@ -8,13 +8,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import End, Graph, Grid, assemble, half_span
-from softcat_sym.graph.grid import Floats
-from softcat_sym.graph.parameters import parameter_values
-from softcat_sym.scene import Scene
+from softcat_sym.discretization.assembly import assemble
+from softcat_sym.discretization.graph import Graph, parameter_values
+from softcat_sym.discretization.grid import End, Floats, Grid, half_span
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene
 
 _MATERIALS: dict[str, dict[str, Any]] = {
     "elastic": {"law": "elastic", "youngs_modulus": "4 MPa"},

@@ -6,10 +6,10 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.graph import End, Graph, Grid, energy_scale, half_span, whole_span
-from softcat_sym.graph.grid import Floats
-from softcat_sym.graph.parameters import parameter_values
-from softcat_sym.scene import Scene
+from softcat_sym.discretization.assembly import energy_scale
+from softcat_sym.discretization.graph import Graph, parameter_values
+from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_span
+from softcat_sym.scene.scene import Scene
 
 from .filaments import SMALL_GRID, build, energy_of, parameters, place, random_state, scene_of, value
 

@@ -6,15 +6,25 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
+from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory, energy_scale
+from softcat_sym.discretization.graph import Graph, parameter_values
+from softcat_sym.discretization.grid import (
+    HINGE_CELL,
+    LEAST,
+    MOST,
+    SMOOTH_KIRCHHOFF,
+    End,
+    Grid,
+    choose_grading,
+    half_span,
+    whole_span,
+)
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SoftcatError
-from softcat_sym.graph import End, Graph, Grid, assemble, energy_scale, half_span, whole_span
-from softcat_sym.graph.choosing import choose_grid, choose_theory
-from softcat_sym.graph.grading import HINGE_CELL, LEAST, MOST, SMOOTH_KIRCHHOFF, choose_grading
-from softcat_sym.graph.parameters import parameter_values
-from softcat_sym.scene import Scene, load_scene
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 from .filaments import build, energy_of, parameters, random_state, scene_of, value
 

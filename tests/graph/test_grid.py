@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.graph import End, Grid, half_span, whole_span
-from softcat_sym.graph.choosing import CLAMPED_CELLS, choose_grid
-from softcat_sym.graph.kirchhoff import bending_nodes, free_nodes
+from softcat_sym.discretization.assembly import CLAMPED_CELLS, choose_grid
+from softcat_sym.discretization.grid import End, Grid, half_span, whole_span
+from softcat_sym.discretization.kirchhoff import bending_nodes, free_nodes
 
 from .filaments import scene_of
 

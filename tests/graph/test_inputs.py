@@ -6,8 +6,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.graph import End, half_span
-from softcat_sym.graph.parameters import CATALOGUE, TIME_SCALE, parameter_values, time_scale
+from softcat_sym.discretization.graph import CATALOGUE, TIME_SCALE, parameter_values, time_scale
+from softcat_sym.discretization.grid import End, half_span
 
 from .filaments import build, parameters, random_state, rhs, scene_of, value
 

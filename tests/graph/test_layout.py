@@ -6,8 +6,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.graph import End, half_span, whole_span
-from softcat_sym.graph.layout import Layout, cell_block, node_block
+from softcat_sym.discretization.grid import End, Layout, cell_block, half_span, node_block, whole_span
 
 from .filaments import build, place, scene_of
 

@@ -8,15 +8,14 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import End, Graph, Grid, assemble, energy_scale, half_span, whole_span
-from softcat_sym.graph.choosing import choose_theory
-from softcat_sym.graph.grid import Floats
-from softcat_sym.graph.parameters import parameter_values
-from softcat_sym.scene import Scene
-from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
+from softcat_sym.discretization.assembly import assemble, choose_theory, energy_scale
+from softcat_sym.discretization.graph import Graph, parameter_values
+from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_span
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.initial_state import Equilibrium, sagging_guesses
 
 from .filaments import energy_of, parameters, place, random_state, scene_of, value
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.physics.sections import SECTIONS
 
 SHAPES = ("rectangle", "circle")
 SIZES = (1, 2, 3, 6, 24)

@@ -7,12 +7,12 @@ import pytest
 import sympy as sp
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations import small_deflection as small
-from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import CIRCLE, RECTANGLE, Section
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
+from softcat_sym.physics import small_deflection as small
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE, Section
 
 
 @pytest.mark.parametrize("shape", [RECTANGLE, CIRCLE], ids=lambda shape: shape.name)

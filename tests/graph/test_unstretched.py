@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.graph import End, Graph, Grid, half_span, whole_span
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import End, Grid, half_span, whole_span
 
 from .filaments import SMALL_GRID, build, parameters, place, random_state, rhs, scene_of, value
 from .test_energy import GRIDS, balance

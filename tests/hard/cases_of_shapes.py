@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import softcat_sym as sc
+from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.simulate import without_estimate
-from softcat_sym.trajectory import Trajectory
 
 from ..physics.closed_forms import soft_beam_sag, soft_catenary_sag
 from .case import RUPTURES, Case

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.scene import undeformed_area
-from softcat_sym.scene.laws import SOLIDS
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.material import SOLIDS
+from softcat_sym.scene.scene import undeformed_area
 
 Array = npt.NDArray[np.float64]
 

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 import softcat_sym as sc
+from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.simulate import without_estimate
-from softcat_sym.trajectory import Trajectory
 
 Array = npt.NDArray[np.float64]
 Judge = Callable[[Trajectory], float]

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.simulate import without_estimate
 from softcat_sym.single_run import build
-from softcat_sym.solve import Silence
+from softcat_sym.solvers.solution import Silence
 
 from .dimensionless import asked
 

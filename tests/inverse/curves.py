@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from softcat_sym.inverse import FlowCurve
+from softcat_sym.fitting.flow_curve import FlowCurve
 
 RATE = np.geomspace(1e-2, 1e3, 26)
 

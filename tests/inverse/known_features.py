@@ -6,9 +6,7 @@ import math
 
 import numpy as np
 
-from softcat_sym.inverse.features import Features, Reading
-from softcat_sym.inverse.features.damped_sinusoid import Oscillation, Stretch
-from softcat_sym.inverse.features.reading import unread
+from softcat_sym.fitting.features import Features, Oscillation, Reading, Stretch, unread
 
 GRAVITY, SPAN, DENSITY = 9.81, 0.2, 1900.0
 UNIT = math.sqrt(SPAN / GRAVITY)

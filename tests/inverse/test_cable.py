@@ -6,11 +6,11 @@ import math
 
 import pytest
 
-from softcat_sym.equations import rheometry
-from softcat_sym.equations.regimes import H as SAG
-from softcat_sym.equations.symbols import L as SPAN
-from softcat_sym.inverse.closed_form.cable import SLACKEST, TAUTEST, modulus_of, stiffness_number
-from softcat_sym.printing import evaluate
+from softcat_sym.discretization.casadi_printer import evaluate
+from softcat_sym.fitting.features import SLACKEST, TAUTEST, modulus_of, stiffness_number
+from softcat_sym.physics import rheometry
+from softcat_sym.physics.regimes import H as SAG
+from softcat_sym.physics.symbols import L as SPAN
 
 
 @pytest.mark.parametrize("mode", [3.3, 4.0, 6.0, 8.5])

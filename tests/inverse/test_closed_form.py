@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.closed_form.cable import SLACKEST, TAUTEST, modulus_of, sensitivity, stiffness_number
-from softcat_sym.inverse.closed_form.inversion import closed_form
+from softcat_sym.fitting.closed_form import closed_form
+from softcat_sym.fitting.features import SLACKEST, TAUTEST, modulus_of, sensitivity, stiffness_number
 from tests.inverse.known_features import DENSITY, GRAVITY, SPAN, UNIT, features_of
 
 B = 3.3e-5

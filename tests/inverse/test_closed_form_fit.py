@@ -10,9 +10,8 @@ import pytest
 from scipy.optimize import least_squares
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.closed_form.combined import combined_estimate
-from softcat_sym.inverse.features import Features
-from softcat_sym.inverse.features.reading import unread
+from softcat_sym.fitting.closed_form import combined_estimate
+from softcat_sym.fitting.features import Features, unread
 from tests.inverse.known_features import DENSITY, GRAVITY, SPAN, features_of
 
 PRESSURE = DENSITY * GRAVITY * SPAN

@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.inverse import Measurements
-from softcat_sym.inverse.contained_laws import contained_in, widened
-from softcat_sym.inverse.laws import fit_law, fit_laws
-from softcat_sym.inverse.scene_of_law import FITTED
-from softcat_sym.scene.laws import CONSTANTS
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.fitting.model_selection import FITTED, contained_in, fit_law, fit_laws, widened
+from softcat_sym.scene.material import CONSTANTS
 
 PAIRS = [(wider, narrower) for wider in FITTED for narrower in contained_in(wider)]
 

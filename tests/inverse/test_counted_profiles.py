@@ -5,12 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.inverse.estimation.fisher import information
-from softcat_sym.inverse.estimation.least_squares import LINEAR, Loss
-from softcat_sym.inverse.estimation.levenberg_marquardt import settle
-from softcat_sym.inverse.estimation.optimise import minimise
-from softcat_sym.inverse.estimation.profiles import Profile, profile
-from softcat_sym.inverse.estimation.verdicts import verdicts
+from softcat_sym.fitting.identifiability import information
+from softcat_sym.fitting.inference import Profile, profile, verdicts
+from softcat_sym.fitting.least_squares import LINEAR, Loss, minimise, settle
 from tests.inverse.problems import Problem, decay, problem, product, saturation
 
 

@@ -8,9 +8,7 @@ from dataclasses import dataclass
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse.design.bracketing import crossings, illinois
-from softcat_sym.inverse.design.critical_span import critical_span
-from softcat_sym.inverse.design.polishing import Limit, polished
+from softcat_sym.design.critical_span import Limit, critical_span, crossings, illinois, polished
 
 _GRAVITY, _DENSITY, _THICKNESS, _DURATION, _VISCOSITY = 9.81, 1300.0, 2e-3, 3.0, 5e7
 

@@ -11,14 +11,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse.design.experiment import Experiment, design_experiment
-from softcat_sym.inverse.design.film import exact_film, film_times, films_of
-from softcat_sym.inverse.design.noise import Noise
-from softcat_sym.inverse.design.precision import Unknowns, relative_errors
-from softcat_sym.inverse.design.search import pattern_search
-from softcat_sym.inverse.design.trial import Trial
-from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.report.experiment_files import write_experiment
+from softcat_sym.design.experiment import Experiment, design_experiment, pattern_search
+from softcat_sym.design.information import Noise, Trial, Unknowns, exact_film, film_times, films_of, relative_errors
+from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.plotting.design import write_experiment
 
 _NOISE = 1e-5
 

@@ -10,9 +10,9 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.features import Features, read_features
-from softcat_sym.report.canvas import png
-from softcat_sym.report.features import features_figure
+from softcat_sym.fitting.features import Features, read_features
+from softcat_sym.plotting.features import features_figure
+from softcat_sym.plotting.style import png
 from tests.inverse.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
 
 TRUE_B = 64 / 9 * SLOPE * UNIT / SPAN**3

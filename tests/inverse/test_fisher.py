@@ -8,9 +8,15 @@ from scipy.optimize import curve_fit
 from scipy.stats import chi2, norm
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.estimation.confidence import chi_square_tail, normal_tail, standard_errors, two_sided_quantile
-from softcat_sym.inverse.estimation.fisher import Information, information
-from softcat_sym.inverse.estimation.optimise import minimise
+from softcat_sym.fitting.identifiability import (
+    Information,
+    chi_square_tail,
+    information,
+    normal_tail,
+    standard_errors,
+    two_sided_quantile,
+)
+from softcat_sym.fitting.least_squares import minimise
 from tests.inverse.problems import Problem, X, decay, line, problem, product, unused
 
 

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse import Fit, FitOutcome, Measurements, fit
-from softcat_sym.trajectory import trajectory, verdict
+from softcat_sym.fitting.fit import Fit, FitOutcome, fit
+from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.results import trajectory, verdict
 from tests.inverse.filmed import film, scene
 
 NECK = "the cell at X/L = 0.49 carries 60%"
@@ -46,7 +47,7 @@ def test_lost_energy(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:
     """With the fitted value, the effects of the fit, and for as long as it was filmed."""
-    from softcat_sym.inverse import fitted_run
+    from softcat_sym.fitting import fit as fitted_run
 
     asked: list[sc.Scene] = []
 
@@ -65,7 +66,7 @@ def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_filament_that_cannot_begin(monkeypatch: pytest.MonkeyPatch) -> None:
-    from softcat_sym.inverse import fitted_run
+    from softcat_sym.fitting import fit as fitted_run
 
     def refused(one: sc.Scene) -> sc.Trajectory:
         raise sc.SceneError([])

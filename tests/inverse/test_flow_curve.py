@@ -9,7 +9,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse import FlowCurve, read_flow_curve
+from softcat_sym.fitting.flow_curve import FlowCurve, read_flow_curve
 
 ROWS = "1,14\n10,20\n100,40\n1000,90\n"
 HEADER = "shear_rate_1_s,shear_stress_Pa\n"

@@ -10,9 +10,8 @@ from scipy.optimize import least_squares
 from scipy.stats import t as student
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse import Candidate, FlowCurve, fit_flow_curve
-from softcat_sym.inverse.estimation.confidence import standard_errors, student_quantile
-from softcat_sym.inverse.flow_curve.variable_projection import INDEX_BOUNDS, linear_part
+from softcat_sym.fitting.flow_curve import INDEX_BOUNDS, Candidate, FlowCurve, fit_flow_curve, linear_part
+from softcat_sym.fitting.identifiability import standard_errors, student_quantile
 from tests.inverse.curves import MATERIALS, RATE, curve_of
 
 LAWS = ("bingham", "power-law", "herschel-bulkley")

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.inverse.forward.model import ForwardModel
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import free_parameters
 
 BACKENDS = ("compiled", "interpreted")
 PAPER = {"run.effects": "paper", "numerics.cells": 8}
@@ -58,7 +58,7 @@ def test_it_is_the_midpoint_of_a_run(backend: str) -> None:
 
 
 def _grading(scene: sc.Scene) -> float:
-    from softcat_sym.graph.choosing import choose_grid
+    from softcat_sym.discretization.assembly import choose_grid
 
     lengths = choose_grid(scene).cell_length
     return float(lengths[0] / lengths[-1])

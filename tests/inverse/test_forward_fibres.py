@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.inverse.forward.model import ForwardModel
-from softcat_sym.scene import load_scene
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.scene.reading import load_scene
 
 _FREE = ("thickness", "yield_stress")
 

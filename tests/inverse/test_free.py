@@ -9,9 +9,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.inverse.forward.free import FreeParameter, free_parameters
-from softcat_sym.inverse.forward.free_candidates import candidates
-from softcat_sym.inverse.forward.substituting import with_values
+from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
 
 
 def _all(scene: sc.Scene) -> tuple[FreeParameter, ...]:

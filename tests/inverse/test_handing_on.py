@@ -8,7 +8,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError
-from softcat_sym.inverse import fit_flow_curve, fitted_scene
+from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
 from tests.inverse.curves import curve_of
 
 FIT = fit_flow_curve(curve_of(12.0, 3.4, 0.43, noise=0.02, seed=5))

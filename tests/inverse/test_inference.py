@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from softcat_sym.inverse.estimation import inference
-from softcat_sym.inverse.estimation.inference import infer
-from softcat_sym.inverse.estimation.least_squares import LINEAR, Loss
-from softcat_sym.inverse.estimation.multi_start import multi_start
+from softcat_sym.fitting import inference
+from softcat_sym.fitting.inference import infer
+from softcat_sym.fitting.least_squares import LINEAR, Loss, multi_start
 from tests.inverse.problems import Problem, decay, problem, product
 
 

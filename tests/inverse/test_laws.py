@@ -10,14 +10,22 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.inverse import FitOutcome, Loss, Measurements, Series, Shapes
-from softcat_sym.inverse.estimation.model_choice import FittedLaw, choose_model
-from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.inverse.laws import FITTED, LawComparison, fit_laws, scene_of_law
-from softcat_sym.inverse.rough_constants import rough_constants
-from softcat_sym.scene.laws import CONSTANTS
+from softcat_sym.fitting.fit import FitOutcome
+from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.fitting.least_squares import Loss
+from softcat_sym.fitting.measurements import Measurements, Series, Shapes
+from softcat_sym.fitting.model_selection import (
+    FITTED,
+    FittedLaw,
+    LawComparison,
+    choose_model,
+    fit_laws,
+    rough_constants,
+    scene_of_law,
+)
+from softcat_sym.scene.material import CONSTANTS
 
 PLAIN = {"run.effects": "paper", "numerics.cells": 6}
 TIME = np.linspace(0.05, 2.0, 40)

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.inverse.measurements.plausibility import checked, own_scene
-from softcat_sym.inverse.measurements.series import Measurements, Series, Shapes
-from softcat_sym.scene import Scene, load_scene
+from softcat_sym.fitting.measurements import Measurements, Series, Shapes
+from softcat_sym.fitting.plausibility import checked, own_scene
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 from tests.inverse.written_films import FALL, TIME
 
 Floats = NDArray[np.float64]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.estimation.model_choice import FittedLaw, choose_model
+from softcat_sym.fitting.model_selection import FittedLaw, choose_model
 
 
 def test_criteria_by_hand_with_known_noise() -> None:

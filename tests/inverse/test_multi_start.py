@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.estimation.multi_start import latin_hypercube, multi_start
+from softcat_sym.fitting.least_squares import latin_hypercube, multi_start
 from tests.inverse.problems import Problem, X, decay, problem, product
 
 

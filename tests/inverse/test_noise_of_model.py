@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.inverse.estimation.gauss_newton import NOISE, REACHED
-from softcat_sym.inverse.estimation.optimise import minimise
+from softcat_sym.fitting.least_squares import NOISE, REACHED, minimise
 
 TRUTH = np.array([0.3, -0.2])
 

@@ -10,8 +10,7 @@ import pytest
 from scipy.optimize import least_squares
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.estimation.least_squares import Loss
-from softcat_sym.inverse.estimation.optimise import check_derivatives, minimise
+from softcat_sym.fitting.least_squares import Loss, check_derivatives, minimise
 from tests.inverse.problems import Problem, decay, line, problem, product, saturation, unused
 
 PROBLEMS = [

@@ -7,10 +7,9 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 from scipy.stats import f as fisher
 
-from softcat_sym.inverse.estimation.fisher import information
-from softcat_sym.inverse.estimation.least_squares import Fixed
-from softcat_sym.inverse.estimation.optimise import minimise
-from softcat_sym.inverse.estimation.profiles import Profile, profile
+from softcat_sym.fitting.identifiability import information
+from softcat_sym.fitting.inference import Profile, profile
+from softcat_sym.fitting.least_squares import Fixed, minimise
 from tests.inverse.problems import Problem, X, decay, line, problem, product, saturation
 
 

@@ -11,8 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.inverse.measurements.reading import read_measurements
-from softcat_sym.inverse.measurements.series import Series
+from softcat_sym.fitting.measurements import Series, read_measurements
 from tests.inverse.written_films import FALL, TIME, rows_of, written
 
 HEADER = "time_s,midpoint_m\n"

@@ -7,7 +7,7 @@ import pytest
 from scipy.signal import lfilter
 from scipy.stats import chi2
 
-from softcat_sym.inverse.estimation.residual_checks import check_residuals
+from softcat_sym.fitting.identifiability import check_residuals
 
 
 def noise(sets: int, points: int, correlation: float = 0.0) -> np.ndarray:

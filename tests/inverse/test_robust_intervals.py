@@ -5,11 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.inverse.estimation.fisher import information
-from softcat_sym.inverse.estimation.least_squares import Loss
-from softcat_sym.inverse.estimation.noise import noise_of
-from softcat_sym.inverse.estimation.optimise import minimise
-from softcat_sym.inverse.estimation.profiles import profile
+from softcat_sym.fitting.identifiability import information, noise_of
+from softcat_sym.fitting.inference import profile
+from softcat_sym.fitting.least_squares import Loss, minimise
 from tests.inverse.problems import Problem, line, problem, saturation
 
 TRUTH = np.array([0.5, 0.2])

@@ -5,14 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.inverse.estimation.fisher import information
-from softcat_sym.inverse.estimation.optimise import minimise
-from softcat_sym.inverse.estimation.profiles import profile
-from softcat_sym.inverse.estimation.verdicts import Verdict, verdicts
+from softcat_sym.fitting.identifiability import information
+from softcat_sym.fitting.inference import ParameterVerdict, profile, verdicts
+from softcat_sym.fitting.least_squares import minimise
 from tests.inverse.problems import Problem, X, decay, problem, product, unused
 
 
-def judged(p: Problem, *, profiled: bool = True, noise_known: bool = False) -> tuple[Verdict, ...]:
+def judged(p: Problem, *, profiled: bool = True, noise_known: bool = False) -> tuple[ParameterVerdict, ...]:
     best = minimise(p, np.zeros(len(p.names)))
     known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=noise_known)
     found = [profile(p, best.q, k, noise_known=noise_known) for k in range(len(p.names))] if profiled else None

@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from softcat_sym.native import find_compiler
+from softcat_sym.codegen.compiler import find_compiler
 
 ANSWER = {"answer.c": '#include "answer.h"\nint answer(void) { return ANSWER; }\n', "answer.h": "#define ANSWER 42\n"}
-COMPILE = f"from softcat_sym.native import compile_library, load\nprint(load(compile_library({ANSWER!r})).answer())"
+COMPILE = (
+    f"from softcat_sym.codegen.library import compile_library, load\nprint(load(compile_library({ANSWER!r})).answer())"
+)
 
 
 def left_in(native: Path) -> list[str]:

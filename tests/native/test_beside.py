@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from softcat_sym.codegen.compiler import beside
+from softcat_sym.codegen.library import compile_library
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import beside, compile_library
 
 from .compilers import ANSWER, left_in
 from .test_process import gone, hang, read_pids

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from softcat_sym.native import cache_entries, cache_folder, clear_cache, compile_library, load
-from softcat_sym.native.cache import store
+from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.codegen.library import cache_entries, clear_cache, compile_library, load, store
 
 from .compilers import ANSWER, Counter, left_in
 
@@ -62,7 +62,10 @@ def test_a_damaged_entry_is_compiled_again(damage: str, tmp_path: Path, monkeypa
 
 def test_two_processes_compile_the_same_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     counter = Counter(tmp_path, monkeypatch, delay=0.5)
-    code = f"from softcat_sym.native import compile_library, load\nprint(load(compile_library({ANSWER!r})).answer())"
+    code = (
+        "from softcat_sym.codegen.library import compile_library, load\n"
+        + f"print(load(compile_library({ANSWER!r})).answer())"
+    )
     both = [
         subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         for _ in range(2)

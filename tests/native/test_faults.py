@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from softcat_sym.codegen import compiler as folder
+from softcat_sym.codegen.library import clear_cache, compile_library, load
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import clear_cache, compile_library, folder, load
 
 from .compilers import ANSWER, COMPILE, Counter, compiler, left_in
 
@@ -56,7 +57,8 @@ def test_a_disk_that_fills_is_said_and_leaves_nothing(limit: int, cache: Path) -
     """A limit on the size of files stops the linker, or already our own writing."""
     source = {**ANSWER, "note.h": "/* " + 200 * "x" + " */\n"}
     code = (
-        "import resource\nfrom softcat_sym.native import compile_library\nfrom softcat_sym.errors import SoftcatError\n"
+        "import resource\nfrom softcat_sym.codegen.library import compile_library\n"
+        "from softcat_sym.errors import SoftcatError\n"
         f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
         f"try:\n    compile_library({source!r})\nexcept SoftcatError as error:\n    print(error)"
     )

@@ -10,8 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from softcat_sym.codegen import compiler
+from softcat_sym.codegen.compiler import cache_folder, compiler_name, find_compiler
+from softcat_sym.codegen.library import OPTIMISED, compile_library, load
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import OPTIMISED, cache_folder, compile_library, compiler, compiler_name, find_compiler, load
 
 from .compilers import ANSWER, Counter, left_in
 
@@ -148,7 +150,7 @@ def test_another_process_finds_a_library_without_starting_any(tmp_path: Path, mo
     path = compile_library(ANSWER)
     before = counter.calls
     code = (
-        "import subprocess\nsubprocess.Popen = None\nfrom softcat_sym.native import compile_library\n"
+        "import subprocess\nsubprocess.Popen = None\nfrom softcat_sym.codegen.library import compile_library\n"
         f"print(compile_library({ANSWER!r}))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
@@ -220,5 +222,5 @@ def test_a_compiler_with_an_odd_version_or_none(
     script.write_text(f"#!/bin/sh\n{prints}\n")
     script.chmod(0o755)
     monkeypatch.setenv("CC", str(script))
-    monkeypatch.setattr("softcat_sym.native.compiler._PATIENCE", 0.5)
+    monkeypatch.setattr("softcat_sym.codegen.compiler._PATIENCE", 0.5)
     assert compiler_name() == name

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from softcat_sym.codegen import library as cache
+from softcat_sym.codegen.library import GRACE, cache_entries, cache_limit, compile_library, find, load, size_text, store
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import cache, cache_entries, cache_limit, compile_library, load, size_text
-from softcat_sym.native.cache import GRACE, find, store
 
 from .compilers import ANSWER, left_in
 

@@ -11,9 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from softcat_sym.codegen import compiler as asking
+from softcat_sym.codegen import library
+from softcat_sym.codegen.library import cache_entries, clear_cache, compile_library, load
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import cache_entries, clear_cache, compile_library, library, load
-from softcat_sym.native import compiler as asking
 
 from .compilers import ANSWER, COMPILE, compiler, left_in
 

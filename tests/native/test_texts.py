@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from softcat_sym.native import clear_cache, kept_texts, texts
-from softcat_sym.native.texts import keep, recall
+from softcat_sym.codegen import library as texts
+from softcat_sym.codegen.library import clear_cache, keep, kept_texts, recall
 
 
 @pytest.fixture(autouse=True)

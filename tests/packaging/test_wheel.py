@@ -116,7 +116,7 @@ def test_commands_work_far_from_the_repository(installed: Path, tmp_path: Path) 
 def test_every_command_shows_its_help(installed: Path, tmp_path: Path) -> None:
     from typer.main import get_command
 
-    from softcat_sym.cli import app
+    from softcat_sym.cli.application import app
 
     for name in get_command(app).commands:  # type: ignore[attr-defined]
         done = away(tmp_path, installed / "bin" / "softcat", name, "--help")

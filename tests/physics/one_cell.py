@@ -7,17 +7,14 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph.discretisation import Setting
-from softcat_sym.graph.grid import End, half_span
-from softcat_sym.graph.lengths import lengths_of
-from softcat_sym.graph.parameters import CATALOGUE, parameter_values
-from softcat_sym.graph.profile import Profile
-from softcat_sym.graph.resolved_printer import ResolvedPrinter, Strains
-from softcat_sym.graph.section_rule import SectionRule
-from softcat_sym.graph.supports import Supports, held
+from softcat_sym.discretization.cell_printer import ResolvedPrinter, Strains
+from softcat_sym.discretization.graph import CATALOGUE, Setting, parameter_values
+from softcat_sym.discretization.grid import End, half_span, lengths_of
+from softcat_sym.discretization.section_rule import SectionRule
+from softcat_sym.discretization.supports import Profile, Supports, held
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
 
 from .scenes import GEOMETRY, Array, scene
 

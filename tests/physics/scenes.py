@@ -8,15 +8,16 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym import simulate
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import assemble
-from softcat_sym.graph.choosing import choose_grid
-from softcat_sym.graph.grid import Grid
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Silence, choose_settings, prepare
-from softcat_sym.trajectory import Trajectory, judge
+from softcat_sym.discretization.assembly import assemble, choose_grid
+from softcat_sym.discretization.grid import Grid
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.results.trajectory import Trajectory, judge
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.run import prepare
+from softcat_sym.solvers.settings import choose_settings
+from softcat_sym.solvers.solution import Silence
 
 Array = npt.NDArray[np.float64]
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from softcat_sym.scene import Scene
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
 
 from .scenes import GEOMETRY, paper_scene, run, scene
 

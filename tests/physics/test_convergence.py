@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.scene import Scene
+from softcat_sym.scene.scene import Scene
 
 from .scenes import GEOMETRY, paper_scene, run, sag, scene
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import End, Grid, assemble, half_span
-from softcat_sym.graph.choosing import choose_theory
-from softcat_sym.graph.grading import choose_grading
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Silence, choose_settings, prepare
+from softcat_sym.discretization.assembly import assemble, choose_theory
+from softcat_sym.discretization.grid import End, Grid, choose_grading, half_span
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.run import prepare
+from softcat_sym.solvers.settings import choose_settings
+from softcat_sym.solvers.solution import Silence
 
 from .scenes import GEOMETRY, extrapolated, paper_scene, scene
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations import symbols as sy
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph.kirchhoff import CellPrinter
+from softcat_sym.discretization.cell_printer import CellPrinter
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
 
 from .scenes import scene
 

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from softcat_sym import simulate
-from softcat_sym.effects import choose_effects
-from softcat_sym.effects.natural_frequency import first_vibration, solid_decay
-from softcat_sym.scene import Scene
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.free_vibration import first_vibration, solid_decay
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
 from softcat_sym.single_run import build
-from softcat_sym.solve import choose_backend
-from softcat_sym.solve.assembled import assembled
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.solvers.run import assembled
+from softcat_sym.solvers.settings import choose_backend
 
 KIRCHHOFF = ("inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "solid-damping")
 BACKENDS = ("interpreted", "compiled")

@@ -10,7 +10,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import softcat_sym as sc
-from softcat_sym.scene import Scene
+from softcat_sym.scene.scene import Scene
 
 from .closed_forms import GYRATION
 from .scenes import GEOMETRY, run, sag, scene

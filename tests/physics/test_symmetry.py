@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.graph.grid import End, whole_span
-from softcat_sym.scene import Scene
+from softcat_sym.discretization.grid import End, whole_span
+from softcat_sym.scene.scene import Scene
 
 from .scenes import GEOMETRY, paper_scene, run, scene
 

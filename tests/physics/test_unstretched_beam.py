@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from softcat_sym import Trajectory, simulate
-from softcat_sym.scene import Scene
+from softcat_sym.scene.scene import Scene
 
 from .closed_forms import BEAM_CONSTANT, FIRST_EIGENVALUE, GYRATION
 from .scenes import paper_scene, run, sag, scene

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import casadi as ca
 import sympy as sp
 
-from softcat_sym.printing import CellFunction
+from softcat_sym.discretization.casadi_printer import CellFunction
 
 
 def exact(expr: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:

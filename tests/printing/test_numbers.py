@@ -11,7 +11,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from softcat_sym.printing.casadi_printer import CasadiPrinter
+from softcat_sym.discretization.casadi_printer import CasadiPrinter
 
 from .exact import printed
 

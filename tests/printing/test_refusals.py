@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
 from softcat_sym.errors import PrintingError, SoftcatError
-from softcat_sym.printing import CellFunction
-from softcat_sym.printing.casadi_printer import CasadiPrinter
 
 x, y, hidden = sp.symbols("x y hidden", real=True)
 unknown = sp.Function("unknown")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from softcat_sym.printing import CellFunction
+from softcat_sym.discretization.casadi_printer import CellFunction
 
 x, y = sp.symbols("x y", real=True)
 AT_X = np.array([-1.5, -0.3, 0.0, 0.4, 2.0])

@@ -8,9 +8,10 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from softcat_sym.scene import Scene, geometry
-from softcat_sym.trajectory import Trajectory
-from softcat_sym.trajectory.fields import least_energy
+from softcat_sym.results.fields import least_energy
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene import scene as geometry
+from softcat_sym.scene.scene import Scene
 
 Array = npt.NDArray[np.float64]
 

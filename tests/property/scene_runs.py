@@ -10,7 +10,7 @@ from typing import Any
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.scene import Scene
+from softcat_sym.scene.scene import Scene
 
 from .invariants import complaints, is_balanced
 

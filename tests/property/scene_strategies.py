@@ -41,7 +41,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from softcat_sym.effects import REGISTRY
+from softcat_sym.effects.registry import REGISTRY
 from tests.acceptance.random_scenes import LAWS, Draw, material_of, not_too_long
 
 from .evenly import choice, even, log, one_in, whole

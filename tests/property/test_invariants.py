@@ -12,8 +12,8 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.scene import Scene
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
 from tests.limited_process import LimitedProcess
 
 from . import scene_runs

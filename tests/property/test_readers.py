@@ -13,9 +13,11 @@ from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.inverse.flow_curve.curve import read_flow_curve
-from softcat_sym.inverse.measurements.reading import read_measurements
-from softcat_sym.scene import Scene, bundled_names, bundled_text, load_scene
+from softcat_sym.fitting.flow_curve import read_flow_curve
+from softcat_sym.fitting.measurements import read_measurements
+from softcat_sym.scene.bundled import bundled_names, bundled_text
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 SEED = 20261121
 LIMIT = 10.0  # s, of one file

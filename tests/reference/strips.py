@@ -7,11 +7,9 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.reference.element_loop import ElementLoop
-from softcat_sym.reference.mesh import Mesh, Strip
-from softcat_sym.reference.point_code import PointCode, point_code
-from softcat_sym.reference.supports import Clamp, Supports, half_span_supports
-from softcat_sym.scene import Scene
+from softcat_sym.reference.element_loop import Clamp, ElementLoop, Mesh, Strip, Supports, half_span_supports
+from softcat_sym.reference.material_point import PointCode, point_code
+from softcat_sym.scene.scene import Scene
 
 Floats = npt.NDArray[np.float64]
 
@@ -57,7 +55,7 @@ def deformed(strip: Strip, gradient: npt.ArrayLike) -> Floats:
 
 def shortened(scene: Scene, elastic_times: float, frames: int) -> Scene:
     """The scene over another time, in L sqrt(rho/E)."""
-    from softcat_sym.scene.scales import elastic_time
+    from softcat_sym.scene.scene import elastic_time
 
     return scene.replace({"run.duration": f"{elastic_times * elastic_time(scene)!r} s", "run.frames": frames})
 

@@ -9,8 +9,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.reference import Clamp, Mesh
-from softcat_sym.reference.calculix_deck import calculix_deck
+from softcat_sym.reference.calculix import calculix_deck
+from softcat_sym.reference.element_loop import Clamp, Mesh
 
 SCENE = sc.load_scene("continual-descent", {"filament.width": "0.06 mm"})
 MESH = Mesh(5, 4, grading=3.0)

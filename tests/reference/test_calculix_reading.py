@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference.calculix_reading import read_displacements, read_status
+from softcat_sym.reference.calculix import read_displacements, read_status
 
 BLOCK = """
  displacements (vx,vy,vz) for set CENTRE and time  {time}

@@ -14,11 +14,11 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference import Mesh, run_elements
-from softcat_sym.reference.calculix import find_calculix, run_calculix
-from softcat_sym.reference.calculix_deck import material_lines
-from softcat_sym.reference.point import MaterialPoint
-from softcat_sym.scene import Scene
+from softcat_sym.reference.calculix import find_calculix, material_lines, run_calculix
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.reference.elements import run_elements
+from softcat_sym.reference.material_point import MaterialPoint
+from softcat_sym.scene.scene import Scene
 from tests.reference.strips import shortened
 
 SCENE = shortened(sc.load_scene("continual-descent", {"filament.width": "0.06 mm"}), 20.0, 5)

@@ -11,8 +11,7 @@ import math
 import numpy as np
 import pytest
 
-from softcat_sym.reference.element import largest_frequency
-from softcat_sym.reference.mesh import Mesh
+from softcat_sym.reference.element_loop import Mesh, largest_frequency
 from tests.acceptance.table import show
 from tests.reference.strips import Floats, clamped_loop, timoshenko_frequency, timoshenko_sag
 

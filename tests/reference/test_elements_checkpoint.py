@@ -11,7 +11,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
+from softcat_sym.reference.element_loop import Clamp, Mesh
+from softcat_sym.reference.elements import ElementRun, run_elements
 from tests.reference.strips import shortened
 
 SCENE = shortened(sc.load_scene("continual-descent"), 12.0, 4)
@@ -46,7 +47,7 @@ def same(one: ElementRun, other: ElementRun) -> bool:
 def test_an_interrupted_run_resumes_to_the_same_bits(
     straight: ElementRun, tmp_path: Path, chunk: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("softcat_sym.reference.march._CHUNK", chunk)
+    monkeypatch.setattr("softcat_sym.reference.elements._CHUNK", chunk)
     path = tmp_path / "run.npz"
     for at in (1, 2, 5):
         with pytest.raises(KeyboardInterrupt):

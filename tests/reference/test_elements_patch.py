@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from softcat_sym.equations.loading import quintic_step
+from softcat_sym.codegen.library import compile_library
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import compile_library
-from softcat_sym.reference.element import largest_frequency
-from softcat_sym.reference.element_loop import element_sources
-from softcat_sym.reference.mesh import Mesh
-from softcat_sym.reference.point import MaterialPoint
+from softcat_sym.physics.loads import quintic_step
+from softcat_sym.reference.element_loop import Mesh, element_sources, largest_frequency
+from softcat_sym.reference.material_point import MaterialPoint
 from tests.reference.strips import BINGHAM, ELASTIC, POISSON, code_of, deformed, free_loop, internal_force
 
 MESH = Mesh(5, 4, grading=2.5)

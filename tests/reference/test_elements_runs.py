@@ -9,8 +9,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.reference import Clamp, ElementRun, Mesh, run_elements
-from softcat_sym.reference.march import March
+from softcat_sym.reference.element_loop import Clamp, Mesh
+from softcat_sym.reference.elements import ElementRun, March, run_elements
 from tests.acceptance.table import show
 from tests.reference.strips import shortened
 
@@ -137,13 +137,13 @@ def test_without_gravity_nothing_moves() -> None:
 
 
 def test_a_step_beyond_the_stable_one_is_refused_not_returned(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("softcat_sym.reference.march.SAFETY", 1.3)
+    monkeypatch.setattr("softcat_sym.reference.elements.SAFETY", 1.3)
     with pytest.raises(SoftcatError, match=r"shorten the steps"):
         run_elements(ELASTIC, COARSE)
 
 
 def test_energies_that_do_not_add_up_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("softcat_sym.reference.march._UNBALANCED", 1e-9)
+    monkeypatch.setattr("softcat_sym.reference.elements._UNBALANCED", 1e-9)
     with pytest.raises(SoftcatError, match="energies miss the work of gravity"):
         run_elements(YIELDING, COARSE)
 

@@ -6,9 +6,17 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference.element import NODES, POINTS, mass_shares, shape_gradients, shape_values
-from softcat_sym.reference.mesh import Mesh, Strip
-from softcat_sym.reference.supports import Clamp, half_span_supports
+from softcat_sym.reference.element_loop import (
+    NODES,
+    POINTS,
+    Clamp,
+    Mesh,
+    Strip,
+    half_span_supports,
+    mass_shares,
+    shape_gradients,
+    shape_values,
+)
 
 GRADED = Strip(Mesh(6, 4, grading=3.0), 0.08)
 

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from softcat_sym.reference.point import MaterialPoint
+from softcat_sym.reference.material_point import MaterialPoint
 
 from ..acceptance.table import show
 from .paths import BINGHAM, ELASTIC, MAXWELL, cycle, march, shear_and_stretch

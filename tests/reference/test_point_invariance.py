@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.reference.point import MaterialPoint
+from softcat_sym.reference.material_point import MaterialPoint
 
 from .paths import BINGHAM, ELASTIC, Floats, shear_and_stretch
 

@@ -15,18 +15,23 @@ from matplotlib.text import Text
 from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym.reference import ElementRun, Mesh
-from softcat_sym.report import style
-from softcat_sym.report.compare_clamp import clamp_figure
-from softcat_sym.report.compare_files import write_comparison
-from softcat_sym.report.compare_midpoint import midpoint_figure
-from softcat_sym.report.compare_rate import rate_fields, rate_figure
-from softcat_sym.report.compare_shapes import shapes_figure
-from softcat_sym.report.compare_tables import document, errors_csv, rate_csv, shapes_csv
-from softcat_sym.report.compare_terminal import print_comparison
-from softcat_sym.solve import Outcome
-from softcat_sym.study.compare import Comparison, FilamentRow, compare
-from softcat_sym.study.discrepancy import discrepancy
+from softcat_sym.plotting import style
+from softcat_sym.plotting.compare_clamp import clamp_figure
+from softcat_sym.plotting.compare_files import (
+    document,
+    errors_csv,
+    print_comparison,
+    rate_csv,
+    shapes_csv,
+    write_comparison,
+)
+from softcat_sym.plotting.compare_midpoint import midpoint_figure
+from softcat_sym.plotting.compare_rate import rate_fields, rate_figure
+from softcat_sym.plotting.compare_shapes import shapes_figure
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.reference.elements import ElementRun
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.studies.compare import Comparison, FilamentRow, compare, discrepancy
 
 FIGURES = (midpoint_figure, shapes_figure, rate_figure, clamp_figure)
 CHANGES = {"groups.duration": 20, "run.frames": 21, "numerics.cells": 10}
@@ -178,7 +183,7 @@ def test_a_comparison_that_cannot_be_drawn_writes_nothing(
     def fail(comparison: Comparison) -> bytes:
         raise KeyError("gone")
 
-    monkeypatch.setattr("softcat_sym.report.compare_files.clamp_csv", fail)
+    monkeypatch.setattr("softcat_sym.plotting.compare_files.clamp_csv", fail)
     with pytest.raises(KeyError):
         write_comparison(comparison, tmp_path / "out")
     assert not (tmp_path / "out").exists()

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.reference import Mesh, run_elements
-from softcat_sym.report.figure_strips import boundary
-from softcat_sym.scene import Scene
-from softcat_sym.scene.scales import elastic_time
-from softcat_sym.solve import Silence
-from softcat_sym.study.figure_elements import ElementFilm, film_elements
+from softcat_sym.plotting.figure_strips import boundary
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.reference.elements import run_elements
+from softcat_sym.scene.scene import Scene, elastic_time
+from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.paper_figures import ElementFilm, film_elements
 
 MESH = Mesh(8, 2)
 INSTANTS = (6.0, 12.0, 24.0)

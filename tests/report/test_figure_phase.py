@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.report.figure_phase import caption, phase_figure, phase_files
-from softcat_sym.study.phase_diagram import SETTINGS, PhaseDiagram, phase_diagram
+from softcat_sym.plotting.figure_phase import caption, phase_figure, phase_files
+from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, phase_diagram
 
 
 @pytest.fixture(scope="module")

@@ -13,13 +13,13 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 import softcat_sym as sc
-from softcat_sym.inverse import FitOutcome
-from softcat_sym.report import style
-from softcat_sym.report.canvas import png
-from softcat_sym.report.fit_correlation import JOINT, correlation_figure, unit_ellipse
-from softcat_sym.report.fit_curves import curves_figure, model_bands
-from softcat_sym.report.fit_profiles import profiles_figure, smooth
-from softcat_sym.report.fit_starts import starts_figure
+from softcat_sym.fitting.fit import FitOutcome
+from softcat_sym.plotting import style
+from softcat_sym.plotting.fit_correlation import JOINT, correlation_figure, unit_ellipse
+from softcat_sym.plotting.fit_curves import curves_figure, model_bands
+from softcat_sym.plotting.fit_profiles import profiles_figure, smooth
+from softcat_sym.plotting.fit_starts import starts_figure
+from softcat_sym.plotting.style import png
 from tests.inverse.filmed import film, scene
 
 FIGURES: dict[str, Callable[[sc.Fit], Figure]] = {

@@ -13,14 +13,19 @@ import pytest
 from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym.inverse import FitOutcome, FittedParameter
-from softcat_sym.inverse.estimation.multi_start import Fall, Waterfall
-from softcat_sym.inverse.estimation.residual_checks import Statistic
-from softcat_sym.report.fit_document import fit_document, fit_json
-from softcat_sym.report.fit_files import fitted_toml
-from softcat_sym.report.fit_page import fit_page
-from softcat_sym.report.fit_terminal import print_fit
-from softcat_sym.report.fit_words import display_unit, parameter_texts, rounded, warnings, with_error
+from softcat_sym.fitting.fit import FitOutcome, FittedParameter
+from softcat_sym.fitting.identifiability import Statistic
+from softcat_sym.fitting.least_squares import Fall, Waterfall
+from softcat_sym.plotting.fit_files import fit_page, fitted_toml, print_fit
+from softcat_sym.plotting.fit_words import (
+    display_unit,
+    fit_document,
+    fit_json,
+    parameter_texts,
+    rounded,
+    warnings,
+    with_error,
+)
 from tests.inverse.filmed import film, scene
 
 

@@ -19,10 +19,10 @@ import pytest
 from matplotlib.image import imread
 
 import softcat_sym as sc
-from softcat_sym.report.gallery import DOCUMENT, contact_sheet, kept_exhibits
-from softcat_sym.scene import bundled_lesson, bundled_text
-from softcat_sym.study.gallery import asked_of, exhibit_of
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.plotting.gallery import DOCUMENT, contact_sheet, kept_exhibits
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.bundled import bundled_lesson, bundled_text
+from softcat_sym.studies.gallery import asked_of, exhibit_of
 from tests.cli.in_process import Softcat
 
 FINAL = {"gallery.html", "gallery.png", "gallery.csv", "gallery.json"}
@@ -165,7 +165,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
 
 
 def test_sheet_has_rows() -> None:
-    from softcat_sym.report.canvas import new_figure, png
+    from softcat_sym.plotting.style import new_figure, png
 
     one = png(new_figure(0.2, 0.1))
     high, wide, _ = imread(BytesIO(contact_sheet([one] * 7, columns=3)), format="png").shape

@@ -7,9 +7,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from softcat_sym.report.frames import telling_frames
-from softcat_sym.report.layout import vertical_stretch
-from softcat_sym.report.shapes import shapes_figure
+from softcat_sym.plotting.section import telling_frames, vertical_stretch
+from softcat_sym.plotting.shapes import shapes_figure
 
 TIMES = np.linspace(0, 2, 201)
 

@@ -17,15 +17,20 @@ from matplotlib.text import Text
 from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY
-from softcat_sym.report import style
-from softcat_sym.report.pricing import print_pricing, write_pricing, write_pricings
-from softcat_sym.report.pricing_chart import pricing_figure
-from softcat_sym.report.pricing_tables import document, in_short, pricing_table, rows_csv
-from softcat_sym.solve import Outcome
-from softcat_sym.study.bundled_pricing import Unpriced
-from softcat_sym.study.priced_run import PricedRun
-from softcat_sym.study.pricing import EVERYTHING, Pricing, PricingRow
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.plotting import style
+from softcat_sym.plotting.pricing import (
+    document,
+    in_short,
+    pricing_figure,
+    pricing_table,
+    print_pricing,
+    rows_csv,
+    write_pricing,
+    write_pricings,
+)
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.studies.pricing import EVERYTHING, PricedRun, Pricing, PricingRow, Unpriced
 
 NAMES = tuple(effect.name for effect in REGISTRY)
 TIME = np.linspace(0.0, 1.0, 5)
@@ -186,7 +191,7 @@ def test_a_pricing_that_cannot_be_drawn_writes_nothing(
     def fail(pricing: Pricing) -> bytes:
         raise KeyError("gone")
 
-    monkeypatch.setattr("softcat_sym.report.pricing.rows_csv", fail)
+    monkeypatch.setattr("softcat_sym.plotting.pricing.rows_csv", fail)
     with pytest.raises(KeyError):
         write_pricing(pricing, tmp_path / "out")
     assert not (tmp_path / "out").exists()

@@ -12,9 +12,9 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym import progress
-from softcat_sym.ensemble import MembersBar
+from softcat_sym.ensemble.ensemble import MembersBar
+from softcat_sym.plotting.terminal import FitProgressBar, IntegrationProgress, StepProgress
 from softcat_sym.progress import Display, Stage, seconds
-from softcat_sym.report.progress import FitProgressBar, IntegrationProgress, StepProgress
 
 
 @pytest.fixture(autouse=True)

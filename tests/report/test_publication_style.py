@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.report import publication_panels as panels
-from softcat_sym.report import write_pictures
-from softcat_sym.report.picture_style import STYLES, picture_style
-from softcat_sym.report.publication import LINES, MILLIMETRE, WIDTHS, Sheet, printed, publication_style
+from softcat_sym.plotting import publication as panels
+from softcat_sym.plotting.publication import LINES, MILLIMETRE, WIDTHS, Sheet, printed, publication_style
+from softcat_sym.plotting.run_files import write_pictures
+from softcat_sym.plotting.style import STYLES, picture_style
 
 NAMES = {f"{name}.{ending}" for name in ("midpoint", "shapes", "energy", "space-time") for ending in ("pdf", "png")}
 
@@ -50,7 +50,7 @@ def test_the_colour_blind_tell_all_series_from_each_other_and_from_the_paper(eye
 
 
 def test_the_lines_of_the_sliders_are_told_apart_too():
-    script = (resources.files("softcat_sym.report") / "templates" / "sliders_data.js").read_text(encoding="utf-8")
+    script = (resources.files("softcat_sym.plotting") / "templates" / "sliders_data.js").read_text(encoding="utf-8")
     colours = re.findall(r'"(#[0-9A-F]{6})"', re.search(r"COLOURS = \[(.*?)\]", script)[1])
     assert len(colours) == 6
     assert closest(colours, DEUTERANOPIA) > 10

@@ -12,13 +12,13 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
-from softcat_sym.report import publication_panels as panels
-from softcat_sym.report.energy import energy_figure
-from softcat_sym.report.midpoint import midpoint_figure
-from softcat_sym.report.publication import MILLIMETRE, WIDTHS, Sheet, publication_style
-from softcat_sym.report.shapes import shapes_figure
-from softcat_sym.report.space_time import space_time_figure
-from softcat_sym.report.style import styled
+from softcat_sym.plotting import publication as panels
+from softcat_sym.plotting.energy import energy_figure
+from softcat_sym.plotting.publication import MILLIMETRE, WIDTHS, Sheet, publication_style
+from softcat_sym.plotting.run import midpoint_figure
+from softcat_sym.plotting.shapes import shapes_figure
+from softcat_sym.plotting.space_time import space_time_figure
+from softcat_sym.plotting.style import styled
 
 TIMES = np.linspace(0, 2, 201)
 HELD = 1 - np.exp(-3 * TIMES)

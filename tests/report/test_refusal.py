@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.report import publication_panels as panels
-from softcat_sym.report import write_pictures
-from softcat_sym.report.animation import Animation
-from softcat_sym.report.energy import energy_figure
-from softcat_sym.report.midpoint import midpoint_figure
-from softcat_sym.report.publication import Sheet, publication_style
-from softcat_sym.report.refusal import refused, shown_part
-from softcat_sym.report.shapes import shapes_figure
-from softcat_sym.report.space_time import space_time_figure
-from softcat_sym.solve import Outcome
+from softcat_sym.plotting import publication as panels
+from softcat_sym.plotting.animation import Animation
+from softcat_sym.plotting.energy import energy_figure
+from softcat_sym.plotting.publication import Sheet, publication_style
+from softcat_sym.plotting.run import midpoint_figure
+from softcat_sym.plotting.run_files import write_pictures
+from softcat_sym.plotting.shapes import shapes_figure
+from softcat_sym.plotting.space_time import space_time_figure
+from softcat_sym.plotting.style import refused, shown_part
+from softcat_sym.solvers.outcome import Outcome
 
 TIMES = np.linspace(0, 2, 201)
 SCREEN = [midpoint_figure, shapes_figure, energy_figure, space_time_figure]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.report.section import (
+from softcat_sym.plotting.section import (
     Section,
     elastic_core,
     node_angles,

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from softcat_sym.report import sliders_data
-from softcat_sym.report.sliders import sliders_page
+from softcat_sym.plotting import sliders as sliders_data
+from softcat_sym.plotting.sliders import sliders_page
 from tests.report.browser import CHROMIUM, browser
 
 WORD = '</script><script>alert("x")</script> & <b>'

@@ -11,8 +11,8 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import LogNorm
 from PIL import Image
 
-from softcat_sym.report.canvas import png
-from softcat_sym.report.space_time import MOST_FRAMES, ROWS, maps_of, space_time_figure, time_to_nine_tenths
+from softcat_sym.plotting.space_time import MOST_FRAMES, ROWS, maps_of, space_time_figure, time_to_nine_tenths
+from softcat_sym.plotting.style import png
 
 
 def meshes(figure) -> list[QuadMesh]:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from softcat_sym.report.terminal import REFUSED, answer_rows, detail_rows, headline, print_summary
+from softcat_sym.plotting.terminal import REFUSED, answer_rows, detail_rows, headline, print_summary
 
 
 def console(width: int = 80) -> Console:

@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import find_compiler
-from softcat_sym.reference import ElementRun, Mesh, run_elements
-from softcat_sym.reference.element_fields import element_fields
-from softcat_sym.report import vtk
-from softcat_sym.report.vtk import write_vtk
+from softcat_sym.plotting import vtk
+from softcat_sym.plotting.vtk import write_vtk
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.reference.elements import ElementRun, element_fields, run_elements
 from tests.reference.strips import shortened
 
 meshio = pytest.importorskip("meshio")

@@ -11,10 +11,10 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.graph import Graph
-from softcat_sym.graph.grid import Floats
-from softcat_sym.native import compile_library, load
-from softcat_sym.solve import Prepared
+from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.solvers.run import Prepared
 
 from .kirchhoff_c import PORTABLE
 from .radau import Solved

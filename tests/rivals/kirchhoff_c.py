@@ -11,9 +11,9 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 
-from softcat_sym.graph import Graph
-from softcat_sym.graph.grid import Floats
-from softcat_sym.native import compile_library, load
+from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
 
 HERE = Path(__file__).parent
 PORTABLE = ("-O3", "-fno-math-errno", "-fno-trapping-math")

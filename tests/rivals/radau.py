@@ -10,8 +10,8 @@ import numpy.typing as npt
 from scipy.integrate import solve_ivp
 from scipy.sparse import csc_matrix
 
-from softcat_sym.graph.grid import Floats
-from softcat_sym.solve import Prepared
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.solvers.run import Prepared
 
 from .kirchhoff_c import Numbers, numbers_of
 

@@ -9,10 +9,11 @@ from typing import Any, Literal
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.graph.choosing import choose_grid
+from softcat_sym.discretization.assembly import choose_grid
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.single_run import build
-from softcat_sym.solve import Prepared, Silence
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
 
 Physics = Literal["paper", "fibres"]
 

@@ -6,8 +6,9 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.graph.grid import Floats
-from softcat_sym.solve import Prepared, Silence
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
 from tests.acceptance.table import show
 
 from . import casadi_rosenbrock, radau, scenes

@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene import Scene, load_scene
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 BINGHAM: dict[str, Any] = {
     "filament": {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"},

@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from softcat_sym.errors import SceneError
-from softcat_sym.scene import Scene, load_scene
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 from .tables import BINGHAM, faults_of, spoiled
 

@@ -7,8 +7,7 @@ import sys
 
 import pytest
 
-from softcat_sym.scene.common_units import COMMON
-from softcat_sym.scene.units import SI_UNITS, measured_by_pint
+from softcat_sym.scene.units import COMMON, SI_UNITS, measured_by_pint
 
 
 @pytest.mark.parametrize("unit", COMMON)

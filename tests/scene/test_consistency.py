@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 
-from softcat_sym.scene import (
+from softcat_sym.scene.parts import farthest, nearest
+from softcat_sym.scene.scene import (
     Scene,
     chord_angle,
     distance,
@@ -18,7 +19,6 @@ from softcat_sym.scene import (
     stress_free_length,
     undeformed_area,
 )
-from softcat_sym.scene.support_path import farthest, nearest
 
 from .tables import faults_of, spoiled
 from .test_material import LAWS

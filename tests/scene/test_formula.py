@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic_core import PydanticCustomError
 
-from softcat_sym.scene import Scene, parse_formula
-from softcat_sym.scene.formula import FUNCTIONS
+from softcat_sym.scene.formula import FUNCTIONS, parse_formula
+from softcat_sym.scene.scene import Scene
 
 from .tables import BINGHAM, faults_of, spoiled
 

@@ -9,16 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from softcat_sym.scene import (
-    Groups,
-    Scene,
-    bundled_names,
-    bundled_title,
-    elastic_time,
-    gravity_time,
-    groups_of,
-    load_scene,
-)
+from softcat_sym.scene.bundled import bundled_names, bundled_title
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Groups, Scene, elastic_time, gravity_time, groups_of
 
 from .tables import BINGHAM, GROUPS, faults_of, spoiled
 

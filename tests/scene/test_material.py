@@ -9,8 +9,8 @@ from typing import Any, get_args
 
 import pytest
 
-from softcat_sym.scene import Mode, Parameter, Scene
-from softcat_sym.scene.laws import CONSTANTS, Law
+from softcat_sym.scene.material import CONSTANTS, Law, Mode, Parameter
+from softcat_sym.scene.scene import Scene
 
 from .tables import BINGHAM, faults_of, spoiled
 

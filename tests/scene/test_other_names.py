@@ -9,7 +9,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError
-from softcat_sym.scene import Scene
+from softcat_sym.scene.scene import Scene
 
 
 def table(**changes: Any) -> dict[str, Any]:
@@ -151,7 +151,7 @@ def test_groups_count_them_too() -> None:
 
 
 def test_they_are_keys_that_may_be_varied() -> None:
-    from softcat_sym.study.sweep.axes import read_axes
+    from softcat_sym.studies.sweep_table import read_axes
 
     axes = read_axes(sc.load_scene("agar-bar"), ["filament.diameter=4:6 mm:3", "material.loss_tangent=0.1,0.2"])
     assert axes[0].values == (4e-3, 5e-3, 6e-3)

@@ -7,7 +7,8 @@ import math
 import pytest
 
 from softcat_sym.errors import SceneError
-from softcat_sym.scene import Scene, load_scene
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 from .tables import BINGHAM, refused
 

@@ -18,7 +18,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from softcat_sym.scene import Filament, Scene, bundled_names, bundled_text, load_scene
+from softcat_sym.scene.bundled import bundled_names, bundled_text
+from softcat_sym.scene.parts import Filament
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 from .tables import BINGHAM, refused, spoiled
 

@@ -8,7 +8,9 @@ from typing import Any
 import pytest
 
 from softcat_sym.errors import SceneError
-from softcat_sym.scene import Scene, bundled_names, load_scene
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
 
 PAIR = {"load.shake": 0.5, "load.shake_frequency": "9 Hz"}
 

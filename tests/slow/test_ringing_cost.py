@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.effects.natural_frequency import first_vibration
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.single_run import build
-from softcat_sym.solve import Silence
-from softcat_sym.study.explanation import SECONDS_PER_UNKNOWN, STEPS_PER_PERIOD
+from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.explanation import SECONDS_PER_UNKNOWN, STEPS_PER_PERIOD
 
 pytestmark = pytest.mark.slow
 

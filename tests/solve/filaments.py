@@ -8,14 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
-from softcat_sym.graph import Graph, assemble
-from softcat_sym.graph.choosing import choose_grid
-from softcat_sym.graph.grid import Floats
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Prepared, Settings, Silence, choose_settings, prepare
+from softcat_sym.discretization.assembly import assemble, choose_grid
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.run import Prepared, prepare
+from softcat_sym.solvers.settings import Settings, choose_settings
+from softcat_sym.solvers.solution import Silence
 
 _MATERIALS: dict[str, dict[str, Any]] = {
     "elastic": {"law": "elastic", "youngs_modulus": "4 MPa"},

@@ -8,10 +8,11 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.graph import energy_scale
-from softcat_sym.graph.grid import Floats
-from softcat_sym.solve import Outcome, Silence, Solution
-from softcat_sym.solve.equilibrium import Equilibrium, sagging_guesses
+from softcat_sym.discretization.assembly import energy_scale
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.solvers.initial_state import Equilibrium, sagging_guesses
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Silence, Solution
 
 from .filaments import midpoint, prepared, scene_of, without
 

@@ -13,11 +13,15 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.library import cache_entries
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.native import cache_entries, find_compiler
-from softcat_sym.scene import Scene
-from softcat_sym.solve import backend, c_model, choose_backend, compiling
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers import compiled as c_model
+from softcat_sym.solvers import compiled as compiling
+from softcat_sym.solvers import settings as backend
+from softcat_sym.solvers.settings import choose_backend
 from tests.acceptance.table import show
 from tests.native.compilers import Counter, compiler
 

@@ -13,11 +13,14 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.discretization.assembly import energy_scale
 from softcat_sym.errors import SoftcatError
-from softcat_sym.graph import energy_scale
-from softcat_sym.solve import Outcome, Prepared, Silence, c_model, compiled
-from softcat_sym.solve.c_model import Answer, CModel, Run, Status
-from softcat_sym.solve.compiled import CompiledIntegration
+from softcat_sym.solvers import compiled
+from softcat_sym.solvers import compiled as c_model
+from softcat_sym.solvers.compiled import Answer, CModel, CompiledIntegration, Run, Status
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
 from tests.acceptance.table import show
 
 from .filaments import Listener, scene_of
@@ -279,6 +282,6 @@ def test_what_fails_within_the_thread_is_what_the_caller_gets(monkeypatch: pytes
     def no_memory(*_: object) -> None:
         raise MemoryError("frames")
 
-    monkeypatch.setattr("softcat_sym.solve.c_model.CModel.integrate", no_memory)
+    monkeypatch.setattr("softcat_sym.solvers.compiled.CModel.integrate", no_memory)
     with pytest.raises(MemoryError, match="frames"):
         sc.simulate(sc.load_scene("no-yield", {"numerics.cells": 6, "run.frames": 3}))

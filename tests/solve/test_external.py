@@ -10,14 +10,15 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.codegen.c_source import CSource
-from softcat_sym.codegen.general import rosenbrock
+from softcat_sym.codegen.c_printer import CSource
+from softcat_sym.codegen.compiler import cache_folder
+from softcat_sym.codegen.export import rosenbrock
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import cache_folder
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Prepared, Silence
-from softcat_sym.solve import external as external_module
-from softcat_sym.solve.external import External, compiled_rhs, compiled_rosenbrock
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers import compiled as external_module
+from softcat_sym.solvers.compiled import External, compiled_rhs, compiled_rosenbrock
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
 
 from ..native.compilers import Counter
 from .filaments import graph_of, prepared, scene_of, without

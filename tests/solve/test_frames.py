@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.solve import Outcome, Silence, integrate
-from softcat_sym.solve.integrate import FrameIntegrator
+from softcat_sym.solvers import interpreted as integrate
+from softcat_sym.solvers.interpreted import FrameIntegrator
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Silence
 
 from .filaments import Listener, midpoint, prepared, scene_of, without
 

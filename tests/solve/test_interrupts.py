@@ -10,8 +10,7 @@ import time
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.solve import Silence
-from softcat_sym.solve.interrupts import watched
+from softcat_sym.solvers.solution import Silence, watched
 
 
 def test_a_signal_in_the_middle_of_the_integration_stops_it() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.effects.forecast import expected_sag
-from softcat_sym.trajectory.settling import period_of
+from softcat_sym.results.motion import period_of
 
 
 @pytest.fixture(scope="module")

@@ -8,10 +8,13 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from softcat_sym.graph import Graph
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Outcome, Silence, prepare, settings
-from softcat_sym.solve.integrate import worst_component
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers import settings
+from softcat_sym.solvers.interpreted import worst_component
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.run import prepare
+from softcat_sym.solvers.solution import Silence
 
 from .filaments import graph_of, midpoint, prepared, scene_of, settings_of, without
 

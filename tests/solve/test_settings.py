@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.scene import load_scene
-from softcat_sym.solve import choose_settings
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.solvers.settings import choose_settings
 
 from .filaments import scene_of, settings_of, without
 

@@ -10,15 +10,14 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from softcat_sym.effects import choose_effects
-from softcat_sym.graph import Graph
-from softcat_sym.graph.grid import Floats
-from softcat_sym.scene import Scene, rest_length
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import simulate
 from softcat_sym.single_run import build
-from softcat_sym.solve import starting
-from softcat_sym.solve.equilibrium import Equilibrium
-from softcat_sym.solve.settling import settled
+from softcat_sym.solvers import initial_state as starting
+from softcat_sym.solvers.initial_state import Equilibrium, settled
 from tests.acceptance.random_scenes import random_scenes
 
 KIRCHHOFF = ("bending", "finite-stretch", "thinning", "large-rotation")

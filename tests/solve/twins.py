@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.scene import Scene
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.scene.scene import Scene
 from softcat_sym.single_run import build
-from softcat_sym.solve import Prepared, Solution
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Solution
 
 from .filaments import scene_of, without
 

@@ -9,15 +9,24 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from softcat_sym.equations import regimes, spanning
-from softcat_sym.scene import Scene
+from softcat_sym.physics import closed_forms as spanning
+from softcat_sym.physics import regimes
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import simulate, without_estimate
-from softcat_sym.study.card.causes import WORDS, Solver, blamed, percent
-from softcat_sym.study.card.contents import Rule
-from softcat_sym.study.card.descent import descent_of
-from softcat_sym.study.card.making import applied_to
-from softcat_sym.study.card.rules import RULES, RuleOfTheField, smay_modulus_needed, unusual
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.studies.card import applied_to
+from softcat_sym.studies.card_rules import (
+    RULES,
+    WORDS,
+    Rule,
+    RuleOfTheField,
+    Solver,
+    blamed,
+    descent_of,
+    percent,
+    smay_modulus_needed,
+    unusual,
+)
 
 OWN = {one.key: one for one in RULES}
 

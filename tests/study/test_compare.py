@@ -12,17 +12,14 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
-from softcat_sym.equations.filament import derive
-from softcat_sym.equations.section import SECTIONS
+from softcat_sym.discretization.assembly import assemble, choose_grid, choose_theory
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.graph import assemble
-from softcat_sym.graph.choosing import choose_grid, choose_theory
-from softcat_sym.reference import Mesh
-from softcat_sym.solve import Silence
-from softcat_sym.study.clamp_strain import filament_clamp_strain
-from softcat_sym.study.compare import Comparison, compare
-from softcat_sym.study.discrepancy import aligned, discrepancy
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.reference.element_loop import Mesh
+from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.compare import Comparison, aligned, compare, discrepancy, filament_clamp_strain
 from tests.acceptance.table import show
 from tests.reference.strips import shortened
 

@@ -13,9 +13,8 @@ import pytest
 from rich.console import Console
 
 import softcat_sym as sc
-from softcat_sym.report.explain import print_explanation, write_explanation
-from softcat_sym.report.tex import article
-from softcat_sym.study.explanation import Explanation, explain
+from softcat_sym.plotting.explain import article, print_explanation, write_explanation
+from softcat_sym.studies.explanation import Explanation, explain
 
 SCENES = ["no-yield", "cold-honey", "thermoforming-sheet", "cooked-spaghetti"]
 

@@ -14,11 +14,11 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.inverse.forward.free import free_parameters
-from softcat_sym.inverse.forward.model import ForwardModel
-from softcat_sym.solve.keeping import Form, json_form, kept, kept_by, packed, unpacked
-from softcat_sym.study.blocks import KeptBlocks, KeptResults
-from softcat_sym.trajectory.keeping import trajectory_form
+from softcat_sym.ensemble.block_store import KeptBlocks, KeptResults
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.results.files import trajectory_form
+from softcat_sym.solvers.checkpoint import Form, json_form, kept, kept_by, packed, unpacked
 
 PLAIN: Form[Any] = json_form(lambda value: value, lambda value: value)
 

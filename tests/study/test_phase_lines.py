@@ -6,11 +6,9 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects.plastic_overshoot import overshoot, rebound
-from softcat_sym.study.phase_boundaries import crossings, distances
-from softcat_sym.study.phase_diagram import SETTINGS
-from softcat_sym.study.phase_lines import PhaseLine, phase_lines
-from softcat_sym.study.phase_plane import PLANES
+from softcat_sym.effects.forecast import overshoot, rebound
+from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, distances, phase_lines
+from softcat_sym.studies.phase_runs import PLANES
 
 LAPLACE = 0.6627434193491816
 """Laplace limit constant, max of u/cosh u; no catenary carries itself beyond G = 2 of it."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import pytest
 
-from softcat_sym.study.phase_refinement import Node, coarse_width, refined
+from softcat_sym.studies.phase_runs import Node, coarse_width, refined
 
 Rule = Callable[[int, int], str]
 

@@ -8,11 +8,19 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.progress import NobodyListens
+from softcat_sym.ensemble.ensemble import NobodyListens
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.study.phase_diagram import SETTINGS, descent_run, phase_diagram
-from softcat_sym.study.phase_plane import PLANES, Place, duration_at, place_at, row_of
-from softcat_sym.study.phase_runs import CLAMPS_ONLY, PASSED, PhaseRunner
+from softcat_sym.studies.phase import SETTINGS, descent_run, phase_diagram
+from softcat_sym.studies.phase_runs import (
+    CLAMPS_ONLY,
+    PASSED,
+    PLANES,
+    PhaseRunner,
+    Place,
+    duration_at,
+    place_at,
+    row_of,
+)
 
 SCENE = sc.load_scene("arrested-overdamped", list(SETTINGS))
 

@@ -10,14 +10,25 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import REGISTRY
+from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SceneError
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Outcome, Silence
-from softcat_sym.study.bundled_pricing import Unpriced, price_bundled
-from softcat_sym.study.pricing import Pricing, PricingRow, price_effects
-from softcat_sym.study.reading import listed, percent, reading
-from softcat_sym.study.variants import dependants, everything, requirements, with_effects
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.pricing import (
+    Pricing,
+    PricingRow,
+    Unpriced,
+    dependants,
+    everything,
+    listed,
+    percent,
+    price_bundled,
+    price_effects,
+    reading,
+    requirements,
+    with_effects,
+)
 from tests.effects.scenes import scene_of
 from tests.physics.closed_forms import von_karman_sag
 

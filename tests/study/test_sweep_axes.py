@@ -9,7 +9,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.study.sweep import SweepPlan, plan_sweep
+from softcat_sym.studies.sweep_table import SweepPlan, plan_sweep
 
 SCENE = sc.load_scene("ink-bridge", {"run.effects": "paper"})
 

@@ -14,13 +14,13 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
+from softcat_sym.ensemble.block_store import kept_text
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.solve.c_model import CModel
-from softcat_sym.study.blocks import kept_text
-from softcat_sym.study.phase_diagram import SETTINGS, phase_diagram
-from softcat_sym.study.phase_kept import KeptRuns
-from softcat_sym.study.sweep import work
-from softcat_sym.study.sweep.member_result import time_to_share
+from softcat_sym.solvers.compiled import CModel
+from softcat_sym.studies import sweep as work
+from softcat_sym.studies.phase import SETTINGS, phase_diagram
+from softcat_sym.studies.phase_runs import KeptRuns
+from softcat_sym.studies.sweep import time_to_share
 
 QUICK = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 21, "numerics.estimate": False}
 SCENE = sc.load_scene("arrested-overdamped", QUICK)
@@ -199,7 +199,7 @@ def test_without_a_directory_the_data_stay_in_memory() -> None:
 
 
 def test_a_phase_diagram_goes_on_from_its_finished_runs(tmp_path: Path) -> None:
-    from softcat_sym.study.blocks import KeptBlocks
+    from softcat_sym.ensemble.block_store import KeptBlocks
 
     scene = sc.load_scene("arrested-overdamped", [*SETTINGS, "numerics.cells=10", "run.frames=41"])
 
@@ -223,7 +223,7 @@ if len(sys.argv) == 1:
     large = b"x" * 800_000_000
     del large
     sys.exit(subprocess.run([sys.executable, "-c", sys.orig_argv[2], "child"]).returncode)
-from softcat_sym.study.sweep.result import peak_memory
+from softcat_sym.studies.sweep import peak_memory
 before = peak_memory()
 large = b"x" * 200_000_000
 del large

@@ -9,16 +9,23 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.reference import Clamp, ElementRun, Mesh
-from softcat_sym.reference.march import March
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Progress
-from softcat_sym.study import compare as comparing
-from softcat_sym.study.theory_end import TheoryEnd, where_theory_ends
-from softcat_sym.study.theory_end_error import relative_error
-from softcat_sym.study.theory_end_limit import slender_limit
-from softcat_sym.study.theory_end_mesh import ASPECT, coarser, mesh_following
-from softcat_sym.study.theory_end_values import Variation, number_at, read_variation
+from softcat_sym.reference.element_loop import Clamp, Mesh
+from softcat_sym.reference.elements import ElementRun, March
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.solution import Progress
+from softcat_sym.studies import compare as comparing
+from softcat_sym.studies.theory_end import (
+    ASPECT,
+    TheoryEnd,
+    Variation,
+    coarser,
+    mesh_following,
+    number_at,
+    read_variation,
+    relative_error,
+    slender_limit,
+    where_theory_ends,
+)
 from tests.reference.strips import timoshenko_sag
 
 

@@ -11,11 +11,19 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
-from softcat_sym.study.work_precision import Curve, Plan, Row, WorkPrecision, _rows, kept_points
-from softcat_sym.study.work_precision_process import DIED, Worker
-from softcat_sym.study.work_precision_programs import PROGRAMS
-from softcat_sym.study.work_precision_reference import Reference, reference_of
-from softcat_sym.study.work_precision_task import Measured, Task
+from softcat_sym.studies.work_precision import (
+    DIED,
+    Curve,
+    Plan,
+    Reference,
+    Row,
+    Worker,
+    WorkPrecision,
+    _rows,
+    kept_points,
+    reference_of,
+)
+from softcat_sym.studies.work_precision_programs import PROGRAMS, Measured, Task
 
 TASK = Task("cvodes", 40, 1.0)
 REFERENCE = Reference(np.array([0.0, -1.0, -2.0]), 1e-6, 2e-6, ("Rosenbrock", "BDF"), "made up")
@@ -119,7 +127,7 @@ def test_knee_is_the_quickest_that_is_good_enough() -> None:
 
 @pytest.mark.slow  # each new process imports all of the package
 def test_what_takes_too_long_is_ended_and_the_next_begins_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("softcat_sym.study.work_precision_process._GRACE", 0.1)
+    monkeypatch.setattr("softcat_sym.studies.work_precision._GRACE", 0.1)
     path = tmp_path / "scene.toml"
     scene = sc.load_scene("continual-descent", {"run.effects": "paper", "numerics.estimate": False})
     path.write_text(scene.to_toml())

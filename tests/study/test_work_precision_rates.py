@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.effects import choose_effects
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SoftcatError
-from softcat_sym.native import find_compiler
 from softcat_sym.single_run import build
-from softcat_sym.solve import Prepared, Silence
-from softcat_sym.study.work_precision_programs import Bench, program_of, scene_of
-from softcat_sym.study.work_precision_rates import CompiledRates, stable_step
-from softcat_sym.study.work_precision_task import Task
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.work_precision_programs import Bench, CompiledRates, Task, program_of, scene_of, stable_step
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 

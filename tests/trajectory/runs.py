@@ -6,8 +6,8 @@ from functools import cache
 from typing import Any
 
 from softcat_sym import simulate
-from softcat_sym.scene import Scene
-from softcat_sym.trajectory import Trajectory
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
 
 _MATERIALS: dict[str, dict[str, Any]] = {
     "elastic": {"law": "elastic", "youngs_modulus": "4 MPa"},

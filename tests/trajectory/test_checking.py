@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 from softcat_sym import simulate
-from softcat_sym.effects import Estimate, choose_effects
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Outcome
-from softcat_sym.trajectory import Trajectory
-from softcat_sym.trajectory.checking import overlooked
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect import Estimate
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.verdict import overlooked
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.outcome import Outcome
 
 CABLE = ("bending", "extensibility", "finite-stretch", "thinning", "large-rotation")
 WEIGHT = 1e4

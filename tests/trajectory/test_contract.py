@@ -16,10 +16,11 @@ import pytest
 import xarray as xr
 
 from softcat_sym import load_scene, simulate
-from softcat_sym.effects import choose_effects
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Outcome
-from softcat_sym.trajectory import Trajectory, files
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.results import files
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.outcome import Outcome
 
 from .runs import run, scene_of
 
@@ -237,7 +238,7 @@ def test_a_read_only_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 
 
 def broken(monkeypatch: pytest.MonkeyPatch) -> Trajectory:
-    from softcat_sym.solve import settings
+    from softcat_sym.solvers import settings
 
     monkeypatch.setattr(settings, "_STEPS_PER_FRAME", 2)
     return simulate(scene_of(numerics={"solver": "cvodes"}, run={"effects": "paper"}))

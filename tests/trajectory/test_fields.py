@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from softcat_sym import simulate
-from softcat_sym.effects import choose_effects
-from softcat_sym.trajectory.fields import undeformed_area
-from softcat_sym.trajectory.mirror import mirrored
-from softcat_sym.trajectory.variables import ENERGIES, VARIABLES
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.results.fields import ENERGIES, VARIABLES, mirrored
+from softcat_sym.scene.scene import undeformed_area
 
 from .runs import run, scene_of
 

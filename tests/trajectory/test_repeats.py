@@ -11,11 +11,13 @@ import numpy as np
 import pytest
 
 from softcat_sym import clock, load_scene, simulate
-from softcat_sym.effects import choose_effects, choosing
+from softcat_sym.effects import choosing
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import forecast
-from softcat_sym.scene import Scene
-from softcat_sym.solve import Outcome
-from softcat_sym.trajectory import Trajectory, trajectory
+from softcat_sym.results import trajectory
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.outcome import Outcome
 
 WEIGHT, ACCURACY = 1e4, 0.01
 FORESEES_NOTHING = dict.fromkeys(

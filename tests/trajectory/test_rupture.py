@@ -7,9 +7,8 @@ import math
 import numpy as np
 
 import softcat_sym as sc
+from softcat_sym.results.verdict import gained_energy, largest_stretch, neck_strain, rupture, rupture_frame
 from softcat_sym.simulate import without_estimate
-from softcat_sym.trajectory.localisation import neck_strain
-from softcat_sym.trajectory.rupture import gained_energy, largest_stretch, rupture, rupture_frame
 
 from .runs import scene_of
 

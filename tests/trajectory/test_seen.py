@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from softcat_sym import simulate
-from softcat_sym.effects import choose_effects
-from softcat_sym.effects.motion import Motion
-from softcat_sym.effects.shearing import compliant_sag, lagging
-from softcat_sym.scene import Scene
-from softcat_sym.trajectory import Trajectory
-from softcat_sym.trajectory.seen import seen
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect import Motion
+from softcat_sym.effects.forecast import compliant_sag, lagging
+from softcat_sym.results.motion import seen
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
 
 Array = np.ndarray[Any, Any]
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from softcat_sym import simulate
-from softcat_sym.accuracy import Judge
-from softcat_sym.scene import Scene
-from softcat_sym.trajectory.settling import STRIDE, period_of, ringing_of, still_to_move
+from softcat_sym.error_control.estimate import Judge
+from softcat_sym.results.motion import STRIDE, period_of, ringing_of, still_to_move
+from softcat_sym.scene.scene import Scene
 
 ACCURACY = 0.01
 

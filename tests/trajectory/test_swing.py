@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from softcat_sym.trajectory.swing import frames_a_period, swing_period, too_few_frames
+from softcat_sym.results.motion import frames_a_period, swing_period, too_few_frames
 
 
 def ringing(frequency: float, duration: float = 2.0, frames: int = 201, amplitude: float = 0.5):

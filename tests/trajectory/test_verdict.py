@@ -9,18 +9,20 @@ import numpy as np
 import pytest
 
 from softcat_sym import simulate
-from softcat_sym.effects import choose_effects
-from softcat_sym.scene import Scene, load_scene, rest_length
-from softcat_sym.solve import Outcome
-from softcat_sym.trajectory.energy import energy_residual
-from softcat_sym.trajectory.localisation import (
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.results.fields import energy_residual
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, is_arrested, regime_of, turned_back
+from softcat_sym.results.verdict import (
     SHARE_OF_ONE_CELL,
+    SHORTEST_CELL,
     largest_share_of_one_cell,
     neck_strain,
     neck_that_the_grid_decides,
+    warnings_of,
 )
-from softcat_sym.trajectory.regime import ARREST_RATE, ARREST_TIME, TURNED_BACK, is_arrested, regime_of, turned_back
-from softcat_sym.trajectory.validity import SHORTEST_CELL, warnings_of
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.solvers.outcome import Outcome
 
 from .runs import run, scene_of
 
@@ -234,7 +236,7 @@ def test_no_energy_at_all() -> None:
 
 
 def test_a_balance_that_does_not_close_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    from softcat_sym.trajectory import trajectory
+    from softcat_sym.results import trajectory
 
     monkeypatch.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
     drifted = simulate(scene_of())
@@ -253,7 +255,7 @@ def test_an_effect_that_the_user_left_out_is_no_failure(absent: tuple[str, ...])
 
 
 def test_a_neck_is_worse_than_any_other_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
-    from softcat_sym.trajectory import verdict
+    from softcat_sym.results import verdict
 
     monkeypatch.setattr(verdict, "neck_that_the_grid_decides", lambda stretch, length, neck: "a neck at X")
     necked = simulate(scene_of())

@@ -1,0 +1,457 @@
+"""The C compiler of this machine: where it is, what it takes, how it is run so that nothing outlives Ctrl-C."""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import functools
+import hashlib
+import json
+import os
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextvars import ContextVar
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+
+from softcat_sym.errors import SoftcatError
+from softcat_sym.files import replace_atomically
+from softcat_sym.interrupts import interrupts_go_to
+
+ADVICE = "set SOFTCAT_CACHE to a folder of your own that can be written"
+COMPILERS = "compilers.json"
+"""What is known of compilers, beside the libraries."""
+
+_LOCK, _MOMENT = "lock", 5.0
+
+
+def cache_folder() -> Path:
+    """SOFTCAT_CACHE, else ``softcat_sym`` in XDG_CACHE_HOME, else in ``~/.cache``; it may not exist yet.
+
+    Raises
+    ------
+    SoftcatError
+        If SOFTCAT_CACHE begins with the home of a user who does not exist.
+    """
+    chosen, shared = os.environ.get("SOFTCAT_CACHE"), os.environ.get("XDG_CACHE_HOME")
+    if chosen:
+        try:
+            return Path(chosen).expanduser().absolute()
+        except RuntimeError as error:
+            raise SoftcatError(f"SOFTCAT_CACHE is {chosen!r}: {error}") from error
+    if shared:
+        return Path(shared).absolute() / "softcat_sym"
+    try:
+        return Path.home() / ".cache" / "softcat_sym"
+    except RuntimeError:  # a user without a home, as in some containers
+        return Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
+
+
+def libraries() -> Path:
+    """The folder of compiled libraries, in the cache; it may not exist yet."""
+    return cache_folder() / "native"
+
+
+def distrust(folder: Path) -> str:
+    """Why no code may be loaded from a folder; empty where it is the user's own, or not there.
+
+    Whoever can write there could put a library in, with its digest, that this user would then run. That nobody else
+    can is asked of this one folder: who can rename what lies above it can still not fill it in this user's name.
+    """
+    if sys.platform == "win32":
+        return ""
+    try:
+        status = folder.stat()
+    except OSError:
+        return ""
+    if status.st_uid not in (os.geteuid(), 0):
+        return f"{folder} belongs to another user, who could put code there"
+    if status.st_mode & 0o022:
+        return f"{folder} can be written by others, who could put code there (chmod go-w takes that away)"
+    return ""
+
+
+def make(folder: Path) -> None:
+    """Make a folder that only this user can write, with the folders above it.
+
+    Raises
+    ------
+    OSError
+        If it cannot be made, or what is there is not to be trusted.
+    """
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if reason := distrust(folder):
+        raise PermissionError(reason)
+
+
+@functools.cache
+def temporary(instead_of: Path, reason: str) -> Path:
+    """A folder of this process that is gone with it, for libraries that cannot be kept; the user is warned, once."""
+    warnings.warn(
+        f"compiled libraries cannot be kept in {instead_of}: {reason}; every process compiles its own. To keep them, "
+        f"{ADVICE}",
+        stacklevel=2,
+    )
+    made = Path(tempfile.mkdtemp(prefix="softcat_sym-"))
+    atexit.register(shutil.rmtree, made, ignore_errors=True)
+    return made
+
+
+@contextlib.contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Mark a folder as in use by this process; the mark is gone when the process is, however it ends."""
+    begun = folder / f"{_LOCK}.begun"
+    with begun.open("w") as stream:
+        if sys.platform != "win32":
+            import fcntl
+
+            # Some network file systems know no locks: clearing the cache then also takes what is under way.
+            with contextlib.suppress(OSError):
+                fcntl.flock(stream, fcntl.LOCK_EX)
+        begun.rename(folder / _LOCK)  # so that it is never seen without the lock
+        yield
+
+
+def in_use(folder: Path) -> bool:
+    """Whether a process holds the folder :func:`locked`."""
+    if sys.platform == "win32":
+        return False
+    import fcntl
+
+    try:
+        with (folder / _LOCK).open("r+") as stream:
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    except FileNotFoundError:
+        # Made a moment ago, and about to be locked; or what is left of one.
+        try:
+            return time.time() - folder.stat().st_mtime < _MOMENT
+        except FileNotFoundError:
+            return False
+    except OSError:
+        return False
+    return False
+
+
+def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run a command to its end, and take what it says.
+
+    Parameters
+    ----------
+    command : sequence of str
+        The executable and its arguments.
+    seconds : float
+        How long it may take.
+    folder : pathlib.Path, optional
+        Where it runs and puts its temporary files.
+
+    Returns
+    -------
+    subprocess.CompletedProcess
+        Its status (negative: the signal that ended it) and what it printed.
+
+    Raises
+    ------
+    OSError
+        If it cannot be started.
+    subprocess.TimeoutExpired
+        If it takes longer. As with Ctrl-C, it is then dead, and so is every process that it started.
+    """
+    interrupt = _Interrupt()
+    with (
+        interrupts_go_to(interrupt.note),
+        subprocess.Popen(
+            command,
+            cwd=folder,
+            env=_surroundings(folder),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            # A group of its own: a compiler is a driver whose passes would live on if only the driver were killed.
+            start_new_session=True,
+        ) as process,
+    ):
+        try:
+            if (processes := _processes.get()) is not None:
+                processes.add(process)
+            interrupt.pass_on()
+            out, err = process.communicate(timeout=seconds)
+        except BaseException:
+            _kill_group(process)
+            raise
+    return subprocess.CompletedProcess(command, process.returncode, out, err)
+
+
+def _surroundings(folder: Path | None) -> dict[str, str]:
+    """In the C locale messages are in English, where the word "error" marks the lines that matter."""
+    return {**os.environ, "LC_ALL": "C", **({"TMPDIR": str(folder)} if folder is not None else {})}
+
+
+class Processes:
+    """Those that a thread runs, which another thread may kill."""
+
+    def __init__(self) -> None:
+        self._killed, self._lock = False, threading.Lock()
+        self._running: list[subprocess.Popen[str]] = []
+
+    def add(self, process: subprocess.Popen[str]) -> None:
+        """One that was started just now: it is killed at once if the others have been."""
+        with self._lock:
+            self._running.append(process)
+            if self._killed:
+                _kill_group(process)
+
+    def kill(self) -> None:
+        """End all, with what they have started, and whatever is added later."""
+        with self._lock:
+            self._killed = True
+            for process in self._running:
+                if process.returncode is None:
+                    _kill_group(process)
+
+
+_processes: ContextVar[Processes | None] = ContextVar("processes", default=None)
+
+
+@contextlib.contextmanager
+def kill_on(processes: Processes) -> Iterator[None]:
+    """Add what :func:`run` starts in this thread meanwhile, so that it can be killed from another."""
+    before = _processes.set(processes)
+    try:
+        yield
+    finally:
+        _processes.reset(before)
+
+
+class _Interrupt:
+    """Ctrl-C, held back while a process is being started: raised then, it would leave one that nobody knows of."""
+
+    def __init__(self) -> None:
+        self._pending = self._passed_on = False
+
+    def note(self, number: int, frame: FrameType | None) -> None:
+        """Handle SIGINT."""
+        self._pending = True
+        if self._passed_on:
+            signal.default_int_handler(number, frame)
+
+    def pass_on(self) -> None:
+        """Raise what was held back, and from now on whatever comes."""
+        self._passed_on = True
+        if self._pending:
+            raise KeyboardInterrupt
+
+
+def _kill_group(process: subprocess.Popen[str]) -> None:
+    if sys.platform == "win32":
+        process.kill()
+    else:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+
+
+_DAY = 86400.0
+_KEPT = 32
+
+
+def fingerprint(command: Sequence[str]) -> str:
+    """Path, size and time of change of every executable that a command names: ``ccache gcc`` names two."""
+    found = [path for word in command if not word.startswith("-") and (path := shutil.which(word)) is not None]
+    return json.dumps([(path, (status := Path(path).stat()).st_size, status.st_mtime_ns) for path in found])
+
+
+def recall(command: Sequence[str], files: str) -> str | None:
+    """What a compiler said before, if its files are the same.
+
+    A wrapper's file does not change with the compiler behind it, so what was said counts for a day.
+    """
+    known = _read().get(json.dumps(list(command)))
+    try:
+        if known is not None and known["files"] == files and 0 <= time.time() - float(str(known["time"])) < _DAY:
+            return str(known["version"])
+    except (KeyError, TypeError, ValueError):
+        return None
+    return None
+
+
+def remember(command: Sequence[str], files: str, version: str) -> None:
+    """Keep what a compiler said; where that is impossible, it will be asked again."""
+    known = dict(list(_read().items())[-_KEPT:])
+    known[json.dumps(list(command))] = {"files": files, "version": version, "time": time.time()}
+    native = libraries()
+    with contextlib.suppress(OSError):
+        make(native)
+        replace_atomically(native / COMPILERS, json.dumps(known, indent=1).encode())
+
+
+def _read() -> dict[str, dict[str, object]]:
+    native = libraries()
+    if distrust(native):
+        return {}
+    try:
+        known = json.loads((native / COMPILERS).read_bytes())
+    except (OSError, ValueError):
+        return {}
+    return {key: value for key, value in known.items() if isinstance(value, dict)} if isinstance(known, dict) else {}
+
+
+_USUAL = ("cc", "gcc", "clang")
+_PATIENCE = 10.0  # s, for a compiler to say its version, which takes a tenth of one
+
+
+@dataclass(frozen=True, slots=True)
+class Compiler:
+    """A C compiler that runs.
+
+    Attributes
+    ----------
+    command : tuple of str
+        How it is called: its path first, then what the variable CC says besides.
+    version : str
+        First line of what ``--version`` prints.
+    """
+
+    command: tuple[str, ...]
+    version: str
+
+    @property
+    def path(self) -> Path:
+        """The executable."""
+        return Path(self.command[0])
+
+    @property
+    def name(self) -> str:
+        """In short, for summaries: ``gcc 12.2.0``."""
+        # GNU: "cc (Debian 12.2.0-14+deb12u1) 12.2.0", whatever name it was called by; others: "clang version 17.0.6".
+        gnu = re.match(r"(\S+) \(.*?\) (\d+(?:\.\d+)+)", self.version)
+        if gnu is not None:
+            return f"gcc {gnu[2]}"
+        number = re.search(r"\d+(?:\.\d+)+", self.version)
+        kind = "clang" if "clang" in self.version else self.version.split()[0]
+        return f"{kind} {number[0]}" if number is not None else kind
+
+
+def compiler_name() -> str:
+    """In short what :func:`find_compiler` finds, such as ``gcc 12.2.0``; empty where there is none."""
+    found = find_compiler()
+    return "" if found is None else found.name
+
+
+def find_compiler() -> Compiler | None:
+    """The compiler that the variable CC names (with its flags), else the first of cc, gcc, clang on the PATH.
+
+    It is asked for its version once: as long as its file stays the same, what it said is read from the cache.
+
+    Returns
+    -------
+    Compiler or None
+        None where there is none, or where CC names something that does not run: another is never taken in its place.
+
+    Raises
+    ------
+    SoftcatError
+        If quotes are not closed in CC.
+    """
+    named = split_variable("CC")
+    for command in [named] if named else [[name] for name in _USUAL]:
+        path = shutil.which(command[0])
+        if path is not None:
+            # Absolute, since it will be called from another folder.
+            whole = (str(Path(path).absolute()), *command[1:])
+            found = _examine(whole, fingerprint(whole))
+            if found is not None:
+                return found
+    return None
+
+
+def split_variable(name: str) -> list[str]:
+    """The words of an environment variable, as a shell would split them."""
+    text = os.environ.get(name, "")
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise SoftcatError(f"{name} is {text!r}: {error}") from error
+
+
+@functools.lru_cache(maxsize=8)
+def _examine(command: tuple[str, ...], files: str) -> Compiler | None:
+    """What a compiler is, looked up once a process as long as its files do not change."""
+    version = recall(command, files)
+    if not version:
+        said = _output(*command, "--version")
+        if said is None or not said.strip():
+            return None
+        version = said.strip().splitlines()[0].strip()
+        remember(command, files, version)
+    return Compiler(command, version)
+
+
+def processor(compiler: Compiler, flags: Sequence[str]) -> str:
+    """Hash of what flags such as ``-march=native`` make of this processor; empty where no flag asks for it.
+
+    It hashes the macros that the compiler defines under these flags, which name the instruction sets. Not kept on disk:
+    machines with different processors may share a home.
+    """
+    asked = tuple(flag for flag in flags if flag.startswith("-m") and flag.endswith("=native"))
+    return _processor(compiler, asked) if asked else ""
+
+
+@functools.lru_cache(maxsize=8)
+def _processor(compiler: Compiler, flags: tuple[str, ...]) -> str:
+    macros = _output(*compiler.command, *flags, "-dM", "-E", "-x", "c", os.devnull)
+    return hashlib.sha256(macros.encode()).hexdigest()[:16] if macros else "unknown"
+
+
+def _output(*command: str) -> str | None:
+    """What a command prints, or None where it fails."""
+    try:
+        done = run(command, _PATIENCE)
+    except (OSError, subprocess.TimeoutExpired):
+        return None
+    return done.stdout if done.returncode == 0 else None
+
+
+@contextlib.contextmanager
+def beside(work: Callable[[], object]) -> Iterator[None]:
+    """Do some work while the block does its own; both are done at its end.
+
+    Parameters
+    ----------
+    work : callable
+        Called in a thread. What it raises is raised at the end of the block; if the block itself raises, every
+        process that the work has started is killed, and what it then raises is dropped.
+    """
+    raised: list[BaseException] = []
+    processes = Processes()
+
+    def whole() -> None:
+        with kill_on(processes):
+            try:
+                work()
+            except BaseException as error:  # noqa: BLE001 - it is raised where somebody waits for it
+                raised.append(error)
+
+    thread = threading.Thread(target=whole, name="softcat beside", daemon=True)
+    thread.start()
+    try:
+        yield
+        thread.join()
+    except BaseException:
+        processes.kill()
+        thread.join()
+        raise
+    if raised:
+        raise raised[0]

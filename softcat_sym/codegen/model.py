@@ -1,0 +1,495 @@
+"""The physics of a filament as one C file, named by its structure, and kept between processes."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+import re
+import secrets
+import textwrap
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
+from functools import lru_cache
+from importlib import resources
+from types import FunctionType
+
+import casadi as ca
+
+from softcat_sym.codegen import library
+from softcat_sym.codegen.c_printer import VERSIONS, Row, Target, Writer, helpers_of, number, times
+from softcat_sym.codegen.loops import Chain, Entry, Loop, entry_name, loops_of, needed
+from softcat_sym.codegen.recording import CELLS, POWERS, Item, Recording, Slot, record
+from softcat_sym.discretization.assembly import Body
+from softcat_sym.discretization.graph import Discretisation, Graph
+from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.section_rule import EACH, SectionRule
+from softcat_sym.effects.choosing import Effects
+from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.scene.scene import Scene
+
+
+@dataclass(frozen=True)
+class Model:
+    """What the C text of a filament amounts to.
+
+    Attributes
+    ----------
+    text : str
+        The C file.
+    slots : tuple of Slot
+        Unknowns of a site.
+    parameters, places : tuple of str
+        Numbers that a run is given, as a whole and for each site.
+    powers : tuple of str
+        What is integrated beside the unknowns.
+    entries : tuple of (str, str, int)
+        Row, column and distance of each entry of the Jacobian.
+    """
+
+    text: str
+    slots: tuple[Slot, ...]
+    parameters: tuple[str, ...]
+    places: tuple[str, ...]
+    powers: tuple[str, ...]
+    entries: tuple[tuple[str, str, int], ...]
+
+
+@dataclass(frozen=True)
+class Template:
+    """The C text of a filament before it is known how many fibres it has; what each has is named with a ``#``.
+
+    Attributes
+    ----------
+    functions : str
+        The C text of its physics.
+    slots, parameters, places, powers, entries
+        As in :class:`Model`.
+    scratch : (int, int)
+        Doubles per site that the functions need, and per site and fibre.
+    moves : bool
+        Whether they depend on time.
+    """
+
+    functions: str
+    slots: tuple[Slot, ...]
+    parameters: tuple[str, ...]
+    places: tuple[str, ...]
+    powers: tuple[str, ...]
+    entries: tuple[tuple[str, str, int], ...]
+    scratch: tuple[int, int]
+    moves: bool
+
+    def with_fibres(self, rule: SectionRule | None = None) -> Model:
+        """The model with so many fibres; with none where it has no fibres."""
+        count = rule.points if rule else 0
+        slots = [replace(slot, name=name) for slot in self.slots for name in _field_named(slot.name, count)]
+        # As they are numbered at a site: what each fibre has comes last.
+        entries = [
+            (row.replace(EACH, str(k)), column.replace(EACH, str(k)), distance)
+            for row, column, distance in sorted(self.entries, key=lambda entry: EACH in _label(entry))
+            for k in range(count if EACH in row + column else 1)
+        ]
+        scratch = self.scratch[0] + count * self.scratch[1]
+        tables = _tables(self, slots, entries, scratch)
+        constants = [_constants(rule, len(slots), len(entries), self.scratch[0])] if rule else []
+        text = "\n\n".join([_HEAD, *constants, self.functions, tables])
+        return Model(text + "\n", tuple(slots), self.parameters, self.places, self.powers, tuple(entries))
+
+
+def _label(entry: tuple[str, str, int]) -> str:
+    """Name of an entry of the Jacobian."""
+    return f"{entry[0]}/{entry_name(entry[1], ('', entry[2]))}"
+
+
+def _field_named(name: str, count: int) -> list[str]:
+    return [name.replace(EACH, str(k)) for k in range(count)] if EACH in name else [name]
+
+
+_MARK = "@"  # stands in the text for what is known only later
+
+
+def template_of(recording: Recording) -> Template:
+    """C text of a filament that was taken apart.
+
+    Parameters
+    ----------
+    recording : Recording
+        From :func:`softcat_sym.codegen.recording.record`.
+
+    Raises
+    ------
+    PrintingError
+        If the sites in the middle of the filament do not all compute the same.
+    """
+    writer, leaves = Writer(recording), recording.leaves
+    fields = needed(leaves, recording.staged, recording.rates)
+    loops = loops_of(leaves, [*fields, *recording.rates])
+
+    def rate(name: str) -> Target:
+        return writer.field(name) if writer.is_field(name) else Target(f"f[{writer.slots.at(name[2:])}]", EACH in name)
+
+    calls = _calls(writer, "rates", loops, rate)
+    moves = writer.moves_in_time
+    chain = Chain(leaves)
+    entries, changes = _jacobian(writer, recording, chain, loops)
+    powers, work, slopes = _work(writer, recording, chain, fields)
+    size, found = writer.slots.count, Row("ENTRIES", [_label(entry) for entry in entries])
+    text = "\n\n".join(
+        [
+            *writer.functions,
+            _entry_point("rates", "f", calls, zero=f"n * {size}"),
+            _entry_point("jacobian", "e", changes, zero=f"n * {found.count}"),
+            _entry_point("work", "q", work, zero=str(len(powers))) if powers else "",
+            _entry_point("work_slope", "s", slopes, zero=f"n * {len(powers)} * {size}") if powers else "",
+        ]
+    )
+    text = f"{helpers_of(text)}\n{text}"
+    given = recording.parameters, recording.places
+    return Template(text, recording.slots, *given, powers, entries, writer.scratch, moves)
+
+
+def _calls(writer: Writer, label: str, loops: Sequence[Loop], target: Callable[[str], Target]) -> list[str]:
+    return [
+        writer.function(f"{label}_{k}", loop.where, loop.values, [target(name) for name in loop.names])
+        for k, loop in enumerate(loops)
+    ]
+
+
+def _derivatives(
+    writer: Writer, chain: Chain, loops: Sequence[Loop], label: str, entry: Callable[[str, Entry], Target]
+) -> list[str]:
+    """Calls of functions that compute fields and their derivatives together.
+
+    Derivatives of fields go to the scratch, those of all others where `entry` says.
+    """
+    known: dict[int, dict[str, dict[Entry, ca.SX]]] = {}
+    for batch in _batches(loops):
+        found = [chain.of(loop) for loop in batch]
+        chain.learn(batch, found)
+        known.update({id(loop): one for loop, one in zip(batch, found, strict=True)})
+    calls = []
+    for k, loop in enumerate(loops):
+        targets: list[Target] = []
+        values: list[ca.SX] = []
+        for name, value in zip(loop.names, loop.values, strict=True):
+            made = known[id(loop)][name]
+            if writer.is_field(name):
+                stored = chain.stored(name)
+                targets += [writer.field(name), *(writer.field(entry_name(name, one)) for one in stored)]
+                values += [value, *(made.get(one, ca.SX(0)) for one in stored)]
+            else:
+                targets += [entry(name, one) for one in made]
+                values += made.values()
+        if values:
+            calls.append(writer.function(f"{label}_{k}", loop.where, values, targets))
+    return calls
+
+
+def _jacobian(
+    writer: Writer, recording: Recording, chain: Chain, loops: Sequence[Loop]
+) -> tuple[tuple[tuple[str, str, int], ...], list[str]]:
+    """The entries, and the calls that compute them."""
+    order = {slot.name: k for k, slot in enumerate(recording.slots)}
+    marks: dict[tuple[str, str, int], int] = {}
+
+    def mark(name: str, one: Entry) -> Target:
+        label = (name[2:], *one)
+        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", EACH in _label(label))
+
+    calls = _derivatives(writer, chain, loops, "jacobian", mark)
+    outputs = [name for loop in loops for name in loop.names if not writer.is_field(name)]
+    entries = sorted(
+        {(name[2:], entry[0], entry[1]) for name in outputs for entry in chain.patterns[name]},
+        key=lambda one: (order[one[0]], one[2], order[one[1]]),
+    )
+    row = Row("ENTRIES", [_label(entry) for entry in entries])
+    number = {marks[one]: row.at(_label(one)) for one in entries}
+    found = re.compile(re.escape(_MARK) + r"(\d+)")
+    writer.functions = [found.sub(lambda match: number[int(match[1])], text) for text in writer.functions]
+    return tuple(entries), calls
+
+
+def _batches(loops: Sequence[Loop]) -> list[list[Loop]]:
+    """Loops with those that compute the same fields at the ends."""
+    found: list[list[Loop]] = []
+    for loop in loops:
+        for batch in found:
+            if loop.where.alone and any(set(loop.names) & set(other.names) for other in batch):
+                batch.append(loop)
+                break
+        else:
+            found.append([loop])
+    return found
+
+
+def _work(
+    writer: Writer, recording: Recording, chain: Chain, fields: Sequence[Item]
+) -> tuple[tuple[str, ...], list[str], list[str]]:
+    """Powers of the whole filament and their derivatives: what their places give, summed.
+
+    The fields of the rates are in the scratch already, and their derivatives those of the Jacobian.
+    """
+    items = [item for power in recording.powers for item in power]
+    if not items:
+        return (), [], []
+    known = {item.name for item in fields}
+    others = [one for one in needed(recording.leaves, recording.staged, items) if one.name not in known]
+    index = {item.name: k for k, power in enumerate(recording.powers) for item in power}
+    loops, size = loops_of(recording.leaves, [*others, *items]), writer.slots.count
+    calls = []
+    for k, loop in enumerate(loops):
+        targets = [
+            Target(f"q[{index[name]}]", adds=True) if name in index else writer.field(name) for name in loop.names
+        ]
+        calls.append(writer.function(f"work_{k}", loop.where, loop.values, targets))
+
+    def entry(name: str, one: Entry) -> Target:
+        before = times(index[name], f"{size} * n")
+        return Target(f"s[{before}{writer.slots.at(*one)}]", EACH in one[0], adds=True)
+
+    changes = _derivatives(writer, chain, loops, "work_slope", entry)
+    return POWERS, calls, changes
+
+
+_HEAD = """\
+#include <math.h>
+
+#include "softcat_model.h\""""
+
+
+def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str:
+    body = "\n".join(calls)
+    unpacked = [
+        text
+        for letter, text in (
+            ("p", "    const double *p = filament->parameters;"),
+            ("g", "    const double *g = filament->places;"),
+        )
+        if re.search(rf"\b{letter}\b", body)
+    ]
+    unused = [f"    (void){letter};" for letter in ("t", "y", "w") if not re.search(rf"\b{letter}\b", body)]
+    return "\n".join(
+        [
+            f"static int {name}(const softcat_filament *filament, double t, const double *y, double *{result},",
+            f"{' ' * len(f'static int {name}(')}double *w)",
+            "{",
+            "    const int n = filament->sites;",
+            *unpacked,
+            *unused,
+            f"    for (int k = 0; k < {zero}; k++) {result}[k] = 0.0;",
+            *calls,
+            "    return SOFTCAT_SOLVED;",
+            "}",
+        ]
+    )
+
+
+def _constants(rule: SectionRule, slots: int, entries: int, scratch: int) -> str:
+    """Numbers of what a site has, and where the fibres are."""
+    sizes = {"FIBRES": rule.points, "SLOTS": slots, "ENTRIES": entries, "SCRATCH": scratch}
+    where = {"zeta": rule.zeta, "weight": rule.weight}
+    return "\n".join(
+        [
+            *(f"#define {name} {size}" for name, size in sizes.items()),
+            "",
+            "/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */",
+            *(_array("double", name, [number(float(one)) for one in values]) for name, values in where.items()),
+        ]
+    )
+
+
+def _array(kind: str, name: str, values: Sequence[str]) -> str:
+    body = textwrap.fill(", ".join(values), 96, initial_indent="    ", subsequent_indent="    ", break_long_words=False)
+    return f"static const {kind} {name}[] = {{\n{body}}};"
+
+
+def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[str, str, int]], scratch: int) -> str:
+    place = {slot.name: k for k, slot in enumerate(slots)}
+    columns = {
+        "rate": [place[s.rate] if s.rate else -1 for s in slots],
+        "differential": [int(s.differential) for s in slots],
+        "held_first": [int(0 not in s.sites) for s in slots],
+        "held_last": [int(CELLS not in s.sites) for s in slots],
+        "row": [place[row] for row, _, _ in entries],
+        "offset": [distance for _, _, distance in entries],
+        "column": [place[column] for _, column, _ in entries],
+    }
+    lines = [_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
+    sections, powers = sum(s.section for s in slots), len(template.powers)
+    given = len(template.parameters), len(template.places)
+    sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(template.moves))
+    lines += [
+        "",
+        "const softcat_model softcat_filament_model = {",
+        f"    {', '.join(map(str, sizes))},",
+        "    rate, differential, held_first, held_last, row, offset, column,",
+        f"    rates, jacobian, {'work, work_slope' if powers else '0, 0'},",
+        "};",
+    ]
+    return "\n".join(lines)
+
+
+_MADE_BY = ("codegen", "discretization", "effects", "physics", "scene")
+"""Packages whose code decides what the text is."""
+
+
+def template_kept(key: str, made: Callable[[], Template]) -> Template:
+    """The model of a key from the cache, or else made and kept there.
+
+    Parameters
+    ----------
+    key : str
+        Of all that the model depends on, but for the program itself and the libraries that it uses.
+    made : callable
+        Makes it.
+    """
+    full = hashlib.sha256(f"{key}\n{dict(VERSIONS)}\n{_program()}".encode()).hexdigest()
+    kept = library.recall(full)
+    if kept is not None:
+        return _read(kept)
+    model = made()
+    library.keep(full, _written(model))
+    return model
+
+
+@functools.lru_cache(maxsize=1)
+def _program() -> str:
+    """Hash of the code that writes models: whoever changes it has others at once."""
+    digest = hashlib.sha256()
+    for package in _MADE_BY:
+        files = [path for path in _files(resources.files(f"softcat_sym.{package}")) if path.name.endswith(".py")]
+        for path in sorted(files, key=str):
+            content = path.read_bytes()
+            digest.update(f"{path.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()
+
+
+def _files(folder: resources.abc.Traversable) -> list[resources.abc.Traversable]:
+    """Files in a folder and in those below it."""
+    found = []
+    for path in folder.iterdir():
+        found += _files(path) if path.is_dir() else [path]
+    return found
+
+
+def _written(model: Template) -> str:
+    slots = [{**asdict(slot), "sites": [slot.sites.start, slot.sites.stop]} for slot in model.slots]
+    return json.dumps({**asdict(model), "slots": slots})
+
+
+def _read(text: str) -> Template:
+    parts = json.loads(text)
+    slots = tuple(Slot(**{**slot, "sites": range(*slot["sites"])}) for slot in parts["slots"])
+    names = {name: tuple(parts[name]) for name in ("parameters", "places", "powers")}
+    entries = tuple((row, column, distance) for row, column, distance in parts["entries"])
+    return Template(
+        functions=parts["functions"],
+        slots=slots,
+        entries=entries,
+        scratch=tuple(parts["scratch"]),
+        moves=parts["moves"],
+        **names,
+    )
+
+
+_PROCESS = secrets.token_hex()
+
+
+@dataclass(frozen=True)
+class Structure:
+    """All filaments that share a C text.
+
+    Attributes
+    ----------
+    key : str
+        Hash of all that the text depends on but the program and the fibres.
+    rule : str
+        Where the fibres are; empty without. Two structures are equal if these two are.
+    effects : tuple of str
+        Names of the effects in force.
+    equations, theory, ends, body
+        What the filament is recorded from.
+    """
+
+    key: str
+    rule: str
+    effects: tuple[str, ...]
+    equations: FilamentEquations = field(compare=False)
+    theory: Discretisation = field(compare=False)
+    ends: tuple[End, End] = field(compare=False)
+    body: Body = field(compare=False)
+
+    @property
+    def area_power(self) -> int:
+        """With which the area of the section goes with its thickness."""
+        return self.equations.shape.area_power
+
+
+def structure_of(
+    scene: Scene, effects: Effects, graph: Graph, equations: FilamentEquations, theory: Discretisation, body: Body
+) -> Structure:
+    """The structure of a scene's filament.
+
+    Parameters
+    ----------
+    scene, effects
+        What is asked, and the physics in force.
+    graph, equations, theory, body
+        What it became.
+    """
+    ends, fibres = (graph.grid.first, graph.grid.last), theory.fibres
+    parts: tuple[object, ...] = (
+        effects.terms(),
+        equations.shape.name,
+        scene.run.closure,
+        fibres.theory.label if fibres else theory.label,
+        tuple(end.name for end in ends),
+        body.supports,
+        body.profile.nodes is not None,
+        body.weighted,
+    )
+    if effects.terms().shaking != 1:
+        parts = (*parts, effects.terms().shaking)
+    rule = fibres.rule.label if fibres else ""
+    return Structure(_digest(parts), rule, effects.names, equations, theory, ends, body)
+
+
+def _digest(parts: tuple[object, ...]) -> str:
+    """Hash of what parts say of themselves; where that is an address, it means nothing to another process."""
+    text = "\n".join(repr(_named(part)) for part in parts)
+    return hashlib.sha256(f"{_PROCESS} {text}".encode() if " at 0x" in text else text.encode()).hexdigest()
+
+
+def _named(part: object) -> object:
+    """A part in which functions are called by module and name, where these say which: a closure's do not."""
+    if isinstance(part, FunctionType) and "<" not in part.__qualname__:
+        return f"{part.__module__}.{part.__qualname__}"
+    if isinstance(part, tuple):
+        return tuple(_named(one) for one in part)
+    if is_dataclass(part) and not isinstance(part, type):
+        return type(part).__name__, *((one.name, _named(getattr(part, one.name))) for one in fields(part))
+    return part
+
+
+@lru_cache(maxsize=128)
+def model_for(structure: Structure) -> Model:
+    """The C text of a structure.
+
+    Raises
+    ------
+    PrintingError
+        If it has none.
+    """
+    fibres = structure.theory.fibres
+    return _template(replace(structure, rule="")).with_fibres(fibres.rule if fibres else None)
+
+
+@lru_cache(maxsize=128)
+def _template(structure: Structure) -> Template:
+    """Read once a process, and made once a machine."""
+
+    def made() -> Template:
+        return template_of(record(structure.equations, structure.theory, structure.ends, structure.body))
+
+    return template_kept(structure.key, made)

@@ -1,0 +1,611 @@
+"""The largest span whose sag stays below a limit, and how it moves with material, thickness and density."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from itertools import pairwise
+from numbers import Real
+from typing import Protocol
+
+import numpy as np
+
+from softcat_sym.design.information import (
+    DURATION,
+    FRAME_RATE,
+    SPAN,
+    THICKNESS,
+    Noise,
+    Trial,
+    read_positive,
+    read_share,
+)
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
+from softcat_sym.fitting.least_squares import Floats
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import NotAQuantity, shown
+from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.solvers.checkpoint import json_form, kept
+
+_MOST = 60
+
+
+def crossings(values: Sequence[float]) -> tuple[int, ...]:
+    """Numbers i for which values i and i + 1 lie on different sides of zero; infinities count by their sign."""
+    return tuple(i for i, (a, b) in enumerate(pairwise(values)) if (a < 0) != (b < 0))
+
+
+def illinois(
+    function: Callable[[float], float], low: tuple[float, float], high: tuple[float, float], tolerance: float
+) -> tuple[float, float]:
+    """Find a root by the Illinois method (Dowell and Jarratt 1971); by bisection while an end is infinite.
+
+    Parameters
+    ----------
+    function : callable
+        May be infinite.
+    low, high : (float, float)
+        Argument and value at either end; the values differ in sign.
+    tolerance : float
+        Length of the bracket, or distance of two iterates, at which to stop.
+
+    Returns
+    -------
+    (float, float)
+        Argument and value of the iterate with the least finite value.
+    """
+    (a, fa), (b, fb) = low, high
+    best = min((low, high), key=lambda pair: abs(pair[1]))
+    last = math.inf
+    for _ in range(_MOST):
+        c = (a * fb - b * fa) / (fb - fa) if math.isfinite(fa) and math.isfinite(fb) else 0.5 * (a + b)
+        fc = function(c)
+        best = min(best, (c, fc), key=lambda pair: abs(pair[1]))
+        if fc == 0 or abs(c - last) <= tolerance or abs(b - a) <= tolerance:
+            break
+        last = c
+        if (fc < 0) != (fb < 0):
+            a, fa = b, fb
+        else:
+            fa = 0.5 * fa
+        b, fb = c, fc
+    return best
+
+
+# Between which the largest sag is found by a parabola.
+_LEAST_FRAMES = 2001
+_STEP = 1e-3
+_NO_DIFFERENCE = "makes no difference"
+
+
+@dataclass(frozen=True)
+class Sag:
+    """A finished run.
+
+    Attributes
+    ----------
+    value : float
+        Largest distance of the midpoint from the supports' level, or that at the end [m]; infinite without an answer.
+    effects : tuple of str
+        In force.
+    note : str
+        Why there is no answer; empty if there is.
+    """
+
+    value: float
+    effects: tuple[str, ...]
+    note: str
+
+
+def with_span(scene: Scene, span: float) -> Scene:
+    """The scene with another span [m]."""
+    return scene.replace({SPAN: f"{span!r} m"})
+
+
+_SAG = json_form(asdict, lambda told: Sag(told["value"], tuple(told["effects"]), told["note"]))
+
+
+def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
+    """Run a filament as the program chooses to, and measure its sag."""
+    return kept(lambda: ("sag", scene.to_toml(), str(at_end)), lambda: _sag_of_run(scene, at_end=at_end), _SAG)
+
+
+def _sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
+    try:
+        run = simulated(without_estimate(scene))
+    except SceneError as error:
+        return Sag(np.inf, (), str(error))
+    names = tuple(run.summary["effects"])
+    if not run.outcome.is_success:
+        return Sag(np.inf, names, run.outcome.name)
+    return Sag(abs(float(_extreme(run.data.midpoint.values, at_end=at_end) @ run.data.midpoint.values)), names, "")
+
+
+class FrozenSag:
+    """Sag as a smooth function of the logarithms of span and parameters: effects, grid and tolerances are fixed.
+
+    Parameters
+    ----------
+    scene : Scene
+        At about the span that is sought.
+    effects : tuple of str
+        For all spans.
+    paths : sequence of str
+        Of the parameters.
+    at_end : bool
+        Whether the sag at the end is meant, not the largest.
+
+    Attributes
+    ----------
+    idle : tuple of str
+        Parameters that make no difference.
+    """
+
+    def __init__(self, scene: Scene, effects: tuple[str, ...], paths: Sequence[str], *, at_end: bool) -> None:
+        self._scene = scene.replace({"run.effects": list(effects)})
+        self._at_end = at_end
+        duration = scene.run.duration
+        frames = 2 if at_end else max(scene.run.frames, _LEAST_FRAMES)
+        self._times = np.linspace(0.0, duration, frames)[1:]
+        self._paths = tuple(paths)
+        self.idle: tuple[str, ...] = ()
+        self._model = self._made()
+
+    def at(self, span: float) -> tuple[float, float, dict[str, float]]:
+        """Sag [m], d log sag/d log span, and d log sag/d log parameter of each parameter that matters.
+
+        By the envelope theorem the largest sag moves as the midpoint at its time.
+        """
+        if self._model is None:
+            return self._by_runs(span)
+        model = self._model
+        q = model.typical
+        q[0] = model.free[0].scaled(span)
+        midpoint, slopes = model.with_derivatives(q)
+        if not np.all(np.isfinite(midpoint)):
+            return np.inf, np.nan, {}
+        weights = _extreme(midpoint, at_end=self._at_end)
+        height = float(weights @ midpoint)
+        by_log = (weights @ slopes) / height
+        rest = zip(model.free[1:], by_log[1:].tolist(), strict=True)
+        return abs(height), float(by_log[0]), {one.path: slope for one, slope in rest}
+
+    def _made(self) -> ForwardModel | None:
+        """The forward model without what makes no difference; None if nothing is integrated, or nothing with slopes."""
+        names = [SPAN, *self._paths]
+        try:
+            return ForwardModel(self._scene, free_parameters(self._scene, names), self._times)
+        except SceneError as error:
+            idle = {one.path.removeprefix("free ") for one in error.faults if one.found.startswith(_NO_DIFFERENCE)}
+            if not idle:
+                return None
+        free = [one for one in free_parameters(self._scene, names) if one.name not in idle]
+        self.idle = tuple(path for path in self._paths if path not in [one.path for one in free])
+        self._paths = tuple(one.path for one in free[1:])
+        return ForwardModel(self._scene, free, self._times)
+
+    def _by_runs(self, span: float) -> tuple[float, float, dict[str, float]]:
+        """The same by central differences of runs, for a row of equilibria, which has no forward model."""
+        scene = with_span(self._scene, span)
+        free = free_parameters(scene, [SPAN, *self._paths])
+        slopes = [_central(self._log_sag(scene, one)) for one in free]
+        value = sag_of_run(scene, at_end=self._at_end).value
+        return value, slopes[0], dict(zip(self._paths, slopes[1:], strict=True))
+
+    def _log_sag(self, scene: Scene, one: FreeParameter) -> Callable[[float], float]:
+        def of(step: float) -> float:
+            return float(np.log(sag_of_run(with_values(scene, [one], [one.value(step)]), at_end=self._at_end).value))
+
+        return of
+
+
+def _central(function: Callable[[float], float]) -> float:
+    return (function(_STEP) - function(-_STEP)) / (2 * _STEP)
+
+
+def _extreme(midpoint: Floats, *, at_end: bool) -> Floats:
+    """Weights, shape (n,), that turn heights at even times into the extreme one, by the parabola about it."""
+    weights = np.zeros(len(midpoint))
+    depth = np.abs(midpoint)
+    number = len(depth) - 1 if at_end else int(np.argmax(depth))
+    if at_end or not 0 < number < len(depth) - 1:
+        weights[number] = 1.0
+        return weights
+    before, here, after = depth[number - 1 : number + 2]
+    curvature = before - 2 * here + after
+    x = 0.5 * (before - after) / curvature if curvature < 0 else 0.0
+    weights[number - 1 : number + 2] = 0.5 * x * (x - 1), 1 - x**2, 0.5 * x * (x + 1)
+    return weights
+
+
+_STEPS = 8
+_FINE, _GOOD = 1e-9, 1e-4  # of log sag over the limit
+_NEAR = 0.1  # of log span, in which effects chosen at one span hold for another
+_BESIDE = 1e-3  # of log span: slopes that differ over so little are no derivatives of something smooth
+_SCATTER = 0.02
+
+
+LIMITS = 'a positive length such as "2 mm", or a fraction of the span such as "5 %"'
+"""Limits of the sag that are accepted."""
+
+
+class SagWithSlopes(Protocol):
+    """Something whose sag is known with its derivatives."""
+
+    def at(self, span: float) -> tuple[float, float, dict[str, float]]:
+        """Sag [m], d log sag/d log span, d log sag/d log parameter."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """Of the sag: a length, or a fraction of the span.
+
+    Attributes
+    ----------
+    value : float
+        [m], or a fraction.
+    of_span : bool
+        Which of them.
+    """
+
+    value: float
+    of_span: bool
+
+    def at(self, span: float) -> float:
+        """The limit [m]."""
+        return self.value * span if self.of_span else self.value
+
+    def excess(self, span: float, sag: float) -> float:
+        """Logarithm of the sag over the limit."""
+        if not sag > 0:
+            return -math.inf
+        return math.log(sag / self.at(span)) if math.isfinite(sag) else math.inf
+
+    def slope(self, by_span: float) -> float:
+        """Slope of the excess by log span, from that of log sag."""
+        return by_span - 1.0 if self.of_span else by_span
+
+
+def read_limit(value: object) -> Limit:
+    """Read a length with its unit, or a fraction of the span: a number, or text such as ``"5 %"``.
+
+    Raises
+    ------
+    NotAQuantity
+        Its text says what was found.
+    """
+    share = read_share(value)
+    if share is not None:
+        return Limit(share, of_span=True)
+    return Limit(read_positive(value, "length", "m"), of_span=isinstance(value, (int, float, Real)))
+
+
+@dataclass(frozen=True, eq=False)
+class Root:
+    """A critical span.
+
+    Attributes
+    ----------
+    span, sag : float
+        [m].
+    gradient : dict of str to float
+        d log span/d log parameter.
+    notes : tuple of str
+        What to know beside it.
+    """
+
+    span: float
+    sag: float
+    gradient: dict[str, float]
+    notes: tuple[str, ...]
+
+
+def polished(frozen: SagWithSlopes, limit: Limit, near: float) -> Root:
+    """Find the root by Newton's method in logarithms, and its gradient by implicit differentiation.
+
+    Where things yield fibre by fibre, slopes scatter from one span to the next: then the median over five neighbouring
+    spans is taken, and said.
+
+    Parameters
+    ----------
+    near : float
+        Span [m] within some 0.1 % of the root.
+    """
+    x, best = math.log(near), (math.inf, near, math.nan)
+    for _ in range(_STEPS):
+        sag, by_span, _ = frozen.at(math.exp(x))
+        left = limit.excess(math.exp(x), sag)
+        best = min(best, (abs(left), math.exp(x), sag))
+        slope = limit.slope(by_span)
+        if not math.isfinite(left) or abs(left) < _FINE or not slope > 0 or abs(left / slope) > _NEAR:
+            break
+        x -= left / slope
+    left, span, sag = best
+    notes: list[str] = []
+    if not left < _GOOD:
+        notes.append(
+            "Other effects set in here, where the sag jumps: the span is known to 0.2 %, the gradient roughly."
+        )
+        span, sag = near, limit.at(near)
+    gradient, scatter = _gradient(frozen, limit, span)
+    if scatter > _SCATTER:
+        notes.append(
+            f"The exponents scatter by {scatter:.2g} from span to span, as fibres yield: their median is given."
+        )
+    return Root(span, sag, gradient, tuple(notes))
+
+
+def _gradient(frozen: SagWithSlopes, limit: Limit, span: float) -> tuple[dict[str, float], float]:
+    """Exponents, and by how much they scatter."""
+    rows = [row for row in (_exponents(frozen, limit, span * math.exp(_BESIDE * k)) for k in (0, 1)) if row]
+    scatter = _spread(rows)
+    if len(rows) == 2 and scatter <= _SCATTER:
+        return rows[0], scatter
+    rows += [row for row in (_exponents(frozen, limit, span * math.exp(_BESIDE * k)) for k in (-2, -1, 2)) if row]
+    if not rows:
+        return {}, math.inf
+    medians = {path: float(np.median([row[path] for row in rows])) for path in rows[0]}
+    typical = sorted(rows, key=lambda row: max(abs(row[path] - medians[path]) for path in medians))
+    return medians, _spread(typical[: max(2, len(rows) - 1)])
+
+
+def _exponents(frozen: SagWithSlopes, limit: Limit, span: float) -> dict[str, float]:
+    sag, by_span, by_parameter = frozen.at(span)
+    slope = limit.slope(by_span)
+    if not math.isfinite(sag) or not slope > 0:
+        return {}
+    return {path: -value / slope for path, value in by_parameter.items()}
+
+
+def _spread(rows: Sequence[dict[str, float]]) -> float:
+    if len(rows) < 2:
+        return math.inf
+    return max(max(row[path] for row in rows) - min(row[path] for row in rows) for path in rows[0])
+
+
+_CALLED = {SPAN: "span", THICKNESS: "thickness", FRAME_RATE: "frame rate", DURATION: "duration"}
+_LENGTHS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "um"))
+_WORTH = 1.05
+
+
+def length_text(value: float) -> str:
+    """A length with three digits and the unit that suits it."""
+    factor, unit = next((pair for pair in _LENGTHS if abs(value) >= pair[0]), _LENGTHS[-1])
+    return f"{value / factor:.3g} {unit}"
+
+
+def percent(error: float) -> str:
+    """A relative error for reading."""
+    return f"{100 * error:.2g} %" if math.isfinite(error) else "not determined"
+
+
+def sentences(
+    best: Trial,
+    given: Trial,
+    at_bounds: Mapping[str, str],
+    noise: Noise,
+    counted: tuple[str, ...],
+    rough: float,
+    sag_at_most: Limit | None,
+) -> tuple[str, ...]:
+    """Say what to film, what it will tell, what the scene as given would, and which bounds bind."""
+    film = (
+        f"Film a span of {length_text(best.span)}, {length_text(best.thickness)} thick, for {best.duration:.3g} s at "
+        f"{best.frame_rate:.4g} frames a second: {best.frames} frames."
+    )
+    listed = ", ".join(f"{name.rpartition('.')[2]} {percent(best.errors[name])}" for name in counted)
+    found = [film, f"Relative standard errors to expect with {_noise_text(noise, best)} of noise a reading: {listed}."]
+    if rough > 1:
+        found.append(f"Each is the largest for rough values that are wrong by a factor of {rough:g} either way.")
+    allowed = math.inf if sag_at_most is None else sag_at_most.at(best.span)
+    limited = "" if math.isinf(allowed) else f", of {length_text(allowed)} that are allowed"
+    found.append(f"It sags {length_text(best.sag)} while it is filmed{limited}.")
+    found.append(_compared(best, given))
+    if given.sag > allowed:
+        found.append(f"The scene as given sags {length_text(given.sag)}, which is more than allowed.")
+    bound = [f"{_CALLED[path]} at its {edge} bound" for path, edge in at_bounds.items() if path in _CALLED]
+    if "frames_at_most" in at_bounds:
+        bound.append("as many frames as the camera keeps")
+    if bound:
+        found.append(f"What limits it: {', '.join(bound)}.")
+    found.append("These are the least errors that any fit can have, if the law is right and the noise is white.")
+    return tuple(found)
+
+
+def _noise_text(noise: Noise, best: Trial) -> str:
+    amount = length_text(noise.of(best.sag))
+    return f"{amount} ({100 * noise.value:.3g} % of the sag)" if noise.of_sag else amount
+
+
+def _compared(best: Trial, given: Trial) -> str:
+    if not math.isfinite(given.worst):
+        why = f" ({given.note})" if given.note else ""
+        return f"The scene as given would not determine them all{why}."
+    gain = given.worst / best.worst
+    same = f"{percent(given.worst)} at worst, with {given.frames} frames"
+    if gain < _WORTH:
+        return f"The scene as given is as good: {same}."
+    return f"The scene as given would leave {same}: {gain:.3g} times more."
+
+
+_FACTOR = 30.0
+_RATIO = 1.8  # of neighbouring spans in the scan
+_FEWEST = 4
+_COARSE = 2e-3
+_JUMP = 1.0  # of log sag over the limit, that no continuous sag leaves within the bracket
+_THICK = 1.05
+
+Told = Callable[[float, float], None]
+
+
+@dataclass(frozen=True, eq=False)
+class CriticalSpan:
+    """The largest safe span.
+
+    Attributes
+    ----------
+    span : float
+        [m]; the smallest at which the sag reaches the limit: every span that was scanned below it sags less.
+    sag : float
+        There, which is the limit [m].
+    gradient : mapping of str to float
+        d log span/d log parameter, by path: an exponent. Zero for what makes no difference.
+    crossings : tuple of (float, float)
+        Neighbouring spans of the scan [m] between which the sag crosses the limit, either way.
+    scan : tuple of (float, float)
+        Span and sag [m]; infinite where the run has no answer.
+    effects : tuple of str
+        In force at the critical span.
+    notes : tuple of str
+        What to know beside the numbers.
+    """
+
+    span: float
+    sag: float
+    gradient: Mapping[str, float]
+    crossings: tuple[tuple[float, float], ...]
+    scan: tuple[tuple[float, float], ...]
+    effects: tuple[str, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def text(self) -> tuple[str, ...]:
+        """Plain sentences."""
+        strongest = sorted(self.gradient.items(), key=lambda pair: -abs(pair[1]))
+        listed = ", ".join(f"{path.rpartition('.')[2]}^{power:.3g}" for path, power in strongest if abs(power) > 5e-3)
+        head = f"The sag reaches {length_text(self.sag)} at a span of {length_text(self.span)}."
+        return (head, f"About there the critical span goes as {listed}.", *self.notes)
+
+
+def critical_span(
+    scene: Scene,
+    limit: object,
+    time: object = None,
+    within: tuple[object, object] | None = None,
+    told: Told | None = None,
+) -> CriticalSpan:
+    """Find the largest span that sags less than a limit.
+
+    Spans are scanned by whole runs, the first crossing is closed in by them, and the root is polished with the effects
+    that are in force there; the gradient follows by implicit differentiation, -(d sag/d p)/(d sag/d span), from the
+    sensitivities of the discrete solution at the root.
+
+    Parameters
+    ----------
+    scene : Scene
+        All but the span.
+    limit : str or float
+        A length with its unit, or a fraction of the span: a number, or ``"5 %"``.
+    time : str or float, optional
+        At which the sag is meant [s]; by default the largest until the end of the run.
+    within : (low, high), optional
+        Spans, as text or in m. By default the scene's own, thirty times smaller and larger.
+    told : callable, optional
+        Told every span and sag [m] of the scan.
+
+    Raises
+    ------
+    SceneError
+        If the limit, the time or the bounds make no sense.
+    SoftcatError
+        If all spans sag less than the limit, or even the smallest sags more.
+    """
+    read, allowed, bounds = _read(scene, limit, time, within)
+    return _closed_in(read, allowed, bounds, at_end=time is not None, told=told)
+
+
+def _closed_in(
+    scene: Scene, allowed: Limit, bounds: tuple[float, float], *, at_end: bool, told: Told | None
+) -> CriticalSpan:
+    """Scan, close in and polish."""
+
+    def run(span: float) -> Sag:
+        return sag_of_run(with_span(scene, span), at_end=at_end)
+
+    count = math.ceil(math.log(bounds[1] / bounds[0]) / math.log(_RATIO)) + 1
+    spans = np.geomspace(*bounds, max(count, _FEWEST)).tolist()
+    scanned: list[Sag] = []
+    for span in spans:
+        scanned.append(run(span))
+        if told is not None:
+            told(span, scanned[-1].value)
+    excess = [allowed.excess(span, one.value) for span, one in zip(spans, scanned, strict=True)]
+    _refuse_without_crossing(allowed, spans, scanned, excess)
+    found = crossings(excess)
+    first = found[0]
+    ends = [(math.log(spans[i]), excess[i]) for i in (first, first + 1)]
+    near, left = illinois(lambda x: allowed.excess(math.exp(x), run(math.exp(x)).value), ends[0], ends[1], _COARSE)
+    if not abs(left) < _JUMP:
+        found_text = f"the sag jumps past the limit at a span of {length_text(math.exp(near))}"
+        raise SoftcatError(f"{found_text}: the filament ruptures, or has no answer, before it sags so much")
+    effects, paths = run(math.exp(near)).effects, _parameters(scene)
+    frozen = FrozenSag(with_span(scene, math.exp(near)), effects, paths, at_end=at_end)
+    root = polished(frozen, allowed, math.exp(near))
+    notes = root.notes
+    if len(found) > 1:
+        notes = (*notes, f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span.")
+    return CriticalSpan(
+        span=root.span,
+        sag=root.sag,
+        gradient={path: root.gradient.get(path, 0.0) for path in paths},
+        crossings=tuple((spans[i], spans[i + 1]) for i in found),
+        scan=tuple((span, one.value) for span, one in zip(spans, scanned, strict=True)),
+        effects=effects,
+        notes=notes,
+    )
+
+
+def _read(
+    scene: Scene, limit: object, time: object, within: tuple[object, object] | None
+) -> tuple[Scene, Limit, tuple[float, float]]:
+    faults = []
+    allowed, bounds = Limit(math.nan, of_span=False), (math.nan, math.nan)
+    try:
+        allowed = read_limit(limit)
+    except NotAQuantity as found:
+        faults.append(Fault("limit", str(found), LIMITS))
+    if time is not None:
+        try:
+            scene = scene.replace({"run.duration": f"{read_positive(time, 'time', 's')!r} s"})
+        except NotAQuantity as found:
+            faults.append(Fault("time", str(found), 'a positive time such as "10 s"'))
+    span, least = scene.filament.span, _THICK * scene.filament.thickness
+    try:
+        pair = within or (span / _FACTOR, span * _FACTOR)
+        low, high = (read_positive(bound, "length", "m") for bound in pair)
+        bounds = (max(low, least), high)
+        if not bounds[0] < high:
+            faults.append(Fault(f"within {SPAN}", f"{bounds[0]:g} m to {high:g} m", "spans above the thickness"))
+    except (NotAQuantity, ValueError) as found:
+        faults.append(Fault(f"within {SPAN}", shown(str(found)), 'a pair of lengths such as ("2 mm", "50 mm")'))
+    if faults:
+        raise SceneError(faults)
+    return scene, allowed, bounds
+
+
+def _refuse_without_crossing(allowed: Limit, spans: list[float], scanned: list[Sag], excess: list[float]) -> None:
+    low, high = length_text(spans[0]), length_text(spans[-1])
+    if excess[0] >= 0:
+        how = f"sags {length_text(scanned[0].value)}" if math.isfinite(excess[0]) else f"fails ({scanned[0].note})"
+        raise SoftcatError(f"even a span of {low} {how}: give smaller spans, or a limit above that")
+    if not crossings(excess):
+        most = max(zip(spans, scanned, strict=True), key=lambda pair: pair[1].value / allowed.at(pair[0]))
+        raise SoftcatError(
+            f"no span from {low} to {high} reaches the limit: at {length_text(most[0])} it sags "
+            f"{length_text(most[1].value)}, against {length_text(allowed.at(most[0]))}; give larger spans or a smaller "
+            "limit"
+        )
+
+
+def _parameters(scene: Scene) -> tuple[str, ...]:
+    """Every constant of the material once, thickness, width if it is one's own, and density."""
+    paths: dict[str, str] = {}
+    for one in candidates(scene):
+        geometric = one.path in ("filament.thickness", "filament.width", "filament.density")
+        if (one.path.startswith("material.") or geometric) and one.logarithmic and not one.trouble:
+            paths.setdefault(one.constant, one.path)
+    return tuple(paths.values())

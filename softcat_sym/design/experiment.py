@@ -1,0 +1,507 @@
+"""Which experiment tells most: span, thickness, frame rate and duration of least worst error."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from softcat_sym.design.critical_span import LIMITS, Limit, length_text, read_limit, sentences
+from softcat_sym.design.information import (
+    DURATION,
+    FRAME_RATE,
+    SPAN,
+    THICKNESS,
+    Films,
+    Noise,
+    Range,
+    Trial,
+    Unknowns,
+    Within,
+    as_given,
+    exact_film,
+    films_of,
+    read_noise,
+    read_ranges,
+    relative_errors,
+    strongest,
+)
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters, with_values
+from softcat_sym.fitting.identifiability import LARGEST_ERROR, Information, information
+from softcat_sym.fitting.least_squares import Floats
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import NotAQuantity, shown
+from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.solvers.checkpoint import json_form, kept
+
+_GRID = {1: 9, 2: 5}
+_FINEST = math.log(1.05)
+_DIGITS = 9
+
+Point = tuple[float, ...]
+
+
+def pattern_search(value: Callable[[Point], float], lower: Floats, upper: Floats, most: int) -> Point | None:
+    """Search a box.
+
+    Hooke and Jeeves (1961), polled in all directions of the axes and their diagonals, from the best point of a grid.
+    The step is halved where nothing is better; bounds are polled themselves.
+
+    Parameters
+    ----------
+    value : callable
+        To be minimised; may be infinite. Called once for each point.
+    lower, upper : ndarray, shape (d,)
+        Logarithms, at most two.
+    most : int
+        Evaluations, at least those of the grid.
+
+    Returns
+    -------
+    tuple of float or None
+        The best point; None if the value is infinite at all of the grid.
+    """
+    if not lower.size:
+        return () if math.isfinite(value(())) else None
+    known: dict[Point, float] = {}
+
+    def at(point: Point) -> float:
+        key = tuple(round(x, _DIGITS) for x in point)
+        if key not in known:
+            known[key] = value(point) if len(known) < most else math.inf
+        return known[key]
+
+    axes = [np.linspace(a, b, _GRID[lower.size]).tolist() for a, b in zip(lower, upper, strict=True)]
+    best = min((tuple(point) for point in product(*axes)), key=at)
+    if not math.isfinite(at(best)):
+        return None
+    step = (upper - lower) / (2 * (_GRID[lower.size] - 1))
+    directions = [np.array(one) for one in product((-1, 0, 1), repeat=lower.size) if any(one)]
+    while step.max() > _FINEST and len(known) < most:
+        polled = [tuple(np.clip(best + step * one, lower, upper).tolist()) for one in directions]
+        better = min(polled, key=at)
+        if at(better) < at(best):
+            best = better
+        else:
+            step = step / 2
+    return best
+
+
+_TRIAL = json_form(asdict, lambda told: Trial(**told))
+_ROUNDING = 1e-9
+_MARGIN = 0.01
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Judges experiments.
+
+    Attributes
+    ----------
+    scene : Scene
+        With rough values.
+    names : tuple of str
+        All that is estimated, nuisance included.
+    counted : tuple of bool
+        What of it counts.
+    noise : Noise
+        Of one reading.
+    ranges : dict of str to Range
+        Of every design variable.
+    frames_at_most : int or None
+        That the camera keeps.
+    rough : float
+        Factor by which the rough values may be wrong either way; one: not at all.
+    sag_at_most : Limit or None
+        That no film may show more than, at any of the rough values.
+    """
+
+    scene: Scene
+    names: tuple[str, ...]
+    counted: tuple[bool, ...]
+    noise: Noise
+    ranges: dict[str, Range]
+    frames_at_most: int | None
+    rough: float
+    sag_at_most: Limit | None = None
+
+    def kept(self, what: str, compute: Callable[[], Trial]) -> Trial:
+        """Return a trial of these rough values and demands, from where it is kept if it is."""
+        demands = (self.names, self.counted, self.noise, self.ranges, self.frames_at_most, self.rough, self.sag_at_most)
+        return kept(lambda: ("trial", self.scene.to_toml(), repr(demands), what), compute, _TRIAL)
+
+    def best_film(self, span: float, thickness: float) -> Trial:
+        """The best duration and frame rate of one filament, from one run for each set of rough values."""
+        duration = self.ranges[DURATION]
+        try:
+            scene = self._filament(span, thickness)
+            films = [
+                (films_of(one, free, duration.low, duration.high), unknowns)
+                for one, free, unknowns in self._corners(scene)
+            ]
+        except SceneError as error:
+            return self._nothing(span, thickness, str(error))
+        return self._best_of(span, thickness, films)
+
+    def exactly(self, trial: Trial) -> tuple[Trial, list[Floats]]:
+        """The same design judged by its own frames, with the effects of its own duration; its information, a corner."""
+        if trial.frames < 2:
+            return trial, []
+        try:
+            scene = self.scene.replace(trial.changes)
+            found = [
+                (exact_film(one, free, trial.frames, self.noise), unknowns)
+                for one, free, unknowns in self._corners(scene)
+            ]
+        except SceneError as error:
+            return self._nothing(trial.span, trial.thickness, str(error)), []
+        sag = max(film.sag for film, _ in found)
+        if sag > self._allowed(trial.span):
+            return self._nothing(trial.span, trial.thickness, self._too_deep(trial.span)), []
+        errors = np.array([relative_errors(film.information, unknowns) for film, unknowns in found])
+        note = next((film.complaint for film, _ in found if film.complaint), "")
+        return self._trial(trial.values, trial.frames, errors, sag, note), [film.information for film, _ in found]
+
+    def checked(self, trial: Trial) -> Trial:
+        """The same, or infinite errors if the run is no answer: neither neck nor lost energy shows in the midpoint."""
+        if not math.isfinite(trial.worst):
+            return trial
+        run = simulated(without_estimate(self.scene.replace(trial.changes)))
+        if run.outcome.is_success:
+            return trial
+        return self._nothing(trial.span, trial.thickness, f"{run.outcome.name}: {run.outcome.value}")
+
+    def frames(self, durations: Floats) -> Floats:
+        """Frames of films of these durations, shape (m,); NaN where the camera keeps too few for its lowest rate."""
+        rate = self.ranges[FRAME_RATE]
+        frames = np.floor(rate.high * durations * (1 + _ROUNDING)) + 1
+        if self.frames_at_most is not None:
+            frames = np.minimum(frames, self.frames_at_most)
+        # A whole number of frames hits a rate to within one of them.
+        enough = (frames >= 2) & (frames + 1 >= rate.low * durations * (1 - _ROUNDING) + 1)
+        return np.where(enough, frames, np.nan)
+
+    def _best_of(self, span: float, thickness: float, films: list[tuple[Films, Unknowns]]) -> Trial:
+        durations = films[0][0].durations
+        frames = self.frames(durations)
+        rows = [(one.information(frames, self.noise.of_each(one.sag)), unknowns) for one, unknowns in films]
+        errors = np.array([relative_errors(information, unknowns) for information, unknowns in rows])
+        sag = np.max([one.sag for one, _ in films], axis=0)
+        # An experiment is judged again by its own frames and tolerances, which must not find it too deep.
+        shallow = ~(sag > (1 - _MARGIN) * self._allowed(span))
+        worst = np.array([unknowns.worst(row) for row, (_, unknowns) in zip(errors, films, strict=True)]).max(axis=0)
+        worst = np.where(shallow, worst, np.inf)
+        # Where nothing determines everything, the film that is best without the gate would be as good as any.
+        number = (
+            int(np.argmin(worst)) if np.isfinite(worst).any() else self._last(films, np.where(shallow, frames, np.nan))
+        )
+        note = next((one.complaint for one, _ in films if one.complaint), "")
+        if number < 0 and not shallow.any():
+            return self._nothing(span, thickness, self._too_deep(span))
+        if number < 0:
+            return self._nothing(span, thickness, note or "the camera keeps too few frames for its lowest rate")
+        duration, count = float(durations[number]), int(frames[number])
+        rate = (count - 1) / duration
+        values = {SPAN: span, THICKNESS: thickness, FRAME_RATE: rate, DURATION: duration}
+        return self._trial(values, count, errors[:, number], float(sag[number]), note)
+
+    @staticmethod
+    def _last(films: list[tuple[Films, Unknowns]], frames: Floats) -> int:
+        """Number of the longest film that there is; -1 if there is none."""
+        held = np.isfinite(frames) & np.all([np.isfinite(one.mean).all(axis=(1, 2)) for one, _ in films], axis=0)
+        return int(np.flatnonzero(held)[-1]) if held.any() else -1
+
+    def _allowed(self, span: float) -> float:
+        """Largest sag [m] of a film of this span."""
+        return math.inf if self.sag_at_most is None else self.sag_at_most.at(span)
+
+    def _too_deep(self, span: float) -> str:
+        return f"even the shortest film sags more than {length_text(self._allowed(span))}"
+
+    def _trial(self, values: dict[str, float], frames: int, errors: Floats, sag: float, note: str) -> Trial:
+        largest = errors.max(axis=0)
+        worst = float(largest[np.array(self.counted)].max())
+        return Trial(
+            span=values[SPAN],
+            thickness=values[THICKNESS],
+            frame_rate=values[FRAME_RATE],
+            duration=values[DURATION],
+            frames=frames,
+            worst=worst,
+            errors=dict(zip(self.names, largest.tolist(), strict=True)),
+            sag=sag,
+            note="" if math.isfinite(worst) else note,
+        )
+
+    def _nothing(self, span: float, thickness: float, note: str) -> Trial:
+        rate, duration = self.ranges[FRAME_RATE].high, self.ranges[DURATION].high
+        return Trial(span, thickness, rate, duration, 0, math.inf, dict.fromkeys(self.names, math.inf), note=note)
+
+    def _filament(self, span: float, thickness: float) -> Scene:
+        return self.scene.replace({SPAN: f"{span!r} m", THICKNESS: f"{thickness!r} m"})
+
+    def _corners(self, scene: Scene) -> list[tuple[Scene, tuple[FreeParameter, ...], Unknowns]]:
+        """The scene with its rough values, and with each of them too small or too large by the factor."""
+        rough = free_parameters(scene, self.names)
+        scenes = [scene]
+        wrong = [one for one in rough if one.logarithmic and not one.of_measurement and self.rough > 1]
+        for signs in product((-1, 1), repeat=len(wrong)) if wrong else ():
+            values = [
+                min(max(one.typical * self.rough**sign, one.bounds[0]), one.bounds[1])
+                for one, sign in zip(wrong, signs, strict=True)
+            ]
+            scenes.append(with_values(scene, wrong, values))
+        found = []
+        for one in scenes:
+            free = free_parameters(one, self.names)
+            found.append((one, free, Unknowns(free, np.array(self.counted))))
+        return found
+
+
+_MOST = 200
+_CANDIDATES = 8
+_MOST_ROUGH = 4
+
+Told = Callable[[Trial], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """The experiment to make.
+
+    Attributes
+    ----------
+    best : Trial
+        Of least worst error, judged by its own frames.
+    as_given : Trial
+        The scene as it is, with as many frames as the camera keeps.
+    at_bounds : dict of str to str
+        Design variables whose bound binds, ``"lower"`` or ``"upper"``.
+    noise : Noise
+        Of one reading.
+    counted : tuple of str
+        The parameters whose worst error counts.
+    rough : float
+        Factor by which the rough values were allowed to be wrong.
+    tried : tuple of Trial
+        In the order of the search, each filament with its best film: what beats all before it is judged by its own
+        frames and by a whole run, the others by the mean information of their film.
+    scene : Scene
+        The best experiment, to be run.
+    sag_at_most : Limit or None
+        That the filament was allowed to sag.
+    """
+
+    best: Trial
+    as_given: Trial
+    at_bounds: Mapping[str, str]
+    noise: Noise
+    counted: tuple[str, ...]
+    rough: float
+    tried: tuple[Trial, ...]
+    scene: Scene
+    sag_at_most: Limit | None = None
+
+    @property
+    def gain(self) -> float:
+        """Worst error of the scene as given over that of the best experiment."""
+        return self.as_given.worst / self.best.worst
+
+    @property
+    def text(self) -> tuple[str, ...]:
+        """Plain sentences."""
+        return sentences(
+            self.best, self.as_given, self.at_bounds, self.noise, self.counted, self.rough, self.sag_at_most
+        )
+
+
+def design_experiment(
+    scene: Scene,
+    free: Sequence[str],
+    noise: object,
+    within: Within,
+    *,
+    nuisance: Sequence[str] = (),
+    frames_at_most: int | None = None,
+    rough: float = 1.0,
+    sag_at_most: object = None,
+    told: Told | None = None,
+) -> Experiment:
+    """Choose the experiment whose film determines the free parameters best.
+
+    The standard errors are those of the Cramer-Rao bound with white noise: the inverse of the Fisher information
+    sum s s^T/noise^2, s = d midpoint/dq over all frames and q the logarithms of the parameters (Atkinson, Donev and
+    Tobias 2007). The worst is minimised over span and thickness by a grid and a pattern search; one run of each
+    filament serves all its films, at the highest frame rate unless `frames_at_most` binds.
+
+    Parameters
+    ----------
+    scene : Scene
+        With rough values.
+    free : sequence of str
+        Names as in a fit. Those of the camera (``time_offset``, ``initial_sag``) are estimated, but do not count.
+    noise : str or float
+        Standard deviation of one reading: a length, a number in m, or ``"1 %"`` of the largest sag of each film.
+    within : mapping
+        ``{"filament.span": ("2 mm", "50 mm"), "frame_rate": ("25 Hz", "1 kHz"), "run.duration": "5 s"}``; of
+        ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``. What is left out stays.
+    nuisance : sequence of str
+        More that is unknown and does not count.
+    frames_at_most : int, optional
+        That the camera keeps.
+    rough : float
+        Factor by which rough values may be wrong: the worst error over all corners, two a parameter, is minimised.
+    sag_at_most : str or float, optional
+        How far the filament may sag: a length with its unit, or a fraction of the span, ``"5 %"``.
+    told : callable, optional
+        Told every trial.
+
+    Raises
+    ------
+    SceneError
+        If a design variable is unknown or its bounds make no sense, or something cannot be free.
+    SoftcatError
+        If no experiment within the bounds determines the parameters, with the combination that is determined.
+    """
+    judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, frames_at_most, rough, sag_at_most)
+    return _chosen(scene, judge, _searched(judge, told), frames_at_most)
+
+
+def _searched(judge: Judge, told: Told | None) -> list[Trial]:
+    """Every film that was judged on the way to the best."""
+    tried: list[Trial] = []
+
+    def value(point: tuple[float, ...]) -> float:
+        span, thickness = _filament(judge, point)
+        trial = judge.kept(f"film of {span!r} {thickness!r}", lambda: judge.best_film(span, thickness))
+        if trial.worst < min((one.worst for one in tried), default=math.inf):
+            rough = trial
+            trial = judge.kept(f"checked {rough!r}", lambda: judge.checked(judge.exactly(rough)[0]))
+        tried.append(trial)
+        if told is not None:
+            told(trial)
+        return trial.worst
+
+    open_to_choice = [path for path in (SPAN, THICKNESS) if not judge.ranges[path].is_fixed]
+    lower, upper = (np.log([getattr(judge.ranges[path], edge) for path in open_to_choice]) for edge in ("low", "high"))
+    pattern_search(value, lower, upper, _MOST)
+    return tried
+
+
+def _chosen(scene: Scene, judge: Judge, tried: list[Trial], frames_at_most: int | None) -> Experiment:
+    """The best film, with what limits it; refuses where none is worth anything."""
+    best = min(tried, key=lambda one: one.worst)
+    if not best.worst < LARGEST_ERROR:
+        raise SoftcatError(_nothing_to_see(judge, tried))
+    counted = tuple(name for name, counts in zip(judge.names, judge.counted, strict=True) if counts)
+    # A whole number of frames: one more would be faster than the camera.
+    fastest = judge.ranges[FRAME_RATE].high
+    values = best.values | ({FRAME_RATE: fastest} if best.frames > fastest * best.duration * (1 - 1e-9) else {})
+    at_bounds = {path: bound for path, one in judge.ranges.items() if (bound := one.bound_at(values[path]))}
+    if frames_at_most is not None and best.frames == frames_at_most:
+        at_bounds["frames_at_most"] = "upper"
+    return Experiment(
+        best=best,
+        as_given=_as_given(judge),
+        at_bounds=at_bounds,
+        noise=judge.noise,
+        counted=counted,
+        rough=judge.rough,
+        tried=tuple(tried),
+        scene=scene.replace(best.changes),
+        sag_at_most=judge.sag_at_most,
+    )
+
+
+def _filament(judge: Judge, point: tuple[float, ...]) -> tuple[float, float]:
+    """Span and thickness [m] from the logarithms of those that are open to choice."""
+    logs = iter(point)
+    span, thickness = (
+        one.snapped(one.low if one.is_fixed else math.exp(next(logs)))
+        for one in (judge.ranges[SPAN], judge.ranges[THICKNESS])
+    )
+    return span, thickness
+
+
+def _judge(
+    scene: Scene,
+    free: tuple[str, ...],
+    nuisance: tuple[str, ...],
+    noise: object,
+    within: Within,
+    frames_at_most: int | None,
+    rough: float,
+    sag_at_most: object,
+) -> Judge:
+    ranges, faults, reading, allowed = read_ranges(scene, within), [], Noise(math.nan), None
+    unknowns = free_parameters(scene, [*free, *nuisance])
+    counted = tuple(k < len(free) and not one.of_measurement for k, one in enumerate(unknowns))
+    if not any(counted):
+        found = "nothing that counts is free: the camera's own and nuisance do not"
+        faults.append(Fault("free", found, "one name or more, such as youngs_modulus"))
+    try:
+        reading = read_noise(noise)
+    except NotAQuantity as error:
+        faults.append(Fault("noise", str(error), 'the error of one reading, such as "10 um", or "1 %" of the sag'))
+    try:
+        allowed = None if sag_at_most is None else read_limit(sag_at_most)
+    except NotAQuantity as error:
+        faults.append(Fault("sag_at_most", str(error), LIMITS))
+    if frames_at_most is not None and frames_at_most < 2:
+        faults.append(Fault("frames_at_most", shown(frames_at_most), "two frames or more"))
+    if not 1 <= rough < math.inf:
+        faults.append(Fault("rough", shown(rough), "a factor of at least one, such as 2"))
+    corners = sum(one.logarithmic and not one.of_measurement for one in unknowns)
+    if rough > 1 and corners > _MOST_ROUGH:
+        found = f"{corners} rough values have {2**corners} corners"
+        faults.append(Fault("rough", found, f"1, or at most {_MOST_ROUGH} parameters"))
+    if faults:
+        raise SceneError(faults)
+    names = tuple(one.path for one in unknowns)
+    return Judge(scene, names, counted, reading, ranges, frames_at_most, float(rough), allowed)
+
+
+def _as_given(judge: Judge) -> Trial:
+    scene = judge.scene
+    frames = min(scene.run.frames, judge.frames_at_most or scene.run.frames)
+    values = as_given(scene)
+    rate, duration = (frames - 1) / scene.run.duration, scene.run.duration
+    errors = dict.fromkeys(judge.names, math.inf)
+    start = Trial(values[SPAN], values[THICKNESS], rate, duration, frames, math.inf, errors)
+    return replace(judge, sag_at_most=None).exactly(start)[0]
+
+
+def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:
+    """Say that no experiment determines the parameters, and what combination of them is determined."""
+    names = " and ".join(name.rpartition(".")[2] for name in judge.names)
+    head = f"no experiment within these bounds determines {names} to better than {100 * LARGEST_ERROR:g} %"
+    seen = sorted((one for one in tried if one.frames), key=lambda one: one.worst)[:_CANDIDATES]
+    if not seen:
+        notes = sorted({one.note for one in tried if one.note})
+        return f"{head}: no filament within them can be filmed" + (f" ({notes[0]})" if notes else "")
+    pairs = [pair for pair in (judge.exactly(one) for one in seen) if pair[1] and np.isfinite(pair[1][0]).all()]
+    if not pairs:
+        return f"{head}: no filament within them holds as long as its film"
+    trial, matrices = pairs[strongest([pair[1][0] for pair in pairs])]
+    what = _information(judge, trial, matrices[0]).combinations
+    if not what:
+        return f"{head}, nor any combination of them: more frames, less noise, or wider bounds are needed"
+    listed = "; ".join(f"{one.text}, to {100 * one.standard_error:.2g} %" for one in what)
+    remedy = "free fewer, or give the others from elsewhere"
+    return f"{head}; what is determined, with a span of {trial.span:.3g} m, is {listed}: {remedy}"
+
+
+def _information(judge: Judge, trial: Trial, matrix: Floats) -> Information:
+    """The information as a fit would judge it."""
+    free = free_parameters(judge.scene.replace(trial.changes), judge.names)
+    unknowns = Unknowns(free, np.array(judge.counted))
+    values, directions = np.linalg.eigh(matrix)
+    root = np.sqrt(np.maximum(values, 0.0))[:, None] * directions.T
+    box = np.array([one.lower for one in free]), np.array([one.upper for one in free])
+    flags = tuple(one.logarithmic for one in free)
+    start = np.array([one.scaled(one.typical) for one in free])
+    return information(unknowns.names, start, np.zeros(len(free)), root, box, noise_known=True, logarithmic=flags)

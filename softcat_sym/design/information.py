@@ -1,0 +1,458 @@
+"""What films of one filament tell of its constants by Fisher information, for what may be chosen."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from numbers import Real
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import FreeParameter
+from softcat_sym.fitting.identifiability import DERIVATIVE_ACCURACY
+from softcat_sym.fitting.least_squares import Floats
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown, to_si
+
+SPAN, THICKNESS, FRAME_RATE, DURATION = "filament.span", "filament.thickness", "frame_rate", "run.duration"
+VARIABLES = (SPAN, THICKNESS, FRAME_RATE, DURATION)
+UNITS = {SPAN: "m", THICKNESS: "m", FRAME_RATE: "1/s", DURATION: "s"}
+
+_KINDS = {SPAN: "length", THICKNESS: "length", FRAME_RATE: "frequency", DURATION: "time"}
+_EXAMPLES = {SPAN: "20 mm", THICKNESS: "2 mm", FRAME_RATE: "100 Hz", DURATION: "5 s"}
+_SAME = 1e-9
+
+Within = Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """Bounds of one design variable.
+
+    Attributes
+    ----------
+    path : str
+        One of `VARIABLES`.
+    low, high : float
+        SI; equal if it is fixed.
+    """
+
+    path: str
+    low: float
+    high: float
+
+    @property
+    def is_fixed(self) -> bool:
+        """Whether there is nothing to choose."""
+        return self.low == self.high
+
+    def snapped(self, value: float) -> float:
+        """The value, or the bound that it lies at but for rounding, or beyond."""
+        bound = self.bound_at(value)
+        return self.low if self.is_fixed or bound == "lower" else self.high if bound else value
+
+    def bound_at(self, value: float) -> str:
+        """Name the bound at which a value lies: ``"lower"``, ``"upper"``, or empty."""
+        if self.is_fixed:
+            return ""
+        if value <= self.low * (1 + _SAME):
+            return "lower"
+        return "upper" if value >= self.high * (1 - _SAME) else ""
+
+
+def as_given(scene: Scene) -> dict[str, float]:
+    """The design variables of the scene as it is [SI]; its frames are those of the camera."""
+    run, filament = scene.run, scene.filament
+    rate = (run.frames - 1) / run.duration
+    return {SPAN: filament.span, THICKNESS: filament.thickness, FRAME_RATE: rate, DURATION: run.duration}
+
+
+def read_ranges(scene: Scene, within: Within) -> dict[str, Range]:
+    """Read the bounds of an experiment.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is not named keeps its value.
+    within : mapping
+        A pair ``("2 mm", "50 mm")`` by dotted path or leaf name, or one value that it is fixed at; text with a unit, or
+        numbers in SI.
+
+    Returns
+    -------
+    dict of str to Range
+        One for each of `VARIABLES`.
+
+    Raises
+    ------
+    SceneError
+        With every variable that is unknown and every bound that makes no sense.
+    """
+    leaves = {path.rpartition(".")[2]: path for path in VARIABLES}
+    ranges = {path: Range(path, value, value) for path, value in as_given(scene).items()}
+    faults = []
+    for name, bounds in within.items():
+        path = leaves.get(name, name)
+        if path not in VARIABLES:
+            hint = did_you_mean(name, VARIABLES)
+            faults.append(Fault(f"within {name}", f"no design variable{hint}", ", ".join(VARIABLES)))
+            continue
+        try:
+            ranges[path] = _range(path, bounds)
+        except NotAQuantity as error:
+            faults.append(Fault(f"within {path}", str(error), _accepted(path)))
+    if not faults and not ranges[THICKNESS].low < ranges[SPAN].high:
+        found = f"{ranges[THICKNESS].low:g} m or more, and no span above {ranges[SPAN].high:g} m"
+        faults.append(Fault(f"within {THICKNESS}", found, "a thickness below the span"))
+    if faults:
+        raise SceneError(faults)
+    return ranges
+
+
+def read_positive(value: object, kind: str, unit: str) -> float:
+    """Read a positive quantity: text with a unit, or a number in SI.
+
+    Raises
+    ------
+    NotAQuantity
+        Its text says what was found.
+    """
+    if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
+        number = float(value)
+        if not math.isfinite(number):
+            raise NotAQuantity(f"{shown(value)} is not finite")
+    else:
+        number = to_si(value, kind, unit)
+    if number <= 0:
+        raise NotAQuantity(f"{shown(value)} is not positive")
+    return number
+
+
+def read_share(value: object) -> float | None:
+    """Read a percentage such as ``"1 %"`` as a fraction; None if it is none.
+
+    Raises
+    ------
+    NotAQuantity
+        If it is no positive one. Its text says what was found.
+    """
+    found = re.fullmatch(r"\s*([^%]*?)\s*%\s*", value) if isinstance(value, str) else None
+    if found is None:
+        return None
+    try:
+        share = float(found[1]) / 100
+    except ValueError:
+        raise NotAQuantity(f"{shown(value)} is no percentage") from None
+    if not 0 < share < math.inf:
+        raise NotAQuantity(f"{shown(value)} is not positive and finite")
+    return share
+
+
+def _range(path: str, bounds: object) -> Range:
+    kind, unit = _KINDS[path], UNITS[path]
+    if not isinstance(bounds, (tuple, list)):
+        value = read_positive(bounds, kind, unit)
+        return Range(path, value, value)
+    if len(bounds) != 2:
+        raise NotAQuantity(f"{len(bounds)} values")
+    low, high = (read_positive(bound, kind, unit) for bound in bounds)
+    if low > high:
+        raise NotAQuantity(f"{shown(bounds[0])} is above {shown(bounds[1])}")
+    return Range(path, low, high)
+
+
+def _accepted(path: str) -> str:
+    example = _EXAMPLES[path]
+    return f'a positive {_KINDS[path]} such as "{example}", or a pair of them, the lower one first'
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """Standard deviation of one reading.
+
+    Attributes
+    ----------
+    value : float
+        [m], or a share of the largest sag within the film.
+    of_sag : bool
+        Which of them.
+    """
+
+    value: float
+    of_sag: bool = False
+
+    def of(self, sag: float) -> float:
+        """Standard deviation [m] in a film in which the filament sags so far [m]."""
+        return self.value * sag if self.of_sag else self.value
+
+    def of_each(self, sags: Floats) -> Floats:
+        """The same for several films, shape (m,)."""
+        return np.array([self.of(sag) for sag in sags.tolist()])
+
+
+def read_noise(value: object) -> Noise:
+    """Read a length such as ``"10 um"``, a number in m, or a share of the sag such as ``"1 %"``.
+
+    Raises
+    ------
+    NotAQuantity
+        Its text says what was found.
+    """
+    share = read_share(value)
+    return Noise(read_positive(value, "length", "m")) if share is None else Noise(share, of_sag=True)
+
+
+# Components of a direction that no experiment sees, below which an unknown does not take part in it.
+_TAKES_PART = 1e-4
+
+
+@dataclass(frozen=True, eq=False)
+class Unknowns:
+    """What a film is to tell.
+
+    Attributes
+    ----------
+    free : tuple of FreeParameter
+        All that is estimated together.
+    counted : ndarray of bool, shape (k,)
+        Which count: not the camera's own, nor other nuisance.
+    """
+
+    free: tuple[FreeParameter, ...]
+    counted: NDArray[np.bool_]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of all that is estimated."""
+        return tuple(one.name for one in self.free)
+
+    @property
+    def scales(self) -> Floats:
+        """Relative error over the error of q, shape (k,); of what is typically zero, the error itself in SI."""
+        scales = [1.0 if one.logarithmic else one.scale / (abs(one.typical) or 1.0) for one in self.free]
+        return np.array(scales)
+
+    def worst(self, errors: Floats) -> Floats:
+        """Largest error of what counts; shape (..., k) to (...)."""
+        return np.asarray(errors[..., self.counted].max(axis=-1), dtype=float)
+
+
+def relative_errors(matrices: Floats, unknowns: Unknowns) -> Floats:
+    """Relative standard errors by the Cramer-Rao bound, sqrt((F^-1)_ii).
+
+    Parameters
+    ----------
+    matrices : ndarray, shape (..., k, k)
+        Fisher information F of q; NaN where there is no film.
+
+    Returns
+    -------
+    ndarray, shape (..., k)
+        Infinite for an unknown that takes part in a direction whose singular value is below `DERIVATIVE_ACCURACY` of
+        the largest.
+    """
+    present = np.asarray(np.isfinite(matrices).all(axis=(-1, -2), keepdims=True))
+    values, directions = np.linalg.eigh(np.where(present, matrices, 0.0))
+    floor = np.maximum(DERIVATIVE_ACCURACY**2 * values[..., -1:], np.finfo(float).tiny)
+    seen = (values > floor)[..., None, :]
+    variance = 1 / np.maximum(values, floor)[..., None, :]
+    parts = directions**2 * np.where(seen, variance, 0.0)
+    hidden = (~seen & (np.abs(directions) > _TAKES_PART)).any(axis=-1)
+    errors = np.sqrt(parts.sum(axis=-1)) * unknowns.scales
+    return np.where(hidden | ~present[..., 0], np.inf, errors)
+
+
+def strongest(matrices: Sequence[Floats]) -> int:
+    """Number of the information with the largest smallest eigenvalue relative to its largest."""
+    values = [np.linalg.eigvalsh(np.nan_to_num(matrix)) for matrix in matrices]
+    return int(np.argmax([row[0] / row[-1] if row[-1] > 0 else -1.0 for row in values]))
+
+
+# Frames that are integrated; more are counted, as what lies between frames is seen by both.
+_MOST_FRAMES = 2001
+_FIRST, _OCTAVE = 300, 150
+# Of the integrator while many experiments are compared: errors of the information below a percent.
+_ROUGH_RTOL = 1e-3
+# Of q: between runs whose fibres do not yield at the same instants.
+_BESIDE = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Films:
+    """All films of one filament from the release on, by their duration.
+
+    Attributes
+    ----------
+    durations : ndarray, shape (m,)
+        Increasing [s].
+    mean : ndarray, shape (m, k, k)
+        Mean of s s^T over each film [m^2], s = d midpoint/dq; NaN where the filament does not hold so long.
+    sag : ndarray, shape (m,)
+        Largest within each film [m]; NaN where there is none.
+    complaint : str
+        Why it does not; empty if it does.
+    """
+
+    durations: Floats
+    mean: Floats
+    sag: Floats
+    complaint: str
+
+    def information(self, frames: Floats, noise: float | Floats) -> Floats:
+        """Fisher information of q, shape (m, k, k), for so many frames, shape (m,), spread evenly over each film.
+
+        The noise [m] is one for all, or one for each film, shape (m,).
+        """
+        return self.mean * (frames / noise**2)[:, None, None]
+
+
+def film_times(shortest: float, longest: float) -> tuple[Floats, Floats]:
+    """Times [s] at which a run is seen so that films of any duration between two can be judged, and these durations.
+
+    Even up to the shortest film, then by octaves: every film is then resolved by more than a hundred times.
+    """
+    times = np.linspace(0.0, shortest, _FIRST + 1)
+    octaves = math.log2(longest / shortest)
+    count = max(1, math.ceil(octaves)) if octaves > 0 else 0
+    edges = shortest * (longest / shortest) ** (np.arange(count + 1) / max(count, 1))
+    pieces = [np.linspace(a, b, _OCTAVE + 1)[1:] for a, b in pairwise(edges.tolist())]
+    durations = np.concatenate([times[-1:], *pieces])
+    durations[-1] = longest
+    return np.concatenate([times[:-1], durations]), durations
+
+
+def films_of(scene: Scene, free: tuple[FreeParameter, ...], shortest: float, longest: float) -> Films:
+    """Run a filament once, to the longest duration, and judge every shorter film of it.
+
+    The sum over n frames spread evenly over [0, T] is n/T times the integral over time, up to terms of order 1/n.
+
+    Raises
+    ------
+    SceneError
+        If there is no such filament, or something free makes no difference to it.
+    """
+    times, durations = film_times(shortest, longest)
+    scene = scene.replace({"run.duration": f"{longest!r} s"})
+    # What yields has slopes that scatter enough at its own tolerances.
+    smooth = scene.material.yield_stress is None
+    model = ForwardModel(scene, free, times, rtol=max(_ROUGH_RTOL, scene.numerics.rtol or 0.0) if smooth else None)
+    depth, slopes = _seen(model)
+    density = slopes[:, :, None] * slopes[:, None, :]
+    steps = np.diff(times)[:, None, None]
+    area = np.cumsum(0.5 * steps * (density[1:] + density[:-1]), axis=0)
+    sag = np.maximum.accumulate(depth)[-len(durations) :]
+    return Films(durations, area[-len(durations) :] / durations[:, None, None], sag, model.complaint)
+
+
+@dataclass(frozen=True, eq=False)
+class ExactFilm:
+    """One film by its own frames.
+
+    Attributes
+    ----------
+    information : ndarray, shape (k, k)
+        Fisher's, of q.
+    sag : float
+        Largest within the film [m].
+    complaint : str
+        Why the filament does not hold; empty if it does.
+    """
+
+    information: Floats
+    sag: float
+    complaint: str
+
+
+def exact_film(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: Noise) -> ExactFilm:
+    """Follow a filament through the frames of one film.
+
+    Parameters
+    ----------
+    frames : int
+        Spread evenly over the scene's duration, the first at the release; beyond 2001 every so many are integrated.
+
+    Raises
+    ------
+    SceneError
+        If there is no such filament, or something free makes no difference to it.
+    """
+    integrated = min(frames, _MOST_FRAMES)
+    model = ForwardModel(scene, free, np.linspace(0.0, scene.run.duration, integrated))
+    depth, slopes = _seen(model)
+    sag = float(np.max(depth))
+    information = slopes.T @ slopes * (frames / integrated / noise.of(sag) ** 2)
+    return ExactFilm(information, sag, model.complaint)
+
+
+def _seen(model: ForwardModel) -> tuple[Floats, Floats]:
+    """Depths [m], shape (n,), and slopes d midpoint/dq, shape (n, k).
+
+    Where things yield, both are the median over three neighbouring filaments.
+
+    Differences across the instant at which a fibre yields are no derivatives, and would pass for information.
+    """
+    beside = (0.0, -_BESIDE, _BESIDE) if "yielding" in model.effects else (0.0,)
+    found = [model.with_derivatives(model.typical + step) for step in beside]
+    heights, slopes = (np.asarray(np.median([one[k] for one in found], axis=0), dtype=float) for k in (0, 1))
+    return np.abs(heights), slopes
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A design and the errors that it leaves.
+
+    Attributes
+    ----------
+    span, thickness : float
+        [m].
+    frame_rate : float
+        [1/s].
+    duration : float
+        [s].
+    frames : int
+        The first at the release, the last at the end.
+    worst : float
+        Largest relative standard error of what counts, over all rough values; infinite if the film leaves it open.
+    errors : mapping of str to float
+        Relative standard error of each unknown, of the camera's own in SI: each the largest over all rough values.
+    sag : float
+        Largest within the film [m], over all rough values; NaN where there is none.
+    note : str
+        Why there is no answer; empty if there is.
+    """
+
+    span: float
+    thickness: float
+    frame_rate: float
+    duration: float
+    frames: int
+    worst: float
+    errors: Mapping[str, float]
+    sag: float = math.nan
+    note: str = ""
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The design variables by path, in SI."""
+        return {
+            SPAN: self.span,
+            THICKNESS: self.thickness,
+            FRAME_RATE: self.frame_rate,
+            DURATION: self.duration,
+        }
+
+    @property
+    def changes(self) -> dict[str, object]:
+        """What makes a scene this experiment, for :meth:`softcat_sym.Scene.replace`."""
+        return {
+            SPAN: f"{self.span!r} m",
+            THICKNESS: f"{self.thickness!r} m",
+            DURATION: f"{self.duration!r} s",
+            "run.frames": self.frames,
+        }

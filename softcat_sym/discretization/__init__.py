@@ -1,0 +1,1 @@
+"""One cell's equations become the system of a whole filament, printed from SymPy to CasADi."""

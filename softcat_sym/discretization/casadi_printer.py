@@ -1,0 +1,227 @@
+"""SymPy to CasADi or NumPy: a whitelist of functions, exact numbers, and no symbol left unbound."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+from sympy.printing.printer import Printer
+
+from softcat_sym.errors import PrintingError
+
+_ELEMENTARY: dict[str, Callable[..., Any]] = {
+    "exp": ca.exp,
+    "log": ca.log,
+    "sin": ca.sin,
+    "cos": ca.cos,
+    "tan": ca.tan,
+    "asin": ca.asin,
+    "acos": ca.acos,
+    "atan": ca.atan,
+    "atan2": ca.atan2,
+    "sinh": ca.sinh,
+    "cosh": ca.cosh,
+    "tanh": ca.tanh,
+    "Abs": ca.fabs,
+    "sign": ca.sign,
+}
+
+_RELATIONS: dict[type, Callable[[Any, Any], Any]] = {
+    sp.StrictGreaterThan: lambda a, b: a > b,
+    sp.GreaterThan: lambda a, b: a >= b,
+    sp.StrictLessThan: lambda a, b: a < b,
+    sp.LessThan: lambda a, b: a <= b,
+    sp.Equality: lambda a, b: a == b,
+    sp.Unequality: lambda a, b: a != b,
+}
+
+
+class CasadiPrinter(Printer):  # type: ignore[misc]  # SymPy has no types
+    """Builds CasADi expressions from SymPy ones; symbols are looked up in `bindings`.
+
+    Values may be scalars or column vectors (SX, MX, DM): every operation is elementwise, so one cell's expression,
+    given vectors, is the expression of all cells.
+    """
+
+    def __init__(self, bindings: Mapping[sp.Symbol, Any]) -> None:
+        super().__init__()
+        self._bindings = dict(bindings)
+
+    def bind(self, symbol: sp.Symbol, value: Any) -> None:
+        """Give a symbol its value; common subexpressions are bound this way, one after the other."""
+        self._bindings[symbol] = value
+
+    def value(self, expr: sp.Expr) -> Any:
+        """The CasADi value of an expression, under the present bindings."""
+        return self._print(expr)
+
+    def emptyPrinter(self, expr: sp.Basic) -> Any:
+        """Refuse whatever has no rule below."""
+        raise PrintingError(f"cannot print {type(expr).__name__} in {expr}: not in the whitelist of the CasADi printer")
+
+    def _print_Symbol(self, expr: sp.Symbol) -> Any:
+        try:
+            return self._bindings[expr]
+        except KeyError:
+            raise PrintingError(f"symbol {expr} has no value; bound are {sorted(map(str, self._bindings))}") from None
+
+    _print_Dummy = _print_Symbol
+
+    def _print_Integer(self, expr: sp.Integer) -> float:
+        return float(expr.p)
+
+    def _print_Rational(self, expr: sp.Rational) -> float:
+        return float(expr.p / expr.q)
+
+    def _print_Float(self, expr: sp.Float) -> float:
+        return float(expr)
+
+    def _print_NumberSymbol(self, expr: sp.NumberSymbol) -> float:
+        return float(expr.evalf(20))
+
+    def _print_Add(self, expr: sp.Add) -> Any:
+        first, *rest = [self._print(a) for a in expr.args]
+        for term in rest:
+            first = first + term
+        return first
+
+    def _print_Mul(self, expr: sp.Mul) -> Any:
+        # Factor by factor, numbers before vectors: what holds for all cells is then computed once and shared.
+        first, *rest = sorted((self._print(a) for a in expr.args), key=_size)
+        for factor in rest:
+            first = first * factor
+        return first
+
+    def _print_Pow(self, expr: sp.Pow) -> Any:
+        base, exponent = expr.args
+        if exponent.is_negative and exponent.is_Rational:
+            return 1 / self._print(base**-exponent)
+        if exponent.is_Integer and exponent.p <= 8:
+            return _whole_power(self._print(base), exponent.p)
+        if exponent.is_Rational and exponent.q == 2:
+            value, whole = self._print(base), exponent.p // 2
+            root = ca.sqrt(value)
+            return root if whole == 0 else root * _whole_power(value, whole)
+        return self._print(base) ** self._print(exponent)
+
+    def _print_Function(self, expr: sp.Function) -> Any:
+        name = type(expr).__name__
+        if name not in _ELEMENTARY:
+            raise PrintingError(f"function {name} in {expr} is not in the whitelist: {', '.join(sorted(_ELEMENTARY))}")
+        return _ELEMENTARY[name](*(self._print(a) for a in expr.args))
+
+    def _print_Max(self, expr: sp.Max) -> Any:
+        return self._fold(ca.fmax, expr)
+
+    def _print_Min(self, expr: sp.Min) -> Any:
+        return self._fold(ca.fmin, expr)
+
+    def _fold(self, operation: Callable[[Any, Any], Any], expr: sp.Expr) -> Any:
+        first, *rest = [self._print(a) for a in sorted(expr.args, key=sp.default_sort_key)]
+        for other in rest:
+            first = operation(first, other)
+        return first
+
+    def _print_Relational(self, expr: sp.core.relational.Relational) -> Any:
+        return _RELATIONS[type(expr)](self._print(expr.lhs), self._print(expr.rhs))
+
+    def _print_Piecewise(self, expr: sp.Piecewise) -> Any:
+        if expr.args[-1].cond != sp.true:
+            raise PrintingError(f"{expr} says nothing about what remains: end it with (value, True)")
+        value = self._print(expr.args[-1].expr)
+        for branch, condition in reversed(expr.args[:-1]):
+            value = ca.if_else(self._print(condition), self._print(branch), value)
+        return value
+
+
+def _size(value: Any) -> int:
+    """Number of elements of a CasADi value, or of a plain number."""
+    return int(value.numel()) if hasattr(value, "numel") else 0
+
+
+def _whole_power(value: Any, exponent: int) -> Any:
+    """Repeated squaring, so that x^2 and x^3 stay products."""
+    if exponent == 1:
+        return value
+    half = _whole_power(value, exponent // 2)
+    return half * half if exponent % 2 == 0 else half * half * value
+
+
+_Shared = tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]
+
+
+@lru_cache(maxsize=1024)
+def _common_parts(expressions: tuple[sp.Expr, ...]) -> _Shared:
+    """Common subexpressions, sought once a process: a sweep prints the same cell again and again."""
+    shared, reduced = sp.cse(list(expressions), symbols=sp.numbered_symbols("w_", cls=sp.Dummy))
+    return shared, reduced
+
+
+class CellFunction:
+    """Several SymPy expressions of one cell, evaluated together on CasADi values with common parts shared.
+
+    Parameters
+    ----------
+    outputs : mapping of str to sympy.Expr
+        What to compute.
+    inputs : sequence of sympy.Symbol
+        Every symbol that may occur.
+
+    Raises
+    ------
+    PrintingError
+        If an output holds a symbol that is not an input, or a function outside the whitelist (when called).
+    """
+
+    def __init__(self, outputs: Mapping[str, sp.Expr], inputs: Sequence[sp.Symbol]) -> None:
+        self.inputs = tuple(inputs)
+        self.names = tuple(outputs)
+        missing = set().union(*(sp.sympify(e).free_symbols for e in outputs.values())) - set(self.inputs)
+        if missing:
+            raise PrintingError(f"no input for {sorted(map(str, missing))} in {list(outputs)}")
+        self._shared, self._reduced = _common_parts(tuple(sp.sympify(e) for e in outputs.values()))
+
+    def __call__(self, values: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
+        """Evaluate on scalars or column vectors.
+
+        Parameters
+        ----------
+        values : mapping of sympy.Symbol to casadi value
+            One value for each input that occurs.
+        """
+        printer = CasadiPrinter({symbol: values[symbol] for symbol in self.inputs if symbol in values})
+        for symbol, expression in self._shared:
+            printer.bind(symbol, printer.value(expression))
+        return {name: printer.value(e) for name, e in zip(self.names, self._reduced, strict=True)}
+
+
+Floats = npt.NDArray[np.float64]
+
+
+def evaluate(expression: sp.Expr, values: Mapping[sp.Symbol, float | Floats]) -> Floats:
+    """Value of an expression, elementwise.
+
+    Parameters
+    ----------
+    expression : sympy.Expr
+        What to evaluate.
+    values : mapping of sympy.Symbol to float or ndarray, shape (n,)
+        One value for each symbol that occurs.
+
+    Returns
+    -------
+    ndarray, shape (n,) or (1,)
+
+    Raises
+    ------
+    PrintingError
+        If a symbol has no value, or a function is outside the printer's whitelist.
+    """
+    function = CellFunction({"value": expression}, tuple(values))
+    columns = {symbol: ca.DM(np.atleast_1d(np.asarray(value, dtype=float))) for symbol, value in values.items()}
+    return np.asarray(ca.DM(function(columns)["value"]), dtype=float).ravel()

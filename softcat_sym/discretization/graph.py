@@ -1,0 +1,489 @@
+"""The assembled Graph: a filament of N cells as one CasADi system, with every parameter an input."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.discretization.grid import Block, Floats, Grid, Layout, Lengths
+from softcat_sym.discretization.section_rule import OneFibre, SectionRule, Total
+from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN, Held, Profile, path_name
+from softcat_sym.effects.free_vibration import solid_viscosity
+from softcat_sym.physics import symbols
+from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.physics.loads import surface_tension
+from softcat_sym.physics.necking import aspect
+from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
+
+REST_LENGTH = "rest_length"
+POINT_MASS = "point_mass_per_area"
+TIME_SCALE = "time_scale"
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A numeric input of the graph: its leaf name in the scene, its symbol and its unit."""
+
+    name: str
+    symbol: symbols.Symbol
+    unit: str
+
+
+CATALOGUE: tuple[Parameter, ...] = (
+    Parameter(REST_LENGTH, symbols.L_0, "m"),
+    Parameter("thickness", symbols.h0, "m"),
+    Parameter("density", symbols.rho, "kg/m^3"),
+    Parameter("gravity", symbols.g, "m/s^2"),
+    Parameter("ramp", symbols.g_on, "s"),
+    Parameter("youngs_modulus", symbols.E, "Pa"),
+    Parameter("viscosity", symbols.eta, "Pa*s"),
+    Parameter("solid_viscosity", symbols.eta_s, "Pa*s"),
+    Parameter("yield_stress", symbols.sigma_Y, "Pa"),
+    Parameter("poisson", nu, "1"),
+    Parameter("curvature", symbols.kappa_0, "1/m"),
+    Parameter("aspect", aspect, "1"),
+    Parameter("surface_tension", surface_tension, "N/m"),
+    Parameter("shake", symbols.a_g, "1"),
+    Parameter("shake_frequency", symbols.f_g, "Hz"),
+)
+
+
+def time_scale(scene: Scene) -> float:
+    """Unit of time [s]: sqrt(L/g), or L sqrt(rho/E) without gravity, or else the duration of the run."""
+    gravity_unit = gravity_time(scene)
+    if gravity_unit < float("inf"):
+        return gravity_unit
+    return elastic_time(scene) or scene.run.duration
+
+
+def parameter_values(scene: Scene) -> dict[str, float]:
+    """Values of every parameter that a graph of this scene may ask for, in SI units."""
+    filament, ends = scene.filament, scene.ends
+    path = {
+        path_name(kind, row): value
+        for row, point in enumerate(ends.motion)
+        for kind, value in zip(("time", "dx", "dy"), point, strict=True)
+    }
+    return {
+        REST_LENGTH: rest_length(scene),
+        "thickness": filament.thickness,
+        "density": filament.density,
+        "gravity": scene.load.gravity,
+        "ramp": scene.load.ramp,
+        "shake": scene.load.shake,
+        "shake_frequency": scene.load.shake_frequency,
+        "aspect": filament.width / filament.thickness,
+        "curvature": filament.curvature,
+        "surface_tension": scene.surroundings.surface_tension,
+        POINT_MASS: scene.load.point_mass / undeformed_area(scene),
+        SPAN: filament.span,
+        DROP: ends.drop,
+        LEFT_ANGLE: ends.left_angle,
+        RIGHT_ANGLE: ends.right_angle,
+        TIME_SCALE: time_scale(scene),
+        "poisson": scene.material.poisson,
+        "solid_viscosity": solid_viscosity(scene),
+        **scene.material.values(),
+        **path,
+    }
+
+
+@dataclass(frozen=True)
+class Unknowns:
+    """Blocks of unknowns.
+
+    Attributes
+    ----------
+    positions : tuple of Block
+        Named ``x``, ``y``: differential with inertia, algebraic without.
+    velocities : tuple of Block
+        Named ``u``, ``v``: only with inertia.
+    plastic : tuple of Block
+        Named as the rates in :class:`Fields`: only where the law flows.
+    profiles : mapping of str to (float, float)
+        What each kind of plastic state is of a plastic strain a_0 + a_1 zeta, the same in every branch.
+    angles, spins : tuple of Block
+        Named ``psi``, ``omega``: section angles where they are independent.
+    """
+
+    positions: tuple[Block, ...]
+    velocities: tuple[Block, ...]
+    plastic: tuple[Block, ...]
+    profiles: Mapping[str, tuple[float, float]]
+    angles: tuple[Block, ...] = ()
+    spins: tuple[Block, ...] = ()
+
+
+class Recall(Protocol):
+    """Whatever knows the unknowns by name."""
+
+    def field(self, name: str, full: ca.SX) -> ca.SX:
+        """The values `full` of all nodes (or cells), with the unknown ones replaced."""
+        ...
+
+
+class Stage(Protocol):
+    """Names a field of cells or nodes that other places read; it may put symbols in its place."""
+
+    def __call__(self, name: str, value: ca.SX) -> ca.SX:
+        """The field, or what stands for it."""
+        ...
+
+
+def unstaged(name: str, value: ca.SX) -> ca.SX:
+    """Every field written out where it is used."""
+    del name
+    return value
+
+
+def without_sums(name: str, value: ca.SX) -> ca.SX:
+    """Sums over fibres stand for themselves only where one fibre stands for all.
+
+    Raises
+    ------
+    ValueError
+        Always.
+    """
+    raise ValueError(f"{name}: one fibre stands for all, and nothing sums over them")
+
+
+@dataclass(frozen=True)
+class State:
+    """The unknowns by name, wherever they stand.
+
+    Attributes
+    ----------
+    moving, still : Layout
+        Differential and algebraic unknowns.
+    """
+
+    moving: Layout
+    still: Layout
+
+    def field(self, name: str, full: ca.SX) -> ca.SX:
+        """The values `full` of all nodes (or cells), with the unknown ones replaced by the state's."""
+        return self.still.field(name, self.moving.field(name, full))
+
+
+@dataclass(frozen=True)
+class Setting:
+    """Where a filament is evaluated.
+
+    Attributes
+    ----------
+    values : mapping of sympy.Symbol to casadi value
+        Parameters.
+    grid : Grid
+        Nodes.
+    profile : Profile
+        How the section varies along the filament.
+    supports : Held
+        Where the supports are.
+    time_scale : casadi.SX
+        Unit of time [s].
+    lengths : Lengths
+        Of the grid.
+    stage : Stage
+        What becomes of the fields that other places read.
+    total : callable
+        What becomes of sums over the fibres, where one stands for all.
+    """
+
+    values: Mapping[symbols.Symbol, Any]
+    grid: Grid
+    profile: Profile
+    supports: Held
+    time_scale: ca.SX
+    lengths: Lengths
+    stage: Stage = unstaged
+    total: Total = without_sums
+
+    def positions(self, state: Recall) -> tuple[ca.SX, ca.SX]:
+        """Positions of all nodes, in rest lengths; those that are held are where the supports are."""
+        x, y = ca.SX(self.lengths.nodes), ca.SX.zeros(self.grid.cells + 1)
+        if self.grid.first.holds_height:
+            x[0] = self.supports.left_x
+        x[-1], y[-1] = self.supports.right_x, self.supports.right_y
+        return state.field("x", x), state.field("y", y)
+
+    def velocities(self, state: Recall) -> tuple[ca.SX, ca.SX]:
+        """Velocities of all nodes, in rest lengths per second."""
+        u, v = ca.SX.zeros(self.grid.cells + 1), ca.SX.zeros(self.grid.cells + 1)
+        u[-1], v[-1] = self.supports.right_u * self.time_scale, self.supports.right_v * self.time_scale
+        return state.field("u", u) / self.time_scale, state.field("v", v) / self.time_scale
+
+
+@dataclass(frozen=True)
+class Fields:
+    """Everything the filament is at one instant; positions in rest lengths, the rest in SI per unit undeformed area.
+
+    Attributes
+    ----------
+    x, y : casadi.SX, shape (cells + 1,)
+        Positions.
+    stretch : casadi.SX, shape (cells,)
+        Stretch of the centreline.
+    force_x, force_y : casadi.SX, shape (cells,)
+        Internal force.
+    plastic_rates : mapping of str to casadi.SX
+        Rates of the plastic states on all cells or nodes [1/s].
+    elastic_energy : casadi.SX
+        Stored energy per unit span [Pa].
+    dissipation : casadi.SX
+        Plastic power per unit span, place by place, weighted with the length of each place [Pa/s].
+    observables : mapping of str to casadi.SX
+        What a trajectory shows of the section, on cells.
+    torque : casadi.SX or None, shape (cells + 1,)
+        What turns the section angle of each node [Pa m], where it is independent.
+    double_force : casadi.SX or None, shape (cells - 1,)
+        Conjugate of the change of the stretch at inner nodes [Pa], where the necking gradient is in force.
+    surface_energy : casadi.SX or None
+        Energy of the surface per unit span [Pa], where surface tension is in force.
+    """
+
+    x: ca.SX
+    y: ca.SX
+    stretch: ca.SX
+    force_x: ca.SX
+    force_y: ca.SX
+    plastic_rates: Mapping[str, ca.SX]
+    elastic_energy: ca.SX
+    dissipation: ca.SX
+    observables: Mapping[str, ca.SX]
+    torque: ca.SX | None = None
+    double_force: ca.SX | None = None
+    surface_energy: ca.SX | None = None
+
+
+@dataclass(frozen=True)
+class Fibres:
+    """A theory in which every fibre has plastic states of its own, and does alike.
+
+    Attributes
+    ----------
+    rule : SectionRule
+        Where the fibres are.
+    one : OneFibre
+        Symbols of one that stands for all.
+    theory : Discretisation
+        The theory with that one.
+    """
+
+    rule: SectionRule
+    one: OneFibre
+    theory: Discretisation
+
+
+@dataclass(frozen=True)
+class Discretisation:
+    """A theory on a grid.
+
+    Attributes
+    ----------
+    label : str
+        What it is, down to the numbers that its equations hold.
+    unknowns : callable
+        Equations and grid to the unknowns.
+    evaluate : callable
+        Equations, setting and state to the fields.
+    expressions : callable
+        Equations to the expressions that are printed, for the parameters that occur in them.
+    fibres : Fibres or None
+        Where every fibre has plastic states of its own.
+    """
+
+    label: str
+    unknowns: Callable[[FilamentEquations, Grid], Unknowns]
+    evaluate: Callable[[FilamentEquations, Setting, Recall], Fields]
+    expressions: Callable[[FilamentEquations], Iterable[Any]]
+    fibres: Fibres | None = None
+
+
+def tidy(*expressions: ca.SX) -> list[ca.SX]:
+    """Dense, with common subexpressions shared between them; integrators refuse structural zeros in an output."""
+    return list(ca.cse([ca.densify(expression) for expression in expressions]))
+
+
+@dataclass(frozen=True)
+class Expressions:
+    """What a filament is in terms of its unknowns, before common subexpressions are shared.
+
+    Attributes
+    ----------
+    rates : tuple of casadi.SX
+        `ode` and `alg`.
+    powers : tuple of casadi.SX
+        Plastic power, power of the changing load, power of the necking gradient.
+    observables : mapping of str to casadi.SX
+        What a trajectory shows.
+    """
+
+    rates: tuple[ca.SX, ca.SX]
+    powers: tuple[ca.SX, ca.SX, ca.SX]
+    observables: Mapping[str, ca.SX]
+
+
+@dataclass(frozen=True)
+class Graph:
+    """Semi-discrete filament: dx/dt = ode, 0 = alg, with energies as quadratures.
+
+    Unknowns are dimensionless: lengths in rest lengths, time in units of the parameter ``time_scale``; parameters
+    are SI.
+
+    Attributes
+    ----------
+    grid : Grid
+        Nodes and ends.
+    effects : tuple of str
+        Names of the effects in force.
+    conserves_energy : bool
+        Whether forces and stored energy belong together, so that the energy balance can be judged.
+    parameters : tuple of str
+        Names of the inputs `p`, in order.
+    t, x, z, p : casadi.SX
+        Time, differential states (nx,), algebraic states (nz,), parameters.
+    write : callable
+        Writes the expressions, when they are first asked for.
+    state_names, algebraic_names : tuple of str
+        What each component is, for messages.
+    start : ndarray, shape (nx,)
+        Differential states of the straight, relaxed filament at rest.
+    straight : ndarray, shape (nz,)
+        Algebraic states of the straight filament: where the search for equilibrium begins.
+    x_kinds, z_kinds : tuple of str
+        Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ...
+    x_where, z_where : ndarray
+        X/L_0 of each component.
+    x_places, z_places : tuple of int
+        Number of the node or cell of each component.
+    profiles : mapping of str to (float, float)
+        What each kind of plastic state is of a plastic strain a_0 + a_1 zeta.
+    """
+
+    grid: Grid
+    effects: tuple[str, ...]
+    conserves_energy: bool
+    parameters: tuple[str, ...]
+    t: ca.SX
+    x: ca.SX
+    z: ca.SX
+    p: ca.SX
+    write: Callable[[], Expressions]
+    state_names: tuple[str, ...]
+    algebraic_names: tuple[str, ...]
+    start: Floats
+    straight: Floats
+    x_kinds: tuple[str, ...]
+    z_kinds: tuple[str, ...]
+    x_where: Floats
+    z_where: Floats
+    x_places: tuple[int, ...]
+    z_places: tuple[int, ...]
+    profiles: Mapping[str, tuple[float, float]]
+
+    @property
+    def is_dae(self) -> bool:
+        """Whether some unknowns are algebraic: positions without inertia, section angles without rotary inertia."""
+        return bool(self.z.numel())
+
+    @property
+    def has_velocities(self) -> bool:
+        """Whether velocities are among the unknowns: with inertia or a viscous stress."""
+        return not {"u", "v"}.isdisjoint((*self.x_kinds, *self.z_kinds))
+
+    @property
+    def positions_are_algebraic(self) -> bool:
+        """Whether the filament is in equilibrium at every instant: without inertia and without a viscous stress."""
+        return "y" in self.z_kinds
+
+    @cached_property
+    def raw(self) -> Expressions:
+        """The expressions; a compiled run needs them only for what a trajectory shows."""
+        return self.write()
+
+    @cached_property
+    def rates(self) -> tuple[ca.SX, ca.SX]:
+        """`ode` and `alg`: tidied when first asked for, which a compiled run never does."""
+        ode, alg = tidy(*self.raw.rates)
+        return ode, alg
+
+    @property
+    def ode(self) -> ca.SX:
+        """Right-hand side of the differential states, shape (nx,)."""
+        return self.rates[0]
+
+    @property
+    def alg(self) -> ca.SX:
+        """Right-hand side of the algebraic states, shape (nz,)."""
+        return self.rates[1]
+
+    @cached_property
+    def powers(self) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """Plastic power, power of the changing load, power of the necking gradient: each place by place.
+
+        In ``energy_scale`` times undeformed area and span. Their sums would fill a row of every Jacobian.
+        """
+        plastic, load, gradient = tidy(*self.raw.powers)
+        return plastic, load, gradient
+
+    @cached_property
+    def observables(self) -> ca.Function:
+        """(t, x, z, p) to node and cell fields and energies, in SI per unit undeformed area."""
+        inputs, outputs = [self.t, self.x, self.z, self.p], self.raw.observables
+        names = ["time", "state", "algebraic", "parameters"]
+        return ca.Function("observables", inputs, tidy(*outputs.values()), names, list(outputs))
+
+    @cached_property
+    def _mapped(self) -> dict[int, ca.Function]:
+        """`observables` for several times at once, by their number: filaments of one ensemble share it."""
+        return {}
+
+    @property
+    def quad(self) -> ca.SX:
+        """The powers of the whole filament, shape (3,)."""
+        return ca.vertcat(*(ca.sum1(power) for power in self.powers))
+
+    @cached_property
+    def instructions(self) -> int:
+        """Number of elementary operations in one evaluation of the right-hand side."""
+        return int(ca.Function("rhs", [self.t, self.x, self.z, self.p], [self.ode, self.alg]).n_instructions())
+
+    def vector(self, values: dict[str, float]) -> Floats:
+        """Parameter values in the order of `p`.
+
+        Raises
+        ------
+        KeyError
+            If a parameter of the graph has no value.
+        """
+        return np.array([values[name] for name in self.parameters], dtype=float)
+
+    def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
+        """Fields and energies at several times.
+
+        Parameters
+        ----------
+        time : ndarray, shape (frames,)
+            Dimensionless times.
+        x, z : ndarray, shapes (nx, frames) and (nz, frames)
+            States.
+        p : ndarray, shape (np,)
+            Parameters.
+
+        Returns
+        -------
+        dict of str to ndarray, shape (frames, size)
+            Whatever `observables` computes, a row for each time.
+        """
+        frames = len(time)
+        if frames not in self._mapped:
+            self._mapped[frames] = self.observables.map(frames)
+        mapped = self._mapped[frames]
+        out = mapped(time=time.reshape(1, -1), state=x, algebraic=z, parameters=np.repeat(p[:, None], frames, axis=1))
+        return {name: np.asarray(value, dtype=float).reshape(-1, frames, order="F").T for name, value in out.items()}

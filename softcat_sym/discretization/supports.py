@@ -1,0 +1,186 @@
+"""Where the supports are and how the right one moves; and a section that varies along the filament."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.discretization.grid import Floats, Grid
+from softcat_sym.physics import symbols
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Relative thickness, one where it is the scene's.
+
+    Attributes
+    ----------
+    nodes, cells : ndarray, casadi.SX or None
+        At the nodes and in the middle of the cells, as symbols where the grid is an input; None for a filament that is
+        the same everywhere, which then leaves nothing of this in the graph.
+    """
+
+    nodes: Floats | ca.SX | None = None
+    cells: Floats | ca.SX | None = None
+
+    @classmethod
+    def sampled(cls, values: tuple[float, ...], grid: Grid) -> Profile:
+        """The profile on a grid, linear between the given values at equal distances from left to right."""
+        if not values:
+            return cls()
+        at = np.linspace(-0.5, 0.5, len(values))
+        return cls(np.interp(grid.nodes, at, values), np.interp(grid.centres, at, values))
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Undeformed thickness [m] and relative area on cells and on nodes; numbers where nothing varies.
+
+    Attributes
+    ----------
+    h_cells, h_nodes : casadi value
+        Thickness.
+    area_cells, area_nodes : casadi value
+        Area over that of the scene's thickness.
+    relative : casadi value
+        Thickness of the cells over the scene's.
+    """
+
+    h_cells: Any
+    h_nodes: Any
+    area_cells: Any
+    area_nodes: Any
+    relative: Any
+
+
+def outline(profile: Profile, power: int, values: Mapping[symbols.Symbol, Any]) -> Outline:
+    """The outline of a filament whose area goes with a power of its thickness."""
+    h = values.get(symbols.h0)
+    if profile.nodes is None or profile.cells is None or h is None:
+        return Outline(h, h, 1.0, 1.0, 1.0)
+    cells, nodes = as_values(profile.cells), as_values(profile.nodes)
+    return Outline(h * cells, h * nodes, cells**power, nodes**power, cells)
+
+
+def as_values(values: Floats | ca.SX) -> Any:
+    """Numbers or symbols as CasADi has them."""
+    return values if isinstance(values, ca.SX) else ca.DM(values)
+
+
+def node_mass(grid: Grid, profile: Profile, power: int) -> Floats:
+    """Mass that each node answers for, over density, undeformed area and rest length, shape (cells + 1,)."""
+    half = grid.cell_length / 2
+    if profile.cells is not None:
+        half = half * np.asarray(profile.cells) ** power
+    behind: Floats = np.concatenate([half, [0.0]])
+    before: Floats = np.concatenate([[0.0], half])
+    return behind + before
+
+
+SPAN, DROP, LEFT_ANGLE, RIGHT_ANGLE = "span", "drop", "left_angle", "right_angle"
+
+
+@dataclass(frozen=True)
+class Supports:
+    """What of the supports a graph has to know; whatever is plain leaves nothing in it.
+
+    Attributes
+    ----------
+    apart : bool
+        Whether their horizontal distance differs from the rest length.
+    lowered : bool
+        Whether the right one is lower.
+    left_turned, right_turned : bool
+        Whether a clamp is not level.
+    rows : int
+        Points of the path of the right one; none if it stays.
+    """
+
+    apart: bool = False
+    lowered: bool = False
+    left_turned: bool = False
+    right_turned: bool = False
+    rows: int = 0
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the numbers that it needs."""
+        plain = ((SPAN, self.apart), (DROP, self.lowered), (LEFT_ANGLE, self.left_turned))
+        names = [name for name, needed in (*plain, (RIGHT_ANGLE, self.right_turned)) if needed]
+        return (*names, *(path_name(kind, row) for row in range(self.rows) for kind in ("time", "dx", "dy")))
+
+
+def path_name(kind: str, row: int) -> str:
+    """Name of one number of the path: ``motion_0_time``, ``motion_0_dx``, ..."""
+    return f"motion_{row}_{kind}"
+
+
+@dataclass(frozen=True)
+class Held:
+    """The supports at one instant; lengths in rest lengths, angles in rad, velocities in rest lengths per second.
+
+    Attributes
+    ----------
+    left_x, right_x, right_y : casadi.SX
+        Positions; the left one has the height zero.
+    right_u, right_v : casadi.SX
+        Velocity of the right one.
+    left_angle, right_angle : casadi.SX
+        Tangent angles that clamps impose.
+    """
+
+    left_x: ca.SX
+    right_x: ca.SX
+    right_y: ca.SX
+    right_u: ca.SX
+    right_v: ca.SX
+    left_angle: ca.SX
+    right_angle: ca.SX
+
+
+def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds: ca.SX) -> Held:
+    """The supports at a time.
+
+    Parameters
+    ----------
+    given : mapping of str to casadi.SX
+        The numbers of :attr:`Supports.parameters`, SI.
+    length : casadi.SX
+        Rest length [m].
+    seconds : casadi.SX
+        Time [s].
+    """
+    half = given[SPAN] / (2 * length) if supports.apart else ca.SX(0.5)
+    drop = given[DROP] / length if supports.lowered else ca.SX(0)
+    moved, speed = _path(supports.rows, given, seconds)
+    return Held(
+        left_x=-half,
+        right_x=half + moved[0] / length,
+        right_y=moved[1] / length - drop,
+        right_u=speed[0] / length,
+        right_v=speed[1] / length,
+        left_angle=given[LEFT_ANGLE] if supports.left_turned else ca.SX(0),
+        right_angle=given[RIGHT_ANGLE] if supports.right_turned else ca.SX(0),
+    )
+
+
+def _path(rows: int, given: Mapping[str, ca.SX], seconds: ca.SX) -> tuple[tuple[ca.SX, ca.SX], tuple[ca.SX, ca.SX]]:
+    """Displacement and velocity along straight pieces, from the first place at t = 0 and held after the last row."""
+    nowhere = (ca.SX(0), ca.SX(0), ca.SX(0))
+    points = [nowhere, *(tuple(given[path_name(kind, row)] for kind in ("time", "dx", "dy")) for row in range(rows))]
+    place, speed = [ca.SX(0), ca.SX(0)], [ca.SX(0), ca.SX(0)]
+    for (begin, *old), (end, *new) in itertools.pairwise(points):
+        # A path may state its beginning at t = 0, a piece of no duration.
+        lasting = ca.fmax(end - begin, 1e-300)
+        share = ca.fmin(ca.fmax((seconds - begin) / lasting, 0), 1)
+        under_way = ca.logic_and(seconds >= begin, seconds < end)
+        for axis in range(2):
+            change = new[axis] - old[axis]
+            place[axis] += change * share
+            speed[axis] += under_way * change / lasting
+    return (place[0], place[1]), (speed[0], speed[1])

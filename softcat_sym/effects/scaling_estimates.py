@@ -1,0 +1,193 @@
+"""What every estimate starts from: moduli, viscosities, thresholds, static sag and growth of necks (THEORY 5-7, 11)."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+from softcat_sym.effects.law import is_solid
+from softcat_sym.physics import regimes
+from softcat_sym.physics.loads import SURFACES, surface_tension
+from softcat_sym.physics.necking import NECKS, aspect
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.symbols import h0
+from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held
+
+_THROUGHOUT = 2.0
+"""G over that of first yield from which the whole section yields."""
+
+
+def instant_modulus(scene: Scene) -> float | None:
+    """Young's modulus of a sudden load [Pa]: all springs together; None for a fluid without any."""
+    material = scene.material
+    if material.modes:
+        return sum(mode.youngs_modulus for mode in material.modes)
+    if material.youngs_modulus is None:
+        return None
+    return material.youngs_modulus + (material.second_modulus or 0.0)
+
+
+def static_modulus(scene: Scene) -> float | None:
+    """Young's modulus of a lasting load [Pa], or of a sudden one where none lasts."""
+    return scene.material.youngs_modulus if is_solid(scene) else instant_modulus(scene)
+
+
+def yield_stress_of(scene: Scene) -> float | None:
+    """Stress below which nothing flows [Pa]; None for a law without one."""
+    material = scene.material
+    return material.yield_stress if material.yield_stress is not None else material.threshold or None
+
+
+def surface_stress(scene: Scene) -> float:
+    """Gam [Pa]: axial force of surface tension over the area, gamma P/(2 A) of the undeformed section."""
+    filament = scene.filament
+    per_tension = _surface_stress(filament.section, filament.thickness, filament.width / filament.thickness)
+    return scene.surroundings.surface_tension * per_tension
+
+
+@lru_cache(maxsize=256)
+def _surface_stress(section: str, thickness: float, ratio: float) -> float:
+    return float(SURFACES[section].pressure.subs({surface_tension: 1, h0: thickness, aspect: ratio}))
+
+
+def pull_of_surface(scene: Scene) -> float:
+    """Gam [Pa] where surface tension is not left out by name: by a list of effects, the paper's, or its closure."""
+    asked, run = scene.run.effects, scene.run
+    listed = asked == "auto" if isinstance(asked, str) else "surface-tension" in asked
+    return surface_stress(scene) if listed and run.closure != "printed" else 0.0
+
+
+def holding_stress_of(scene: Scene) -> float | None:
+    """Tension over area at which a filament between supports is at rest [Pa]: sigma_Y and what its surface pulls."""
+    limit = yield_stress_of(scene)
+    return limit if limit is None or not is_held(scene) else limit + pull_of_surface(scene)
+
+
+def gravity_number_of(scene: Scene) -> float | None:
+    """G = rho g L/sigma_Y (3.10), of any law that yields; with surface tension rho g L/(sigma_Y + gamma P/(2 A))."""
+    limit = holding_stress_of(scene)
+    return None if limit is None else weight_stress(scene) / limit
+
+
+def beam_share_of_surface(scene: Scene) -> float:
+    """C: weight of the elastic beam that surface tension carries, over what bending carries; 0 with a free end."""
+    modulus = instant_modulus(scene)
+    return 8 * pull_of_surface(scene) / (bending_stiffness(scene) * modulus) if modulus and is_held(scene) else 0.0
+
+
+def weight_stress(scene: Scene) -> float:
+    """Rho g L [Pa]."""
+    filament = scene.filament
+    return filament.density * scene.load.gravity * filament.span
+
+
+def effective_viscosity(scene: Scene) -> float | None:
+    """Stress over flow rate [Pa s] at a stress of rho g L beyond yield, or eta where the two are proportional.
+
+    None for a law that does not flow, 0 where the rule gives no number.
+    """
+    return effective_viscosity_at(scene, weight_stress(scene) or 1.0)
+
+
+def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
+    """Stress over flow rate [Pa s] at that much stress [Pa] beyond yield; None for a law that does not flow.
+
+    0 where the rule gives no number.
+    """
+    material = scene.material
+    if material.modes:
+        return sum(mode.viscosity for mode in material.modes)
+    if material.law == "custom" and material.formula is not None:
+        values = {parameter.name: parameter.value for parameter in material.parameters}
+        rate = material.formula.value(material.threshold + stress, values)
+        return stress / rate if rate > 0 and math.isfinite(rate) else 0.0
+    if material.viscosity is None:
+        return None
+    return float(material.viscosity ** (1 / material.index) * stress ** (1 - 1 / material.index))
+
+
+def viscous_number(scene: Scene) -> float | None:
+    """V = eta/(rho sqrt(g L^3)) (3.10) with the effective viscosity; infinite without gravity."""
+    viscosity = effective_viscosity(scene)
+    impulse = weight_stress(scene) * gravity_time(scene) if scene.load.gravity > 0 else 0.0
+    return viscosity if viscosity is None else viscosity / impulse if impulse > 0 else math.inf
+
+
+def duration_star(scene: Scene) -> float:
+    """Duration of the run in units of sqrt(L/g); zero without gravity."""
+    return scene.run.duration / gravity_time(scene)
+
+
+def beam_of(scene: Scene) -> regimes.Beam:
+    """The straight beam between the scene's ends; with a free one, the cantilever that the other must hold."""
+    first, second = sorted((scene.ends.left, scene.ends.right))
+    return regimes.CANTILEVER if "free" in (first, second) else regimes.BEAMS[first, second]
+
+
+def bending_stiffness(scene: Scene) -> float:
+    """K delta^2 over the sag factor C of the beam: the linear beam sags by 1/(this E*), or t*/(this V) (2.18)."""
+    return _stiffness_of(scene.filament.section, beam_of(scene)) * groups_of(scene).delta ** 2
+
+
+@lru_cache(maxsize=64)
+def _stiffness_of(section: str, beam: regimes.Beam) -> float:
+    return float(regimes.gyration(SECTIONS[section]) / beam.midspan_sag)
+
+
+def first_yield_gravity_number(scene: Scene) -> float:
+    """G below which no fibre yields under a slowly applied weight: 2 delta for a clamped rectangle (3.11).
+
+    In the G of :func:`gravity_number_of`, and with what surface tension carries of the weight.
+    """
+    plain = _first_yield(scene.filament.section, beam_of(scene), groups_of(scene).delta)
+    return plain * (1 + beam_share_of_surface(scene)) * share_of_yield(scene)
+
+
+def yields_throughout(scene: Scene) -> bool:
+    """Whether the weight is so far beyond the first fibre's yield that no part of the section stays elastic."""
+    gravity_number = gravity_number_of(scene)
+    return gravity_number is not None and gravity_number > _THROUGHOUT * first_yield_gravity_number(scene)
+
+
+def share_of_yield(scene: Scene) -> float:
+    """Yield stress over the holding stress: 1 without surface tension, which no bending fibre feels."""
+    limit, holding = yield_stress_of(scene), holding_stress_of(scene)
+    return limit / holding if limit and holding else 1.0
+
+
+@lru_cache(maxsize=256)
+def _first_yield(section: str, beam: regimes.Beam, delta: float) -> float:
+    return float(regimes.first_yield(SECTIONS[section], beam).subs(regimes.delta, delta))
+
+
+def smaller_of(bending: float, stretching: float) -> float:
+    """Harmonic mean of two sags, never above the smaller: where one resistance rules it is that one's sag."""
+    return 1 / (1 / bending + 1 / stretching) if bending > 0 and stretching > 0 else 0.0
+
+
+def elastic_sag(scene: Scene) -> float:
+    """Static sag over span of the elastic filament: linear beam and elastic cable together (THEORY 11)."""
+    modulus, weight = static_modulus(scene), weight_stress(scene)
+    if modulus is None or weight == 0:
+        return 0.0
+    stiff = modulus / weight
+    return smaller_of(1 / (bending_stiffness(scene) * stiff), (3 / (64 * stiff)) ** (1 / 3))
+
+
+def neck_length(scene: Scene) -> float:
+    """Half the shortest wavelength that grows, pi sqrt(beta) h0 [m]: a neck is not shorter than this."""
+    filament = scene.filament
+    beta = NECKS[filament.section].beta.subs(aspect, filament.width / filament.thickness)
+    return math.pi * math.sqrt(float(beta)) * filament.thickness
+
+
+def neck_folds(scene: Scene, strain: float) -> float:
+    """E-folds by which an unevenness grows, sigma/eta = sigma_Y/eta + the rate of strain, as long as the run lasts.
+
+    Surface tension adds half its pull to sigma (Plateau & Rayleigh).
+    """
+    gravity_number, limit = gravity_number_of(scene), yield_stress_of(scene)
+    viscosity = effective_viscosity(scene)
+    stress = (limit or 0.0) + pull_of_surface(scene) / 2
+    yields = limit is None or (gravity_number or 0.0) > first_yield_gravity_number(scene)
+    return strain + (stress / viscosity * scene.run.duration if viscosity and yields and not is_solid(scene) else 0.0)

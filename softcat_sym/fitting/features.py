@@ -1,0 +1,960 @@
+"""What a film of the midpoint shows without any model being run: free fall, oscillation, the late 1/3 law."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import chebyshev
+from numpy.typing import NDArray
+
+from softcat_sym.discretization.casadi_printer import evaluate
+from softcat_sym.errors import Fault, SoftcatError
+from softcat_sym.physics import closed_forms, rheometry
+from softcat_sym.physics.regimes import H as SAG
+from softcat_sym.physics.symbols import L as SPAN
+
+SLACKEST = 8.9868
+"""w sqrt(8 H/g) of an inextensible cable: 2x where tan x = x."""
+
+TAUTEST = math.pi
+"""The same of a taut string."""
+
+
+class CableModulus(NamedTuple):
+    """What the ringing of a Maxwell cable says.
+
+    Attributes
+    ----------
+    modulus : float
+        E/(rho g L).
+    relaxation_time : float
+        tau [s]; infinite or negative where the decay is less than none.
+    """
+
+    modulus: float
+    relaxation_time: float
+
+
+def mode_number(frequency: float, sag: float, gravity: float) -> float:
+    """R sqrt(8 H/g): between pi (taut) and 8.99 (inextensible) in the lowest symmetric mode."""
+    return frequency * math.sqrt(8 * sag / gravity)
+
+
+def stiffness_number(mode: complex) -> complex:
+    """l^2 of a mode number 2x; infinite where 2x = `SLACKEST`."""
+    half = mode / 2
+    return 4 * half**3 / (half - cmath.tan(half))
+
+
+def sensitivity(mode: float) -> float:
+    """Slope d log E/d log R at given sag; infinite outside of the lowest mode."""
+    if not TAUTEST < mode < SLACKEST:
+        return math.inf
+    half = mode / 2
+    return 3 - half * -(math.tan(half) ** 2) / (half - math.tan(half))
+
+
+def modulus_of(frequency: float, decay: float, sag: float, gravity: float, span: float) -> CableModulus | None:
+    """Modulus and relaxation time of a cable that rings at R with a decay rate d about a sag H.
+
+    Parameters
+    ----------
+    frequency, decay : float
+        R [rad/s], d [1/s].
+    sag, gravity, span : float
+        H [m], g [m/s^2], L [m].
+
+    Returns
+    -------
+    CableModulus or None
+        None if no cable rings so fast or so slowly about this sag in its lowest symmetric mode.
+    """
+    if not TAUTEST < mode_number(frequency, sag, gravity) < SLACKEST:
+        return None
+    # K s/(s + 1/tau) = l^2 for a complex s = -d + i R: its imaginary part gives tau, then its real part K.
+    inverse = 1 / stiffness_number(complex(frequency, decay) * math.sqrt(8 * sag / gravity))
+    reciprocal = inverse.real - decay / frequency * inverse.imag
+    if reciprocal <= 0:
+        return None
+    number = 1 / reciprocal
+    rate = -number * inverse.imag * (frequency**2 + decay**2) / frequency
+    return CableModulus(number / (512 * (sag / span) ** 3), 1 / rate if rate else math.inf)
+
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A number with its standard error, or none with the reason.
+
+    Attributes
+    ----------
+    value : float or None
+        In SI units, None if it cannot be read.
+    error : float or None
+        Standard error, in the same unit; None with the value.
+    reason : str
+        Why there is no value; empty if there is one.
+    """
+
+    value: float | None
+    error: float | None
+    reason: str = ""
+
+    @property
+    def log_variance(self) -> float:
+        """Variance of the logarithm to first order; infinite without a value."""
+        if self.value is None or self.error is None:
+            return math.inf
+        return (self.error / self.value) ** 2
+
+
+def unread(reason: str) -> Reading:
+    """A number that cannot be read."""
+    return Reading(None, None, reason)
+
+
+DEGREE = 3
+"""Of the trend in log t: over a factor of five in time it follows any power law to 1e-3 of its change."""
+
+_BLOCK = 7
+
+
+@dataclass(frozen=True, eq=False)
+class LogPolynomial:
+    """Chebyshev polynomials of log t, scaled to [-1, 1] on a stretch of time.
+
+    Attributes
+    ----------
+    first, last : float
+        Ends of the stretch [s], positive.
+    degree : int
+        Highest degree.
+    """
+
+    first: float
+    last: float
+    degree: int
+
+    def columns(self, time: Floats) -> Floats:
+        """Values of the basis at times [s], shape (n, degree + 1)."""
+        columns: Floats = np.asarray(chebyshev.chebvander(self._scaled(time), self.degree), dtype=np.float64)
+        return columns
+
+    def second_derivative(self, time: float) -> Floats:
+        """d^2/dt^2 of the basis at one time [1/s^2], shape (degree + 1,)."""
+        identity = np.eye(self.degree + 1)
+        x, slope = float(self._scaled(np.array([time]))[0]), self._slope
+        first = chebyshev.chebval(x, chebyshev.chebder(identity, 1))
+        second = chebyshev.chebval(x, chebyshev.chebder(identity, 2))
+        # x = a + b log t, so that x' = b/t and x'' = -b/t^2.
+        curvature: Floats = np.asarray(second * slope**2 - first * slope, dtype=np.float64) / time**2
+        return curvature
+
+    @property
+    def _slope(self) -> float:
+        return 2 / math.log(self.last / self.first)
+
+    def _scaled(self, time: Floats) -> Floats:
+        scaled: Floats = np.log(time / self.first) * self._slope - 1
+        return scaled
+
+
+def noise_of(time: Floats, sag: Floats) -> float:
+    """Scatter of the frames about short parabolas, over the later half of the film [m].
+
+    Blocks of seven neighbouring frames each have a parabola of their own; an oscillation that is filmed with fewer
+    frames a period counts as scatter.
+
+    Parameters
+    ----------
+    time, sag : ndarray, shape (n,)
+        Of the frames, n >= 4.
+    """
+    half = max(len(time) // 2, min(len(time), _BLOCK))
+    late_time, late_sag = time[-half:], sag[-half:]
+    squares, freedom = 0.0, 0
+    for start in range(0, len(late_time) - 3, _BLOCK):
+        block = slice(start, start + _BLOCK)
+        t, y = late_time[block], late_sag[block]
+        if len(t) < 4:
+            continue
+        columns = np.vander((t - t.mean()) / (np.ptp(t) or 1.0), 3)
+        rest = y - columns @ np.linalg.lstsq(columns, y, rcond=None)[0]
+        squares, freedom = squares + float(rest @ rest), freedom + len(t) - 3
+    return math.sqrt(squares / freedom) if freedom else 0.0
+
+
+STIFFENING, STIFFENING_SPREAD = 0.2, 0.2
+"""Prior of g in R ~ t^g: the frequency of a string goes with its sag, as t^(1/3); that of a beam is constant."""
+
+_STEPS = 40
+
+
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """Part of a film.
+
+    Attributes
+    ----------
+    time, sag, std : ndarray, shape (n,)
+        Times [s], positive; sag [m]; standard errors [m], from the scatter of the whole film where they are unknown.
+    noise_known : bool
+        Whether `std` was given.
+    """
+
+    time: Floats
+    sag: Floats
+    std: Floats
+    noise_known: bool
+
+    @property
+    def basis(self) -> LogPolynomial:
+        """Of the trend."""
+        return LogPolynomial(float(self.time[0]), float(self.time[-1]), DEGREE)
+
+    def noise_scale(self, squares: float, freedom: int) -> float:
+        """Factor of all standard errors: from the scatter about the fit, but never below that of the film.
+
+        Among many stretches the one that scatters least by chance would be taken for the best.
+        """
+        return max(math.sqrt(squares / max(freedom, 1)), 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Oscillation:
+    """trend(t) + exp(-d (t - t_0)) (a cos p + b sin p) with the phase p of the frequency R (t/t_0)^g.
+
+    Attributes
+    ----------
+    stretch : Stretch
+        The frames it was fitted to.
+    middle : float
+        t_0 [s], where the amplitude has its centre of gravity; R, d and the sag are told there.
+    frequency, decay, stiffening : float
+        R [rad/s], d [1/s] and g.
+    linear : ndarray, shape (DEGREE + 3,)
+        Coefficients of the trend, then a and b [m].
+    squares : float
+        Sum of the squared residuals over their standard errors.
+    covariance : ndarray, shape (3, 3)
+        Of R, d and the sag of the trend at t_0, to first order.
+    """
+
+    stretch: Stretch
+    middle: float
+    frequency: float
+    decay: float
+    stiffening: float
+    linear: Floats
+    squares: float
+    covariance: Floats
+
+    @property
+    def sag(self) -> float:
+        """Of the trend at t_0 [m]."""
+        return float(self.trend(np.array([self.middle]))[0])
+
+    def trend(self, time: Floats) -> Floats:
+        """Sag about which it rings [m] at times within the stretch."""
+        values: Floats = self.stretch.basis.columns(time) @ self.linear[:-2]
+        return values
+
+    def curve(self, time: Floats) -> Floats:
+        """Sag with the oscillation [m] at times within the stretch."""
+        nonlinear = np.array([self.frequency, self.decay, self.stiffening])
+        values: Floats = _columns(self.stretch.basis, time, self.middle, nonlinear) @ self.linear
+        return values
+
+    def amplitude(self, time: float) -> float:
+        """Of the oscillation at a time [m], also beyond the stretch."""
+        return float(np.hypot(*self.linear[-2:])) * math.exp(-self.decay * (time - self.middle))
+
+
+def phase(time: Floats, middle: float, frequency: float, stiffening: float) -> Floats:
+    """Integral of R (t/t_0)^g from t_0 [rad], shape of `time`."""
+    angle: Floats = frequency * middle / (1 + stiffening) * ((time / middle) ** (1 + stiffening) - 1)
+    return angle
+
+
+def fitted(stretch: Stretch, frequency: float, decay: float, stiffening: float) -> Oscillation | None:
+    """Fit an oscillation, from a guess that is right to half a cycle over the stretch.
+
+    Parameters
+    ----------
+    stretch : Stretch
+        The frames.
+    frequency, decay, stiffening : float
+        Where to start; the frequency is told at the geometric middle of the stretch.
+
+    Returns
+    -------
+    Oscillation or None
+        None if the search does not end, or ends where the errors are infinite.
+    """
+    middle = math.sqrt(stretch.time[0] * stretch.time[-1])
+    nonlinear = np.array([frequency, decay, stiffening])
+    for _ in range(2):
+        found = _sinusoid_step(stretch, middle, nonlinear)
+        if found is None:
+            return None
+        nonlinear = found[0]
+        weight = np.exp(-2 * nonlinear[1] * (stretch.time - stretch.time[0]))
+        centre = float(np.sum(weight * stretch.time) / np.sum(weight))
+        nonlinear = nonlinear * np.array([(centre / middle) ** nonlinear[2], 1.0, 1.0])
+        middle = centre
+    found = _sinusoid_step(stretch, middle, nonlinear)
+    return None if found is None else _judged(stretch, middle, *found)
+
+
+def _columns(basis: LogPolynomial, time: Floats, middle: float, nonlinear: Floats) -> Floats:
+    angle = phase(time, middle, nonlinear[0], nonlinear[2])
+    envelope = np.exp(-nonlinear[1] * (time - middle))
+    return np.column_stack([basis.columns(time), envelope * np.cos(angle), envelope * np.sin(angle)])
+
+
+def _projected(stretch: Stretch, middle: float, nonlinear: Floats) -> tuple[Floats, Floats, Floats, Floats, float]:
+    """Columns, linear constants, residuals, derivative by the three others, and the cost with the prior of g."""
+    time, weight = stretch.time, 1 / stretch.std
+    columns = _columns(stretch.basis, time, middle, nonlinear) * weight[:, None]
+    data = stretch.sag * weight
+    linear: Floats = np.asarray(np.linalg.lstsq(columns, data, rcond=None)[0], dtype=np.float64)
+    rest = columns @ linear - data
+    frequency, _, stiffening = nonlinear
+    wave, quarter = columns[:, -2:] @ linear[-2:], columns[:, -2:] @ np.array([linear[-1], -linear[-2]])
+    grown = (time / middle) ** (1 + stiffening)
+    by_frequency = middle / (1 + stiffening) * (grown - 1)
+    by_stiffening = frequency * (middle * grown * np.log(time / middle) - by_frequency) / (1 + stiffening)
+    jacobian = np.column_stack([quarter * by_frequency, -wave * (time - middle), quarter * by_stiffening])
+    prior = (stiffening - STIFFENING) / STIFFENING_SPREAD
+    variance = float(rest @ rest) / max(len(time) - columns.shape[1] - 3, 1)
+    return columns, linear, rest, jacobian, float(rest @ rest) + variance * prior**2
+
+
+def _sinusoid_step(stretch: Stretch, middle: float, start: Floats) -> tuple[Floats, Floats] | None:
+    """Levenberg-Marquardt in (R, d, g) on what the linear constants leave; the end and its linear constants."""
+    nonlinear, damping = start.copy(), 1e-3
+    columns, linear, rest, jacobian, cost = _projected(stretch, middle, nonlinear)
+    for _ in range(_STEPS):
+        across = np.linalg.qr(columns)[0]
+        reduced = jacobian - across @ (across.T @ jacobian)
+        variance = float(rest @ rest) / max(len(rest) - columns.shape[1] - 3, 1)
+        pull = variance / STIFFENING_SPREAD**2
+        normal = reduced.T @ reduced + np.diag([0.0, 0.0, pull])
+        slope = reduced.T @ rest + np.array([0.0, 0.0, pull * (nonlinear[2] - STIFFENING)])
+        if not np.all(np.isfinite(normal)) or np.any(np.diag(normal) <= 0):
+            return None
+        step = -np.linalg.solve(normal + damping * np.diag(np.diag(normal)), slope)
+        trial = nonlinear + step
+        if trial[0] <= 0 or not -0.9 < trial[2] < 2 or abs(trial[1]) > 3 * trial[0]:
+            damping = max(10 * damping, 1e-2)
+            if damping > 1e8:
+                return None
+            continue
+        tried = _projected(stretch, middle, trial)
+        if tried[-1] <= cost:
+            small = bool(np.all(np.abs(step) < 1e-9 * np.array([trial[0], trial[0], 1.0])))
+            nonlinear, damping = trial, damping / 10
+            columns, linear, rest, jacobian, cost = tried
+            if small:
+                break
+        else:
+            damping *= 10
+            if damping > 1e8:
+                break
+    return nonlinear, linear
+
+
+def _judged(stretch: Stretch, middle: float, nonlinear: Floats, linear: Floats) -> Oscillation | None:
+    """Standard errors of the whole linearised fit, with the prior of g as one more datum."""
+    columns, linear, rest, jacobian, _ = _projected(stretch, middle, nonlinear)
+    squares = float(rest @ rest)
+    scale = stretch.noise_scale(squares, len(rest) - columns.shape[1] - 3)
+    every = np.column_stack([jacobian, columns])
+    every = np.vstack([every, np.zeros(every.shape[1])])
+    every[-1, 2] = scale / STIFFENING_SPREAD
+    size = np.linalg.norm(every, axis=0)
+    if not np.all(size > 0):
+        return None
+    triangle = np.linalg.qr(every / size, mode="r")
+    if np.abs(np.diag(triangle)).min() < 1e-12:
+        return None
+    half = np.linalg.inv(triangle) * scale / size[:, None]
+    told = np.zeros((3, every.shape[1]))
+    told[0, 0] = told[1, 1] = 1.0
+    told[2, 3:-2] = stretch.basis.columns(np.array([middle]))[0]
+    root = told @ half
+    frequency, decay, stiffening = nonlinear.tolist()
+    found = Oscillation(stretch, middle, frequency, decay, stiffening, linear, squares, root @ root.T)
+    return found if found.sag > 0 else None
+
+
+def beats_polynomial(one: Oscillation) -> bool:
+    """Whether it describes the frames better than a trend with as many more constants would."""
+    stretch = one.stretch
+    basis = replace(stretch.basis, degree=DEGREE + 5)
+    weight = 1 / stretch.std
+    columns = basis.columns(stretch.time) * weight[:, None]
+    rest = stretch.sag * weight - columns @ np.linalg.lstsq(columns, stretch.sag * weight, rcond=None)[0]
+    return one.squares < float(rest @ rest)
+
+
+FEWEST_LATE_FRAMES = 8
+"""Frames that are needed."""
+
+EXPONENT_MARGIN = 0.06
+"""By how much the exponent of t may differ from 1/3: a string that relaxes still has 0.34, a beam has 1."""
+
+_SHARE = 4.0
+_QUIET = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class LateLaw:
+    """sag = (k (t - t_0))^(1/3).
+
+    Attributes
+    ----------
+    slope : float
+        k [m^3/s].
+    slope_error : float
+        Its standard error.
+    shift : float
+        t_0 [s]; it stands for the past: elastic sag, bending, a clock that was started late.
+    exponent, exponent_error : float
+        Of the bare power law over the same frames.
+    first, last : float
+        Times of the frames that are fitted [s].
+    """
+
+    slope: float
+    slope_error: float
+    shift: float
+    exponent: float
+    exponent_error: float
+    first: float
+    last: float
+
+    def sag(self, time: Floats) -> Floats:
+        """Sag [m] at times [s] after `shift`."""
+        values: Floats = np.cbrt(self.slope * (time - self.shift))
+        return values
+
+
+def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
+    """Fit the law to the last three quarters of the film, from when the ringing has died away, if it does.
+
+    Parameters
+    ----------
+    film : Stretch
+        All frames at positive times.
+    ringing : Oscillation or None
+        As found; its frames count where it is less than 2 % of the sag.
+
+    Returns
+    -------
+    LateLaw or str
+        The law, or why the film does not show it.
+    """
+    start = float(film.time[-1]) / _SHARE
+    if ringing is not None and ringing.decay > 0:
+        quiet = ringing.middle + math.log(ringing.amplitude(ringing.middle) / (_QUIET * ringing.sag)) / ringing.decay
+        start = min(max(start, quiet), float(film.time[-1]) / 2)
+    part = film.time >= start
+    time, sag, std = film.time[part], film.sag[part], film.std[part]
+    if len(time) < FEWEST_LATE_FRAMES:
+        return f"fewer than {FEWEST_LATE_FRAMES} frames in the late part of the film"
+    if np.any(sag <= 0):
+        return "the midpoint is not below the supports throughout the late part of the film"
+    exponent, exponent_error = _exponent(film, time, sag, std)
+    if abs(exponent - 1 / 3) > EXPONENT_MARGIN + 2 * exponent_error:
+        cause = "bending still carries load, or the sag grows with a rate of its own"
+        cause = cause if exponent > 1 / 3 else "it stops, or is held elastically"
+        return f"the sag grows as t^{exponent:.2f}, not as t^(1/3): {cause}"
+    solved = _gauss_newton(time, sag, std)
+    if solved is None:
+        return "no line t - t_0 follows the cube of the sag"
+    slope, shift, rest, jacobian = solved
+    scale = film.noise_scale(float(rest @ rest), len(time) - 2)
+    covariance = np.linalg.inv(jacobian.T @ jacobian) * scale**2
+    error = slope * math.sqrt(covariance[0, 0])
+    return LateLaw(slope, error, shift, exponent, exponent_error, float(time[0]), float(time[-1]))
+
+
+def _exponent(film: Stretch, time: Floats, sag: Floats, std: Floats) -> tuple[float, float]:
+    weight = sag / std
+    columns = np.column_stack([np.log(time / time[0]), np.ones_like(time)]) * weight[:, None]
+    found, *_ = np.linalg.lstsq(columns, np.log(sag) * weight, rcond=None)
+    rest = columns @ found - np.log(sag) * weight
+    scale = film.noise_scale(float(rest @ rest), len(time) - 2)
+    return float(found[0]), scale * math.sqrt(float(np.linalg.inv(columns.T @ columns)[0, 0]))
+
+
+def _gauss_newton(time: Floats, sag: Floats, std: Floats) -> tuple[float, float, Floats, Floats] | None:
+    """Slope k, shift, residuals over std, and the derivative of these by (log k, shift)."""
+    columns = np.column_stack([time, np.ones_like(time)]) / (3 * sag**2 * std)[:, None]
+    line = np.linalg.lstsq(columns, sag**3 / (3 * sag**2 * std), rcond=None)[0]
+    slope, shift = float(line[0]), float(-line[1] / line[0]) if line[0] else math.inf
+    for _ in range(30):
+        if slope <= 0 or not shift < time[0]:
+            return None
+        law = np.cbrt(slope * (time - shift))
+        rest: Floats = (law - sag) / std
+        jacobian: Floats = np.column_stack([law / 3, -law / (3 * (time - shift))]) / std[:, None]
+        step = -np.linalg.lstsq(jacobian, rest, rcond=None)[0]
+        # Halfway to the first frame at most: the law has no sag before its own beginning.
+        step[1] = min(step[1], 0.5 * (time[0] - shift))
+        slope, shift = slope * math.exp(float(np.clip(step[0], -1, 1))), shift + float(step[1])
+        if abs(step[0]) < 1e-10 and abs(step[1]) < 1e-10 * time[-1]:
+            return slope, shift, rest, jacobian
+    return None
+
+
+_FALLING, _CLEAR = 4, 3.0
+_WINDOW, _FEWEST, _STEP = 1.6, 8, 1.05
+_NOISY = 0.5
+_CAUGHT, _FREE = 0.5, 0.9
+
+
+def caught_after(film: Stretch, gravity: float, noise: float) -> float:
+    """First time [s] at which the midpoint has fallen less than half of g t^2/2, beyond doubt.
+
+    Parameters
+    ----------
+    film : Stretch
+        All frames at positive times.
+    gravity : float
+        [m/s^2].
+    noise : float
+        Standard error of a frame [m].
+    """
+    free = 0.5 * gravity * film.time**2
+    caught = np.flatnonzero(_CAUGHT * free > np.maximum.accumulate(film.sag) + _CLEAR * noise)
+    return float(film.time[caught[0]]) if len(caught) else math.inf
+
+
+def end_of_free_fall(film: Stretch, gravity: float, tolerance: float) -> Reading:
+    """Time t_low at which the midpoint's acceleration falls to g/(1 + alpha).
+
+    The first frames are fitted by g t^2/2 (1 - c t^n): n = 5 where the filament has relaxed, 6 where it is elastic
+    still, so that with 5.5 t_low is known to 5 % at best.
+
+    Parameters
+    ----------
+    film : Stretch
+        All frames at positive times.
+    gravity : float
+        [m/s^2].
+    tolerance : float
+        alpha.
+    """
+    free = 0.5 * gravity * film.time**2
+    power = 5.5
+    left = np.flatnonzero(film.sag < 0.75 * free)
+    first = slice(0, int(left[0]) if len(left) else len(free))
+    time, fall, std = film.time[first], free[first], film.std[first]
+    if len(time) < _FALLING:
+        return unread(f"free fall is over within {_FALLING} frames")
+    if not len(left):
+        return unread("the midpoint falls freely to the end of the film")
+    if abs(float(film.sag[first][-1] / fall[-1] - 1)) > 0.5:
+        return unread("the midpoint does not start with free fall")
+    column = fall * (time / time[-1]) ** power / std
+    missing = (fall - film.sag[first]) / std
+    size = float(column @ column)
+    lost = float(column @ missing) / size
+    scale = film.noise_scale(float(np.sum((missing - lost * column) ** 2)), len(time) - 1)
+    error = scale / math.sqrt(size)
+    if lost <= 2 * error:
+        return unread("the frames in which the fall slows down are too few or too noisy")
+    # d^2/dt^2 of the fit is g (1 - (n + 2)(n + 1)/2 c t^n).
+    share = tolerance / (1 + tolerance)
+    low = float(time[-1]) * (2 * share / ((power + 1) * (power + 2) * lost)) ** (1 / power)
+    return Reading(low, low * math.hypot(error / lost / power, 0.05))
+
+
+def start_of_third_law(
+    film: Stretch, gravity: float, noise: float, tolerance: float, ringing: Oscillation | None
+) -> Reading:
+    """Time t_high at which the descent's deceleration has fallen to alpha g.
+
+    On the 1/3 law that is only 1.4 times the time at which the law leaves g t^2/2: it is seen where the filament does
+    not ring and is filmed closely enough.
+
+    Parameters
+    ----------
+    film : Stretch
+        All frames at positive times.
+    gravity : float
+        [m/s^2].
+    noise : float
+        Standard error of a frame [m].
+    tolerance : float
+        alpha.
+    ringing : Oscillation or None
+        The acceleration of an oscillation must have died away first.
+    """
+    wanted = tolerance * gravity
+    free = 0.5 * gravity * film.time**2
+    slower = np.flatnonzero(_FREE * free > np.maximum.accumulate(film.sag) + _CLEAR * noise)
+    begin = float(film.time[slower[0]]) if len(slower) else math.inf
+    centres, slowing, errors = _decelerations(film, begin)
+    if not len(centres):
+        return unread(f"fewer than {_FEWEST} frames over any factor of {_WINDOW:g} in time after free fall")
+    below = np.flatnonzero(slowing < wanted)
+    if not len(below):
+        return unread("inertia carries more than alpha of the weight to the end of the film")
+    if below[0] == 0:
+        return unread("the descent has slowed down before there are frames enough to see how")
+    k = int(below[0])
+    fraction = math.log(wanted / slowing[k - 1]) / math.log(max(slowing[k], 0.1 * wanted) / slowing[k - 1])
+    high = float(centres[k - 1] * (centres[k] / centres[k - 1]) ** fraction)
+    if ringing is not None and ringing.amplitude(high) * ringing.frequency**2 > wanted:
+        return unread("at that time the oscillation hides how the descent slows down")
+    # On the 1/3 law the deceleration goes as t^(-5/3).
+    error = float(errors[k]) / wanted * 3 / 5
+    if error > _NOISY:
+        return unread("the deceleration of the descent is lost in the noise")
+    return Reading(high, error * high)
+
+
+def _decelerations(film: Stretch, begin: float) -> tuple[Floats, Floats, Floats]:
+    """Times, deceleration and its standard error [m/s^2], by cubics in log t over short stretches."""
+    rows = []
+    later = film.time[film.time >= begin]
+    start = float(later[0]) if len(later) else math.inf
+    while start * _WINDOW <= film.time[-1]:
+        part = (film.time >= start) & (film.time <= start * _WINDOW)
+        time, sag, std = film.time[part], film.sag[part], film.std[part]
+        if len(time) >= _FEWEST:
+            basis = LogPolynomial(float(time[0]), float(time[-1]), DEGREE)
+            columns = basis.columns(time) / std[:, None]
+            linear = np.linalg.lstsq(columns, sag / std, rcond=None)[0]
+            rest = columns @ linear - sag / std
+            scale = film.noise_scale(float(rest @ rest), len(time) - DEGREE - 1)
+            centre = math.sqrt(time[0] * time[-1])
+            bent = basis.second_derivative(centre)
+            error = scale * float(np.linalg.norm(np.linalg.lstsq(columns.T, bent, rcond=None)[0]))
+            rows.append((centre, -float(bent @ linear), error))
+        start *= _STEP
+    table = np.array(rows).reshape(-1, 3)
+    return table[:, 0], table[:, 1], table[:, 2]
+
+
+FALSE_ALARMS = 1e-3
+"""Share of films of mere noise in which an oscillation may be seen."""
+
+FEWEST_RINGING_FRAMES = 14
+"""Frames in a stretch: a cubic, five constants of an oscillation, and some to spare."""
+
+FEWEST_PER_PERIOD = 2.5
+"""Frames a period; below, it may be another frequency's alias."""
+
+_STARTS, _LENGTHS = 1.35, (1.7, 3.0, 5.0)
+_CYCLES = (1.5, 40.0)
+_PER_CYCLE = 3
+_DECAYS = (0.0, 2.0, 6.0)
+_STIFFENINGS = (0.0, 1 / 3)
+_CLEAR_RINGING = 400.0
+"""Energy at which an oscillation is told to some percent, in variances of a frame."""
+
+_NO_CABLE = 1e3
+_SOFTENING = 0.4
+"""Share (A/H)^2 by which an amplitude A shifts the frequency of a string of sag H, roughly: it weighs stretches."""
+
+
+@dataclass(frozen=True)
+class _Peak:
+    """The likeliest oscillation in one stretch.
+
+    Attributes
+    ----------
+    odds : float
+        Logarithm of the chance that noise does as well at this place of the search.
+    energy : float
+        By how much it lowers the sum of squares over the variances of the frames.
+    stretch : Stretch
+        The frames.
+    frequency, decay, stiffening : float
+        As :func:`softcat_sym.fitting.features.fitted` takes them.
+    """
+
+    odds: float
+    energy: float
+    stretch: Stretch
+    frequency: float
+    decay: float
+    stiffening: float
+
+
+def find_oscillation(film: Stretch, caught: float, gravity: float) -> Oscillation | str:
+    """Look for a damped oscillation about the descent.
+
+    Every stretch is searched by a periodogram of damped cosines beside a cubic trend in log t. The chance that noise
+    lowers the sum of squares as much is (RSS_1/RSS_0)^(freedom/2) (the F test with two degrees of freedom), times the
+    places looked at (Bonferroni).
+
+    Parameters
+    ----------
+    film : Stretch
+        All frames at positive times.
+    caught : float
+        Time [s] from which the filament no longer falls freely.
+    gravity : float
+        [m/s^2].
+
+    Returns
+    -------
+    Oscillation or str
+        The best determined one, or why there is none.
+    """
+    stretches = _stretches(film, caught)
+    if not stretches:
+        return f"fewer than {FEWEST_RINGING_FRAMES} frames in any part of the film after free fall"
+    searched = [_search(stretch) for stretch in stretches]
+    places = sum(count for _, count in searched)
+    limit = math.log(FALSE_ALARMS / max(places, 1))
+    peaks = [peak for peak, _ in searched if peak is not None and peak.odds < limit]
+    peaks.sort(key=lambda one: -one.energy)
+    if not peaks:
+        return "no oscillation is seen above the noise"
+    kept: list[Oscillation] = []
+    for peak in peaks:
+        # Of many doubtful fits the best is the luckiest: only the clear ones are compared.
+        if kept and peak.energy < min(_CLEAR_RINGING, peaks[0].energy / 2):
+            break
+        one = fitted(peak.stretch, peak.frequency, peak.decay, peak.stiffening)
+        if one is not None and _is_ringing(one) and beats_polynomial(one):
+            kept.append(one)
+    if not kept:
+        return "what departs from the trend is no damped oscillation that is seen to repeat"
+    return min(kept, key=lambda one: _uncertainty(one, gravity))
+
+
+def _stretches(film: Stretch, caught: float) -> list[Stretch]:
+    last = float(film.time[-1])
+    later = film.time[film.time >= caught]
+    if not len(later):
+        return []
+    found: dict[tuple[int, int], Stretch] = {}
+    start = float(later[0])
+    while start < last / _LENGTHS[0] * 1.0001:
+        for length in _LENGTHS:
+            low, high = np.searchsorted(film.time, [start, start * length * 1.0001]).tolist()
+            if high - low >= FEWEST_RINGING_FRAMES:
+                part = slice(low, high)
+                found[low, high] = Stretch(film.time[part], film.sag[part], film.std[part], film.noise_known)
+        start *= _STARTS
+    return list(found.values())
+
+
+def _search(stretch: Stretch) -> tuple[_Peak | None, int]:
+    """Likeliest frequency, decay and stiffening of a stretch, and how many were looked at."""
+    time, weight = stretch.time, 1 / stretch.std
+    middle, long = math.sqrt(time[0] * time[-1]), time[-1] - time[0]
+    fastest = 2 * math.pi / (FEWEST_PER_PERIOD * float(np.median(np.diff(time))))
+    cycles = min(_CYCLES[1], fastest * long / (2 * math.pi))
+    if cycles <= _CYCLES[0]:
+        return None, 0
+    count = max(int((cycles - _CYCLES[0]) * _PER_CYCLE), 2)
+    frequency = 2 * math.pi / long * np.linspace(_CYCLES[0], cycles, count)
+    trend = np.linalg.qr(stretch.basis.columns(time) * weight[:, None])[0]
+    rest = stretch.sag * weight
+    rest = rest - trend @ (trend.T @ rest)
+    squares = float(rest @ rest)
+    if squares <= (1e-9 * float(np.linalg.norm(stretch.sag * weight))) ** 2:
+        return None, 0
+    freedom = len(time) - DEGREE - 3
+    best: _Peak | None = None
+    for decay, stiffening in product(_DECAYS, _STIFFENINGS):
+        envelope = np.exp(-decay / long * (time - time[0])) * weight
+        angle = np.outer(phase(time, middle, 1.0, stiffening), frequency)
+        gain = _gain(envelope[:, None] * np.cos(angle), envelope[:, None] * np.sin(angle), trend, rest)
+        at = int(np.argmax(gain))
+        odds = 0.5 * freedom * math.log(max(1 - float(gain[at]) / squares, 1e-300))
+        # With known errors the same chance is exp(-gain/2): frames that scatter less than said prove nothing more.
+        odds = max(odds, -0.5 * float(gain[at])) if stretch.noise_known else odds
+        if best is None or odds < best.odds:
+            best = _Peak(odds, float(gain[at]), stretch, float(frequency[at]), decay / long, stiffening)
+    return best, count * len(_DECAYS) * len(_STIFFENINGS)
+
+
+def _gain(cosine: Floats, sine: Floats, trend: Floats, rest: Floats) -> Floats:
+    """By how much a cosine and a sine beside the trend lower the sum of squares, for each column."""
+    cosine = cosine - trend @ (trend.T @ cosine)
+    sine = sine - trend @ (trend.T @ sine)
+    cc, ss, cs = (np.einsum("ij,ij->j", a, b) for a, b in ((cosine, cosine), (sine, sine), (cosine, sine)))
+    c, s = cosine.T @ rest, sine.T @ rest
+    determinant = cc * ss - cs**2
+    # A wave that the trend nearly contains explains nothing that the trend does not.
+    apart = determinant > 1e-6 * (cc.max() * ss.max())
+    gain: Floats = np.where(apart, (ss * c**2 - 2 * cs * c * s + cc * s**2) / np.where(apart, determinant, 1.0), 0.0)
+    return gain
+
+
+def _is_ringing(one: Oscillation) -> bool:
+    """Whether the fit stayed an oscillation that the frames resolve and that is seen to repeat."""
+    time = one.stretch.time
+    frames = 2 * math.pi / one.frequency / float(np.median(np.diff(time)))
+    cycles = abs(float(np.ptp(phase(time, one.middle, one.frequency, one.stiffening)))) / (2 * math.pi)
+    error = math.sqrt(one.covariance[0, 0])
+    inside = float(time[0]) <= one.middle <= float(time[-1])
+    repeats = frames >= FEWEST_PER_PERIOD and cycles >= 1.0 and one.decay < one.frequency
+    return inside and repeats and error < 0.2 * one.frequency and one.amplitude(float(time[0])) < one.sag
+
+
+def _uncertainty(one: Oscillation, gravity: float) -> float:
+    """Relative error that noise and amplitude leave in the modulus of a cable that rings like this."""
+    share = one.amplitude(one.middle) / one.sag
+    error = math.hypot(math.sqrt(one.covariance[0, 0]) / one.frequency, _SOFTENING * share**2)
+    leverage = sensitivity(mode_number(one.frequency, one.sag, gravity))
+    return error * min(leverage, _NO_CABLE)
+
+
+_FINEST, _ROUNDING = 1e-4, 1e-12
+"""No film resolves less than the first, of its largest sag; the second, of the span, is for one that never moves."""
+
+FEWEST = 8
+"""Frames without which nothing can be read."""
+
+
+@dataclass(frozen=True, eq=False)
+class Features:
+    """What was read, in SI, each number with its error or the reason why there is none.
+
+    Attributes
+    ----------
+    gravity, span : float
+        g [m/s^2] and L [m], as given.
+    t_low, t_high : Reading
+        End of free fall and start of the 1/3 law [s]; a filament that rings hides the latter.
+    frequency, decay, sag : Reading
+        R [rad/s], d [1/s] and the sag H [m] about which it rings, all at `ringing.middle`.
+    prefactor : Reading
+        B of the late 1/3 law, dimensionless.
+    ringing_covariance : ndarray, shape (3, 3)
+        Of log R, log d and log H; NaN where one of them cannot be read.
+    ringing : Oscillation or None
+        The fit that they come from.
+    late : LateLaw or None
+        The fit that B comes from.
+    noise : float
+        Scatter of the frames [m].
+    """
+
+    gravity: float
+    span: float
+    t_low: Reading
+    t_high: Reading
+    frequency: Reading
+    decay: Reading
+    sag: Reading
+    prefactor: Reading
+    ringing_covariance: Floats
+    ringing: Oscillation | None
+    late: LateLaw | None
+    noise: float
+
+
+def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: float, span: float) -> Features:
+    """Read all features from a film of the midpoint.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        [s], increasing, zero when the filament is let go; frames before that are not used.
+    midpoint : ndarray, shape (n,)
+        [m], relative to the supports, negative down.
+    std : ndarray, shape (n,), or None
+        Standard errors of the midpoint [m], independent of one another; without them they follow from the scatter.
+    gravity, span : float
+        g [m/s^2] and L [m].
+
+    Returns
+    -------
+    Features
+
+    Raises
+    ------
+    SoftcatError
+        If the arrays do not belong together, hold anything but finite numbers, or fewer than eight frames.
+    """
+    _refuse(time, midpoint, std, gravity, span)
+    film, noise = _film(time, midpoint, std, span)
+    tolerance = float(closed_forms.TOLERANCE)
+    caught = caught_after(film, gravity, noise)
+    found = find_oscillation(film, caught, gravity)
+    ringing = found if isinstance(found, Oscillation) else None
+    frequency, decay, sag, covariance = _of_ringing(found)
+    late = late_law_of(film, ringing)
+    return Features(
+        gravity=gravity,
+        span=span,
+        t_low=end_of_free_fall(film, gravity, tolerance),
+        t_high=start_of_third_law(film, gravity, noise, tolerance, ringing),
+        frequency=frequency,
+        decay=decay,
+        sag=sag,
+        prefactor=unread(late) if isinstance(late, str) else _prefactor(late, gravity, span),
+        ringing_covariance=covariance,
+        ringing=ringing,
+        late=None if isinstance(late, str) else late,
+        noise=noise,
+    )
+
+
+def _film(time: Floats, midpoint: Floats, std: Floats | None, span: float) -> tuple[Stretch, float]:
+    """Frames after the start as sags with errors, and the error of a typical one [m]."""
+    later = time > 0
+    clock, sag = time[later], -midpoint[later]
+    noise = noise_of(clock, sag) if std is None else float(np.median(std[later]))
+    least = max(noise, _FINEST * float(np.abs(sag).max()), _ROUNDING * span)
+    return Stretch(clock, sag, np.full_like(sag, least) if std is None else std[later], std is not None), noise
+
+
+def _refuse(time: Floats, midpoint: Floats, std: Floats | None, gravity: float, span: float) -> None:
+    faults = []
+    columns = {"time": time, "midpoint": midpoint} | ({} if std is None else {"std": std})
+    for name, column in columns.items():
+        if column.ndim != 1 or column.shape != time.shape:
+            faults.append(Fault(name, f"an array of shape {column.shape}", f"one number a frame, {time.shape}"))
+        elif not np.all(np.isfinite(column)):
+            faults.append(Fault(name, "holds numbers that are not finite", "finite numbers"))
+    if not faults and np.any(np.diff(time) <= 0):
+        faults.append(Fault("time", "does not increase", "increasing times"))
+    if std is not None and not faults and np.any(std <= 0):
+        faults.append(Fault("std", "holds standard errors that are not positive", "positive lengths"))
+    if not faults and np.sum(time > 0) < FEWEST:
+        faults.append(Fault("time", f"{np.sum(time > 0)} frames after the start", f"at least {FEWEST}"))
+    for name, value in (("gravity", gravity), ("span", span)):
+        if not (math.isfinite(value) and value > 0):
+            faults.append(Fault(name, f"{value:g}", "a positive number"))
+    if faults:
+        raise SoftcatError("features of a film:\n" + "\n".join(f"  {fault}" for fault in faults))
+
+
+def _of_ringing(found: Oscillation | str) -> tuple[Reading, Reading, Reading, Floats]:
+    if isinstance(found, str):
+        return unread(found), unread(found), unread(found), np.full((3, 3), np.nan)
+    errors = np.sqrt(np.diag(found.covariance)).tolist()
+    frequency, sag = Reading(found.frequency, errors[0]), Reading(found.sag, errors[2])
+    decay = Reading(found.decay, errors[1])
+    if found.decay <= 2 * errors[1]:
+        most = max(found.decay, 0.0) + 2 * errors[1]
+        decay = unread(f"it does not fade within the frames that show it: slower than {most:.3g} 1/s")
+    value = np.array([found.frequency, found.decay if decay.value else np.nan, found.sag])
+    return frequency, decay, sag, found.covariance / np.outer(value, value)
+
+
+def _prefactor(late: LateLaw, gravity: float, span: float) -> Reading:
+    """B of sag^3 = k (t - t_0), by the formula for the sag at a time of one unit."""
+    unit = math.sqrt(span / gravity)
+    known = {SAG: math.cbrt(late.slope * unit), SPAN: span, rheometry.t_star: 1.0}
+    value = float(evaluate(rheometry.B_FROM_SAG.right, known)[0])
+    return Reading(value, value * late.slope_error / late.slope)

@@ -1,0 +1,747 @@
+"""From films of falling filaments to their material: the whole line of a fit, and what it says in SI."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import partial
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.closed_form import closed_form
+from softcat_sym.fitting.defaults import MOST_STARTS, STARTS
+from softcat_sym.fitting.features import FEWEST, Features, read_features
+from softcat_sym.fitting.forward_model import ForwardModel
+from softcat_sym.fitting.free_parameters import TIME_OFFSET, FreeParameter, Unknowns, free_parameters, with_values
+from softcat_sym.fitting.identifiability import Combination, Information, ResidualChecks, check_residuals
+from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, infer
+from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss, Optimum, Waterfall, multi_start
+from softcat_sym.fitting.measurements import Measurements, Series
+from softcat_sym.fitting.plausibility import Films, own_scene, taken
+from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.solvers.outcome import Outcome
+
+
+@dataclass(frozen=True, eq=False)
+class Filmed:
+    """One series, the model of its filament, and which unknowns of the problem that model has.
+
+    Attributes
+    ----------
+    series : Series
+        What was measured.
+    model : ForwardModel
+        What it is compared with.
+    columns : tuple of int
+        For each unknown of the model its number in the problem.
+    time : ndarray, shape (n,)
+        Of every reading [s]: those of the midpoint, then the points of whole shapes.
+    place : ndarray, shape (n,)
+        Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint.
+    data : ndarray, shape (n,)
+        Heights [m].
+    std : ndarray, shape (n,)
+        By which residuals are divided [m].
+    """
+
+    series: Series
+    model: ForwardModel
+    columns: tuple[int, ...]
+    time: Floats
+    place: Floats
+    data: Floats
+    std: Floats
+
+    def heights(self, q: Floats) -> Floats:
+        """What the model says at every reading [m], shape (n,), of the unknowns of the whole problem."""
+        own, shapes = q[list(self.columns)], self.series.shapes
+        parts = [self.model.midpoints(own)] if self.series.time.size else []
+        if shapes is not None:
+            parts.append(self.model.shapes(own, shapes.time, shapes.x)[0])
+        return np.concatenate(parts)
+
+    def linearised(self, q: Floats) -> tuple[Floats, Floats]:
+        """The same with derivatives by the unknowns of the whole problem, shape (n, k)."""
+        own, shapes = q[list(self.columns)], self.series.shapes
+        parts = [self.model.with_derivatives(own)] if self.series.time.size else []
+        if shapes is not None:
+            parts.append(self.model.shapes(own, shapes.time, shapes.x))
+        slopes = np.zeros((self.data.size, q.size))
+        slopes[:, list(self.columns)] = np.concatenate([part[1] for part in parts])
+        return np.concatenate([part[0] for part in parts]), slopes
+
+
+class FilamentProblem(Unknowns):
+    """(model - measured)/standard error of all readings: a problem of least squares.
+
+    Every filament shares the unknowns of the material; each camera has its own `time_offset` and `initial_sag`, with
+    the number of the film behind their names where there are several.
+
+    Parameters
+    ----------
+    scene : Scene
+        Common to all filaments.
+    measurements : Measurements
+        One series for each filament.
+    names : sequence of str
+        What is free, as :func:`softcat_sym.fitting.free_parameters.free_parameters` takes it.
+    bounds : mapping, optional
+        Likewise.
+    backend : str
+        Of the forward model.
+    rtol : float, optional
+        Likewise.
+
+    Attributes
+    ----------
+    free : tuple of FreeParameter
+        The k unknowns.
+    films : tuple of Filmed
+        The series with their models.
+    noise_known : bool
+        Whether every series states its standard errors; otherwise residuals are in units of the largest height.
+
+    Raises
+    ------
+    SceneError
+        If a name cannot be free, or a film sets what is free.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        measurements: Measurements,
+        names: Sequence[str],
+        bounds: Mapping[str, tuple[object, object]] | None = None,
+        backend: str = "auto",
+        rtol: float | None = None,
+    ) -> None:
+        common = free_parameters(scene, names, bounds)
+        series = measurements.series
+        _refuse_what_is_set(common, series)
+        self.free, columns = _unknowns(common, len(series))
+        readings = [_readings(one) for one in series]
+        self.noise_known = all(std is not None for *_, std in readings)
+        unit = max(float(np.max(np.abs(data))) for *_, data, _ in readings)
+        self.films = tuple(
+            Filmed(
+                series=one,
+                model=ForwardModel(own_scene(one, scene), common, one.time, backend, rtol),
+                columns=places,
+                time=time,
+                place=place,
+                data=data,
+                std=std if self.noise_known and std is not None else np.full(data.size, unit),
+            )
+            for one, places, (time, place, data, std) in zip(series, columns, readings, strict=True)
+        )
+
+    @property
+    def logarithmic(self) -> tuple[bool, ...]:
+        """Which unknowns are logarithms."""
+        return tuple(one.logarithmic for one in self.free)
+
+    @property
+    def unit(self) -> float:
+        """What a residual of one is [m]; where the errors are known they differ, and it is their mean."""
+        return float(np.mean(np.concatenate([film.std for film in self.films])))
+
+    @property
+    def complaint(self) -> str:
+        """Why the last evaluation has no answer; empty if it has."""
+        return "; ".join(film.model.complaint for film in self.films if film.model.complaint)
+
+    def residuals(self, q: Floats) -> Floats:
+        """(model - datum)/standard error of all films, shape (m,); NaN where the model has no answer."""
+        return np.concatenate(
+            [(found - film.data) / film.std for film, found in zip(self.films, self.curves(q), strict=True)]
+        )
+
+    def curves(self, q: Floats) -> list[Floats]:
+        """What the model says at the readings of each film [m]."""
+        return [film.heights(q) for film in self.films]
+
+    def linearised(self, q: Floats) -> tuple[Floats, Floats]:
+        """Residuals, shape (m,), and their derivatives, shape (m, k)."""
+        residuals, rows = [], []
+        for film in self.films:
+            found, slopes = film.linearised(q)
+            residuals.append((found - film.data) / film.std)
+            rows.append(slopes / film.std[:, None])
+        return np.concatenate(residuals), np.concatenate(rows)
+
+    def by_film(self, values: Floats) -> list[Floats]:
+        """Split what all films have, shape (m,), into one array for each."""
+        ends = np.cumsum([film.data.size for film in self.films])[:-1]
+        return [np.asarray(part) for part in np.split(values, ends)]
+
+
+def _readings(series: Series) -> tuple[Floats, Floats, Floats, Floats | None]:
+    """Times [s], places [m], heights [m] and, where all are stated, standard errors [m]: midpoints, then shapes."""
+    shapes, midpoint = series.shapes, np.full(series.time.size, np.nan)
+    if shapes is None:
+        return series.time, midpoint, series.midpoint, series.std
+    if not series.time.size:
+        return shapes.time, shapes.x, shapes.y, shapes.std
+    known = None if series.std is None or shapes.std is None else np.concatenate([series.std, shapes.std])
+    pairs = (series.time, shapes.time), (midpoint, shapes.x), (series.midpoint, shapes.y)
+    time, place, data = (np.concatenate(pair) for pair in pairs)
+    return time, place, data, known
+
+
+def _refuse_what_is_set(free: Sequence[FreeParameter], series: Sequence[Series]) -> None:
+    """A film that has a free parameter's value of its own leaves nothing to fit there."""
+    faults = [
+        Fault(f"free {one.name}", f"set by {film.path or 'a series'} itself", "free it, or set it, not both")
+        for one in free
+        for film in series
+        if one.path in film.overrides
+    ]
+    if faults:
+        raise SceneError(faults)
+
+
+def _unknowns(common: tuple[FreeParameter, ...], films: int) -> tuple[tuple[FreeParameter, ...], list[tuple[int, ...]]]:
+    """All unknowns, and for each film the numbers of its own."""
+    unknowns: list[FreeParameter] = []
+    columns: list[list[int]] = [[] for _ in range(films)]
+    for one in common:
+        for k in range(films):
+            if k == 0 or one.of_measurement:
+                alone = films == 1 or not one.of_measurement
+                unknowns.append(one if alone else replace(one, name=f"{one.name}_{k + 1}"))
+            columns[k].append(len(unknowns) - 1)
+    return tuple(unknowns), [tuple(numbers) for numbers in columns]
+
+
+def judged_runs(problem: FilamentProblem, q: Floats) -> tuple[Outcome, str]:
+    """Run every film's filament for as long as it was filmed, and judge it.
+
+    Residuals show neither a neck that the grid decides nor lost energy.
+
+    Parameters
+    ----------
+    problem : FilamentProblem
+        What was fitted.
+    q : ndarray, shape (k,)
+        Its optimum.
+
+    Returns
+    -------
+    Outcome, str
+        The worst of the films, a localised one before all others, and what speaks against it; empty if nothing does.
+    """
+    worst, told = Outcome.solved, []
+    for number, film in enumerate(problem.films, start=1):
+        outcome, complaint = _judged(film, _run_scene(problem, film, q))
+        if outcome.is_success:
+            continue
+        name = film.series.path.name if film.series.path else f"film {number}"
+        told.append(f"{name}: {complaint}" if len(problem.films) > 1 else complaint)
+        worst = worst if worst is Outcome.localised else outcome
+    return worst, "; ".join(told)
+
+
+def _judged(film: Filmed, scene: Scene | None) -> tuple[Outcome, str]:
+    if scene is None:
+        return Outcome.solved, ""
+    try:
+        run = simulated(without_estimate(scene))
+    except SceneError as refusal:
+        return Outcome.no_equilibrium, str(refusal)
+    return run.outcome, str(run.summary["complaint"])
+
+
+def _run_scene(problem: FilamentProblem, film: Filmed, q: Floats) -> Scene | None:
+    """The film's own scene with the fitted values and the effects of the fit; None if nothing moves while it lasts."""
+    begin = sum(problem.free[k].value(float(q[k])) for k in film.columns if problem.free[k].path == TIME_OFFSET)
+    duration = float(film.time.max()) - begin
+    if not duration > 0:
+        return None
+    scene = film.model.scene(q[list(film.columns)])
+    return scene.replace({"run.effects": list(film.model.effects), "run.duration": f"{duration!r} s"})
+
+
+class FitOutcome(Enum):
+    """End of a fit; ``name`` with blanks for underscores goes into ``fit.json``."""
+
+    solved = "the model fits within its noise; every free parameter is identified"
+    not_identified = (
+        "the model fits, but the data do not tell every parameter: read the verdicts and the combinations, fix what is "
+        "known otherwise, or film what softcat's experiment design proposes"
+    )
+    at_a_bound = "the best fit lies on a bound that the data push against: widen the bound, or doubt the law"
+    model_error = (
+        "the residuals are not white noise: the model misses something that the data show, so that the intervals, "
+        "which know of noise only, are too narrow; try another law, more effects, or free time_offset and initial_sag"
+    )
+    localised = (
+        "in the filament that fits best strain gathers in one cell, and the midpoint that was fitted changes with the "
+        "grid: do not use the numbers; take the effect necking-gradient in, or film a shorter or thicker filament"
+    )
+    run_in_doubt = (
+        "a run of the filament that fits best is not to be trusted: do not use the numbers before `softcat run` of the "
+        "fitted scene ends as solved; its advice says what to change"
+    )
+    not_converged = (
+        "IPOPT did not reach an optimum: do not use the numbers; give nearer starting values in the scene, or bounds"
+    )
+
+    @property
+    def converged(self) -> bool:
+        """Whether an optimum was found."""
+        return self is not FitOutcome.not_converged
+
+    @property
+    def word(self) -> str:
+        """As files and terminals say it."""
+        return self.name.replace("_", " ")
+
+
+@dataclass(frozen=True)
+class FittedParameter:
+    """One parameter.
+
+    Attributes
+    ----------
+    name, unit : str
+        As it was named; SI.
+    value : float or None
+        None where it is not identified: no number stands alone for what the data do not tell.
+    best : float
+        Where the optimum lies, whatever that is worth.
+    std : float or None
+        Standard error, to first order; None with the value.
+    ci95 : (float or None, float or None)
+        95 % interval; None where it does not end.
+    verdict : str
+        ``"identified"``, ``"one-sided"``, ``"not identified"`` or ``"at a bound"``.
+    reason : str
+        Why it is not identified; empty if it is.
+    typical : float
+        What the scene says.
+    bounds : (float, float)
+        Within which it was sought.
+    """
+
+    name: str
+    unit: str
+    value: float | None
+    best: float
+    std: float | None
+    ci95: tuple[float | None, float | None]
+    verdict: Word
+    reason: str
+    typical: float
+    bounds: tuple[float, float]
+
+
+def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict) -> FittedParameter:
+    """Turn a verdict on q into one on the parameter."""
+    low, high = (None if q is None else free.value(q) for q in (verdict.lower, verdict.upper))
+    return FittedParameter(
+        name=free.name,
+        unit=free.unit,
+        value=None if verdict.value is None else free.value(verdict.value),
+        best=free.value(verdict.best),
+        std=None if verdict.standard_error is None else abs(free.slope(verdict.best)) * verdict.standard_error,
+        ci95=(low, high),
+        verdict=verdict.word,
+        reason=verdict.reason,
+        typical=free.typical,
+        bounds=free.bounds,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class FittedFilm:
+    """One film beside its model.
+
+    Attributes
+    ----------
+    time, measured, model : ndarray, shape (n,)
+        [s], [m], [m]: of the midpoint, then of points of whole shapes.
+    place : ndarray, shape (n,)
+        Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint.
+    residuals : ndarray, shape (n,)
+        (model - measured) over the noise.
+    features : Features or None
+        What it shows without a model; None of a film that is too short, or under shaken gravity.
+    name : str
+        File or number.
+    """
+
+    time: Floats
+    place: Floats
+    measured: Floats
+    model: Floats
+    residuals: Floats
+    features: Features | None
+    name: str
+
+    def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
+        """Some of its readings."""
+        picked = (getattr(self, key)[chosen] for key in ("time", "place", "measured", "model", "residuals"))
+        time, place, measured, model, residuals = picked
+        return FittedFilm(time, place, measured, model, residuals, self.features, self.name)
+
+    @property
+    def of_midpoint(self) -> NDArray[np.bool_]:
+        """Which readings are of the midpoint, shape (n,)."""
+        return np.isnan(self.place)
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What the measurements say about the material.
+
+    Attributes
+    ----------
+    scene : Scene
+        As given.
+    fitted_scene : Scene
+        With the best values.
+    measurements : Measurements
+        With the corrections that were made, noted.
+    parameters : dict of str to FittedParameter
+        What was free.
+    correlation : ndarray, shape (k, k)
+        Of the parameters' estimates, in their order.
+    combinations : tuple of str
+        Products of powers that are identified where single parameters are not, with value and interval.
+    noise : float
+        Standard deviation of a reading [m]: as stated, or estimated from the residuals.
+    noise_known : bool
+        Which of the two.
+    outcome : FitOutcome
+        What it is worth.
+    films : tuple of FittedFilm
+        Data, model and residuals.
+    checks : ResidualChecks
+        Whether the residuals are white.
+    starts : Waterfall
+        Where every start ended.
+    profiles : tuple of Profile
+        Of every parameter in its order; empty if they were not asked for.
+    information : Information
+        Fisher's, at the optimum.
+    problem : FilamentProblem
+        What was solved; q are its unknowns.
+    effects : tuple of str
+        Physics in force.
+    backend : str
+        What integrated, and why.
+    repeats : tuple of str
+        Why the fit was repeated with more effects.
+    seconds : float
+        What it took after compiling, without the run that judges it.
+    complaint : str
+        What speaks against a run of the fitted filament; empty if nothing does.
+    """
+
+    scene: Scene
+    fitted_scene: Scene
+    measurements: Measurements
+    parameters: dict[str, FittedParameter]
+    correlation: Floats
+    combinations: tuple[str, ...]
+    noise: float
+    noise_known: bool
+    outcome: FitOutcome
+    films: tuple[FittedFilm, ...]
+    checks: ResidualChecks
+    starts: Waterfall
+    profiles: tuple[Profile, ...]
+    information: Information
+    problem: FilamentProblem
+    effects: tuple[str, ...]
+    backend: str
+    repeats: tuple[str, ...]
+    seconds: float
+    complaint: str = ""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Corrections that were made to the measurements."""
+        return tuple(note for one in self.measurements.series for note in one.notes)
+
+    @property
+    def squares(self) -> float:
+        """Sum of the squared residuals in units of the problem."""
+        residuals = self.starts.best.residuals
+        return float(residuals @ residuals)
+
+
+def told(combination: Combination, problem: FilamentProblem) -> str:
+    """One sentence on a combination, with value and 95 % interval in SI where it is a product."""
+    free = {one.name: one for one in problem.free}
+    parts = [free[name] for name in combination.names]
+    if not all(one.logarithmic for one in parts):
+        low, high = combination.interval
+        return f"{combination.text} = {combination.value:.4g} ({low:.4g} to {high:.4g}) in scaled unknowns"
+    value, low, high = combination.product([one.typical for one in parts])
+    if not np.isfinite(value):
+        return f"{combination.text}: known to {combination.standard_error:.1%}"
+    return f"{combination.text} = {value:.4g} ({low:.4g} to {high:.4g}), SI"
+
+
+ASIDE = "rotary-inertia"
+"""What "everything" leaves aside: followed through hinges it takes many times as long."""
+
+# Of a normal distribution, over the median of magnitudes; the floor is for data that are met exactly.
+_MEDIAN_TO_DEVIATION, _LEAST_NOISE = 1.4826, 1e-9
+
+_RESTARTED = "a profile met a better optimum on the way, and the fit began again from there"
+
+
+class FitProgress(Protocol):
+    """Whoever wants to know how far a fit has come."""
+
+    def stage(self, name: str, done: int, total: int) -> None:
+        """Hear of a stage."""
+
+
+class NoProgress:
+    """Nobody."""
+
+    def stage(self, name: str, done: int, total: int) -> None:
+        """Say nothing."""
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """How a fit is to be done."""
+
+    free: tuple[str, ...]
+    bounds: Mapping[str, tuple[object, object]] | None
+    loss: Loss
+    starts: int
+    profiles: bool
+    backend: str
+    rtol: float | None
+    seed: int
+    progress: FitProgress
+
+
+def fit(
+    measurements: Films,
+    scene: SceneLike,
+    free: Sequence[str],
+    *,
+    bounds: Mapping[str, tuple[object, object]] | None = None,
+    loss: Loss = LINEAR,
+    starts: int = STARTS,
+    profiles: bool = True,
+    backend: str = "auto",
+    rtol: float | None = None,
+    seed: int = 0,
+    progress: FitProgress | None = None,
+) -> Fit:
+    """Find the parameters with which a filament falls as it was filmed, by weighted least squares of its midpoint.
+
+    With ``run.effects = "auto"`` the physics is chosen for the scene's values, and the fit is repeated where the fitted
+    values call for more. In the end the filament that fits best is run once and judged as any run is.
+
+    Parameters
+    ----------
+    measurements : Measurements, path or sequence of paths
+        One film for each filament; files as :func:`softcat_sym.fitting.read_measurements` takes them.
+    scene, free : Scene (or its name, path or dict), sequence of str
+        What is known, with rough values of what is not; and what is not, such as ``["youngs_modulus", "viscosity"]``:
+        see :func:`softcat_sym.fitting.free_parameters.free_parameters`.
+    bounds : mapping of str to (low, high), optional
+        In SI, or text with units; by default a factor of a thousand to either side.
+    loss : Loss
+        Such as ``Loss("soft-l1", scale)`` or ``"cauchy"``, for outliers; the scale in standard errors, stated or found.
+    starts, seed : int
+        Of a Latin hypercube of the bounds, beside the scene's own values and those of the closed form.
+    backend, rtol : str, float, optional
+        ``"auto"``, ``"compiled"`` or ``"interpreted"``; the integrator's relative tolerance.
+    profiles, progress : bool, FitProgress, optional
+        Whether intervals come from profile likelihoods, or from the curvature alone; told how far it is.
+
+    Returns
+    -------
+    Fit
+        With intervals, verdicts, what the residuals say and an outcome.
+
+    Raises
+    ------
+    SoftcatError
+        If the measurements cannot be used, the scene has no such parameter, or the model no answer at any start.
+    """
+    if not 0 <= starts <= MOST_STARTS:
+        raise SoftcatError(f"{starts} starts; accepted: 0 to {MOST_STARTS}")
+    scene = as_scene(scene)
+    seen = taken(measurements, scene)
+    asked = _Asked(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, progress or NoProgress())
+    return _with_all_effects(scene, seen, asked)
+
+
+def _with_all_effects(scene: Scene, seen: Measurements, asked: _Asked) -> Fit:
+    """The fit, and once more where its values call for effects that it did not have."""
+    features = [_features(one, own_scene(one, scene)) for one in seen.series]
+    found = _fit(scene, scene, seen, features, asked)
+    more = _called_for(found) if scene.run.effects == "auto" else []
+    if more:
+        wider = _with_effects(scene, sorted({*found.effects, *more}))
+        again = _fit(wider, scene, seen, features, asked)
+        found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
+    asked.progress.stage("the run of what fits best", 0, 1)
+    return _trusted(found)
+
+
+def _trusted(found: Fit) -> Fit:
+    """The fit, with another outcome where the run of what fits best is no answer."""
+    if not found.outcome.converged:
+        return found
+    ended, complaint = judged_runs(found.problem, found.starts.best.q)
+    if ended.is_success:
+        return found
+    outcome = FitOutcome.localised if ended is Outcome.localised else FitOutcome.run_in_doubt
+    if ended is Outcome.energy_drift and found.outcome is not FitOutcome.solved:
+        # The lesser doubt: of one run's arithmetic, not of the filament.
+        outcome = found.outcome
+    return replace(found, outcome=outcome, complaint=f"{ended.name.replace('_', ' ')}: {complaint or ended.value}")
+
+
+def _fit(scene: Scene, given: Scene, seen: Measurements, features: Sequence[Features | None], asked: _Asked) -> Fit:
+    """One fit with the effects that the scene's own values call for."""
+    problem = _problem(scene, seen, asked)
+    begin = time.perf_counter()
+    first = _first(problem, scene, features)
+    loss = _scaled(asked.loss, problem, first)
+    of_starts, of_profiles = (partial(asked.progress.stage, name) for name in ("starts", "profiles"))
+    falls = multi_start(problem, first, count=asked.starts, seed=asked.seed, loss=loss, told=of_starts)
+    inferred = infer(problem, falls, loss, profiles=asked.profiles, told=of_profiles)
+    best, known = inferred.starts.best, inferred.information
+    reading = known.spread.reading
+    parts = [part / reading if reading > 0 else part for part in problem.by_film(best.residuals)]
+    checks = check_residuals(parts, len(problem.names), noise_known=problem.noise_known)
+    films = _films(problem, best, parts, features)
+    spent = time.perf_counter() - begin
+    asked.progress.stage("done", 1, 1)
+    values = [one.value(float(q)) for one, q in zip(problem.free, best.q, strict=True)]
+    return Fit(
+        scene=given,
+        fitted_scene=with_values(given, problem.free, values),
+        measurements=seen,
+        parameters={one.name: fitted_parameter(one, v) for one, v in zip(problem.free, inferred.verdicts, strict=True)},
+        correlation=known.correlation,
+        combinations=tuple(told(one, problem) for one in known.combinations),
+        noise=reading * problem.unit,
+        noise_known=problem.noise_known,
+        outcome=_outcome(best, inferred.verdicts, checks),
+        films=films,
+        checks=checks,
+        starts=inferred.starts,
+        profiles=inferred.profiles,
+        information=known,
+        problem=problem,
+        effects=problem.films[0].model.effects,
+        backend=problem.films[0].model.backend,
+        repeats=(_RESTARTED,) * inferred.restarts,
+        seconds=spent,
+    )
+
+
+def _problem(scene: Scene, seen: Measurements, asked: _Asked) -> FilamentProblem:
+    """The problem; with all physics that applies where the scene's own values leave out what a parameter belongs to."""
+    try:
+        return FilamentProblem(scene, seen, asked.free, asked.bounds, asked.backend, asked.rtol)
+    except SceneError as refusal:
+        if scene.run.effects != "auto" or "makes no difference" not in str(refusal):
+            raise
+    everything = [effect.name for effect in REGISTRY if effect.applies(scene) and effect.name != ASIDE]
+    return FilamentProblem(_with_effects(scene, everything), seen, asked.free, asked.bounds, asked.backend, asked.rtol)
+
+
+def _with_effects(scene: Scene, names: Sequence[str]) -> Scene:
+    return scene.replace({"run.effects": list(names)})
+
+
+def _called_for(found: Fit) -> list[str]:
+    """Effects that the fitted values call for and the fit did not have."""
+    try:
+        wanted = choose_effects(found.fitted_scene).names
+    except SceneError:
+        return []
+    return [name for name in wanted if name not in found.effects and name != ASIDE]
+
+
+def _scaled(loss: Loss, problem: FilamentProblem, given: Sequence[Floats]) -> Loss:
+    """The loss with its scale in the problem's unit of residuals, where that is not their standard error."""
+    if loss.kind == "linear" or problem.noise_known:
+        return loss
+    wanted, at = LINEAR, given
+    # Least squares follow outliers, the median of what they leave hardly; the second round is robust itself.
+    for _ in range(2):
+        best = multi_start(problem, at, loss=wanted).best
+        deviation = _MEDIAN_TO_DEVIATION * float(np.median(np.abs(best.residuals)))
+        wanted, at = Loss(loss.kind, loss.scale * max(deviation, _LEAST_NOISE)), [best.q]
+    return wanted
+
+
+def _features(series: Series, scene: Scene) -> Features | None:
+    # The closed form and its features are those of a steady weight.
+    if np.count_nonzero(series.time > 0) < FEWEST or not scene.load.gravity > 0 or scene.load.shake > 0:
+        return None
+    return read_features(series.time, series.midpoint, series.std, scene.load.gravity, rest_length(scene))
+
+
+def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features | None]) -> list[Floats]:
+    """The scene's own values, and those of the closed form where a film has one."""
+    starts = [np.clip(problem.typical, problem.lower, problem.upper)]
+    for one in features:
+        if one is None or scene.material.law not in ("maxwell", "newtonian"):
+            continue
+        guess = closed_form(one, scene.filament.density).first_guess
+        if guess is None:
+            continue
+        known = {"youngs_modulus": guess.youngs_modulus, "viscosity": guess.viscosity}
+        q = starts[0].copy()
+        for k, free in enumerate(problem.free):
+            if free.name in known:
+                q[k] = np.clip(free.scaled(known[free.name]), problem.lower[k], problem.upper[k])
+        starts.append(q)
+    return starts
+
+
+def _films(
+    problem: FilamentProblem, best: Optimum, residuals: Sequence[Floats], features: Sequence[Features | None]
+) -> tuple[FittedFilm, ...]:
+    curves = problem.curves(best.q)
+    return tuple(
+        FittedFilm(
+            time=film.time,
+            place=film.place,
+            measured=film.data,
+            model=curve,
+            residuals=part,
+            features=seen,
+            name=film.series.path.name if film.series.path else f"film {number}",
+        )
+        for number, (film, curve, part, seen) in enumerate(
+            zip(problem.films, curves, residuals, features, strict=True), start=1
+        )
+    )
+
+
+def _outcome(best: Optimum, judged: Sequence[ParameterVerdict], checks: ResidualChecks) -> FitOutcome:
+    words = {one.word for one in judged}
+    if not best.converged:
+        return FitOutcome.not_converged
+    if checks.verdict == "not white":
+        return FitOutcome.model_error
+    if "at a bound" in words:
+        return FitOutcome.at_a_bound
+    return FitOutcome.solved if words == {"identified"} else FitOutcome.not_identified

@@ -1,0 +1,654 @@
+"""A rheometer's flow curve becomes a material."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.csv_reader import (
+    Column,
+    CsvTable,
+    absent,
+    counted,
+    header_pattern,
+    missing_rows,
+    named,
+    numbers_in,
+    refusal,
+    table_in,
+    text_of,
+    unit_of,
+)
+from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
+from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.scene import Scene
+
+Floats = NDArray[np.float64]
+
+RATE, STRESS = "shear_rate_1_s", "shear_stress_Pa"
+"""Names of the two columns that are read, with their SI units."""
+
+# Name without its unit: the quantity, its dimension, its SI unit, and what is accepted.
+_KNOWN = {
+    "shear_rate": (RATE, "shear rate", "1/s", f"{RATE}, or shear rate [1/s]"),
+    "shear_stress": (STRESS, "stress", "Pa", f"{STRESS}, shear_stress_kPa, or shear stress [Pa]"),
+}
+_NAME = header_pattern(_KNOWN)
+
+FEWEST = 4
+"""Distinct rates that are needed: one more than Herschel-Bulkley has constants."""
+
+# No rheometer measures beyond these, in 1/s or Pa: whoever writes such a number has another unit in mind.
+_LEAST, _MOST = 1e-12, 1e12
+
+
+@dataclass(frozen=True, eq=False)
+class FlowCurve:
+    """Steady shear stresses at imposed shear rates, in any order; a rate may be repeated.
+
+    Attributes
+    ----------
+    shear_rate : ndarray, shape (points,)
+        [1/s], positive; kept as a copy that cannot be written to.
+    shear_stress : ndarray, shape (points,)
+        [Pa], positive; likewise.
+    path : pathlib.Path or None
+        The file they come from.
+    notes : tuple of str
+        What was corrected while it was read, a sentence each.
+
+    Raises
+    ------
+    SoftcatError
+        If the two are not lists of the same length, hold a number that is not positive and finite, or fewer than
+        `FEWEST` distinct rates.
+    """
+
+    shear_rate: Floats
+    shear_stress: Floats
+    path: Path | None = None
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        faults = []
+        for name, column in (("shear_rate", RATE), ("shear_stress", STRESS)):
+            try:
+                values = np.array(getattr(self, name), dtype=np.float64)
+            except (TypeError, ValueError):
+                raise _refusal(self.path, [Fault(name, "not a list of numbers", f"numbers, as in {column}")]) from None
+            values.flags.writeable = False
+            object.__setattr__(self, name, values)
+            found = (_wrong(value) for value in values.flat)
+            faults += [Fault(f"{name}[{k}]", *wrong) for k, wrong in enumerate(found) if wrong]
+        rate, stress = self.shear_rate, self.shear_stress
+        if rate.ndim != 1 or rate.shape != stress.shape:
+            found_shapes = f"rates of shape {rate.shape}, stresses of shape {stress.shape}"
+            raise _refusal(self.path, [Fault("", found_shapes, "two lists of the same length")])
+        # Rates that agree to six digits are one rate, set twice.
+        distinct = len({f"{value:.6g}" for value in rate})
+        if not faults and distinct < FEWEST:
+            accepted = f"at least {FEWEST}: Herschel-Bulkley alone has three constants"
+            faults = [Fault("", f"{counted(distinct, 'distinct shear rate')}", accepted)]
+        if faults:
+            raise _refusal(self.path, faults)
+
+    @property
+    def decades(self) -> float:
+        """Range of the shear rates, log10 of largest over smallest."""
+        return float(np.log10(self.shear_rate.max() / self.shear_rate.min()))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a reader must know about the data themselves."""
+        found = list(self.notes)
+        if self.decades < 1:
+            found.append(
+                f"the shear rates span a factor of {10**self.decades:.3g}, less than a decade: "
+                "a yield stress is an extrapolation and hardly determined"
+            )
+        log_rate = np.log(self.shear_rate)
+        if np.sum((log_rate - log_rate.mean()) * np.log(self.shear_stress)) < 0:
+            found.append(
+                "the flow curve falls: stress decreases with shear rate overall, as with thixotropy, wall slip or "
+                "shear banding; no law of steady flow describes that"
+            )
+        return tuple(found)
+
+
+def read_flow_curve(path: str | os.PathLike[str]) -> FlowCurve:
+    """Read a flow curve from a CSV file.
+
+    Parameters
+    ----------
+    path : str or path
+        UTF-8 text with a header that names ``shear_rate_1_s`` and ``shear_stress_Pa``, in any unit
+        (``shear_stress_kPa``, ``Shear rate [1/s]``); other columns are not read, nor are empty lines and lines that
+        start with ``#``. Cells are separated by commas, or by semicolons or tabs, then with decimal points or commas;
+        rows without a number are left out, up to a third of them.
+
+    Returns
+    -------
+    FlowCurve
+        The points, in the order of the file.
+
+    Raises
+    ------
+    SoftcatError
+        With every fault and its line.
+    """
+    file = Path(path)
+    cells = table_in(text_of(file, "flow curve", f"a CSV file with the columns {RATE} and {STRESS}"))
+    if cells is None:
+        raise _refusal(file, [Fault("", "the file holds no data", f"a header with {RATE} and {STRESS}, then rows")])
+    table, faults = numbers_in(cells, _columns(cells, file), lambda _, value: _wrong(value))
+    if faults:
+        raise _refusal(file, faults)
+    missing, said, fault = missing_rows(table, lambda k: f"line {cells.rows[k][0]}")
+    if fault:
+        raise _refusal(file, [fault])
+    return FlowCurve(table[RATE][~missing], table[STRESS][~missing], file, (said,) if said else ())
+
+
+def _columns(table: CsvTable, file: Path) -> dict[str, Column]:
+    """Where the two columns stand, and in which units."""
+    where = f"line {table.line}"
+    columns: dict[str, list[Column]] = {RATE: [], STRESS: []}
+    faults: list[Fault] = []
+    faulty = set()
+    for place, name in enumerate(table.header):
+        match = _NAME.fullmatch(name.strip())
+        if match is None:
+            continue
+        known, unit, _ = named(match)
+        quantity, dimension, si, accepted = _KNOWN[known]
+        try:
+            columns[quantity].append(Column(name, place, unit_of(unit, dimension, si)))
+        except NotAQuantity as found:
+            faults.append(Fault(where, f"column {shown(name)}: {found}", accepted))
+            faulty.add(quantity)
+    for quantity, _, _, accepted in _KNOWN.values():
+        several = columns[quantity]
+        if not several and quantity not in faulty:
+            faults.append(absent(f"column {quantity}", quantity, accepted, table, _NAME))
+        elif len(several) > 1:
+            names = ", ".join(column.name for column in several)
+            faults.append(Fault(where, f"{len(several)} columns for one quantity: {names}", "one of them"))
+    if faults:
+        raise _refusal(file, faults)
+    return {quantity: several[0] for quantity, several in columns.items()}
+
+
+def _wrong(value: float) -> tuple[str, str] | None:
+    if not math.isfinite(value):
+        return f"{value} is not finite", "a positive number"
+    if value <= 0:
+        return f"{value:g} is not positive", "a positive number: magnitudes, the fit is of relative residuals"
+    if not _LEAST <= value <= _MOST:
+        return f"{value:g} is beyond what a rheometer measures", f"a number from {_LEAST:g} to {_MOST:g}"
+    return None
+
+
+def _refusal(path: Path | None, faults: list[Fault]) -> SoftcatError:
+    return refusal("flow curve", path, faults)
+
+
+@dataclass(frozen=True)
+class ShearLaw:
+    """tau = tau_Y + k g^n with some of its constants left out: without n, n = 1; without tau_Y, tau_Y = 0."""
+
+    name: str
+    has_yield: bool
+    has_index: bool
+
+    @property
+    def constants(self) -> int:
+        """How many constants are fitted."""
+        return 1 + self.has_yield + self.has_index
+
+
+LAWS = (ShearLaw("bingham", True, False), ShearLaw("power-law", False, True), ShearLaw("herschel-bulkley", True, True))
+
+
+@dataclass(frozen=True)
+class Tensile:
+    """The same law in tension, by von Mises' equivalence; SI.
+
+    Attributes
+    ----------
+    yield_stress : float or None
+        sqrt(3) tau_Y [Pa].
+    viscosity : float
+        3^((n+1)/2) k [Pa s^n]; with n = 1 Trouton's 3 k.
+    index : float or None
+        n.
+    """
+
+    yield_stress: float | None
+    viscosity: float
+    index: float | None
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """One law, fitted.
+
+    Attributes
+    ----------
+    law : str
+        ``"bingham"``, ``"power-law"`` or ``"herschel-bulkley"``, as in a scene.
+    tau_Y, k, n : Estimate or None
+        Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none.
+    relative_rms : float
+        Root mean square of the relative residuals.
+    aic, aicc : float
+        Akaike's criterion, and corrected for few points; the latter is infinite with too few points for it.
+    fitted : ndarray, shape (points,)
+        Stress of the law [Pa].
+    residuals : ndarray, shape (points,)
+        (fitted - measured)/measured.
+    """
+
+    law: str
+    tau_Y: Estimate | None
+    k: Estimate
+    n: Estimate | None
+    relative_rms: float
+    aic: float
+    aicc: float
+    fitted: Floats
+    residuals: Floats
+
+    def stress(self, shear_rate: Floats) -> Floats:
+        """Shear stress [Pa] at shear rates [1/s], any shape."""
+        return (self.tau_Y.value if self.tau_Y else 0.0) + self.k.value * shear_rate**self._index
+
+    @property
+    def tensile(self) -> Tensile:
+        """The constants in tension."""
+        return Tensile(
+            yield_stress=math.sqrt(3) * self.tau_Y.value if self.tau_Y else None,
+            viscosity=3 ** ((self._index + 1) / 2) * self.k.value,
+            index=self.n.value if self.n else None,
+        )
+
+    @property
+    def unfit(self) -> str | None:
+        """Why no scene can take this law, if it cannot."""
+        if self.k.value <= 0:
+            return "its stress does not rise with the shear rate: it has no viscosity"
+        if self.tau_Y is not None and self.tau_Y.value <= 0:
+            return "its yield stress is zero: take power-law"
+        return None
+
+    @property
+    def overrides(self) -> dict[str, str | float]:
+        """Scene keys with their units, the shear data as fitted; empty for a law that is `unfit`."""
+        if self.unfit:
+            return {}
+        keys: dict[str, str | float] = {"material.law": self.law}
+        if self.tau_Y is not None:
+            keys["material.shear_yield_stress"] = f"{_written(self.tau_Y.value)} Pa"
+        if self.n is None:
+            return keys | {"material.shear_viscosity": f"{_written(self.k.value)} Pa*s"}
+        return keys | {
+            "material.shear_consistency": f"{_written(self.k.value)} Pa*s^{_written(self.n.value)}",
+            "material.index": float(_written(self.n.value)),
+        }
+
+    @property
+    def _index(self) -> float:
+        return self.n.value if self.n else 1.0
+
+
+def _written(value: float) -> str:
+    """Ten digits: more than any fit can know, and 0.43 instead of 0.42999999999998406."""
+    return f"{value:.10g}"
+
+
+INDEX_BOUNDS = (0.05, 3.0)
+"""Least and largest flow index n that is looked for."""
+
+_STEP = 0.005
+_GOLDEN = (math.sqrt(5) - 1) / 2
+
+
+@dataclass(frozen=True)
+class LinearPart:
+    """The best tau_Y >= 0 and k >= 0 for given n.
+
+    Attributes
+    ----------
+    tau_Y : ndarray, shape (indices,)
+        Yield stress [Pa].
+    k : ndarray, shape (indices,)
+        Stress tau - tau_Y at the reference rate [Pa].
+    squares : ndarray, shape (indices,)
+        Sum over the points of ((tau_Y + k g^n)/tau - 1)^2.
+    """
+
+    tau_Y: Floats
+    k: Floats
+    squares: Floats
+
+
+def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -> LinearPart:
+    """Solve the non-negative linear least squares of two columns (of one, if the law does not yield).
+
+    A quadratic in the quadrant has its least value at its own minimum, or on the axis that the way there crosses; all
+    entries are positive, so that each column alone has a positive coefficient.
+
+    Parameters
+    ----------
+    ratio : ndarray, shape (points,)
+        Shear rate over the reference rate.
+    stress : ndarray, shape (points,)
+        Shear stress [Pa].
+    index : ndarray, shape (indices,)
+        Flow indices n.
+    yields : bool
+        Whether there is a tau_Y.
+    """
+    flow = ratio ** index[:, None] / stress
+    power = np.einsum("ij,ij->i", flow, flow)
+    tau_Y, k = np.zeros(len(index)), flow.sum(axis=1) / power
+    if yields:
+        size = float(np.linalg.norm(1 / stress))
+        still = 1 / stress / size
+        along = flow @ still
+        across = flow - along[:, None] * still
+        k_both = across.sum(axis=1) / np.einsum("ij,ij->i", across, across)
+        tau_both = (still.sum() - along * k_both) / size
+        plateau = k_both < 0
+        k_both[plateau], tau_both[plateau] = 0.0, still.sum() / size
+        better = tau_both > 0
+        tau_Y[better], k[better] = tau_both[better], k_both[better]
+    residual = tau_Y[:, None] / stress + k[:, None] * flow - 1
+    return LinearPart(tau_Y, k, np.einsum("ij,ij->i", residual, residual))
+
+
+def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
+    """Find the flow index of the least sum of squares within `INDEX_BOUNDS`.
+
+    Every minimum of a fine grid is refined by golden section, and the least one wins; no starting value is needed.
+
+    Parameters
+    ----------
+    ratio, stress : ndarray, shape (points,)
+        As in :func:`linear_part`.
+    yields : bool
+        Likewise.
+    """
+
+    def squares(index: Floats) -> Floats:
+        return linear_part(ratio, stress, index, yields=yields).squares
+
+    low, high = INDEX_BOUNDS
+    grid = np.linspace(low, high, round((high - low) / _STEP) + 1)
+    walled = np.concatenate(([np.inf], squares(grid), [np.inf]))
+    here = walled[1:-1]
+    minima = np.flatnonzero((here < walled[:-2]) & (here <= walled[2:])).tolist()
+    last = len(grid) - 1
+    found = [_golden_section(squares, grid[max(at - 1, 0)], grid[min(at + 1, last)]) for at in minima]
+    candidates = np.array([*found, low, high])
+    return float(candidates[np.argmin(squares(candidates))])
+
+
+def _golden_section(function: Callable[[Floats], Floats], low: float, high: float) -> float:
+    """Minimum of a function with one minimum between two places, to the last digits that its values tell."""
+    left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+    at_left, at_right = function(np.array([left, right]))
+    while high - low > 1e-13:
+        if at_left <= at_right:
+            high, right, at_right = right, left, at_left
+            left = high - _GOLDEN * (high - low)
+            at_left = function(np.array([left]))[0]
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + _GOLDEN * (high - low)
+            at_right = function(np.array([right]))[0]
+    return 0.5 * (low + high)
+
+
+REPLACED = (
+    "viscosity",
+    "yield_stress",
+    "index",
+    "second_modulus",
+    "modes",
+    "flow",
+    "parameters",
+    "shear_viscosity",
+    "shear_yield_stress",
+    "shear_consistency",
+)
+"""Constants of a scene's own law that go with it; the elastic ones stay, a flow curve says nothing about them."""
+
+
+def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, overrides: Sequence[str] = ()) -> Scene:
+    """Give a scene the material of a fit.
+
+    Parameters
+    ----------
+    fit : FlowCurveFit
+        As from :func:`softcat_sym.fitting.fit_flow_curve`.
+    scene : str or Scene
+        Name of a bundled scene, path of a TOML file, or a scene. Its law and flow constants are replaced; Young's
+        modulus and Poisson's ratio stay.
+    law : str or None
+        The law to hand on, by default the best.
+    overrides : sequence of str
+        ``"material.youngs_modulus=40 kPa"``; these win over the fit.
+
+    Returns
+    -------
+    Scene
+        With the shear data stated among its material's notes.
+
+    Raises
+    ------
+    SoftcatError
+        If the law was not fitted or cannot be handed on; as SceneError, if the scene makes no sense with it.
+    """
+    from softcat_sym.scene.reading import load_scene
+    from softcat_sym.scene.scene import Scene
+    from softcat_sym.scene.toml import read_overrides
+
+    own, faults = read_overrides(overrides)
+    if faults:
+        raise SceneError(faults)
+    # The material's come after the fit: they may make no sense with the scene's own law.
+    later = {change.path: change.value for change in own if change.path.startswith("material.")}
+    earlier = {change.path: change.value for change in own if change.path not in later}
+    base = scene.replace(earlier) if isinstance(scene, Scene) else load_scene(scene, earlier)
+    changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
+    changes |= fit.overrides(law)
+    for path, value in later.items():
+        # Taken out and put back, so that it comes last and rules out the same constant given the other way.
+        changes.pop(path, None)
+        changes[path] = value
+    return base.replace(changes)
+
+
+CRITERION = (
+    "least AICc = N ln(RSS/N) + 2 p + 2 p (p + 1)/(N - p - 1) of the relative residuals (model - measured)/measured, "
+    "N points, p constants with the variance among them (Akaike 1974, Hurvich and Tsai 1989)"
+)
+
+# Relative residuals below this are rounding, of the file's digits or of the arithmetic: they choose no law.
+_ROUNDING = 1e-9
+# A difference of AICc below two tells two laws hardly apart (Burnham and Anderson 2002, 2.6).
+_CLOSE = 2.0
+_POOR = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class FlowCurveFit:
+    """What a flow curve says about the material.
+
+    Attributes
+    ----------
+    curve : FlowCurve
+        The data.
+    candidates : tuple of Candidate
+        Every law, the best first.
+    """
+
+    curve: FlowCurve
+    candidates: tuple[Candidate, ...]
+
+    @property
+    def best(self) -> Candidate:
+        """The law of least AICc."""
+        return self.candidates[0]
+
+    def candidate(self, law: str | None = None) -> Candidate:
+        """Return the fit of a law, of the best one if none is named.
+
+        Raises
+        ------
+        SoftcatError
+            If no such law was fitted.
+        """
+        found = [one for one in self.candidates if law in (None, one.law)]
+        if not found:
+            names = [one.name for one in LAWS]
+            raise SoftcatError(f"no law {law!r} is fitted{did_you_mean(str(law), names)}: take {', '.join(names)}")
+        return found[0]
+
+    def overrides(self, law: str | None = None) -> dict[str, str | float]:
+        """Scene keys that hand the material on, for ``scene.replace`` or ``load_scene``.
+
+        Parameters
+        ----------
+        law : str or None
+            The law, by default the best.
+
+        Returns
+        -------
+        dict of str to str or float
+            ``material.law``, the shear constants as text with their units, and the index, a number. A scene of another
+            law has constants that must go: :func:`softcat_sym.fitting.fitted_scene` sees to that.
+
+        Raises
+        ------
+        SoftcatError
+            If no such law was fitted, or the fit is one that no scene can take.
+        """
+        candidate = self.candidate(law)
+        if candidate.unfit:
+            raise SoftcatError(f"the fit of {candidate.law} cannot be handed on: {candidate.unfit}")
+        return candidate.overrides
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a reader must know beside the numbers."""
+        best, second = self.candidates[:2]
+        found = list(self.curve.warnings)
+        points, needed = len(self.curve.shear_rate), max(law.constants for law in LAWS) + 3
+        if points < needed:
+            found.append(f"{points} points are too few to compare every law by AICc, which needs {needed}")
+        if second.aicc - best.aicc < _CLOSE:
+            found.append(
+                f"{best.law} and {second.law} are hardly told apart (AICc differs by {second.aicc - best.aicc:.2g})"
+            )
+        if best.relative_rms > _POOR:
+            found.append(f"the best law, {best.law}, misses the data by {100 * best.relative_rms:.2g} % (rms)")
+        for name, one in (("yield stress", best.tau_Y), ("consistency", best.k), ("flow index", best.n)):
+            if one is not None and one.verdict != "determined":
+                found.append(f"the {name} of {best.law} is {one.verdict}")
+        return tuple(found)
+
+
+def fit_flow_curve(curve: str | os.PathLike[str] | FlowCurve) -> FlowCurveFit:
+    """Fit Bingham, Herschel-Bulkley and power law to a flow curve, by relative least squares, and compare them.
+
+    The yield stress and the consistency are not negative, the index lies in [0.05, 3]. Within these bounds the
+    optimum is global: for a given index the other two follow in closed form, and all indices are searched.
+
+    Parameters
+    ----------
+    curve : str, path or FlowCurve
+        A CSV file with the columns ``shear_rate_1_s`` and ``shear_stress_Pa``, or the points.
+
+    Returns
+    -------
+    FlowCurveFit
+        The laws in the order of AICc = N ln(RSS/N) + 2 p + 2 p (p + 1)/(N - p - 1), the best first.
+
+    Raises
+    ------
+    SoftcatError
+        If the file or the points make no flow curve, with every fault.
+    """
+    data = curve if isinstance(curve, FlowCurve) else read_flow_curve(curve)
+    candidates = [_fit(data, law) for law in LAWS]
+    # Of a Newtonian fluid Bingham and the power law are the same; a scene takes the latter. With too few points for
+    # AICc, the fewest constants come first, then the least squares.
+    fewest = {law.name: law.constants for law in LAWS}
+    candidates.sort(key=lambda one: (one.aicc, fewest[one.law], one.unfit is not None, one.aic))
+    return FlowCurveFit(data, tuple(candidates))
+
+
+def _fit(curve: FlowCurve, law: ShearLaw) -> Candidate:
+    rate, stress = curve.shear_rate, curve.shear_stress
+    reference = float(np.exp(np.log(rate).mean()))
+    ratio = rate / reference
+    n = best_index(ratio, stress, yields=law.has_yield) if law.has_index else 1.0
+    part = linear_part(ratio, stress, np.array([n]), yields=law.has_yield)
+    tau_Y, k = float(part.tau_Y[0]), float(part.k[0]) * reference**-n
+    n = n if k > 0 else 1.0
+    fitted = tau_Y + k * rate**n
+    squares = float(np.sum((fitted / stress - 1) ** 2))
+    values = {"tau_Y": tau_Y, "k": k, "n": n}
+    judged = _judged(rate, stress, law, values, squares)
+    points, p = len(rate), law.constants + 1
+    aic = points * math.log(max(squares / points, _ROUNDING**2)) + 2 * p
+    spare = points - p - 1
+    return Candidate(
+        law=law.name,
+        tau_Y=judged["tau_Y"] if law.has_yield else None,
+        k=judged["k"],
+        n=judged["n"] if law.has_index else None,
+        relative_rms=math.sqrt(squares / points),
+        aic=aic,
+        aicc=aic + 2 * p * (p + 1) / spare if spare > 0 else math.inf,
+        fitted=fitted,
+        residuals=fitted / stress - 1,
+    )
+
+
+def _judged(
+    rate: Floats, stress: Floats, law: ShearLaw, values: dict[str, float], squares: float
+) -> dict[str, Estimate]:
+    """Judge every constant; those on a bound do not count as free."""
+    k, n = values["k"], values["n"]
+    slack = 1e-6
+    on_bound = {
+        "tau_Y": values["tau_Y"] <= 0,
+        "k": k <= 0,
+        "n": not INDEX_BOUNDS[0] + slack < n < INDEX_BOUNDS[1] - slack,
+    }
+    # Without flow the index is not on a bound but without meaning.
+    fitted = {"tau_Y": law.has_yield, "k": True, "n": law.has_index and k > 0}
+    columns = {"tau_Y": np.ones_like(rate), "k": rate**n, "n": k * rate**n * np.log(rate)}
+    free = [name for name in values if fitted[name] and not on_bound[name]]
+    errors = standard_errors(np.column_stack([columns[name] for name in free]) / stress[:, None], squares)
+    quantile = student_quantile(len(rate) - len(free))
+    bounds = {"tau_Y": (0.0, math.inf), "k": (0.0, math.inf), "n": INDEX_BOUNDS}
+    judged = {
+        name: Estimate(value, None, None, None, "on a bound" if fitted[name] else "undetermined")
+        for name, value in values.items()
+    }
+    for name, error in zip(free, errors, strict=True):
+        judged[name] = estimate(values[name], float(error), quantile, bounds[name])
+    return judged

@@ -1,0 +1,475 @@
+"""What a camera sees of a filament, as a function of what is unknown, with derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.free_parameters import INITIAL_SAG, TIME_OFFSET, FreeParameter, Unknowns
+from softcat_sym.fitting.integration import (
+    FrozenFilament,
+    InterpretedForward,
+    Path,
+    Point,
+    Timing,
+    frozen_filament,
+    timing_of,
+)
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.solvers.checkpoint import Arrays, Form, kept, packed, unpacked
+from softcat_sym.solvers.initial_state import Start
+
+_STEP = 1e-6  # in unknowns of order one, of the interpolation, which is smooth
+_STENCIL = 4
+
+
+class ForwardShapes:
+    """Heights at points of the centre line, for any values of what is free.
+
+    Parameters
+    ----------
+    filament : FrozenFilament
+        What moves.
+    free : sequence of FreeParameter
+        All of them, those of the camera too.
+    times, x : ndarray, shape (m,)
+        Where and when: on the camera's clock [s], and [m] from halfway between the supports.
+    """
+
+    def __init__(
+        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, x: Floats, most_steps: int
+    ) -> None:
+        if times.shape != x.shape or times.ndim != 1 or not np.all(np.isfinite(times) & np.isfinite(x)):
+            raise SoftcatError("shapes: give as many finite times [s] as places [m], in one row each")
+        self._filament, self._free, self._most_steps = filament, free, most_steps
+        self._times, self._x = times, x
+        self._shifts = any(one.path == TIME_OFFSET for one in free)
+        graph = filament.graph
+        unknowns = [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
+        self._seen = tuple(n for n, (kind, _) in enumerate(unknowns) if kind in ("x", "y"))
+        self._places = {
+            kind: np.array([(k, unknowns[n][1]) for k, n in enumerate(self._seen) if unknowns[n][0] == kind], dtype=int)
+            for kind in ("x", "y")
+        }
+
+    def heights(self, q: Floats) -> tuple[Floats, Floats]:
+        """Heights and their derivatives.
+
+        Returns
+        -------
+        height : ndarray, shape (m,)
+            [m], in the camera's frame; NaN beyond the filament, where it hangs over itself, and without an answer.
+        derivatives : ndarray, shape (m, k)
+            d height/dq [m].
+        """
+        q = np.asarray(q, dtype=float)
+        ours = np.array([x for one, x in zip(self._free, q, strict=True) if not one.of_measurement])
+        offset, zero = (self._value(q, path) for path in (TIME_OFFSET, INITIAL_SAG))
+        times = (self._times - offset) / self._filament.scale
+        timing, point = timing_of(times, beside=self._shifts), self._filament.point(ours, slopes=True)
+        m, derivatives = len(self._x), np.full((len(self._x), len(self._free)), np.nan)
+        if point is None:
+            return np.full(m, np.nan), derivatives
+        begin = np.concatenate([point.start.x, point.start.z])[list(self._seen)]
+        d_begin = np.concatenate([point.d_x, point.d_z], axis=1)[:, list(self._seen)]
+        values, slopes = np.tile(begin, (m, 1)), np.tile(d_begin[:, None, :], (1, m, 1))
+        clock = np.zeros(m)
+        if len(timing.model):
+            path = self._filament.integrator.run_with_slopes(point.begin(timing.model), self._seen, self._most_steps)
+            values[timing.after] = path.values[timing.row]
+            slopes[:, timing.after] = path.slopes[:, timing.row] if path.slopes is not None else np.nan
+            if self._shifts:
+                clock[timing.after] = -self._rates(path.values, timing, ours)
+        seconds = times * self._filament.scale
+        height = self._interpolated(values, ours, seconds, self._x)
+        scene = iter(range(len(ours)))
+        for column, one in enumerate(self._free):
+            if one.path == TIME_OFFSET:
+                derivatives[:, column] = clock * one.scale
+            elif one.path == INITIAL_SAG:
+                derivatives[:, column] = np.where(np.isfinite(height), one.scale, np.nan)
+            else:
+                n = next(scene)
+                step = _STEP * np.eye(len(ours))[n]
+                low, high = (
+                    self._interpolated(values + sign * _STEP * slopes[n], ours + sign * step, seconds, self._x)
+                    for sign in (-1, 1)
+                )
+                derivatives[:, column] = (high - low) / (2 * _STEP)
+        return height + zero, derivatives
+
+    def _value(self, q: Floats, path: str) -> float:
+        return next((one.value(float(x)) for one, x in zip(self._free, q, strict=True) if one.path == path), 0.0)
+
+    def _rates(self, values: Floats, timing: Timing, ours: Floats) -> Floats:
+        """Velocity of the centre line at the places [m/s]."""
+        scale, x = self._filament.scale, self._x[timing.after]
+        pair = [
+            self._interpolated(values[which], ours, timing.model[which] * scale, x)
+            for which in (timing.sooner, timing.later)
+        ]
+        apart = (timing.model[timing.later] - timing.model[timing.sooner]) * scale
+        return (pair[1] - pair[0]) / apart
+
+    def _interpolated(self, values: Floats, ours: Floats, seconds: Floats, x: Floats) -> Floats:
+        """Heights [m] at places, one for each row of unknowns."""
+        scene = self._filament.scene_of(ours)
+        xs, ys = self._nodes(values, scene, seconds)
+        return rest_length(scene) * _cubic(xs, ys, x / rest_length(scene))
+
+    def _nodes(self, values: Floats, scene: Scene, seconds: Floats) -> tuple[Floats, Floats]:
+        """Nodes from left to right over the rest length, shape (m, nodes)."""
+        grid, length = self._filament.graph.grid, rest_length(scene)
+        rows = [(0.0, 0.0, 0.0), *scene.ends.motion]
+        along, up = (np.interp(seconds, [row[0] for row in rows], [row[axis] for row in rows]) for axis in (1, 2))
+        # Supports, and the places of a theory that has no others.
+        xs = np.tile(grid.nodes * (scene.filament.span / length), (len(values), 1))
+        ys = np.zeros_like(xs)
+        xs[:, -1] += along / length
+        ys[:, -1] = (up - scene.ends.drop) / length
+        for found, kind in ((xs, "x"), (ys, "y")):
+            if self._places[kind].size:
+                number, place = self._places[kind].T
+                found[:, place] = values[:, number]
+        if not grid.is_half:
+            return xs, ys
+        return np.concatenate([-xs[:, :0:-1], xs], axis=1), np.concatenate([ys[:, :0:-1], ys], axis=1)
+
+
+def _cubic(xs: Floats, ys: Floats, x: Floats) -> Floats:
+    """Lagrange's cubic through the four nodes around each place; NaN where there are none, or x is not increasing."""
+    nodes = xs.shape[1]
+    first = np.clip(np.sum(xs < x[:, None], axis=1) - _STENCIL // 2, 0, nodes - _STENCIL)
+    rows, columns = np.arange(len(x))[:, None], first[:, None] + np.arange(_STENCIL)
+    at, height = xs[rows, columns], ys[rows, columns]
+    result = np.zeros(len(x))
+    for i in range(_STENCIL):
+        others = [j for j in range(_STENCIL) if j != i]
+        weight = np.prod((x[:, None] - at[:, others]) / (at[:, [i]] - at[:, others]), axis=1)
+        result += weight * height[:, i]
+    rounding = 1e-12
+    inside = (x >= xs[:, 0] - rounding) & (x <= xs[:, -1] + rounding) & np.all(np.diff(xs, axis=1) > 0, axis=1)
+    return np.where(inside, result, np.nan)
+
+
+_FORM: Form[Arrays] = Form(packed, unpacked)
+_X, _Z = "start x", "start z"
+
+
+class KeptEvaluations:
+    """Each evaluation with where it left the filament: the start of the next is followed from there.
+
+    Parameters
+    ----------
+    filament : FrozenFilament
+        That is evaluated.
+    texts : tuple of str
+        All that decides its numbers but the unknowns.
+    """
+
+    def __init__(self, filament: FrozenFilament, texts: tuple[str, ...]) -> None:
+        self._filament, self._texts = filament, texts
+        self._first = filament.near
+
+    def of(self, what: tuple[str | bytes, ...], compute: Callable[[], Arrays]) -> Arrays:
+        """Return an evaluation, from where it is kept if it is.
+
+        Parameters
+        ----------
+        what : tuple of str or bytes
+            Which evaluation.
+        compute : callable
+            What makes it.
+        """
+
+        def evaluated() -> Arrays:
+            arrays, near = compute(), self._filament.near
+            return arrays if near is None else {**arrays, _X: near.x, _Z: near.z}
+
+        found = kept(lambda: ("evaluation", *self._texts, *what), evaluated, _FORM)
+        self._filament.near = Start(np.asarray(found[_X]), np.asarray(found[_Z])) if _X in found else None
+        return found
+
+    def aside(self, compute: Callable[[], int]) -> int:
+        """Compute something from where the filament was at first, whatever was evaluated since, and leave no trace."""
+        near, self._filament.near = self._filament.near, self._first
+        try:
+            return compute()
+        finally:
+            self._filament.near = near
+
+
+_MOST_STEPS, _LEAST_STEPS, _TIMES_TYPICAL = 20_000, 2_000, 10
+
+
+_NO_START = "no shape in balance was found to start from, or the filament would be slack where the scene's is taut"
+
+
+@dataclass(frozen=True)
+class _Answer:
+    """Midpoint in the data's own terms, and its derivatives if they were asked for."""
+
+    midpoint: Floats
+    derivatives: Floats | None
+    complaint: str
+
+
+class ForwardModel(Unknowns):
+    """What a camera sees of the midpoint (X = 0), for any values of the free parameters.
+
+    Effects, grid, tolerances and the unit of time are chosen once, for the scene's own values, so that the model is
+    smooth in its unknowns q (:class:`softcat_sym.fitting.free_parameters.FreeParameter`). Before the filament begins to
+    move the midpoint is where it begins.
+
+    Parameters
+    ----------
+    scene : Scene
+        With typical values.
+    free : sequence of FreeParameter
+        From :func:`softcat_sym.fitting.free_parameters.free_parameters`.
+    times : ndarray, shape (n,)
+        Of the data [s], in any order; none if only shapes were filmed.
+    backend : str
+        ``"auto"`` (what the scene says), ``"compiled"`` or ``"interpreted"``: CasADi's Rosenbrock method.
+    rtol : float, optional
+        Relative tolerance of either integrator. By default one with which the time error is at most 1e-4 of the largest
+        sag, mostly a tenth of that: from 5e-5 where a filament rings to 1e-3 where it creeps to rest. Derivatives are
+        exact for the discrete solution, and differ by some 1e-3 from those of a vanishing tolerance.
+
+    Attributes
+    ----------
+    complaint : str
+        Why the last evaluation has no answer at some times; empty if it has.
+
+    Raises
+    ------
+    SceneError
+        If something free makes no difference with the effects in force, or the filament cannot be integrated.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        free: Sequence[FreeParameter],
+        times: Floats,
+        backend: str = "auto",
+        rtol: float | None = None,
+    ) -> None:
+        self.free, self.times = tuple(free), np.asarray(times, dtype=float)
+        if self.times.ndim != 1 or not np.all(np.isfinite(self.times)):
+            raise SoftcatError("times: give a row of finite times in s")
+        self._filament: FrozenFilament = frozen_filament(scene, self.free, backend, rtol)
+        self._kept = KeptEvaluations(self._filament, (scene.to_toml(), repr(self.free), repr(rtol), self.backend))
+        self._seen = _seen_of(self._filament.graph)
+        self._shifts = any(one.path == TIME_OFFSET for one in self.free)
+        self._last: tuple[bytes, _Answer] | None = None
+        self.complaint = ""
+
+    @property
+    def effects(self) -> tuple[str, ...]:
+        """Names of the effects in force, for all values."""
+        return self._filament.graph.effects
+
+    @property
+    def backend(self) -> str:
+        """What integrates, and why."""
+        return str(self._filament.backend)
+
+    def scene(self, q: Floats) -> Scene:
+        """The scene with these unknowns."""
+        return self._filament.scene_of(self._of_scene(q))
+
+    def midpoints(self, q: Floats) -> Floats:
+        """Heights of the midpoint at the times of the data.
+
+        Parameters
+        ----------
+        q : ndarray, shape (k,)
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            [m], in the camera's frame; NaN where there is no answer, see `complaint`.
+        """
+        return self._answer(q, slopes=False).midpoint.copy()
+
+    def with_derivatives(self, q: Floats) -> tuple[Floats, Floats]:
+        """The same, with derivatives of the discrete solution.
+
+        Returns
+        -------
+        midpoint : ndarray, shape (n,)
+            [m].
+        derivatives : ndarray, shape (n, k)
+            d midpoint/dq [m].
+        """
+        answer = self._answer(q, slopes=True)
+        if answer.derivatives is None:
+            raise SoftcatError("the forward model kept no derivatives")
+        return answer.midpoint.copy(), answer.derivatives.copy()
+
+    def gradient(self, q: Floats, weights: Floats) -> Floats:
+        """Derivatives of the weighted sum of the midpoints.
+
+        By the adjoint of the discrete solution where it is interpreted, otherwise from :meth:`with_derivatives`.
+
+        Parameters
+        ----------
+        weights : ndarray, shape (n,)
+
+        Returns
+        -------
+        ndarray, shape (k,)
+        """
+        integrator, weights = self._filament.integrator, np.asarray(weights, dtype=float)
+        timing, point = self._timing(q), self._filament.point(self._of_scene(q), slopes=True)
+        if not isinstance(integrator, InterpretedForward) or point is None or not len(timing.model):
+            return np.asarray(weights @ self.with_derivatives(q)[1], dtype=float)
+        begin = point.begin(timing.model)
+        summed = np.zeros((len(timing.model), len(self._seen)))
+        np.add.at(summed[:, 0], timing.row, weights[timing.after] * point.length)
+        path = integrator.run(begin, self._seen, self._most_steps)
+        by_scene = integrator.pull_back(begin, self._seen, self._most_steps, summed)
+        by_scene += point.length * float(weights[~timing.after].sum()) * self._at_start(point)[1]
+        by_scene += point.d_length * float(weights @ self._heights(path, point, timing))
+        by_clock = weights @ self._by_clock(path, point, timing)
+        row = self._gathered(by_scene[None, :], np.array([by_clock]), np.array([weights.sum()]))
+        return np.asarray(row[0], dtype=float)
+
+    def shapes(self, q: Floats, times: Floats, x: Floats) -> tuple[Floats, Floats]:
+        """Heights of the centre line, interpolated between nodes by a cubic.
+
+        Parameters
+        ----------
+        times, x : ndarray, shape (m,)
+            Of the data [s], and places [m] from halfway between the supports; in any order.
+
+        Returns
+        -------
+        height : ndarray, shape (m,)
+            [m], in the camera's frame; NaN beyond the filament, where it hangs over itself, and without an answer.
+        derivatives : ndarray, shape (m, k)
+            d height/dq [m].
+        """
+        times, x = np.asarray(times, dtype=float), np.asarray(x, dtype=float)
+        q = np.asarray(q, dtype=float)
+
+        def heights() -> Arrays:
+            found = ForwardShapes(self._filament, self.free, times, x, self._most_steps).heights(q)
+            return {"height": found[0], "derivatives": found[1]}
+
+        found = self._kept.of(("shapes", q.tobytes(), times.tobytes(), x.tobytes()), heights)
+        return found["height"], found["derivatives"]
+
+    def _answer(self, q: Floats, *, slopes: bool) -> _Answer:
+        q = np.asarray(q, dtype=float)
+        key = q.tobytes()
+        if self._last is None or self._last[0] != key or (slopes and self._last[1].derivatives is None):
+            self._last = (key, self._evaluated(q, slopes=slopes))
+        self.complaint = self._last[1].complaint
+        return self._last[1]
+
+    def _evaluated(self, q: Floats, *, slopes: bool) -> _Answer:
+        def midpoint() -> Arrays:
+            answer = self._integrated(q, slopes=slopes)
+            arrays = {"midpoint": answer.midpoint, "complaint": np.array(answer.complaint)}
+            return arrays if answer.derivatives is None else {**arrays, "derivatives": answer.derivatives}
+
+        found = self._kept.of(("midpoint", str(slopes), q.tobytes(), self.times.tobytes()), midpoint)
+        return _Answer(found["midpoint"], found.get("derivatives"), str(found["complaint"]))
+
+    def _integrated(self, q: Floats, *, slopes: bool) -> _Answer:
+        n, k = len(self.times), len(self.free)
+        point = self._filament.point(self._of_scene(q), slopes=slopes)
+        if point is None:
+            return _Answer(np.full(n, np.nan), np.full((n, k), np.nan), _NO_START)
+        timing, path = self._timing(q), Path(np.zeros((0, len(self._seen))), None, 0)
+        if len(timing.model):
+            run = self._filament.integrator.run_with_slopes if slopes else self._filament.integrator.run
+            path = run(point.begin(timing.model), self._seen, self._most_steps)
+        height = self._heights(path, point, timing)
+        midpoint = point.length * height + self._value(q, INITIAL_SAG)
+        if not slopes:
+            return _Answer(midpoint, None, path.complaint)
+        by_scene = np.repeat(self._at_start(point)[1][None, :], n, axis=0)
+        if path.slopes is not None:
+            by_scene[timing.after] = path.slopes[:, timing.row, 0].T
+        by_scene = point.length * by_scene + height[:, None] * point.d_length
+        derivatives = self._gathered(by_scene, self._by_clock(path, point, timing), np.ones(n))
+        return _Answer(midpoint, derivatives, path.complaint)
+
+    @cached_property
+    def _most_steps(self) -> int:
+        """A multiple of what the typical filament takes: absurd values are to fail within a second or so."""
+        q = self.typical
+
+        def counted() -> int:
+            point, timing = self._filament.point(self._of_scene(q), slopes=False), self._timing(q)
+            if point is None or not len(timing.model):
+                return _MOST_STEPS
+            path = self._filament.integrator.run(point.begin(timing.model), self._seen, _MOST_STEPS)
+            return _MOST_STEPS if path.complaint or not path.steps else max(_LEAST_STEPS, _TIMES_TYPICAL * path.steps)
+
+        return self._kept.aside(counted)
+
+    def _of_scene(self, q: Floats) -> Floats:
+        return np.array([x for one, x in zip(self.free, np.asarray(q), strict=True) if not one.of_measurement])
+
+    def _value(self, q: Floats, path: str) -> float:
+        return next((one.value(float(x)) for one, x in zip(self.free, q, strict=True) if one.path == path), 0.0)
+
+    def _timing(self, q: Floats) -> Timing:
+        times = (self.times - self._value(q, TIME_OFFSET)) / self._filament.scale
+        return timing_of(times, beside=self._shifts and len(self._seen) == 1)
+
+    def _at_start(self, point: Point) -> tuple[float, Floats]:
+        """Height of the midpoint at the start over the rest length, and its derivatives."""
+        start, number = point.start, self._seen[0]
+        both = np.concatenate([start.x, start.z])
+        return float(both[number]), np.concatenate([point.d_x, point.d_z], axis=1)[:, number]
+
+    def _heights(self, path: Path, point: Point, timing: Timing) -> Floats:
+        """Height of the midpoint over the rest length at the times of the data."""
+        height = np.full(len(self.times), self._at_start(point)[0])
+        height[timing.after] = path.values[timing.row, 0]
+        return height
+
+    def _by_clock(self, path: Path, point: Point, timing: Timing) -> Floats:
+        """Derivative of the midpoint by the camera's clock [m/s]: minus its velocity."""
+        result = np.zeros(len(self.times))
+        if not self._shifts or not len(timing.model):
+            return result
+        if len(self._seen) > 1:
+            rate = path.values[timing.row, 1]
+        else:
+            apart = timing.model[timing.later] - timing.model[timing.sooner]
+            rate = (path.values[timing.later, 0] - path.values[timing.sooner, 0]) / apart
+        result[timing.after] = -point.length * rate / self._filament.scale
+        return result
+
+    def _gathered(self, by_scene: Floats, by_clock: Floats, by_zero: Floats) -> Floats:
+        """Derivatives by all unknowns in their order, shape (rows, k), from those of the scene and the camera's."""
+        columns, scene = [], iter(by_scene.T)
+        for one in self.free:
+            if one.path == TIME_OFFSET:
+                columns.append(by_clock * one.scale)
+            elif one.path == INITIAL_SAG:
+                columns.append(by_zero * one.scale)
+            else:
+                columns.append(next(scene))
+        return np.stack(columns, axis=1)
+
+
+def _seen_of(graph: Graph) -> tuple[int, ...]:
+    """Numbers of the midpoint's height and, where it is an unknown, of its velocity, among all unknowns."""
+    middle = int(np.argmin(np.abs(graph.grid.nodes)))
+    unknowns = [*zip(graph.x_kinds, graph.x_places, strict=True), *zip(graph.z_kinds, graph.z_places, strict=True)]
+    if ("y", middle) not in unknowns:
+        raise SoftcatError("the filament has no node at midspan")
+    return tuple(unknowns.index((kind, middle)) for kind in ("y", "v") if (kind, middle) in unknowns)

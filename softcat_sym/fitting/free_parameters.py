@@ -1,0 +1,584 @@
+"""Which numbers of a scene and of its measurement are free: names, units, bounds, and their values put into a scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from numbers import Real
+from typing import TypeVar, cast
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from softcat_sym.discretization.graph import time_scale
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.forecast import expected_sag
+from softcat_sym.effects.scaling_estimates import pull_of_surface
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.material import CONSTANTS, FROM_SHEAR, INDEXED, Material, kind_of_constant, tensile_name
+from softcat_sym.scene.parts import Filament, Part
+from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
+from softcat_sym.scene.units import (
+    SI_UNITS,
+    Kind,
+    NotAQuantity,
+    Quantity,
+    did_you_mean,
+    refusal,
+    same_dimension,
+    shown,
+    si_unit,
+    to_si,
+    to_si_of_any,
+)
+
+TIME_OFFSET, INITIAL_SAG = "time_offset", "initial_sag"
+
+_FACTOR = 1e3
+_INDEX = (0.02, 5.0)
+_POISSON = (-0.99, 0.495)
+_ANGLE = 0.999 * math.pi
+_ANY_SIGN = 10.0
+_LENGTHS = ("span", "thickness", "width", "rest_length")
+_SIGNED = (("filament", "curvature"), ("ends", "drop"), ("ends", "left_angle"), ("ends", "right_angle"))
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A number that may be free, or would be if it were not for the `trouble`.
+
+    Attributes
+    ----------
+    name, path, unit : str
+        Leaf, dotted path, SI unit.
+    typical, scale : float
+        SI.
+    logarithmic : bool
+        Whether it is positive by nature.
+    bounds, limits : (float, float)
+        By default, and the widest that make sense; SI.
+    constant : str
+        What it determines: shear data and the tensile constant that follows from them are the same.
+    trouble, remedy : str
+        Why it cannot be free in this scene, and what would help; empty if it can.
+    """
+
+    name: str
+    path: str
+    unit: str
+    typical: float
+    scale: float
+    logarithmic: bool
+    bounds: tuple[float, float]
+    limits: tuple[float, float]
+    constant: str = ""
+    trouble: str = ""
+    remedy: str = ""
+
+    def read(self, value: object) -> float:
+        """Read a bound: a number in SI, or text with a unit.
+
+        Raises
+        ------
+        PydanticCustomError
+            A `refusal`.
+        """
+        if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
+            number = float(value)
+            if not math.isfinite(number):
+                raise refusal(f"{shown(value)} is not finite", "a finite number")
+            return number
+        accepted = f"a number in {self.unit}, or text with a unit" if self.unit else "a number without a unit"
+        try:
+            if self.unit.count("^") and self.path.startswith("material."):
+                # A consistency, whose dimension has no name.
+                return to_si(value, "quantity", self.unit)
+            number, dimension = to_si_of_any(value)
+            if not same_dimension(dimension, to_si_of_any(f"1 {self.unit}" if self.unit else 1.0)[1]):
+                raise refusal(f"{shown(value)} is not in {self.unit or 'plain numbers'}", accepted)
+        except NotAQuantity as found:
+            raise refusal(str(found), accepted) from None
+        return number
+
+
+def candidates(scene: Scene) -> tuple[Candidate, ...]:
+    """List every number of a scene, and of its measurement, that may be free."""
+    return (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_measurement(scene))
+
+
+def _positive(
+    path: str, unit: str, value: float, limits: tuple[float, float] = (0.0, math.inf), constant: str = ""
+) -> Candidate:
+    name = path.rpartition(".")[2]
+    low = limits[0] if limits[0] > 0 else 0.0
+    if value <= 0:
+        found = "zero in the scene, so that nothing says how large it may be, and its physics is left out"
+        return Candidate(
+            name, path, unit, value, 1.0, True, (0, 0), limits, path, found, f"a rough {path} in the scene"
+        )
+    bounds = (max(value / _FACTOR, low), min(value * _FACTOR, limits[1]))
+    return Candidate(name, path, unit, value, value, True, bounds, limits, constant or path)
+
+
+def _signed(path: str, unit: str, value: float, scale: float, bounds: tuple[float, float]) -> Candidate:
+    name = path.rpartition(".")[2]
+    return Candidate(name, path, unit, value, scale, False, bounds, (-math.inf, math.inf), path)
+
+
+def _of_material(scene: Scene) -> Iterator[Candidate]:
+    material = scene.material
+    for name in CONSTANTS[material.law]:
+        value = getattr(material, name)
+        kind = kind_of_constant(name, material.law, material.index)
+        path = f"material.{name}"
+        yield _positive(path, _unit(kind), value)
+        for rule in FROM_SHEAR:
+            if rule.constant == name and rule.suits(material.law):
+                shear = getattr(material, rule.shear)
+                begins = value / rule.factor(material.index, material.poisson) if shear is None else shear
+                yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
+    if material.solid_viscosity is not None:
+        yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
+    if material.law in INDEXED:
+        yield _positive("material.index", "", material.index, _INDEX)
+    poisson = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
+    yield Candidate(**{**vars(poisson), "limits": _POISSON})
+    for number, mode in enumerate(material.modes, start=1):
+        for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
+            one = _positive(f"material.mode_{number}_{name}", unit, getattr(mode, name))
+            yield one
+    for parameter in material.parameters:
+        path, unit = f"material.parameters.{parameter.name}", si_unit(parameter.dimension)
+        if parameter.value > 0:
+            yield _positive(path, unit, parameter.value)
+        else:
+            size = abs(parameter.value) or 1.0
+            yield _signed(path, unit, parameter.value, size, (-_ANY_SIGN * size, _ANY_SIGN * size))
+
+
+def _of_filament(scene: Scene) -> Iterator[Candidate]:
+    filament, slack = scene.filament, is_slack(scene)
+    across = distance(scene)
+    span = (filament.thickness * (1 + 1e-9), math.inf)
+    if filament.rest_length is not None:
+        # Beyond this the filament would be slack, or no longer so: it would begin in another way.
+        edge = math.sqrt(max(0.0, filament.rest_length**2 - scene.ends.drop**2))
+        span = (span[0], edge * (1 - 1e-9)) if slack else (max(span[0], edge), edge * math.e)
+    yield _positive("filament.span", "m", filament.span, span)
+    length = rest_length(scene)
+    given = filament.rest_length is not None and not math.isclose(length, across, rel_tol=1e-9)
+    limits = (across * (1 + 1e-9), 10 * across) if slack else (across / math.e, across * (1 - 1e-9))
+    if given:
+        yield _positive("filament.rest_length", "m", length, limits)
+    else:
+        found = "as long as the supports are apart: a longer filament hangs in its weight from the start, a shorter not"
+        remedy = "a rough filament.rest_length in the scene, longer or shorter than that"
+        yield Candidate(
+            "rest_length", "filament.rest_length", "m", length, length, True, (0, 0), limits, "", found, remedy
+        )
+    yield _positive("filament.thickness", "m", filament.thickness, (0.0, filament.span * (1 - 1e-9)))
+    if filament.section == "rectangle" or filament.width != filament.thickness:
+        yield _positive("filament.width", "m", filament.width)
+    yield _positive("filament.density", "kg/m^3", filament.density)
+
+
+def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
+    load = scene.load
+    yield _positive("load.gravity", "m/s^2", load.gravity)
+    yield _positive("load.ramp", "s", load.ramp)
+    yield _positive("load.shake", "", load.shake)
+    yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
+    yield _positive("load.point_mass", "kg", load.point_mass)
+    yield _surface_tension(scene)
+    yield _stretch(scene)
+    for table, name in _SIGNED:
+        value, path = float(getattr(getattr(scene, table), name)), f"{table}.{name}"
+        turned = name.endswith("angle")
+        unit = "rad" if turned else "m" if name == "drop" else "1/m"
+        size = abs(value) or 1.0
+        bounds = (-_ANGLE, _ANGLE) if turned else (-_ANY_SIGN * size, _ANY_SIGN * size)
+        plain = _signed(path, unit, value, 1.0 if turned else size, bounds)
+        if value == 0:
+            found, remedy = "zero in the scene, so that its physics is left out", f"a rough {path} in the scene"
+            yield Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
+        elif turned and is_symmetric(scene):
+            found = "half of a symmetric filament is computed, whose clamps turn alike"
+            yield Candidate(**{**vars(plain), "trouble": found, "remedy": "clamps at different angles in the scene"})
+        else:
+            yield plain
+
+
+def _surface_tension(scene: Scene) -> Candidate:
+    plain = _positive("surroundings.surface_tension", "N/m", scene.surroundings.surface_tension)
+    if plain.trouble or pull_of_surface(scene) > 0:
+        return plain
+    found, remedy = "left out by run.effects or run.closure", "surface-tension in run.effects, and the material closure"
+    return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
+
+
+def _stretch(scene: Scene) -> Candidate:
+    stretch = scene.initial.stretch
+    limits = (0.05, 20.0)
+    if not scene.initial.relaxed:
+        limits = (1 + 1e-9, math.e) if stretch > 1 else (0.05, 1 - 1e-9)
+    plain = _positive("initial.stretch", "", stretch, limits)
+    if scene.filament.rest_length is not None:
+        found, remedy = "filament.rest_length is given, and says how long it is", "rest_length"
+    elif stretch == 1:
+        found, remedy = "1 in the scene: neither stretched nor slack", "a rough initial.stretch in the scene"
+    else:
+        return plain
+    return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
+
+
+def _of_measurement(scene: Scene) -> Iterator[Candidate]:
+    unit = time_scale(scene)
+    span, duration = scene.filament.span, scene.run.duration
+    sag = max(expected_sag(scene) * span, 1e-6 * span)
+    infinite = (-math.inf, math.inf)
+    yield Candidate(TIME_OFFSET, TIME_OFFSET, "s", 0.0, unit, False, (-duration, duration), infinite, TIME_OFFSET)
+    yield Candidate(INITIAL_SAG, INITIAL_SAG, "m", 0.0, sag, False, (-span, span), infinite, INITIAL_SAG)
+
+
+def why_not_free(scene: Scene, name: str, known: Mapping[str, Candidate]) -> Fault:
+    """Say why a name cannot be free: no such constant of the law, no number, or no such name."""
+    where, leaf = f"free {name}", name.rpartition(".")[2]
+    law, usable = scene.material.law, ", ".join(dict.fromkeys(one.name for one in known.values() if not one.trouble))
+    constants = {constant for row in CONSTANTS.values() for constant in row} | {"index"}
+    if (tensile_name(leaf) or leaf) in constants and name in (leaf, f"material.{leaf}"):
+        return Fault(where, f"the law '{law}' has no {leaf}{_other_shear(leaf, known)}", usable)
+    tables = [table for table, keys in known_keys().items() if leaf in keys and name in (leaf, f"{table}.{leaf}")]
+    if tables and tables != ["groups"]:
+        return Fault(where, "no number that the motion of a filament could tell", usable)
+    return Fault(where, f"unknown{did_you_mean(leaf, [one.name for one in known.values()])}", usable)
+
+
+def _other_shear(leaf: str, known: Mapping[str, Candidate]) -> str:
+    """The name that the shear datum has for this law."""
+    same = {rule.shear for rule in FROM_SHEAR if rule.constant == tensile_name(leaf)} & set(known)
+    return f" (did you mean '{next(iter(same))}'?)" if same else ""
+
+
+def _unit(kind: Kind) -> str:
+    return kind.unit or SI_UNITS[kind.dimension] if isinstance(kind, Quantity) else ""
+
+
+_ROUNDING = 1e-12
+
+Bounds = Mapping[str, tuple[object, object]]
+
+
+@dataclass(frozen=True, slots=True)
+class FreeParameter:
+    """One unknown of a fit.
+
+    Attributes
+    ----------
+    name : str
+        Leaf name, as in tables and reports.
+    path : str
+        Dotted path in the scene; of the measurement the name itself.
+    unit : str
+        SI; ``"1"`` of a pure number.
+    typical : float
+        What the scene says; zero of the measurement.
+    logarithmic : bool
+        Whether q = log(value/typical); otherwise q = value/scale.
+    scale : float
+        Positive, SI.
+    bounds : (float, float)
+        Of the value, SI.
+    """
+
+    name: str
+    path: str
+    unit: str
+    typical: float
+    logarithmic: bool
+    scale: float
+    bounds: tuple[float, float]
+
+    @property
+    def of_measurement(self) -> bool:
+        """Whether the camera has it, and not the filament."""
+        return self.path in (TIME_OFFSET, INITIAL_SAG)
+
+    @property
+    def lower(self) -> float:
+        """Lower bound of q."""
+        return self.scaled(self.bounds[0])
+
+    @property
+    def upper(self) -> float:
+        """Upper bound of q."""
+        return self.scaled(self.bounds[1])
+
+    def scaled(self, value: float) -> float:
+        """Turn a value [SI] into q."""
+        return math.log(value / self.typical) if self.logarithmic else value / self.scale
+
+    def value(self, q: float) -> float:
+        """Turn q into a value [SI]; infinite where it overflows."""
+        if not self.logarithmic:
+            return q * self.scale
+        try:
+            return self.typical * math.exp(q)
+        except OverflowError:
+            return math.inf
+
+    def slope(self, q: float) -> float:
+        """Return d value/dq [SI]."""
+        return self.value(q) if self.logarithmic else self.scale
+
+
+def free_parameters(scene: Scene, names: Sequence[str], bounds: Bounds | None = None) -> tuple[FreeParameter, ...]:
+    """Find what is free in a scene.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its values are the typical ones.
+    names : sequence of str
+        Leaf names (``youngs_modulus``, ``viscosity``, ``yield_stress``, ``index``, ``second_modulus``,
+        ``mode_1_viscosity``, ``density``, ``thickness``, ``width``, ``span``, ``rest_length``, ``gravity``, ``ramp``,
+        ``shake``, ``shake_frequency``, ``surface_tension``, a constant of the user's own law, ...) or dotted paths;
+        shear data by their names (``shear_viscosity``, ``shear_consistency``, ``shear_yield_stress``), whose value is
+        then the one in shear. And two that are the camera's:
+
+        ``time_offset`` [s]
+            The camera's clock minus the filament's: time in the data = time since the load came on + offset.
+        ``initial_sag`` [m]
+            How far below the level of the supports the camera has its zero: height in the data = height of the
+            midpoint above the supports' level + initial_sag. It shifts every height alike and is no property of the
+            filament. That a *filament* hangs slack from the start is its length: free ``rest_length`` instead, which
+            also changes how it moves.
+    bounds : mapping of str to (low, high)
+        Overrule the default bounds: numbers in SI, or text with units.
+
+    Returns
+    -------
+    tuple of FreeParameter
+        In the order of the names. By default positive numbers may be a thousand times smaller or larger, as far as
+        they then still make sense.
+
+    Raises
+    ------
+    SceneError
+        With every name that is unknown, given twice, or no number of this scene, and every bound that makes no sense.
+    """
+    refuse_settled(scene, "the filament is compared at the times of its measurements")
+    found, faults = _found(scene, names)
+    chosen, wrong = _with_bounds([_free(candidate) for candidate in found], found, bounds or {})
+    if faults or wrong:
+        raise SceneError([*faults, *wrong])
+    return tuple(chosen)
+
+
+def _found(scene: Scene, names: Sequence[str]) -> tuple[list[Candidate], list[Fault]]:
+    """What the names mean, and which mean nothing."""
+    known = candidates(scene)
+    by_name = {one.name: one for one in known} | {one.path: one for one in known}
+    found: list[Candidate] = []
+    faults: list[Fault] = []
+    if not names:
+        faults.append(Fault("free", "nothing is free", "one name or more, such as youngs_modulus"))
+    for name in names:
+        candidate = by_name.get(name)
+        if candidate is None:
+            faults.append(why_not_free(scene, name, by_name))
+        elif candidate.trouble:
+            faults.append(Fault(f"free {name}", candidate.trouble, candidate.remedy))
+        elif clash := _clash(candidate, found):
+            faults.append(Fault(f"free {name}", clash, "each constant once"))
+        else:
+            found.append(candidate)
+    return found, faults
+
+
+def _clash(candidate: Candidate, found: Sequence[Candidate]) -> str:
+    for other in found:
+        if other.path == candidate.path:
+            return "named twice"
+        if other.constant == candidate.constant:
+            return f"the same constant as {other.name}"
+    return ""
+
+
+def _free(candidate: Candidate) -> FreeParameter:
+    return FreeParameter(
+        name=candidate.name,
+        path=candidate.path,
+        unit=candidate.unit or "1",
+        typical=candidate.typical,
+        logarithmic=candidate.logarithmic,
+        scale=candidate.scale,
+        bounds=candidate.bounds,
+    )
+
+
+def _with_bounds(
+    free: list[FreeParameter], found: Sequence[Candidate], bounds: Bounds
+) -> tuple[list[FreeParameter], list[Fault]]:
+    faults = [
+        Fault(f"bounds of {name}", "not free", ", ".join(one.name for one in free) or "names that are free")
+        for name in bounds
+        if name not in {key for one in found for key in (one.name, one.path)}
+    ]
+    result = []
+    for one, candidate in zip(free, found, strict=True):
+        pair = bounds.get(one.name, bounds.get(one.path))
+        if pair is None:
+            result.append(one)
+            continue
+        try:
+            low, high = (candidate.read(bound) for bound in pair)
+        except PydanticCustomError as error:
+            faults.append(Fault(f"bounds of {one.name}", *_words(error)))
+            continue
+        fault = _of_bounds(one, low, high, candidate.limits)
+        faults += [fault] if fault else []
+        result.append(replace(one, bounds=(low, high)))
+    return result, faults
+
+
+def _words(error: PydanticCustomError) -> tuple[str, str]:
+    context = error.context or {}
+    return str(context["found"]), str(context["accepted"])
+
+
+def _of_bounds(one: FreeParameter, low: float, high: float, limits: tuple[float, float]) -> Fault | None:
+    where, unit = f"bounds of {one.name}", one.unit
+    if not low < high:
+        return Fault(where, f"{low:g} is not below {high:g} {unit}", "the lower one first")
+    if one.logarithmic and low <= 0:
+        return Fault(where, f"{low:g} {unit}, but {one.name} is positive", "a lower bound above zero")
+    if low < limits[0] * (1 - math.copysign(_ROUNDING, limits[0])) or high > limits[1] * (1 + _ROUNDING):
+        return Fault(where, f"{low:g} to {high:g} {unit}", f"within {limits[0]:.6g} to {limits[1]:.6g} {unit}")
+    if not low <= one.typical <= high and not one.of_measurement:
+        found = f"{low:g} to {high:g} {unit} does not hold the scene's own {one.typical:g}"
+        return Fault(where, found, f"bounds around it, or another {one.path} in the scene")
+    return None
+
+
+class Unknowns:
+    """Names, bounds and typical values of q.
+
+    Attributes
+    ----------
+    free : tuple of FreeParameter
+        The k unknowns.
+    """
+
+    free: tuple[FreeParameter, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the k unknowns."""
+        return tuple(one.name for one in self.free)
+
+    @property
+    def lower(self) -> Floats:
+        """Least possible q, shape (k,)."""
+        return np.array([one.lower for one in self.free])
+
+    @property
+    def upper(self) -> Floats:
+        """Largest possible q, shape (k,)."""
+        return np.array([one.upper for one in self.free])
+
+    @property
+    def typical(self) -> Floats:
+        """The unknowns at the scene's own values, shape (k,)."""
+        return np.array([one.scaled(one.typical) for one in self.free])
+
+
+AnyPart = TypeVar("AnyPart", bound=Part)
+
+
+def with_values(scene: Scene, free: Sequence[FreeParameter], values: Sequence[float]) -> Scene:
+    """Return the scene with other values of what is free.
+
+    What follows from a value follows again, as in :meth:`softcat_sym.Scene.replace`: a width that was not given is the
+    thickness, tensile constants follow from shear data and the index. What belongs to the measurement is not in it.
+
+    Parameters
+    ----------
+    scene : Scene
+        Any.
+    free : sequence of FreeParameter
+        Of this scene.
+    values : sequence of float
+        SI.
+    """
+    tables: dict[str, dict[str, float]] = {}
+    for one, value in zip(free, values, strict=True):
+        if not one.of_measurement:
+            table, _, key = one.path.partition(".")
+            tables.setdefault(table, {})[key] = float(value)
+    update: dict[str, object] = {}
+    for table, changes in tables.items():
+        if table == "material":
+            update[table] = _material(scene.material, changes)
+        elif table == "filament":
+            update[table] = _filament(scene.filament, changes)
+        else:
+            update[table] = getattr(scene, table).model_copy(update=changes)
+    return scene.model_copy(update=update)
+
+
+def _filament(filament: Filament, changes: dict[str, float]) -> Filament:
+    follows = filament.section == "circle" or "width" not in filament.model_fields_set
+    if "thickness" not in changes or "width" in changes or not follows:
+        return filament.model_copy(update=changes)
+    return _copied(filament, changes, {"width": changes["thickness"], "diameter": None})
+
+
+def _material(material: Material, changes: dict[str, float]) -> Material:
+    given: dict[str, object] = {}
+    follows = _following(material, changes)
+    modes, parameters = list(material.modes), {one.name: one for one in material.parameters}
+    for key, value in changes.items():
+        if key.startswith("mode_"):
+            _, number, name = key.split("_", 2)
+            changed = {name: value}
+            modes[int(number) - 1] = replace(modes[int(number) - 1], **changed)
+        elif key.startswith("parameters."):
+            name = key.partition(".")[2]
+            parameters[name] = replace(parameters[name], value=value)
+        else:
+            given[key] = value
+    if modes:
+        given["modes"] = tuple(modes)
+    if parameters:
+        given["parameters"] = tuple(parameters.values())
+    return _copied(material, given, follows)
+
+
+def _following(material: Material, changes: dict[str, float]) -> dict[str, object]:
+    """What follows from shear data and other names when some values change."""
+    follows: dict[str, object] = {}
+    index, poisson = changes.get("index", material.index), changes.get("poisson", material.poisson)
+    for rule in FROM_SHEAR:
+        if not rule.suits(material.law):
+            continue
+        others = {one.shear for one in FROM_SHEAR if one.constant == rule.constant} - {rule.shear}
+        if rule.constant in changes or others & set(changes):
+            # Else it would be said twice.
+            follows[rule.shear] = None
+            continue
+        shear = changes.get(rule.shear, getattr(material, rule.shear))
+        if shear is not None:
+            follows[rule.constant] = rule.factor(index, poisson) * shear
+    if material.loss_modulus is not None:
+        modulus = follows.get("youngs_modulus") or changes.get("youngs_modulus", material.youngs_modulus)
+        follows["loss_tangent"] = material.loss_modulus * 2 * (1 + poisson) / cast("float", modulus)
+    return follows
+
+
+def _copied(part: AnyPart, given: Mapping[str, object], follows: Mapping[str, object]) -> AnyPart:
+    """A copy in which some values were given, and others follow from them."""
+    result = part.model_copy(update={**given, **follows})
+    # The copy's own set: what follows shall still do so after further changes.
+    result.model_fields_set.difference_update(follows)
+    return result

@@ -1,0 +1,672 @@
+"""What data determine: noise, Fisher information, standard errors, combinations, and whether residuals are white."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss
+
+Determination = Literal["determined", "undetermined", "on a bound"]
+
+LEVEL = 0.95
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A fitted constant.
+
+    Attributes
+    ----------
+    value : float
+        In SI units.
+    half_width : float or None
+        Of the 95 % interval before it is cut at the bounds; None with the standard error.
+    standard_error : float or None
+        Linearised, from the Jacobian at the optimum; None where it means nothing: on a bound, or with a singular
+        Jacobian.
+    interval : (float, float) or None
+        95 % interval of Student's distribution, within the bounds of the constant; None with the standard error.
+    verdict : str
+        ``"undetermined"`` if the interval leaves the bounds of the constant (a yield stress that may be zero, say).
+    """
+
+    value: float
+    standard_error: float | None
+    interval: tuple[float, float] | None
+    half_width: float | None
+    verdict: Determination
+
+
+def estimate(value: float, error: float, quantile: float, bounds: tuple[float, float]) -> Estimate:
+    """Judge a constant that stands between its bounds.
+
+    Parameters
+    ----------
+    value, error : float
+        The constant and its standard error, which may be infinite.
+    quantile : float
+        As from :func:`student_quantile`.
+    bounds : (float, float)
+        Least and largest possible value.
+    """
+    if not math.isfinite(error):
+        return Estimate(value, None, None, None, "undetermined")
+    half = quantile * error
+    inside = bounds[0] < value - half and value + half < bounds[1]
+    interval = (max(value - half, bounds[0]), min(value + half, bounds[1]))
+    return Estimate(value, error, interval, half, "determined" if inside else "undetermined")
+
+
+def standard_errors(jacobian: NDArray[np.float64], squares: float) -> NDArray[np.float64]:
+    """Standard errors of a least-squares fit, sqrt(diag(s^2 (J^T J)^-1)) with s^2 = squares/(points - constants).
+
+    Parameters
+    ----------
+    jacobian : ndarray, shape (points, constants)
+        Derivatives of the residuals; more points than constants.
+    squares : float
+        Sum of the squared residuals.
+
+    Returns
+    -------
+    ndarray, shape (constants,)
+        Infinite where the columns depend on one another.
+    """
+    points, constants = jacobian.shape
+    scale = np.linalg.norm(jacobian, axis=0)
+    if not np.all(scale > 0):
+        return np.full(constants, np.inf)
+    triangle = np.linalg.qr(jacobian / scale, mode="r")
+    if np.abs(np.diag(triangle)).min() < 1e-10:
+        return np.full(constants, np.inf)
+    spread = np.linalg.norm(np.linalg.inv(triangle), axis=1)
+    errors: NDArray[np.float64] = math.sqrt(squares / (points - constants)) * spread / scale
+    return errors
+
+
+def student_quantile(freedom: int) -> float:
+    """The number of standard errors within which Student's t lies with probability 95 %.
+
+    Parameters
+    ----------
+    freedom : int
+        Degrees of freedom, at least 1.
+    """
+    low, high = 0.0, 13.0
+    # The interval is halved until the midpoint of two neighbouring floats is one of them.
+    while low < (middle := 0.5 * (low + high)) < high:
+        low, high = (middle, high) if _central_probability(middle, freedom) < LEVEL else (low, middle)
+    return high
+
+
+def _central_probability(t: float, freedom: int) -> float:
+    """Probability of |T| < t, the finite series of Abramowitz and Stegun (1964), 26.7.3 and 26.7.4."""
+    angle = math.atan(t / math.sqrt(freedom))
+    odd = freedom % 2
+    step = np.arange(1, max(freedom // 2, 1))
+    ratios = (2 * step - 1 + odd) / (2 * step + odd) * math.cos(angle) ** 2
+    series = 1.0 + float(np.cumprod(ratios).sum())
+    if not odd:
+        return math.sin(angle) * series
+    return 2 / math.pi * (angle + (math.sin(angle) * math.cos(angle) * series if freedom > 1 else 0.0))
+
+
+NORMAL_QUANTILE = statistics.NormalDist().inv_cdf(0.5 + 0.5 * LEVEL)
+"""The number of standard deviations within which a normal variable lies with probability 95 %."""
+
+
+def two_sided_quantile(freedom: int | None) -> float:
+    """Of Student's t, or of the normal distribution where the noise is known.
+
+    Its square is the 95 % quantile of F with one degree of freedom above `freedom`, or of chi^2 with one.
+
+    Parameters
+    ----------
+    freedom : int or None
+        Degrees of freedom of the estimated noise, at least 1; None: known noise.
+    """
+    return NORMAL_QUANTILE if freedom is None else student_quantile(freedom)
+
+
+def normal_tail(z: float) -> float:
+    """Probability that a normal variable lies further than |z| standard deviations from its mean, on either side."""
+    return math.erfc(abs(z) / math.sqrt(2))
+
+
+def chi_square_tail(x: float, freedom: int) -> float:
+    """Probability that chi^2 exceeds x: the finite series of Abramowitz and Stegun (1964), 26.4.4 and 26.4.5.
+
+    Parameters
+    ----------
+    x : float
+        Not negative.
+    freedom : int
+        Degrees of freedom, at least 1.
+    """
+    if x <= 0:
+        return 1.0
+    half, odd = 0.5 * x, freedom % 2
+    orders = np.arange(0.5 * odd, 0.5 * freedom)
+    # Term j is exp(-x/2) (x/2)^j / Gamma(j + 1); by logarithms, for neither factor need be a number of the machine.
+    logs = orders * math.log(half) - half - np.array([math.lgamma(order + 1) for order in orders])
+    first = math.erfc(math.sqrt(half)) if odd else 0.0
+    return min(first + float(np.exp(logs).sum()), 1.0)
+
+
+# To which the model is evaluated, relative to what a unit of q changes: less cannot be the noise of data.
+_MODEL_ACCURACY = 1e-7
+# Of the mean slope of psi: a loss with less charges nothing but outliers, and tells next to nothing.
+_LEAST_SLOPE = 1e-3
+# Of a normal distribution, over the median of magnitudes.
+_MEDIAN_TO_DEVIATION = 1.4826
+
+
+@dataclass(frozen=True)
+class Noise:
+    """The noise of a fit, in the unit of its residuals r.
+
+    Attributes
+    ----------
+    deviation : float
+        tau: the covariance of the unknowns is tau^2 (J^T J)^-1. Of least squares the standard deviation of r.
+    score : float
+        Standard deviation of psi(r), by which each residual pulls; of least squares again that of r.
+    per_chi_square : float
+        What twice the minimised value rises by for each unit of chi^2: tau^2 times the mean of psi'.
+    reading : float
+        Standard deviation of r without outliers: one if it is known.
+    freedom : int or None
+        m - k; None where the noise is known.
+    """
+
+    deviation: float
+    score: float
+    per_chi_square: float
+    reading: float
+    freedom: int | None
+
+
+def noise_of(residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Loss = LINEAR) -> Noise:
+    """Estimate the noise at an optimum.
+
+    Of a robust loss, psi = rho'(r^2) r, the covariance is the sandwich of an M-estimator with residuals that are alike
+    (Huber 1981, section 7.6): tau^2 = K^2 sum psi^2/(m - k) / mean(psi')^2, K = 1 + k/m var(psi')/mean(psi')^2. It is
+    taken from the data even where their errors are stated, for outliers are part of it.
+
+    Parameters
+    ----------
+    residuals, jacobian : ndarray, shape (m,), (m, k)
+        At the optimum, before the loss.
+    noise_known : bool
+        Whether the residuals are in standard errors that were measured.
+    loss : Loss
+        What was minimised.
+
+    Raises
+    ------
+    SoftcatError
+        If the noise is to be estimated from no more residuals than unknowns.
+    """
+    unknowns = jacobian.shape[1]
+    freedom = residuals.size - unknowns
+    # With no more data than unknowns every loss meets them all: none is an outlier.
+    if noise_known and (loss.kind == "linear" or freedom < 1):
+        return Noise(1.0, 1.0, 1.0, 1.0, None)
+    if freedom < 1:
+        raise SoftcatError(
+            f"{residuals.size} data for {unknowns} unknowns leave nothing to tell the noise by; accepted: at least "
+            f"{unknowns + 1} data, or their standard errors"
+        )
+    least = max(_MODEL_ACCURACY * float(np.sqrt(np.mean(jacobian**2))), float(np.finfo(float).tiny))
+    psi = residuals if loss.kind == "linear" else loss.weights(residuals) * residuals
+    score = max(math.sqrt(float(psi @ psi) / freedom), least)
+    if loss.kind == "linear":
+        return Noise(score, score, score**2, score, freedom)
+    slopes = loss.slopes(residuals)
+    slope = max(float(slopes.mean()), _LEAST_SLOPE)
+    few = 1 + unknowns / residuals.size * float(slopes.var()) / slope**2
+    tau = few * score / slope
+    middle = _MEDIAN_TO_DEVIATION * float(np.median(np.abs(residuals))) * math.sqrt(residuals.size / freedom)
+    return Noise(tau, score, tau**2 * slope, 1.0 if noise_known else max(middle, least), freedom)
+
+
+# A combination is worth a name if it is known this well, in standard errors of a logarithm.
+_KNOWN = 0.5
+# How much worse a combination of rounded exponents may be known than the best one: by half.
+_ROUNDED = 1.5
+# Exponents that occur in formulas of mechanics.
+_DENOMINATORS = (1, 2, 3, 4)
+_DIGITS = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Combination:
+    """A weighted sum of unknowns; of logarithmic ones, the logarithm of a product of powers.
+
+    Attributes
+    ----------
+    names : tuple of str
+        The unknowns that take part.
+    exponents : tuple of float
+        Their weights, the largest in magnitude being one.
+    text : str
+        ``"youngs_modulus^1 * viscosity^-1"``, or ``"1 * log(youngs_modulus) - 2 * offset"`` where an unknown is none of
+        a logarithm.
+    value : float
+        The sum of exponent times q: the logarithm of the product over that of the typical values.
+    standard_error : float
+        Of `value`: the relative one of the product, where it is small.
+    interval : (float, float)
+        95 % interval of `value`.
+    """
+
+    names: tuple[str, ...]
+    exponents: tuple[float, ...]
+    text: str
+    value: float
+    standard_error: float
+    interval: tuple[float, float]
+
+    def product(self, typical: Sequence[float]) -> tuple[float, float, float]:
+        """Value and 95 % interval of the product of powers, in the parameters' own units.
+
+        Parameters
+        ----------
+        typical : sequence of float
+            Typical value of each unknown in `names`.
+        """
+        unit = math.prod(value**exponent for value, exponent in zip(typical, self.exponents, strict=True))
+        low, high = self.interval
+        return unit * math.exp(self.value), unit * math.exp(low), unit * math.exp(high)
+
+
+def combinations(
+    names: Sequence[str],
+    q: Floats,
+    root: Floats,
+    determined: Floats,
+    quantile: float,
+    logarithmic: Sequence[bool],
+) -> tuple[Combination, ...]:
+    """Write the determined directions as combinations of few unknowns with simple exponents.
+
+    The directions' span is brought to reduced echelon form, which gives as many combinations as there are directions,
+    each with an unknown of its own; exponents are then rounded as far as their errors allow.
+
+    Parameters
+    ----------
+    names : sequence of str
+        The k unknowns.
+    q : ndarray, shape (k,)
+        The optimum.
+    root : ndarray, shape (k, k)
+        Root of the covariance of q, R R^T, which keeps a small error of a combination of large ones.
+    determined : ndarray, shape (k, directions)
+        Orthonormal columns.
+    quantile : float
+        Standard errors in half an interval.
+    logarithmic : sequence of bool, length k
+        Which unknowns are logarithms.
+
+    Returns
+    -------
+    tuple of Combination
+        Those of two unknowns or more, the best known first.
+    """
+    found = []
+    for row in _echelon(determined.T):
+        weights = _simplified(row / row[np.argmax(np.abs(row))], root)
+        part = np.flatnonzero(weights).tolist()
+        weights *= np.sign(weights[part[0]])
+        error = float(np.linalg.norm(weights @ root))
+        if len(part) < 2 or error > _KNOWN:
+            continue
+        value, half = float(weights @ q), quantile * error
+        chosen = tuple(names[k] for k in part)
+        exponents = tuple(weights[part].tolist())
+        powers = all(logarithmic[k] for k in part)
+        text = (
+            _product_text(chosen, exponents) if powers else _sum_text(chosen, exponents, [logarithmic[k] for k in part])
+        )
+        found.append(Combination(chosen, exponents, text, value, error, (value - half, value + half)))
+    return tuple(sorted(found, key=lambda one: one.standard_error))
+
+
+def _echelon(rows: Floats) -> Floats:
+    """Reduced row echelon form, each pivot the largest entry that is left."""
+    rows = rows.copy()
+    pivots: list[int] = []
+    for k in range(len(rows)):
+        left = np.abs(rows[k:]).copy()
+        left[:, pivots] = 0
+        below, column = np.unravel_index(int(np.argmax(left)), left.shape)
+        rows[[k, k + int(below)]] = rows[[k + int(below), k]]
+        rows[k] /= rows[k, column]
+        others = np.arange(len(rows)) != k
+        rows[others] -= np.outer(rows[others, column], rows[k])
+        pivots.append(int(column))
+    return rows
+
+
+def _simplified(weights: Floats, root: Floats) -> Floats:
+    """Round every weight to the simplest number with which the combination is known nearly as well."""
+    allowed = _ROUNDED * float(np.linalg.norm(weights @ root)) + 1e-6
+    # All at once first: rounding one of two exponents alone would spoil their ratio.
+    for denominator in _DENOMINATORS:
+        rounded = np.round(weights * denominator) / denominator
+        if rounded.any() and float(np.linalg.norm(rounded @ root)) <= allowed:
+            return rounded
+    result = weights.copy()
+    for k in np.argsort(np.abs(weights)):
+        for candidate in (*(np.round(weights[k] * d) / d for d in _DENOMINATORS), np.round(weights[k], _DIGITS)):
+            trial = result.copy()
+            trial[k] = candidate
+            if trial.any() and float(np.linalg.norm(trial @ root)) <= allowed:
+                result = trial
+                break
+    return result
+
+
+def _number(weight: float) -> str:
+    fraction = Fraction(weight).limit_denominator(_DENOMINATORS[-1])
+    return str(fraction) if abs(float(fraction) - weight) < 1e-9 else f"{weight:.{_DIGITS}g}"
+
+
+def _product_text(names: Sequence[str], exponents: Sequence[float]) -> str:
+    written = (_number(exponent) for exponent in exponents)
+    return " * ".join(
+        f"{name}^({power})" if "/" in power else f"{name}^{power}" for name, power in zip(names, written, strict=True)
+    )
+
+
+def _sum_text(names: Sequence[str], exponents: Sequence[float], logarithmic: Sequence[bool]) -> str:
+    terms = [f"log({name})" if flag else name for name, flag in zip(names, logarithmic, strict=True)]
+    text = ""
+    for term, exponent in zip(terms, exponents, strict=True):
+        sign = " - " if exponent < 0 else " + "
+        text += f"{sign if text else sign.strip(' +')}{_number(abs(exponent))} * {term}"
+    return text
+
+
+LARGEST_ERROR = 1.0
+"""Standard error of q from which on the data do not determine it: a factor e, or the whole of a typical value."""
+
+DERIVATIVE_ACCURACY = 1e-6
+"""Of the largest singular value: a smaller one is what the derivatives' own errors leave of zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class Information:
+    """What the curvature of the sum of squares at the optimum says.
+
+    A direction of the unknowns is determined if its standard error is less than `LARGEST_ERROR` and its singular value
+    is more than `DERIVATIVE_ACCURACY` of the largest. Along the others the linear theory has no meaning beyond the
+    bounds: their standard error is at most the half-length of the box.
+
+    Attributes
+    ----------
+    names : tuple of str
+        The k unknowns.
+    spread : Noise
+        Of the residuals.
+    matrix : ndarray, shape (k, k)
+        J^T J/s^2, s being `noise`.
+    covariance : ndarray, shape (k, k)
+        Its inverse, with the errors of undetermined directions cut as above.
+    standard_errors : ndarray, shape (k,)
+        Square roots of its diagonal, of q.
+    singular_values : ndarray, shape (k,)
+        Of J/s, the largest first: reciprocal standard errors of the directions.
+    directions : ndarray, shape (k, k)
+        In columns.
+    determined : ndarray of bool, shape (k,)
+        Which directions are.
+    combinations : tuple of Combination
+        What is determined of the others; empty if every unknown and every direction is identified.
+    """
+
+    names: tuple[str, ...]
+    spread: Noise
+    matrix: Floats
+    covariance: Floats
+    standard_errors: Floats
+    singular_values: Floats
+    directions: Floats
+    determined: NDArray[np.bool_]
+    combinations: tuple[Combination, ...]
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation s of the residuals, one if it is known; of a robust loss that of its M-estimator, tau."""
+        return self.spread.deviation
+
+    @property
+    def freedom(self) -> int | None:
+        """Degrees m - k; None where the noise is known."""
+        return self.spread.freedom
+
+    @property
+    def correlation(self) -> Floats:
+        """Normalised covariance, shape (k, k)."""
+        normalised: Floats = self.covariance / np.outer(self.standard_errors, self.standard_errors)
+        return normalised
+
+    @property
+    def identified(self) -> NDArray[np.bool_]:
+        """Which single unknowns are determined, shape (k,): those with a standard error below `LARGEST_ERROR`."""
+        below: NDArray[np.bool_] = self.standard_errors < LARGEST_ERROR
+        return below
+
+    @property
+    def rank(self) -> int:
+        """How many directions are determined."""
+        return int(self.determined.sum())
+
+    @property
+    def quantile(self) -> float:
+        """The number of standard errors in half a 95 % interval."""
+        return two_sided_quantile(self.freedom)
+
+
+def information(
+    names: tuple[str, ...],
+    q: Floats,
+    residuals: Floats,
+    jacobian: Floats,
+    box: tuple[Floats, Floats],
+    *,
+    noise_known: bool,
+    logarithmic: tuple[bool, ...] | None = None,
+    loss: Loss = LINEAR,
+) -> Information:
+    """Judge an optimum by its Jacobian.
+
+    Parameters
+    ----------
+    names : tuple of str
+        The k unknowns.
+    q, residuals, jacobian : ndarray, shape (k,), (m,), (m, k)
+        At the optimum.
+    box : (ndarray, ndarray)
+        Bounds of q.
+    noise_known : bool
+        Whether the residuals are in standard errors that were measured.
+    logarithmic : tuple of bool or None
+        Which unknowns are logarithms; None: all.
+    loss : Loss
+        What was minimised.
+
+    Raises
+    ------
+    SoftcatError
+        If the noise has to be estimated and there are no more data than unknowns.
+    """
+    spread = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss)
+    noise, freedom = spread.deviation, spread.freedom
+    directions, singular, errors, determined = _spectrum(jacobian / noise, box)
+    root, flags = directions * errors, logarithmic or (True,) * len(names)
+    standard = np.linalg.norm(root, axis=1)
+    found = combinations(names, q, root, directions[:, determined], two_sided_quantile(freedom), flags)
+    return Information(
+        names=names,
+        spread=spread,
+        matrix=jacobian.T @ jacobian / noise**2,
+        covariance=root @ root.T,
+        standard_errors=standard,
+        singular_values=singular,
+        directions=directions,
+        determined=determined,
+        combinations=() if determined.all() and np.all(standard < LARGEST_ERROR) else found,
+    )
+
+
+def _spectrum(scaled: Floats, box: tuple[Floats, Floats]) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
+    """Directions in columns, their singular values, their errors, at most as long as the box, and which are known."""
+    unknowns = scaled.shape[1]
+    # Rows of zeros, so that there are as many singular values as unknowns even for fewer data.
+    _, singular, rows = np.linalg.svd(np.vstack([scaled, np.zeros((unknowns, unknowns))]), full_matrices=False)
+    significant = singular > DERIVATIVE_ACCURACY * singular[0]
+    half_lengths = _half_lengths(rows.T, box)
+    raw = 1 / np.where(significant, singular, np.nan)
+    errors = np.where(significant, np.fmin(raw, half_lengths), half_lengths)
+    return rows.T, singular, errors, significant & (raw < LARGEST_ERROR)
+
+
+def _half_lengths(directions: Floats, box: tuple[Floats, Floats]) -> Floats:
+    """Half-length of the box along each direction, shape (k,), through its middle."""
+    width = (box[1] - box[0])[:, None]
+    with np.errstate(divide="ignore"):
+        lengths: Floats = (0.5 * width / np.abs(directions)).min(axis=0)
+    return lengths
+
+
+SIGNIFICANCE = 0.01
+"""Probability with which white residuals are called not white, at most."""
+
+FEWEST = 20
+"""Residuals in a row below which the approximations of these tests do not hold."""
+
+_LAGS = 10
+
+
+@dataclass(frozen=True)
+class Statistic:
+    """What one test of the hypothesis that residuals are white finds.
+
+    Attributes
+    ----------
+    name : str
+        Whose test it is.
+    value : float
+        Standard normal, or chi^2.
+    p_value : float
+        Probability of a statistic at least as extreme from white residuals.
+    """
+
+    name: str
+    value: float
+    p_value: float
+
+
+@dataclass(frozen=True)
+class ResidualChecks:
+    """What the residuals of a fit say about its model.
+
+    Attributes
+    ----------
+    verdict : str
+        ``"white"``; ``"not white"``: the model misses something that the data show, and intervals are too narrow; or
+        ``"cannot tell"``: fewer than `FEWEST` in every series.
+    tests : tuple of Statistic
+        Runs of signs (Wald and Wolfowitz 1940), correlation of neighbours, the first lags together (Ljung and Box
+        1978). The verdict is "not white" if the least of their p-values is below `SIGNIFICANCE` over their number
+        (Bonferroni).
+    autocorrelation : float or None
+        Of neighbours, the mean over the series.
+    size : Statistic or None
+        RSS against chi^2 with m - k degrees of freedom, where the noise is known: a small p-value says that the model
+        misses more than the stated errors, whatever the order. None where the noise is estimated.
+    """
+
+    verdict: Literal["white", "not white", "cannot tell"]
+    tests: tuple[Statistic, ...]
+    autocorrelation: float | None
+    size: Statistic | None
+
+
+def check_residuals(series: Sequence[Floats], unknowns: int, *, noise_known: bool) -> ResidualChecks:
+    """Test the residuals of a fit.
+
+    Parameters
+    ----------
+    series : sequence of ndarray, shape (m_i,)
+        Residuals in the order of time, one array for every filmed filament: the end of one and the beginning of the
+        next are no neighbours.
+    unknowns : int
+        That were fitted to all of them.
+    noise_known : bool
+        Whether they are in standard errors that were measured.
+    """
+    total = sum(one.size for one in series)
+    squares = float(sum(one @ one for one in series))
+    size = None
+    if noise_known and total > unknowns:
+        size = Statistic("chi-square", squares, chi_square_tail(squares, total - unknowns))
+    # Residuals that are all zero have no order.
+    long = [one for one in series if one.size >= FEWEST and np.any(one != 0)]
+    if not long:
+        return ResidualChecks("cannot tell", (), None, size)
+    correlations = [_autocorrelations(one) for one in long]
+    tests = (_runs(long), _neighbours(long, correlations), _ljung_box(long, correlations))
+    white = min(test.p_value for test in tests) >= SIGNIFICANCE / len(tests)
+    mean = float(np.mean([lags[0] for lags in correlations]))
+    return ResidualChecks("white" if white else "not white", tests, mean, size)
+
+
+def _runs(series: Sequence[Floats]) -> Statistic:
+    """Numbers of runs of one sign, against their mean and variance for random order, summed over the series."""
+    excess, variance = 0.0, 0.0
+    for one in series:
+        signs = one[one != 0] > 0
+        above, below = int(signs.sum()), int((~signs).sum())
+        both, count = 2 * above * below, above + below
+        if count > 1:
+            excess += 1 + int((signs[1:] != signs[:-1]).sum()) - (both / count + 1)
+            variance += both * (both - count) / (count**2 * (count - 1))
+    if variance <= 0:
+        # One sign only, throughout: the mean of the residuals is not zero.
+        return Statistic("Wald-Wolfowitz runs", -math.inf, 0.0)
+    # Half a run of continuity.
+    z = math.copysign(max(abs(excess) - 0.5, 0.0), excess) / math.sqrt(variance)
+    return Statistic("Wald-Wolfowitz runs", z, normal_tail(z))
+
+
+def _autocorrelations(one: Floats) -> Floats:
+    """Of the first lags, without subtraction of a mean: that of residuals is to be zero."""
+    lags = range(1, min(_LAGS, one.size // 5) + 1)
+    return np.array([float(one[lag:] @ one[:-lag]) for lag in lags]) / float(one @ one)
+
+
+def _neighbours(series: Sequence[Floats], correlations: Sequence[Floats]) -> Statistic:
+    sizes = np.array([one.size for one in series])
+    first = np.array([lags[0] for lags in correlations])
+    z = float((np.sqrt(sizes) * first).sum() / math.sqrt(len(sizes)))
+    return Statistic("lag-one autocorrelation", z, normal_tail(z))
+
+
+def _ljung_box(series: Sequence[Floats], correlations: Sequence[Floats]) -> Statistic:
+    statistic, freedom = 0.0, 0
+    for one, lags in zip(series, correlations, strict=True):
+        n = one.size
+        statistic += n * (n + 2) * float((lags**2 / (n - np.arange(1, lags.size + 1))).sum())
+        freedom += lags.size
+    return Statistic("Ljung-Box", statistic, chi_square_tail(statistic, freedom))

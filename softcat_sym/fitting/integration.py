@@ -1,0 +1,759 @@
+"""One filament integrated for all values of what is free, with derivatives, interpreted or compiled."""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes as ct
+import io
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import Any, Protocol, TypeVar
+
+import casadi as ca
+import numpy as np
+import numpy.typing as npt
+from numpy.typing import NDArray
+
+from softcat_sym.discretization.assembly import choose_body, choose_grid
+from softcat_sym.discretization.graph import TIME_SCALE, Graph, parameter_values, time_scale
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.ensemble.ensemble import workers_of
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.fitting.free_parameters import FreeParameter, with_values
+from softcat_sym.scene.scene import Scene, is_slack, rest_length
+from softcat_sym.solvers import compiled
+from softcat_sym.solvers.compiled import CompiledFilament, Directions, Run, Status, compile_filament
+from softcat_sym.solvers.initial_state import Equilibrium, Start, is_straight, starting_state
+from softcat_sym.solvers.run import Assembled, assembled
+from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings, integrates
+from softcat_sym.solvers.solution import watched
+
+_Unknown = tuple[str, int]
+
+
+class Starts:
+    """Starting states of a filament whose numbers change.
+
+    Parameters
+    ----------
+    assembled : Assembled
+        The filament with its typical numbers.
+    follow : bool
+        Whether plastic strains at the start are the same for all values, so that only shapes need to be followed.
+
+    Attributes
+    ----------
+    last : Start or None
+        The last one found, from which the next is followed.
+    """
+
+    def __init__(self, assembled: Assembled, *, follow: bool = True) -> None:
+        self._follow = follow
+        self._graph = assembled.graph
+        self._assembled = assembled
+        self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
+        # Without algebraic unknowns nothing is sought: the straight filament as it is.
+        self._bare = replace(self._graph, z=ca.SX(0, 1))
+        self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae else None
+        self._followed = _Followed(self._graph, assembled.at_rest()) if self._is_followed else None
+        self.last: Start | None = None
+
+    @property
+    def _is_followed(self) -> bool:
+        """Whether its shape at rest is that of another graph, without inertia and viscous stress."""
+        return not self._straight and not self._graph.positions_are_algebraic
+
+    def at(self, scene: Scene, p: Floats, near: Start | None = None, *, settle: bool = True) -> Start | None:
+        """Where the filament begins; None if no shape in balance is found, or it is of another kind.
+
+        Parameters
+        ----------
+        scene, p
+            With the values asked for.
+        near : Start
+            That of neighbouring values; by default the last one found.
+        settle : bool
+            Whether algebraic unknowns must be consistent; otherwise they are about those of `near`.
+        """
+        if is_slack(scene) != self._slack or is_straight(scene) != self._straight:
+            return None
+        near = near or self.last
+        found = self._near(scene, p, near, settle) if near is not None and self._follow else None
+        if found is None:
+            statics = None if self._followed is None else self._followed.statics
+            found = starting_state(scene, self._graph, p, statics)
+        if found is not None and settle:
+            self.last = found
+        return found
+
+    def _near(self, scene: Scene, p: Floats, near: Start, settle: bool) -> Start | None:
+        if self._followed is not None:
+            rested = self._followed.at(near, p, slack=self._slack)
+            if rested is None:
+                return None
+            x, guess = rested.x, rested.z
+        elif self._straight and not self._graph.positions_are_algebraic:
+            plain = starting_state(scene, self._bare, p, None)
+            if plain is None:
+                return None
+            x, guess = plain.x, near.z if near.z.size else plain.z
+        else:
+            x, guess = near.x, near.z
+        if self._equilibrium is None or not settle:
+            return Start(x, guess)
+        z = self._equilibrium.search(0.0, x, p, [guess])
+        return None if z is None else Start(x, z)
+
+
+class _Followed:
+    """A shape at rest, as unknowns of the filament that moves."""
+
+    def __init__(self, graph: Graph, rest: Graph) -> None:
+        self._graph, self._rest = graph, rest
+        self._equilibrium = Equilibrium(rest)
+        x = _numbered(graph.x_kinds, graph.x_places)
+        z = _numbered(graph.z_kinds, graph.z_places)
+        rest_x, rest_z = _numbered(rest.x_kinds, rest.x_places), _numbered(rest.z_kinds, rest.z_places)
+        self._plastic = _pairs(rest_x, x)
+        self._moving, self._still = _pairs(rest_z, x), _pairs(rest_z, z)
+        self._complete = len(self._moving[0]) + len(self._still[0]) == len(rest_z)
+
+    def statics(self) -> Graph:
+        """The graph of the shape at rest."""
+        return self._rest
+
+    def at(self, near: Start, p: Floats, *, slack: bool) -> Start | None:
+        """The shape at rest with these parameters, followed from a neighbouring one; algebraic unknowns as there."""
+        if not self._complete:
+            return None
+        x, z = self._rest.start.copy(), np.zeros(self._rest.z.numel())
+        x[self._plastic[0]] = near.x[self._plastic[1]]
+        z[self._moving[0]], z[self._still[0]] = near.x[self._moving[1]], near.z[self._still[1]]
+        values = dict(zip(self._graph.parameters, p.tolist(), strict=True))
+        if not slack:
+            # A taut filament starts without its weight.
+            values["gravity"] = 0.0
+        constants = np.array([values[name] for name in self._rest.parameters])
+        shape = self._equilibrium.search(0.0, x, constants, [z])
+        if shape is None:
+            return None
+        result = Start(near.x.copy(), near.z.copy())
+        result.x[self._moving[1]], result.z[self._still[1]] = shape[self._moving[0]], shape[self._still[0]]
+        return result
+
+
+def _numbered(kinds: tuple[str, ...], places: tuple[int, ...]) -> dict[_Unknown, int]:
+    return {unknown: number for number, unknown in enumerate(zip(kinds, places, strict=True))}
+
+
+def _pairs(
+    ours: dict[_Unknown, int], theirs: dict[_Unknown, int]
+) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    both = [(number, theirs[unknown]) for unknown, number in ours.items() if unknown in theirs]
+    return np.array([a for a, _ in both], dtype=np.int64), np.array([b for _, b in both], dtype=np.int64)
+
+
+@dataclass(frozen=True)
+class Begin:
+    """Where a run begins and with which numbers, and how these move with the unknowns of a fit.
+
+    Attributes
+    ----------
+    start : Start
+        Differential and algebraic states.
+    parameters : ndarray, shape (p,)
+        In the order of the graph.
+    times : ndarray, shape (n,)
+        Increasing and positive, in units of the time scale.
+    d_parameters : ndarray, shape (k, p)
+        By each unknown.
+    d_x, d_z : ndarray, shapes (k, nx) and (k, nz)
+        Of the start.
+    """
+
+    start: Start
+    parameters: Floats
+    times: Floats
+    d_parameters: Floats
+    d_x: Floats
+    d_z: Floats
+
+    def moved(self, unknown: int, step: float) -> Begin:
+        """The same with one unknown moved, to first order."""
+        start = Start(self.start.x + step * self.d_x[unknown], self.start.z + step * self.d_z[unknown])
+        return replace(self, start=start, parameters=self.parameters + step * self.d_parameters[unknown])
+
+
+@dataclass(frozen=True)
+class Path:
+    """Some unknowns at the times asked for; NaN where the integration did not get.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, seen)
+        The unknowns that are seen.
+    slopes : ndarray, shape (k, n, seen) or None
+        Their derivatives.
+    steps : int
+        Taken.
+    complaint : str
+        What went wrong; empty if nothing did.
+    """
+
+    values: Floats
+    slopes: Floats | None
+    steps: int
+    complaint: str = ""
+
+
+class Integrator(Protocol):
+    """Carries a filament through the times of the data, for one set of values after another.
+
+    Unknowns that are seen are numbered: differential ones first, algebraic ones behind them.
+    """
+
+    def run(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+        """Integrate."""
+        ...
+
+    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+        """Integrate, with derivatives of the discrete solution."""
+        ...
+
+
+_AT_START = 1e-12  # of the longest time
+_BESIDE = 1e-6  # of the longest time, to either side, where no unknown is the velocity
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Where the times of the data are among those of the integrator.
+
+    Attributes
+    ----------
+    model : ndarray, shape (m,)
+        Increasing and positive, in units of the time scale.
+    after : ndarray of bool, shape (n,)
+        Which data were taken after the filament began to move.
+    row : ndarray of int, shape (sum(after),)
+        Number of their time in `model`.
+    sooner, later : ndarray of int, shape (sum(after),)
+        Numbers of the times beside them, for the velocity; the same as `row` where it is an unknown.
+    """
+
+    model: Floats
+    after: NDArray[np.bool_]
+    row: NDArray[np.int64]
+    sooner: NDArray[np.int64]
+    later: NDArray[np.int64]
+
+
+def timing_of(times: Floats, *, beside: bool) -> Timing:
+    """Sort the times of the data.
+
+    Parameters
+    ----------
+    times : ndarray, shape (n,)
+        On the filament's clock, in units of the time scale; in any order, also twice.
+    beside : bool
+        Whether times beside them are wanted too.
+    """
+    longest = float(np.max(np.abs(times), initial=0.0))
+    after = times > _AT_START * longest
+    asked = times[after]
+    if not beside:
+        model, row = np.unique(asked, return_inverse=True)
+        return Timing(model, after, row, row, row)
+    step = np.minimum(_BESIDE * longest, asked / 2)
+    model, number = np.unique(np.concatenate([asked, asked - step, asked + step]), return_inverse=True)
+    row, sooner, later = number.reshape(3, -1)
+    return Timing(model, after, row, sooner, later)
+
+
+_FAILED = "the integrator gave up: its steps ran out, or the state became infinite"
+
+
+class InterpretedForward:
+    """CasADi's `rosenbrock` on the graph, from t = 0 to the first time and from there through the others.
+
+    Parameters
+    ----------
+    graph : Graph
+        The filament.
+    settings : Settings
+        Tolerances.
+    """
+
+    def __init__(self, graph: Graph, settings: Settings) -> None:
+        self._graph, self._settings = graph, settings
+        # One for each pattern of times and each number of directions; both hardly ever change.
+        self._function = lru_cache(maxsize=8)(self._make)
+        self._forward = lru_cache(maxsize=8)(lambda key, count: self._function(*key).forward(count))
+        self._reverse = lru_cache(maxsize=8)(lambda key: self._function(*key).reverse(1))
+
+    def run(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+        """Integrate; parameters as :class:`softcat_sym.fitting.integration.Integrator`."""
+        key = self._key(begin, seen, most_steps)
+        values = _called(self._function(*key), *_inputs(begin))
+        return self._path(values, None, begin, seen)
+
+    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+        """Integrate with exact forward derivatives."""
+        key, count = self._key(begin, seen, most_steps), len(begin.d_parameters)
+        inputs = _inputs(begin)
+        values = _called(self._function(*key), *inputs)
+        slopes = None
+        if values is not None and count:
+            seeds = (begin.d_x.T, begin.d_z.T, begin.d_parameters.T, np.zeros((1, count)))
+            slopes = _called(self._forward(key, count), *inputs, values, *seeds)
+        return self._path(values, slopes, begin, seen)
+
+    def pull_back(self, begin: Begin, seen: tuple[int, ...], most_steps: int, weights: Floats) -> Floats:
+        """Derivatives of a weighted sum of what is seen, by the adjoint of the discrete solution.
+
+        Parameters
+        ----------
+        weights : ndarray, shape (n, seen)
+
+        Returns
+        -------
+        ndarray, shape (k,)
+            NaN if the integration fails.
+        """
+        key, inputs = self._key(begin, seen, most_steps), _inputs(begin)
+        values = _called(self._function(*key), *inputs)
+        if values is None:
+            return np.full(len(begin.d_parameters), np.nan)
+        with watched() as interrupts, _silent():
+            try:
+                pulled = self._reverse(key)(*inputs, values, weights.T)
+            finally:
+                interrupts.check()
+        x, z, p = (np.asarray(part, dtype=float).ravel() for part in pulled[:3])
+        return np.asarray(begin.d_x @ x + begin.d_z @ z + begin.d_parameters @ p, dtype=float)
+
+    def _key(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> tuple[tuple[float, ...], Any, int]:
+        # Later times as distances from the first, so that a shift of the clock asks for no other integrator.
+        later = tuple(round(float(time), 12) for time in begin.times[1:] - begin.times[0])
+        return later, seen, most_steps
+
+    def _make(self, later: tuple[float, ...], seen: tuple[int, ...], most_steps: int) -> ca.Function:
+        graph = self._graph
+        x, z, p = (ca.MX.sym(name, part.numel()) for name, part in (("x", graph.x), ("z", graph.z), ("p", graph.p)))
+        first = ca.MX.sym("first")
+        states, algebraic = self._step(x, z, p, ca.MX(0), first, (1.0,), most_steps)
+        if later:
+            inner = np.append(0.0, later)
+            more = self._step(states, algebraic, p, first, ca.MX(1), tuple(inner[1:]), most_steps)
+            states, algebraic = ca.horzcat(states, more[0]), ca.horzcat(algebraic, more[1])
+        rows = ca.vertcat(states, algebraic) if graph.is_dae else states
+        return ca.Function("path", [x, z, p, first], [rows[list(seen), :]])
+
+    def _step(
+        self, x: ca.MX, z: ca.MX, p: ca.MX, start: ca.MX, unit: ca.MX, taus: tuple[float, ...], most_steps: int
+    ) -> tuple[ca.MX, ca.MX]:
+        """States at start + unit * taus."""
+        graph = self._graph
+        tau, begins, interval = ca.SX.sym("tau"), ca.SX.sym("begins"), ca.SX.sym("interval")
+        ode, alg = ca.substitute([graph.ode, graph.alg], [graph.t], [begins + interval * tau])
+        dae: dict[str, Any] = {"t": tau, "x": graph.x, "p": ca.vertcat(graph.p, begins, interval)}
+        dae |= {"ode": ode * interval}
+        if graph.is_dae:
+            dae |= {"z": graph.z, "alg": alg}
+        options = {"reltol": self._settings.rtol, "abstol": self._settings.atol, "max_num_steps": most_steps}
+        call = ca.integrator("filament", "rosenbrock", dae, 0.0, list(taus), options)
+        found = (
+            call(x0=x, z0=z, p=ca.vertcat(p, start, unit)) if graph.is_dae else call(x0=x, p=ca.vertcat(p, start, unit))
+        )
+        return found["xf"], found["zf"]
+
+    def _path(self, values: ca.DM | None, slopes: ca.DM | None, begin: Begin, seen: tuple[int, ...]) -> Path:
+        count, shape = len(begin.d_parameters), (len(begin.times), len(seen))
+        if values is None:
+            return Path(np.full(shape, np.nan), np.full((count, *shape), np.nan), 0, _FAILED)
+        rows = np.asarray(values, dtype=float).T
+        if slopes is None:
+            return Path(rows, None if count else np.zeros((0, *shape)), 0)
+        # Directions stand side by side.
+        each = np.asarray(slopes, dtype=float).T.reshape(count, *shape)
+        return Path(rows, each, 0)
+
+
+def _inputs(begin: Begin) -> tuple[Floats, Floats, Floats, float]:
+    return begin.start.x, begin.start.z, begin.parameters, float(begin.times[0])
+
+
+@contextlib.contextmanager
+def _silent() -> Any:
+    silence = io.StringIO()
+    with contextlib.redirect_stdout(silence), contextlib.redirect_stderr(silence):
+        yield
+
+
+def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
+    """The only output; None where it fails.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user stops it, which CasADi turns into an error of its own.
+    """
+    with watched() as interrupts, _silent():
+        try:
+            found = function(*inputs)
+        except RuntimeError:
+            return None
+        finally:
+            interrupts.check()
+    return found if np.all(np.isfinite(np.asarray(found))) else None
+
+
+_LOOK = 0.1  # s between two looks whether somebody wants it to stop
+_SIZE = 1e-5  # in unknowns of order one: what bends in them errs by 1e-10, and rounding by 1e-11 of a step's condition
+_TIGHTENINGS = (1.0, 0.1, 0.01)
+_APART, _LEAST_APART = 0.5, 1e-4
+"""Steps of differences between runs of their own: this times the root of the relative tolerance, and at least that."""
+
+Result = TypeVar("Result")
+
+
+@dataclass(frozen=True)
+class CompiledForward:
+    """The C runtime with some unknowns picked out.
+
+    Attributes
+    ----------
+    filament : CompiledFilament
+        What is integrated.
+    settings : Settings
+        Tolerances.
+    kinks : ndarray
+        Times, in units of the time scale, at which a support changes pace.
+    controls_work : bool
+        Whether the error of the work limits the steps, as it must where little else does.
+    jumps : bool
+        Whether the discrete solution jumps where its parameters move, by about its tolerance: fibres that begin to
+        yield change the Jacobian at once, from which a linearly implicit step is made.
+    """
+
+    filament: CompiledFilament
+    settings: Settings
+    kinks: Floats
+    controls_work: bool
+    jumps: bool = False
+
+    def run(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+        """Integrate; parameters as :class:`softcat_sym.fitting.integration.Integrator`."""
+        run, status = self._run(begin, most_steps), Status()
+        (answer,) = _watched(lambda stop: self.filament.model.integrate(run, status, stop))
+        return self._path(answer.states, None, seen, status)
+
+    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+        """Integrate with two-sided differences in lock-step; their error is about 1e-9.
+
+        Neighbours have no step control of their own, and may be lost where the run itself is not: then the steps are
+        chosen more tightly. Where the discrete solution jumps, a short difference sees the jumps and not the slope:
+        there neighbours lie further apart, each with step control of its own, and err by about the root of the
+        tolerance times that of the solution.
+        """
+        if self.jumps:
+            return self._apart(begin, seen, most_steps)
+        for tightening in _TIGHTENINGS:
+            run = self._run(begin, most_steps, tightening)
+            path, code = self._with_slopes(run, begin, seen)
+            if code not in (compiled.NON_FINITE, compiled.SINGULAR) or self.run(begin, (), most_steps).complaint:
+                break
+        return path
+
+    def _apart(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+        """Integrate, and two neighbours for every unknown."""
+        path = self.run(begin, seen, most_steps)
+        slopes = np.full((len(begin.d_parameters), *path.values.shape), np.nan)
+        size = max(_APART * self.settings.rtol**0.5, _LEAST_APART)
+        for row in range(len(slopes)):
+            low, high = (self.run(begin.moved(row, step), seen, most_steps) for step in (-size, size))
+            slopes[row] = (high.values - low.values) / (2 * size)
+        return replace(path, slopes=slopes)
+
+    def _with_slopes(self, run: Run, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
+        """One integration for each core, with its share of the neighbours beside it: all take the same steps."""
+        count, sites = len(begin.d_parameters), self.filament.sites
+        moved = np.zeros((count, sites.shape[0] * sites.shape[1]))
+        moved[:, sites.x], moved[:, sites.z] = begin.d_x, begin.d_z
+        shares = np.array_split(np.arange(count), max(1, min(workers_of(None), count)))
+        statuses = [Status() for _ in shares]
+
+        def part(number: int) -> Callable[[ct.c_int], tuple[Floats, Floats]]:
+            own, status = shares[number], statuses[number]
+            directions = Directions(
+                begin.d_parameters[own], moved[own].reshape(len(own), *sites.shape), np.full(len(own), _SIZE)
+            )
+            return lambda stop: self.filament.model.sensitivities(run, directions, status, stop)
+
+        answers = _watched(*(part(number) for number in range(len(shares))))
+        # A share whose neighbours were lost speaks for all.
+        worst = next((status for status in statuses if status.code != compiled.SOLVED), statuses[0])
+        slopes = np.concatenate([slopes for _, slopes in answers])
+        states = answers[statuses.index(worst)][0]
+        return self._path(states, slopes, seen, worst), int(worst.code)
+
+    def _run(self, begin: Begin, most_steps: int, tightening: float = 1.0) -> Run:
+        return Run(
+            parameters=np.ascontiguousarray(begin.parameters),
+            places=self.filament.places,
+            state=self.filament.sites.state(begin.start.x, begin.start.z),
+            times=np.concatenate([[0.0], begin.times]),
+            relative=self.settings.rtol * tightening,
+            absolute=self.settings.atol * tightening,
+            work_absolute=self.settings.atol if self.controls_work else 0.0,
+            kinks=self.kinks,
+            most_steps=round(most_steps / tightening**0.5),
+        )
+
+    def _path(self, states: Floats, slopes: Floats | None, seen: tuple[int, ...], status: Status) -> Path:
+        model, sites = self.filament.model, self.filament.sites
+        compiled.refuse(status.code, model.message(status.code))
+        where = np.concatenate([sites.x, sites.z])[list(seen)]
+        values = states.reshape(len(states), -1)[1:, where]
+        if slopes is not None:
+            slopes = slopes.reshape(*slopes.shape[:2], sites.shape[0] * sites.shape[1])[:, 1:, where]
+        complaint = "" if status.code == compiled.SOLVED else model.message(status.code)
+        return Path(values, slopes, int(status.steps), complaint)
+
+
+def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
+    """Work in threads, side by side, so that Ctrl-C is heard meanwhile, and stops it.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user stops it.
+    """
+    stop = ct.c_int(0)
+    with ThreadPoolExecutor(len(works)) as pool:
+        answers = [pool.submit(work, stop) for work in works]
+        try:
+            while wait(answers, _LOOK).not_done:
+                pass
+        finally:
+            stop.value = 1
+    return [answer.result() for answer in answers]
+
+
+_ACCURACY = 1e-3
+_TIGHT_ENOUGH = 5e-5  # of filaments that ring: measured, 1e-5 of the largest sag
+_STEP = 1e-5  # in unknowns of order one; differences of smooth formulas err by 1e-10
+_FURTHER = 1e-3  # in unknowns, for what of the supports is free to move
+
+
+@dataclass(frozen=True)
+class Point:
+    """The filament with given values.
+
+    Attributes
+    ----------
+    start : Start
+        Where it begins.
+    parameters : ndarray, shape (p,)
+        Of the graph.
+    length : float
+        Rest length [m].
+    d_parameters, d_x, d_z, d_length : ndarray, shapes (k, p), (k, nx), (k, nz), (k,)
+        By each unknown of the scene; k = 0 if they were not asked for.
+    """
+
+    start: Start
+    parameters: Floats
+    length: float
+    d_parameters: Floats
+    d_x: Floats
+    d_z: Floats
+    d_length: Floats
+
+    def begin(self, times: Floats) -> Begin:
+        """A run from here through these times, in units of the time scale."""
+        return Begin(self.start, self.parameters, times, self.d_parameters, self.d_x, self.d_z)
+
+
+class FrozenFilament:
+    """A filament ready to be integrated with any values of its free parameters.
+
+    Parameters
+    ----------
+    scene : Scene
+        With typical values.
+    free : sequence of FreeParameter
+        What may change, of the scene and of the measurement.
+    effects : Effects
+        For all values.
+    backend : Backend
+        What integrates.
+
+    Raises
+    ------
+    SceneError
+        If something free makes no difference.
+    """
+
+    def __init__(self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend) -> None:
+        self._scene, self.backend = scene, backend
+        self._all = tuple(free)
+        self.scale = time_scale(scene)
+        parts = _assembled(scene, effects, self._all)
+        self.graph = parts.graph
+        self._starts = Starts(parts, follow=all(one.path != "initial.stretch" for one in self._all))
+        self._integrator = self._made(parts, effects)
+        self._refuse_what_does_nothing()
+
+    @property
+    def integrator(self) -> Integrator:
+        """What integrates it."""
+        return self._integrator
+
+    @property
+    def near(self) -> Start | None:
+        """Where the last evaluation began; the next start is followed from there."""
+        return self._starts.last
+
+    @near.setter
+    def near(self, start: Start | None) -> None:
+        self._starts.last = start
+
+    @cached_property
+    def free(self) -> tuple[FreeParameter, ...]:
+        """Those of the scene."""
+        return tuple(one for one in self._all if not one.of_measurement)
+
+    def scene_of(self, q: Floats) -> Scene:
+        """The scene with these unknowns, those of the measurement left out."""
+        return with_values(self._scene, self.free, [one.value(float(x)) for one, x in zip(self.free, q, strict=True)])
+
+    def point(self, q: Floats, *, slopes: bool) -> Point | None:
+        """The filament with these unknowns of the scene, and how it moves with them; None if it cannot begin so.
+
+        Parameters
+        ----------
+        q : ndarray, shape (k,)
+            Of :attr:`free`.
+        slopes : bool
+            Whether derivatives are wanted: two-sided differences.
+        """
+        base = self._at(q, None, settle=True)
+        if base is None:
+            return None
+        if not slopes:
+            return base
+        count = len(self.free)
+        p, x, z = (np.zeros((count, part.size)) for part in (base.parameters, base.start.x, base.start.z))
+        length = np.zeros(count)
+        # In lock-step the compiled solver makes algebraic unknowns consistent by itself.
+        settle = not self.backend.compiled or self.graph.positions_are_algebraic or "fibres" in self.graph.effects
+        for row, direction in enumerate(np.eye(count)):
+            low, high = (self._at(q + step * direction, base.start, settle=settle) for step in (-_STEP, _STEP))
+            if low is None or high is None:
+                return None
+            p[row] = (high.parameters - low.parameters) / (2 * _STEP)
+            x[row] = (high.start.x - low.start.x) / (2 * _STEP)
+            z[row] = (high.start.z - low.start.z) / (2 * _STEP)
+            length[row] = (high.length - low.length) / (2 * _STEP)
+        return replace(base, d_parameters=p, d_x=x, d_z=z, d_length=length)
+
+    def _at(self, q: Floats, near: Start | None, *, settle: bool) -> Point | None:
+        scene = self.scene_of(q)
+        if not scene.filament.thickness < scene.filament.span:
+            return None
+        values = self.graph.vector(parameter_values(scene) | {TIME_SCALE: self.scale})
+        if not np.all(np.isfinite(values)):
+            return None
+        start = self._starts.at(scene, values, near, settle=settle)
+        if start is None:
+            return None
+        p, x, z = (np.zeros((0, part.size)) for part in (values, start.x, start.z))
+        return Point(start, values, rest_length(scene), p, x, z, np.zeros(0))
+
+    def _made(self, parts: Assembled, effects: Effects) -> Integrator:
+        scene = self._scene
+        settings = _tolerances(scene, effects)
+        kinks = np.array(sorted({row[0] / self.scale for row in scene.ends.motion if row[0] > 0}))
+        if not self.backend.compiled:
+            if kinks.size:
+                found = "a support that moves is followed by the compiled solver only, when derivatives are wanted"
+                raise SceneError([Fault("ends.motion", found, f"a C compiler; {self.backend.reason}")])
+            return InterpretedForward(parts.graph, settings)
+        filament = compile_filament(parts.graph, parts.structure())
+        works = "v" not in parts.graph.x_kinds
+        return CompiledForward(filament, settings, kinks, controls_work=works, jumps="fibres" in effects.names)
+
+    def _refuse_what_does_nothing(self) -> None:
+        typical = np.array([one.scaled(one.typical) for one in self.free])
+        point = self.point(typical, slopes=True)
+        if point is None:
+            found = "no shape in balance was found to start from"
+            raise SceneError([Fault("ends", found, "supports between which a filament can rest")])
+        moves = [np.any(part != 0, axis=1) for part in (point.d_parameters, point.d_x, point.d_z)]
+        idle = ~(moves[0] | moves[1] | moves[2] | (point.d_length != 0))
+        named = ", ".join(self.graph.effects)
+        faults = [
+            Fault(
+                f"free {one.name}", f"makes no difference with the effects in force: {named}", "run.effects with more"
+            )
+            for one, does_nothing in zip(self.free, idle, strict=True)
+            if does_nothing
+        ]
+        if faults:
+            raise SceneError(faults)
+
+
+def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None) -> FrozenFilament:
+    """Choose once what holds for all values.
+
+    Parameters
+    ----------
+    scene : Scene
+        With typical values.
+    free : sequence of FreeParameter
+        Of it.
+    backend : str
+        ``"auto"``, ``"compiled"`` or ``"interpreted"``.
+    rtol : float or None
+        Relative tolerance of the integrator.
+
+    Raises
+    ------
+    SceneError
+        If the filament has nothing to integrate, or no such backend, or something free makes no difference.
+    """
+    # Whichever backend: a linearly implicit method, whose discrete solution can be differentiated.
+    update: dict[str, object] = {"solver": None}
+    if backend != "auto":
+        update["backend"] = backend
+    if rtol is not None:
+        update["rtol"] = rtol
+    scene = scene.model_copy(update={"numerics": scene.numerics.model_copy(update=update)})
+    effects = choose_effects(scene)
+    if not integrates(effects.names):
+        found = "without inertia or flow nothing of the motion depends on time"
+        raise SceneError([Fault("run.effects", found, "inertia, or a law that flows")])
+    return FrozenFilament(scene, free, effects, choose_backend(scene, effects))
+
+
+def _tolerances(scene: Scene, effects: Effects) -> Settings:
+    """Those with which the time error is 1e-4 of the largest sag at most; those of a run conserve energy too."""
+    accuracy = min(_ACCURACY, scene.run.accuracy)
+    accurate = scene.model_copy(update={"run": scene.run.model_copy(update={"accuracy": accuracy})})
+    settings = compiled_settings(accurate, effects)
+    if scene.numerics.rtol is not None or settings.rtol >= _TIGHT_ENOUGH:
+        return settings
+    return replace(settings, rtol=_TIGHT_ENOUGH, atol=settings.atol * _TIGHT_ENOUGH / settings.rtol)
+
+
+def _assembled(scene: Scene, effects: Effects, free: Sequence[FreeParameter]) -> Assembled:
+    """The filament, with every support that may move an input of its graph."""
+    typical = assembled(scene, effects)
+    moved = with_values(scene, free, [one.value(one.scaled(one.typical) - _FURTHER) for one in free])
+    if choose_body(moved, choose_grid(scene, effects)).supports == typical.body.supports:
+        return typical
+    return assembled(moved, effects)

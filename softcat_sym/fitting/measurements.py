@@ -1,0 +1,632 @@
+"""Films of falling filaments, read from CSV files as people, spreadsheets and trackers write them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from softcat_sym.errors import Fault, SoftcatError
+from softcat_sym.fitting.csv_reader import (
+    Column,
+    CsvTable,
+    Table,
+    absent,
+    counted,
+    header_pattern,
+    is_pixels,
+    listed,
+    missing_rows,
+    named,
+    numbers_in,
+    refusal,
+    table_in,
+    text_of,
+    unit_of,
+)
+from softcat_sym.scene.units import NotAQuantity, shown, unknown_key
+
+TIME, MIDPOINT, X, Y, STD = "time", "midpoint", "x", "y", "std"
+"""What a column may hold; STD is the standard error of the midpoint or of y."""
+
+_TIME_UNITS, _LENGTH_UNITS = ("s", "ms", "us", "min", "h"), ("m", "cm", "mm", "um")
+
+# A name before its unit: what it is, and whether it counts downwards.
+_KNOWN = {
+    "time": (TIME, False),
+    "t": (TIME, False),
+    "midpoint": (MIDPOINT, False),
+    "sag": (MIDPOINT, True),
+    "deflection": (MIDPOINT, True),
+    "midpoint_std": (STD, False),
+    "sag_std": (STD, False),
+    "deflection_std": (STD, False),
+    "x": (X, False),
+    "y": (Y, False),
+    "y_std": (STD, False),
+}
+_NAME = header_pattern(_KNOWN)
+
+
+def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
+    """Find the columns that are read; others are left alone.
+
+    Parameters
+    ----------
+    table : CsvTable
+        Whose header has names with their units, such as ``time_s`` or ``Time [s]``.
+
+    Returns
+    -------
+    dict of str to Column, list of Fault
+        By what they hold: TIME and MIDPOINT, or TIME, X and Y; perhaps STD.
+    """
+    where = f"line {table.line}"
+    candidates: dict[str, list[Column]] = {}
+    unreadable: dict[str, Fault] = {}
+    unknown: list[Fault] = []
+    for place, name in enumerate(table.header):
+        match = _NAME.fullmatch(name.strip())
+        if match is None:
+            continue
+        known, unit, bracketed = named(match)
+        quantity, down = _KNOWN[known]
+        try:
+            si = unit_of(unit, *(("time", "s") if quantity == TIME else ("length", "m")))
+        except NotAQuantity as found:
+            fault = Fault(where, f"column {shown(name)}: {found}", _names(quantity))
+            if bracketed and not is_pixels(unit):
+                # What stands in brackets is meant as a unit, wherever else there is one of ours.
+                unknown.append(fault)
+            unreadable.setdefault(quantity, fault)
+            continue
+        candidates.setdefault(quantity, []).append(Column(name, place, si, down))
+    found_columns = {quantity: several[0] for quantity, several in candidates.items()}
+    # Of a tracker that writes pixels besides: what is there in units will do.
+    there = [{MIDPOINT} <= set(found_columns), {X, Y} <= set(found_columns)]
+    unneeded = {X, Y} if there == [True, False] else {MIDPOINT} if there == [False, True] else set()
+    faults = [
+        Fault(where, f"{len(several)} columns for one quantity: {', '.join(c.name for c in several)}", "one of them")
+        for quantity, several in candidates.items()
+        if len(several) > 1 and quantity not in unneeded
+    ]
+    for quantity in unneeded:
+        found_columns.pop(quantity, None)
+        unreadable.pop(quantity, None)
+    # A name of ours without a unit of ours is another's column (time_stamp) where ours is there too.
+    faults += [
+        fault for quantity, fault in unreadable.items() if quantity not in found_columns and fault not in unknown
+    ]
+    return found_columns, unknown + faults + _missing(table, {*found_columns, *unreadable})
+
+
+def _missing(table: CsvTable, there: set[str]) -> list[Fault]:
+    """What the columns that are there do not make up: a midpoint over time, or whole shapes."""
+    faults, where = [], f"line {table.line}"
+    if TIME not in there:
+        faults.append(absent("column of times", "time_s", _names(TIME), table, _NAME))
+    if MIDPOINT in there and there & {X, Y}:
+        accepted = "either midpoint_m, or x_m and y_m; two files for both"
+        faults.append(Fault(where, "both a midpoint and points of a whole shape", accepted))
+    elif Y in there and X not in there:
+        faults.append(Fault(where, "y without x", "x_m too for whole shapes; midpoint_m for the midpoint alone"))
+    elif X in there and Y not in there:
+        faults.append(Fault(where, "x without y", "both for whole shapes; midpoint_m for the midpoint alone"))
+    elif MIDPOINT not in there and Y not in there:
+        faults.append(absent("column of midpoints", "midpoint_m", _names(MIDPOINT), table, _NAME))
+    return faults
+
+
+def _names(quantity: str) -> str:
+    if quantity == TIME:
+        return "time_s, " + ", ".join(f"time_{unit}" for unit in _TIME_UNITS[1:])
+    if quantity == MIDPOINT:
+        names = ", ".join(f"midpoint_{unit}" for unit in _LENGTH_UNITS)
+        return f"{names}; or sag_m, positive down"
+    stem = "midpoint_std" if quantity == STD else quantity
+    return ", ".join(f"{stem}_{unit}" for unit in _LENGTH_UNITS)
+
+
+_DOTTED = re.compile(r"(?P<table>[A-Za-z_]\w*)\.(?P<key>[A-Za-z_]\w*)\b(?P<rest>.*)")
+_FORM = "key = value, such as # filament.span = 5 mm"
+
+
+def overrides_in(text: str) -> tuple[dict[str, str], list[Fault]]:
+    """Read the overrides among the comments of a file.
+
+    Parameters
+    ----------
+    text : str
+        The whole file.
+
+    Returns
+    -------
+    dict of str to str, list of Fault
+        By dotted key, and the lines that look like overrides and are none. Values are validated with the scene.
+    """
+    from softcat_sym.scene.scene import known_keys
+
+    tables = {name: keys for name, keys in known_keys().items() if name}
+    overrides: dict[str, str] = {}
+    faults: list[Fault] = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        comment = line.strip()
+        match = _DOTTED.match(comment.lstrip("#").strip()) if comment.startswith("#") else None
+        if match is None:
+            continue
+        where, table, path = f"line {number}", match["table"], f"{match['table']}.{match['key']}"
+        assigned = match["rest"].lstrip().startswith("=")
+        # A spreadsheet ends a short line with the separators of its empty cells.
+        value = match["rest"].lstrip().removeprefix("=").split(" #")[0].rstrip(",;\t ").lstrip()
+        if table not in tables:
+            near = get_close_matches(table, tables, n=1, cutoff=0.75)
+            # Another program's setting (camera.fps = 60) is a comment; a misspelt one of ours is not.
+            if assigned and near:
+                faults.append(
+                    Fault(where, f"unknown table in {shown(path)} (did you mean '{near[0]}'?)", ", ".join(tables))
+                )
+        elif match["key"] not in tables[table]:
+            unknown = unknown_key(path, tables)
+            faults += [Fault(f"{where}, {path}", unknown.found, unknown.accepted)] if assigned else []
+        elif not assigned or not value:
+            faults.append(Fault(where, f"{shown(comment)} sets nothing", _FORM))
+        elif path in overrides:
+            faults.append(Fault(where, f"{path} set again", "each key once"))
+        else:
+            overrides[path] = value
+    return overrides, faults
+
+
+Floats = NDArray[np.float64]
+SAME_TIME = 1e-9
+"""Of the last time: what two clocks' arithmetic makes of one instant; no camera is that fast for that long."""
+
+# Of the range of all heights: before its release a filament hardly moves, and one filament is at one height at a time.
+_AT_REST, _SAME = 0.05, 0.1
+# Standard errors by which two readings of one height may differ.
+_DEVIATIONS = 6.0
+
+
+def repaired(table: Table, row: Callable[[int], str]) -> tuple[Table, tuple[str, ...], list[Fault]]:
+    """Correct what needs no guess.
+
+    Parameters
+    ----------
+    table : dict of str to ndarray, shape (rows,)
+        TIME and MIDPOINT, or TIME, X and Y; perhaps STD. NaN where nothing is known.
+    row : callable
+        Given the index of a row, its name in a message: ``"line 7"``.
+
+    Returns
+    -------
+    dict of str to ndarray
+        In the order of time; no NaN, no time before 0, of the midpoint no time twice.
+    tuple of str
+        What was corrected, a sentence each.
+    list of Fault
+        Why it cannot be corrected; the table then means nothing.
+    """
+    notes: list[str] = []
+    faults: list[Fault] = []
+    rows = np.arange(table[TIME].size)
+    for step in (_without_missing, _from_release, _in_order, _once):
+        table, rows, said, fault = step(table, rows, row)
+        notes += [said] if said else []
+        if fault:
+            faults.append(fault)
+            break
+    return table, tuple(notes), faults
+
+
+Step = tuple[Table, NDArray[np.intp], str, Fault | None]
+
+
+def _kept(table: Table, rows: NDArray[np.intp], which: NDArray[np.generic]) -> tuple[Table, NDArray[np.intp]]:
+    return {name: values[which] for name, values in table.items()}, rows[which]
+
+
+def _without_missing(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
+    missing, said, fault = missing_rows(table, lambda k: row(int(rows[k])))
+    return *(_kept(table, rows, ~missing) if said else (table, rows)), said, fault
+
+
+def _from_release(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
+    early = table[TIME] < 0
+    count = int(early.sum())
+    if not count:
+        return table, rows, "", None
+    found = f"{counted(count, 'row')} before time 0 ({listed(rows[early], row)})"
+    height = table[MIDPOINT if MIDPOINT in table else Y]
+    accepted = "times counted from the release of the filament, which is time 0"
+    if count == rows.size:
+        return table, rows, "", Fault("", "all times are before 0", accepted)
+    if np.ptp(height[early]) > _AT_REST * np.ptp(height):
+        return table, rows, "", Fault("", f"{found} in which the filament moves already", accepted)
+    return *_kept(table, rows, ~early), f"Left out {found}, the release: nothing moves in them.", None
+
+
+def _in_order(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
+    if np.all(np.diff(table[TIME]) >= 0):
+        return table, rows, "", None
+    first = int(np.flatnonzero(np.diff(table[TIME]) < 0)[0]) + 1
+    said = f"Sorted the rows by time; {row(int(rows[first]))} was the first to go back."
+    return *_kept(table, rows, np.argsort(table[TIME], kind="stable")), said, None
+
+
+def _once(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
+    time = table[TIME]
+    later = np.diff(time, prepend=-np.inf) > SAME_TIME * time[-1:]
+    table = {**table, TIME: time[later][np.cumsum(later) - 1]}
+    return _averaged(table, rows, row) if MIDPOINT in table else _no_point_twice(table, rows, row)
+
+
+def _averaged(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
+    """One midpoint for each time; independent readings, so weights are 1/std^2 and the variances add inversely."""
+    time, height, std = table[TIME], table[MIDPOINT], table.get(STD)
+    distinct, first, counts = np.unique(time, return_index=True, return_counts=True)
+    if distinct.size == time.size:
+        return table, rows, "", None
+    lowest, highest = np.minimum.reduceat(height, first), np.maximum.reduceat(height, first)
+    apart = highest - lowest
+    allowed = _SAME * np.ptp(height) + (0.0 if std is None else _DEVIATIONS * np.maximum.reduceat(std, first))
+    repeated = counts > 1
+    if np.any(repeated & (apart > allowed)):
+        worst = int(np.argmax(np.where(repeated, apart - allowed, -np.inf)))
+        same = rows[time == distinct[worst]]
+        found = f"midpoints of {lowest[worst]:g} m and {highest[worst]:g} m at the same time, {distinct[worst]:g} s"
+        where = listed(same, row)
+        return table, rows, "", Fault(where, found, "one height at a time; one file for each filament")
+    weight = np.ones_like(height) if std is None else (std.max() / std) ** 2
+    total = np.add.reduceat(weight, first)
+    averaged = {TIME: distinct, MIDPOINT: np.add.reduceat(weight * height, first) / total}
+    if std is not None:
+        averaged[STD] = std.max() / np.sqrt(total)
+    count = int(repeated.sum())
+    places = listed(rows[np.isin(time, distinct[repeated])], row)
+    said = f"Averaged the midpoints at {counted(count, 'time')} that occurred more than once ({places})."
+    return averaged, rows[first], said, None
+
+
+def _no_point_twice(table: Table, rows: NDArray[np.intp], row: Callable[[int], str]) -> Step:
+    points = np.column_stack([table[TIME], table[X], table[Y]])
+    _, first = np.unique(points, axis=0, return_index=True)
+    if first.size == rows.size:
+        return table, rows, "", None
+    count = rows.size - first.size
+    repeat = "repeats another" if count == 1 else "repeat others"
+    said = f"Left out {counted(count, 'point')} of the shapes that {repeat}."
+    return *_kept(table, rows, np.sort(first)), said, None
+
+
+FEWEST = 5
+"""Distinct times, or points of shapes, that are needed: below it a trend and its noise cannot be told apart."""
+
+# A filament is neither filmed for longer than 30 000 years nor known better than to a thousandth of an atom.
+_MOST, _FINEST = 1e12, 1e-15
+# Of the largest height: what is left of no movement after arithmetic.
+_ROUNDING = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Shapes:
+    """Points of the centre line at one or several times.
+
+    Attributes
+    ----------
+    time, x, y : ndarray, shape (points,)
+        [s], not decreasing; [m] with x = 0 halfway between the supports; [m] upwards from the supports' level. Kept
+        as copies that cannot be written to.
+    std : ndarray, shape (points,), or None
+        Standard errors of y [m]; None if they are not known.
+
+    Raises
+    ------
+    SoftcatError
+        With every fault at once, if these are not lists of one length of at least `FEWEST` finite numbers.
+    """
+
+    time: Floats
+    x: Floats
+    y: Floats
+    std: Floats | None = None
+
+    def __post_init__(self) -> None:
+        faults = _adopt(self, ("time", "x", "y", "std"))
+        if not faults and self.time.size < FEWEST:
+            faults = [Fault("", counted(self.time.size, "point"), f"at least {FEWEST}")]
+        if not faults and _is_constant(self.y):
+            faults = [Fault("y", f"{self.y[0]:g} m at every point", "the shape of a filament that sags")]
+        if faults:
+            raise refusal("shapes", None, faults)
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """One filmed filament.
+
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        [s] since the release, increasing; kept as a copy that cannot be written to, as the others are.
+    midpoint : ndarray, shape (n,)
+        Height of the midpoint [m], negative below the supports' level.
+    std : ndarray, shape (n,), or None
+        Standard errors of the midpoint [m]; None if they are not known, then they are estimated from the residuals.
+    shapes : Shapes or None
+        Whole shapes besides, or instead; then `time` and `midpoint` may be empty.
+    overrides : mapping of str to str
+        Values of the scene that this filament has of its own: ``{"filament.span": "5 mm"}``.
+    path : pathlib.Path or None
+        The file they come from.
+    notes : tuple of str
+        What was corrected, a sentence each.
+
+    Raises
+    ------
+    SoftcatError
+        With every fault at once: lists that differ in length, numbers that are not finite, times before 0 or that do
+        not increase, fewer than `FEWEST` of them, a midpoint that never moves.
+    """
+
+    time: Floats
+    midpoint: Floats
+    std: Floats | None = None
+    shapes: Shapes | None = None
+    overrides: Mapping[str, str] = field(default_factory=dict)
+    path: Path | None = None
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "overrides", dict(self.overrides))
+        object.__setattr__(self, "notes", tuple(self.notes))
+        faults = _adopt(self, ("time", "midpoint", "std"))
+        if not faults:
+            faults = self._too_little()
+        if faults:
+            raise refusal("measurements", self.path, faults)
+
+    def _too_little(self) -> list[Fault]:
+        if self.shapes is not None and not self.time.size:
+            return []
+        repeats = np.flatnonzero(np.diff(self.time) <= SAME_TIME * self.time[-1:])
+        if repeats.size:
+            again = int(repeats[0]) + 1
+            return [
+                Fault(f"time[{again}]", f"{self.time[again]:g} s again", "each time once (Measurements.of averages)")
+            ]
+        if self.time.size < FEWEST:
+            accepted = f"at least {FEWEST}: fewer say nothing about a material"
+            return [Fault("", counted(self.time.size, "distinct time"), accepted)]
+        if _is_constant(self.midpoint):
+            found = f"{self.midpoint[0]:g} m at every time: nothing moves"
+            return [Fault("midpoint", found, "a filament filmed while it falls")]
+        return []
+
+
+@dataclass(frozen=True, eq=False)
+class Measurements:
+    """Filmed filaments of one material.
+
+    Attributes
+    ----------
+    series : tuple of Series
+        One for each filament, at least one.
+
+    Raises
+    ------
+    SoftcatError
+        If there is none.
+    """
+
+    series: tuple[Series, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "series", tuple(self.series))
+        if not self.series or not all(isinstance(one, Series) for one in self.series):
+            raise refusal("measurements", None, [Fault("series", "no filament", "at least one Series")])
+
+    @classmethod
+    def of(
+        cls,
+        time: ArrayLike,
+        midpoint: ArrayLike,
+        std: ArrayLike | None = None,
+        overrides: Mapping[str, str] | None = None,
+    ) -> Measurements:
+        """Take one filament from arrays; what a file would be corrected for is corrected here too, and noted.
+
+        Parameters
+        ----------
+        time : array_like, shape (n,)
+            [s] since the release, in any order; rows with a NaN are left out if they are less than a third.
+        midpoint : array_like, shape (n,)
+            [m], negative below the supports' level.
+        std : array_like, shape (n,), optional
+            Standard errors of the midpoint [m]; one number stands for all.
+        overrides : mapping of str to str, optional
+            Values of the scene that this filament has of its own.
+
+        Returns
+        -------
+        Measurements
+            Of one series.
+
+        Raises
+        ------
+        SoftcatError
+            With every fault at once.
+        """
+        given = {TIME: time, MIDPOINT: midpoint} | ({} if std is None else {STD: std})
+        table, faults = {}, []
+        for name, values in given.items():
+            try:
+                table[name] = np.ma.filled(np.ma.array(values, dtype=np.float64), np.nan)
+            except (TypeError, ValueError):
+                faults.append(Fault(name, "not a list of numbers", "numbers in s or m"))
+        if not faults:
+            if STD in table and table[STD].ndim == 0:
+                table[STD] = np.full(table[TIME].shape, table[STD])
+            faults = _unequal(table)
+        if not faults:
+            faults = [fault for name, values in table.items() for fault in _wrong(name, values, missing=True)]
+        if faults:
+            raise refusal("measurements", None, faults)
+        corrected, notes, faults = repaired(table, lambda k: f"index {k}")
+        if faults:
+            raise refusal("measurements", None, faults)
+        one = Series(corrected[TIME], corrected[MIDPOINT], corrected.get(STD), overrides=overrides or {}, notes=notes)
+        return cls((one,))
+
+
+def _adopt(owner: Series | Shapes, names: tuple[str, ...]) -> list[Fault]:
+    """Replace the fields of a frozen owner by read-only arrays of their own, and say what is wrong with them."""
+    table: dict[str, Floats] = {}
+    for name in names:
+        if getattr(owner, name) is None:
+            continue
+        try:
+            values = np.array(getattr(owner, name), dtype=np.float64)
+        except (TypeError, ValueError):
+            return [Fault(name, "not a list of numbers", "numbers in SI units")]
+        values.flags.writeable = False
+        object.__setattr__(owner, name, values)
+        table[name] = values
+    faults = _unequal(table)
+    if faults:
+        return faults
+    faults = [fault for name, values in table.items() for fault in _wrong(name, values)]
+    time = table["time"]
+    if not faults and time.size and time.min() < 0:
+        faults = [Fault(f"time[{int(time.argmin())}]", f"{time.min():g} s, before the release", "times from 0 s on")]
+    back = np.flatnonzero(np.diff(time) < 0)
+    if not faults and back.size:
+        k = int(back[0])
+        found = f"{time[k + 1]:g} s after {time[k]:g} s"
+        faults = [Fault(f"time[{k + 1}]", found, "times in increasing order (Measurements.of sorts)")]
+    return faults
+
+
+def _unequal(table: Mapping[str, Floats]) -> list[Fault]:
+    shapes = {values.shape for values in table.values()}
+    if len(shapes) == 1 and len(next(iter(shapes))) == 1:
+        return []
+    found = ", ".join(f"{name} of shape {values.shape}" for name, values in table.items())
+    return [Fault("", found, "lists of the same length")]
+
+
+def _wrong(name: str, values: Floats, missing: bool = False) -> list[Fault]:
+    """Numbers that cannot be measurements; with `missing`, NaN stands for one that was not made."""
+    faults = []
+    positive = name == STD
+    for k in np.flatnonzero(~(np.abs(values) <= _MOST) | (positive & ~(values >= _FINEST))).tolist():
+        if not (missing and np.isnan(values[k])):
+            faults.append(Fault(f"{name}[{k}]", *what_is_wrong(float(values[k]), positive) or ("", "")))
+    return faults
+
+
+def what_is_wrong(value: float, is_std: bool = False) -> tuple[str, str] | None:
+    """Say why a number in SI units cannot be a time, a height or, if so asked, a standard error; None if it can.
+
+    Returns
+    -------
+    (str, str) or None
+        What was found, what would be accepted.
+    """
+    accepted = "a positive number" if is_std else "a finite number"
+    if not np.isfinite(value):
+        return f"{value} is not finite", accepted
+    if is_std and value <= 0:
+        return f"{value:g} is not positive", "a positive standard error; leave the column out if it is not known"
+    if abs(value) > _MOST or (is_std and value < _FINEST):
+        return f"{value:g} is beyond anything measured", f"{accepted}, in the unit that its name says"
+    return None
+
+
+def _is_constant(values: Floats) -> bool:
+    return bool(np.ptp(values) <= _ROUNDING * np.max(np.abs(values)))
+
+
+_KIND = "measurements"
+_ACCEPTED = "a CSV file with the columns time_s and midpoint_m, or time_s, x_m and y_m"
+
+
+def read_measurements(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> Measurements:
+    """Read filmed filaments of one material.
+
+    Parameters
+    ----------
+    paths : path or sequence of paths
+        CSV files in UTF-8, one for each filament, whose header names ``time_s`` and ``midpoint_m`` with perhaps
+        ``midpoint_std_m``, or ``time_s``, ``x_m`` and ``y_m`` with perhaps ``y_std_m``, in any unit (``time_ms``,
+        ``midpoint [mm]``); ``sag_mm`` or ``deflection_mm`` counts downwards. Other columns are not read. Cells are
+        separated by commas, or by semicolons or tabs, then with decimal points or commas. Lines that start with ``#``
+        are comments; ``# filament.span = 5 mm`` gives this filament a value of its own.
+
+    Returns
+    -------
+    Measurements
+        In SI, in the order of the paths; what was corrected is in the notes of each series.
+
+    Raises
+    ------
+    SoftcatError
+        With the faults of all files, and their lines.
+    """
+    given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    files = [Path(path) for path in given]
+    if not files:
+        raise refusal(_KIND, None, [Fault("", "no file", _ACCEPTED)])
+    repeated = sorted({str(file) for file in files if sum(_same(file, other) for other in files) > 1})
+    if repeated:
+        found = f"{', '.join(repeated)} named twice, so the same filament would count twice"
+        raise refusal(_KIND, None, [Fault("", found, "each file once")])
+    series, refused = [], []
+    for file in files:
+        try:
+            series.append(_series(file))
+        except SoftcatError as error:
+            refused.append(str(error))
+    if refused:
+        raise SoftcatError("\n".join(refused))
+    return Measurements(tuple(series))
+
+
+def _same(one: Path, other: Path) -> bool:
+    return os.path.realpath(one) == os.path.realpath(other)
+
+
+def _series(file: Path) -> Series:
+    text = text_of(file, _KIND, _ACCEPTED)
+    overrides, faults = overrides_in(text)
+    cells = table_in(text)
+    if cells is None:
+        raise refusal(_KIND, file, [*faults, Fault("", "the file holds no data", _ACCEPTED)])
+    columns, wrong = columns_of(cells)
+    faults += wrong
+    if wrong:
+        raise refusal(_KIND, file, faults)
+    table, wrong = numbers_in(cells, columns, lambda quantity, value: what_is_wrong(value, quantity == STD))
+    faults += wrong
+    notes: tuple[str, ...] = ()
+    if not faults:
+        table, notes, faults = repaired(table, lambda k: f"line {cells.rows[k][0]}")
+    if faults:
+        raise refusal(_KIND, file, faults)
+    std = table.get(STD)
+    if MIDPOINT in table:
+        down = columns[MIDPOINT].down
+        if down:
+            notes = (f"Turned the sign of {columns[MIDPOINT].name}, which counts downwards by its name.", *notes)
+        midpoint = 0.0 - table[MIDPOINT] if down else table[MIDPOINT]
+        return Series(table[TIME], midpoint, std, None, overrides, file, notes)
+    try:
+        shapes = Shapes(table[TIME], table[X], table[Y], std)
+    except SoftcatError as error:
+        raise SoftcatError(f"{_KIND} {file}: {error}") from None
+    return Series(np.empty(0), np.empty(0), None, shapes, overrides, file, notes)

@@ -1,0 +1,645 @@
+"""Which law: several fitted to the same films, and ranked by information criteria."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.defaults import STARTS
+from softcat_sym.fitting.fit import Fit, FitProgress, NoProgress, fit
+from softcat_sym.fitting.flow_curve import REPLACED
+from softcat_sym.fitting.least_squares import LINEAR, Loss
+from softcat_sym.fitting.measurements import Measurements, read_measurements
+from softcat_sym.fitting.plausibility import Films, checked
+from softcat_sym.scene.material import CONSTANTS, INDEXED, kind_of_constant
+from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import did_you_mean
+
+CLOSE = 2.0
+"""Difference of AICc below which two laws are not told apart (Burnham and Anderson 2002, section 2.6)."""
+
+# Mean squares below this share of the data's are rounding, and choose no law.
+_ROUNDING = 1e-18
+
+
+@dataclass(frozen=True)
+class FittedLaw:
+    """What the comparison needs of a fit.
+
+    Attributes
+    ----------
+    name : str
+        The law.
+    unknowns : int
+        How many were fitted.
+    squares : float
+        Sum of the squared residuals; chi^2 where the noise is known.
+    failure : str
+        Why there is no fit; empty if there is one.
+    """
+
+    name: str
+    unknowns: int
+    squares: float
+    failure: str = ""
+
+
+@dataclass(frozen=True)
+class Ranked:
+    """A law in the table.
+
+    Attributes
+    ----------
+    law : FittedLaw
+        The fit.
+    aic, aicc, bic : float
+        Akaike's criterion (1974), corrected for few data (Hurvich and Tsai 1989; infinite with too few for it), and
+        Schwarz' (1978); without their common constant. All infinite for a fit that failed.
+    difference : float
+        Of the criterion that ranks, less its least value; infinite for a fit that failed.
+    weight : float
+        exp(-difference/2), normalised: Akaike weight.
+    """
+
+    law: FittedLaw
+    aic: float
+    aicc: float
+    bic: float
+    difference: float
+    weight: float
+
+
+@dataclass(frozen=True)
+class ModelChoice:
+    """The table, the best law first, those that failed last.
+
+    Attributes
+    ----------
+    table : tuple of Ranked
+        All laws.
+    close : tuple of str
+        Laws within `CLOSE` of the best, the best among them.
+    verdict : str
+        The name of the best law, or ``"cannot tell"`` if it is not alone.
+    criterion : str
+        What ranks: ``"AICc"``, or ``"BIC"`` where a law has too many constants for that.
+    reason : str
+        Why it cannot be told; empty if it can.
+    """
+
+    table: tuple[Ranked, ...]
+    close: tuple[str, ...]
+    verdict: str
+    criterion: Literal["AICc", "BIC"] = "AICc"
+    reason: str = ""
+
+
+def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool) -> ModelChoice:
+    """Rank laws that were fitted to the same data.
+
+    With known noise AIC = chi^2 + 2 k; with estimated noise AIC = m ln(RSS/m) + 2 (k + 1), the variance being one more
+    constant. AICc adds 2 K (K + 1)/(m - K - 1) with K constants, BIC has K ln m in place of 2 K.
+
+    AICc is infinite with m <= K + 1, which says nothing of the law: where that happens, BIC ranks all laws, and the
+    verdict is ``"cannot tell"``.
+
+    Parameters
+    ----------
+    laws : sequence of FittedLaw
+        At least one.
+    points : int
+        m, how many data.
+    noise_known : bool
+        Whether the residuals are in standard errors that were measured.
+
+    Raises
+    ------
+    SoftcatError
+        If there is no law.
+    """
+    if not laws:
+        raise SoftcatError("no law is given to choose from; accepted: one or more fitted laws")
+    rows = [(law, *_criteria(law, points, noise_known=noise_known)) for law in laws]
+    crowded = [law.name for law, _, aicc, _ in rows if not law.failure and math.isinf(aicc)]
+    ranked = [(bic if crowded else aicc, law, aic, aicc, bic) for law, aic, aicc, bic in rows]
+    ranked.sort(key=lambda row: (bool(row[1].failure), row[0], row[1].unknowns))
+    least = ranked[0][0]
+    differences = [math.inf if math.isinf(row[0]) else row[0] - least for row in ranked]
+    weights = [math.exp(-0.5 * difference) for difference in differences]
+    total = sum(weights)
+    table = tuple(
+        Ranked(law, aic, aicc, bic, difference, weight / total if total > 0 else 0.0)
+        for (_, law, aic, aicc, bic), difference, weight in zip(ranked, differences, weights, strict=True)
+    )
+    fitted = tuple(row.law.name for row in table if not row.law.failure)
+    close = fitted if crowded else tuple(row.law.name for row in table if row.difference < CLOSE)
+    reason = _undecided(fitted, close, crowded, points)
+    return ModelChoice(table, close, "cannot tell" if reason else close[0], "BIC" if crowded else "AICc", reason)
+
+
+def _undecided(fitted: Sequence[str], close: Sequence[str], crowded: Sequence[str], points: int) -> str:
+    """Why no law is alone; empty if one is."""
+    if not fitted:
+        return "no law could be fitted"
+    if crowded:
+        return f"{points} data are too few to weigh {', '.join(crowded)} by AICc; the order is that of BIC"
+    return f"{', '.join(close)} fit about equally well" if len(close) > 1 else ""
+
+
+def _criteria(law: FittedLaw, points: int, *, noise_known: bool) -> tuple[float, float, float]:
+    if law.failure:
+        return math.inf, math.inf, math.inf
+    constants = law.unknowns + (not noise_known)
+    misfit = law.squares if noise_known else points * math.log(max(law.squares / points, _ROUNDING))
+    aic = misfit + 2 * constants
+    spare = points - constants - 1
+    aicc = aic + 2 * constants * (constants + 1) / spare if spare > 0 else math.inf
+    return aic, aicc, misfit + constants * math.log(points)
+
+
+_STIFFER = 50.0
+"""Young's modulus of what flows over the one that alone would hold it: then most of the sag is flow."""
+
+_SOONER = 0.1
+"""Viscosity of what a solid or a yield stress holds, over the one that alone would slow it: it arrives early."""
+
+# Where nothing was seen, or nothing pulls: a sag of a tenth, and a soft material.
+_SAG, _WEIGHT = 0.1, 1e3
+
+
+def rough_constants(scene: Scene, films: Measurements, law: str) -> dict[str, float]:
+    """Guess constants by what they would be if each alone were to explain the largest sag.
+
+    A string of modulus E under its weight hangs down by w with E = (3/64) rho g L (L/w)^3, a clamped beam with E = rho
+    g L^4/(32 h^2 w) (THEORY, small slopes); both share the load. A viscosity is that modulus times the time that it
+    took, a yield stress the tension rho g L^2/(8 w).
+
+    Parameters
+    ----------
+    scene : Scene
+        The filament.
+    films : Measurements
+        Of it.
+    law : str
+        Whether something holds it for good.
+
+    Returns
+    -------
+    dict of str to float
+        ``youngs_modulus``, ``second_modulus``, ``yield_stress`` [Pa], ``viscosity`` [Pa s].
+    """
+    span, thickness = scene.filament.span, scene.filament.thickness
+    weight = scene.filament.density * scene.load.gravity * span or _WEIGHT
+    seen = [(one.time, one.midpoint) for one in films.series if one.time.size]
+    seen += [(one.shapes.time, one.shapes.y) for one in films.series if one.shapes is not None]
+    longest = max((float(np.max(time)) for time, _ in seen), default=0.0) or scene.run.duration
+    sag = max((float(np.max(np.abs(height))) for _, height in seen), default=0.0) / span or _SAG
+    as_string, as_beam = 3 / 64 * weight / sag**3, weight * span**2 / (32 * sag * thickness**2)
+    modulus = 1 / (1 / as_string + 1 / as_beam)
+    held = law in ("kelvin-voigt", "standard-linear", "bingham", "herschel-bulkley")
+    solid = law in ("elastic", "kelvin-voigt")
+    return {
+        "youngs_modulus": modulus * (1.0 if solid else _STIFFER),
+        "second_modulus": modulus,
+        "yield_stress": weight / (8 * sag),
+        "viscosity": modulus * longest * (_SOONER if held else 1.0),
+    }
+
+
+FITTED = tuple(law for law, constants in CONSTANTS.items() if constants and law != "custom")
+"""Laws that have a fixed set of constants."""
+
+
+def constants_of(law: str) -> tuple[str, ...]:
+    """Names of all constants of one of :data:`FITTED`, its index included."""
+    return (*CONSTANTS[law], *(("index",) if law in INDEXED else ()))
+
+
+def scene_of_law(scene: Scene, law: str, films: Measurements) -> Scene:
+    """Give a scene another law, with its own values where it has them and rough ones otherwise.
+
+    Parameters
+    ----------
+    scene : Scene
+        Any.
+    law : str
+        One of :data:`FITTED`.
+    films : Measurements
+        How far it sags, and in which time, tells rough values.
+
+    Returns
+    -------
+    Scene
+        Where effects are listed, without those that the law cannot have, and with what only it has.
+    """
+    material, rough = scene.material, rough_constants(scene, films, law)
+    index = material.index if law in INDEXED and material.law in INDEXED else 1.0
+    # A consistency is no viscosity, and its rough value is only right for an index of one.
+    same = (material.law in INDEXED) == (law in INDEXED) or material.index == 1
+    changes: dict[str, object] = {f"material.{name}": None for name in REPLACED}
+    changes["material.law"] = law
+    if law not in FITTED or "youngs_modulus" not in CONSTANTS[law]:
+        changes["material.youngs_modulus"] = None
+    for name in CONSTANTS[law]:
+        own = getattr(material, name)
+        keeps = own is not None and (name != "viscosity" or same)
+        changes[f"material.{name}"] = kind_of_constant(name, law, index).write(own if keeps else rough[name])
+    if law in INDEXED:
+        changes["material.index"] = index
+    if isinstance(scene.run.effects, str):
+        return scene.replace(changes)
+    freed = scene.replace({**changes, "run.effects": "auto"})
+    return freed.replace({"run.effects": _effects(scene, freed, scene.run.effects)})
+
+
+def _effects(former: Scene, scene: Scene, listed: Sequence[str]) -> list[str]:
+    """The listed effects that another law can have, and those of published theory that only it has, not the former."""
+    able = {one.name: one for one in REGISTRY if one.applies(scene)}
+    own = [name for name, one in able.items() if one.in_paper and not one.applies(former)]
+    kept = [name for name in listed if name in able]
+    names = [*kept, *(name for name in own if name not in kept)]
+    while lacking := [name for name in names if not {*able[name].needs} <= {*names}]:
+        names = [name for name in names if name not in lacking]
+    return names
+
+
+# Factors on rough constants: a modulus so large that it stretches nothing, a stress or modulus so small that it holds
+# nothing. A fit reaches a thousand times further either way, so that it may leave the limit again.
+_STIFF, _STIFFER_THAN_WIDER, _WEAK = 20.0, 100.0, 0.01
+
+
+@dataclass(frozen=True)
+class _Limit:
+    """What a wider law needs to be a narrower one.
+
+    Attributes
+    ----------
+    factors : mapping of str to float
+        Of rough constants, for what only the wider has.
+    renamed : mapping of str to str
+        Constants of the wider that are another one of the narrower.
+    """
+
+    factors: Mapping[str, float]
+    renamed: Mapping[str, str] = field(default_factory=dict)
+
+
+# By the wider, then by the narrower; an index begins at one. What only holds, the elastic law, is left out: whatever
+# flows needs a time to be told from it.
+_LIMITS: dict[str, dict[str, _Limit]] = {
+    "maxwell": {"newtonian": _Limit({"youngs_modulus": _STIFF})},
+    "kelvin-voigt": {"newtonian": _Limit({"youngs_modulus": _WEAK})},
+    "standard-linear": {
+        "maxwell": _Limit({"youngs_modulus": _WEAK / 50}, {"second_modulus": "youngs_modulus"}),
+        "kelvin-voigt": _Limit({"second_modulus": _STIFFER_THAN_WIDER}),
+    },
+    "bingham": {
+        "newtonian": _Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
+        "maxwell": _Limit({"yield_stress": _WEAK}),
+    },
+    "power-law": {"newtonian": _Limit({"youngs_modulus": _STIFF}), "maxwell": _Limit({})},
+    "herschel-bulkley": {
+        "newtonian": _Limit({"youngs_modulus": _STIFF, "yield_stress": _WEAK}),
+        "maxwell": _Limit({"yield_stress": _WEAK}),
+        "bingham": _Limit({}),
+        "power-law": _Limit({"yield_stress": _WEAK}),
+    },
+}
+
+
+def contained_in(law: str) -> tuple[str, ...]:
+    """Laws that are a limit of this one."""
+    return tuple(_LIMITS.get(law, {}))
+
+
+def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
+    """Write a fitted filament in the constants of a law that contains its own.
+
+    Parameters
+    ----------
+    fitted : Scene
+        With the optimum of the narrower law.
+    law : str
+        The wider, one of those for which :func:`contained_in` names the scene's own.
+    films : Measurements
+        Tell the order of what is to be negligible.
+
+    Returns
+    -------
+    Scene
+        That falls as the fitted one, within what rough constants can promise.
+    """
+    narrower = fitted.material.law
+    limit = _LIMITS[law][narrower]
+    scene, rough = scene_of_law(fitted, law, films), rough_constants(fitted, films, law)
+    values = {name: factor * rough[name] for name, factor in limit.factors.items()}
+    values |= {name: float(getattr(fitted.material, own)) for name, own in limit.renamed.items()}
+    index = scene.material.index
+    return scene.replace(
+        {f"material.{name}": kind_of_constant(name, law, index).write(value) for name, value in values.items()}
+    )
+
+
+# Of a normal distribution, over the median of magnitudes; the floor is for data that are met exactly.
+_MEDIAN_TO_DEVIATION, _LEAST_NOISE = 1.4826, 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class LawComparison:
+    """Several laws beside the same films.
+
+    Attributes
+    ----------
+    fits : dict of str to Fit
+        Of the laws that could be fitted.
+    failures : dict of str to str
+        Why others could not.
+    choice : ModelChoice
+        Their ranking; its verdict is a law, or ``"cannot tell"``.
+    restarted : dict of str to str
+        Wider laws whose own starts ended worse than a law that they contain, which is named, and that were therefore
+        started from its optimum.
+    """
+
+    fits: dict[str, Fit]
+    failures: dict[str, str]
+    choice: ModelChoice
+    restarted: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def best(self) -> Fit:
+        """The fit of the law that ranks first, even where the verdict is ``"cannot tell"``."""
+        return self.fits[self.choice.table[0].law.name]
+
+    @property
+    def sentence(self) -> str:
+        """The verdict in words."""
+        name = self.choice.table[0].law.name
+        if self.choice.verdict != "cannot tell":
+            doubt = ", though its residuals are not white" if self.fits[name].checks.verdict == "not white" else ""
+            if not self.fits[name].outcome.converged:
+                doubt += ", though its fit did not reach its optimum"
+            alone = "only {} could be fitted" if len(self.fits) == 1 else "the films speak for {}"
+            said = alone.format(name) + doubt
+        elif any(math.isinf(row.aicc) for row in self.choice.table if not row.law.failure):
+            said = f"cannot tell: too few readings to weigh {', '.join(self.choice.close)} against each other"
+        else:
+            said = f"cannot tell: {', '.join(self.choice.close)} fit about equally well"
+        return said + (f"; no fit of {', '.join(self.failures)}" if self.failures else "")
+
+
+def compared(
+    laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], loss: Loss, besides: int
+) -> LawComparison:
+    """Rank fits of the same films.
+
+    Parameters
+    ----------
+    laws : sequence of str
+        In the order asked.
+    fits, failures : mapping
+        By law; every law has one or the other.
+    loss : Loss
+        That was asked for.
+    besides : int
+        How many parameters are free besides every law's constants.
+
+    Raises
+    ------
+    SoftcatError
+        If there is no fit.
+    """
+    if not fits:
+        raise SoftcatError("none of the laws can be fitted:\n" + "\n".join(f"  {k}: {v}" for k, v in failures.items()))
+    best = _ranked(laws, fits, failures, loss, besides).table[0].law.name
+    # An optimum that was not reached would lie lower still: of the best law that is no objection.
+    unreached = {law: one.outcome.value for law, one in fits.items() if not one.outcome.converged and law != best}
+    fits = {law: one for law, one in fits.items() if law not in unreached}
+    failed = {**failures, **unreached}
+    return LawComparison(fits, failed, _ranked(laws, fits, failed, loss, besides))
+
+
+def _ranked(
+    laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], loss: Loss, besides: int
+) -> ModelChoice:
+    one, charged = next(iter(fits.values())), common_loss(loss, fits)
+    rows = [
+        FittedLaw(law, len(fits[law].problem.names), 2 * charged.value(fits[law].starts.best.residuals))
+        if law in fits
+        else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
+        for law in laws
+    ]
+    return choose_model(rows, one.starts.best.residuals.size, noise_known=one.noise_known)
+
+
+def common_loss(loss: Loss, fits: Mapping[str, Fit]) -> Loss:
+    """One loss for all laws: a robust one has each fit's own estimate of the noise for its scale; the least is used."""
+    if loss.kind == "linear" or next(iter(fits.values())).noise_known:
+        return loss
+    medians = [float(np.median(np.abs(one.starts.best.residuals))) for one in fits.values()]
+    return Loss(loss.kind, loss.scale * max(_MEDIAN_TO_DEVIATION * min(medians), _LEAST_NOISE))
+
+
+# By which a wider law's sum of squares may exceed that of one it contains: the limit is never quite reached.
+_NO_WORSE = 1e-6
+
+Bounds = Mapping[str, tuple[object, object]]
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """How every law is to be fitted."""
+
+    films: Measurements
+    also_free: tuple[str, ...]
+    bounds: Bounds
+    loss: Loss
+    starts: int
+    backend: str
+    rtol: float | None
+    seed: int
+
+    def fitted(self, scene: Scene, starts: int, *, profiles: bool = False, progress: FitProgress | None = None) -> Fit:
+        """Fit all constants of the scene's own law."""
+        law = scene.material.law
+        names = [*constants_of(law), *self.also_free]
+        leaves = {name.rpartition(".")[2] for name in names}
+        return fit(
+            # As they were read: a fit notes its own corrections.
+            self.films,
+            scene,
+            names,
+            bounds={name: pair for name, pair in self.bounds.items() if name.rpartition(".")[2] in leaves},
+            loss=self.loss,
+            starts=starts,
+            profiles=profiles,
+            backend=self.backend,
+            rtol=self.rtol,
+            seed=self.seed,
+            progress=progress,
+        )
+
+
+def fit_law(
+    measurements: Films,
+    scene: Scene,
+    law: str,
+    *,
+    also_free: Sequence[str] = (),
+    bounds: Bounds | None = None,
+    loss: Loss = LINEAR,
+    starts: int = STARTS,
+    profiles: bool = True,
+    seed: int = 0,
+    progress: FitProgress | None = None,
+) -> Fit:
+    """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`.
+
+    Raises
+    ------
+    SoftcatError
+        If the law is unknown, or as :func:`softcat_sym.fitting.fit` does.
+    """
+    _refuse([law], also_free, bounds or {}, fewest=1)
+    read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
+    asked = _Asked(read, tuple(also_free), bounds or {}, loss, starts, "auto", None, seed)
+    return asked.fitted(scene_of_law(scene, law, checked(read, scene)), starts, profiles=profiles, progress=progress)
+
+
+def fit_laws(
+    measurements: Films,
+    scene: Scene,
+    laws: Sequence[str],
+    *,
+    also_free: Sequence[str] = (),
+    bounds: Bounds | None = None,
+    loss: Loss = LINEAR,
+    starts: int = STARTS,
+    profiles: bool = False,
+    backend: str = "auto",
+    rtol: float | None = None,
+    seed: int = 0,
+    progress: FitProgress | None = None,
+) -> LawComparison:
+    """Fit every constant of several laws, and compare them by AICc and BIC.
+
+    A law that contains another, as Herschel and Bulkley's contains Bingham's, need not end worse than it: where its own
+    starts do, it is started again from the other's optimum, and the better of both fits counts.
+
+    Parameters
+    ----------
+    scene : Scene
+        The filament; its material's values, where a law has them, are where that law's fit starts.
+    laws : sequence of str
+        Two or more of :data:`FITTED`.
+    also_free : sequence of str
+        What else is not known, ``["time_offset"]`` say.
+    bounds : mapping, optional
+        As for :func:`softcat_sym.fitting.fit`; each law takes those of its own constants.
+    profiles : bool
+        Whether the law that ranks first is fitted once more, with intervals from profile likelihoods.
+    measurements, loss, starts, backend, rtol, seed, progress
+        As for :func:`softcat_sym.fitting.fit`.
+
+    Raises
+    ------
+    SoftcatError
+        If a law is unknown or named twice, or none can be fitted.
+    """
+    _refuse(laws, also_free, bounds or {})
+    read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
+    seen = checked(read, scene)
+    told = progress or NoProgress()
+    asked = _Asked(read, tuple(also_free), bounds or {}, loss, starts, backend, rtol, seed)
+    found = _all_fitted(laws, scene, seen, asked, told)
+    return _with_profiles(found, asked, told) if profiles else found
+
+
+def _all_fitted(
+    laws: Sequence[str], scene: Scene, seen: Measurements, asked: _Asked, told: FitProgress
+) -> LawComparison:
+    fits: dict[str, Fit] = {}
+    failures: dict[str, str] = {}
+    restarted: dict[str, str] = {}
+    for number, law in enumerate(_narrow_first(laws)):
+        told.stage(law, number, len(laws))
+        try:
+            fits[law] = asked.fitted(scene_of_law(scene, law, seen), asked.starts)
+        except SoftcatError as error:
+            failures[law] = str(error)
+        narrower = _better_contained(law, fits, asked.loss)
+        if narrower and _restart(law, narrower, asked, seen, fits):
+            failures.pop(law, None)
+            restarted[law] = narrower
+    found = compared(laws, fits, failures, asked.loss, len(asked.also_free))
+    return replace(found, restarted={law: other for law, other in restarted.items() if law in found.fits})
+
+
+def _narrow_first(laws: Sequence[str]) -> list[str]:
+    """Every law after those that it contains, otherwise in the order given."""
+    return sorted(laws, key=lambda law: len(contained_in(law)))
+
+
+def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
+    """The best law that this one contains, if its own fit is none or worse; otherwise nothing."""
+    inside = {name: fits[name] for name in contained_in(law) if name in fits and fits[name].outcome.converged}
+    if not inside:
+        return ""
+    charged = common_loss(loss, {name: one for name, one in fits.items() if name in inside or name == law})
+    values = {name: charged.value(one.starts.best.residuals) for name, one in inside.items()}
+    best = min(values, key=lambda name: values[name])
+    if law not in fits or not fits[law].outcome.converged:
+        return best
+    own = charged.value(fits[law].starts.best.residuals)
+    return best if own > values[best] * (1 + _NO_WORSE) else ""
+
+
+def _restart(law: str, narrower: str, asked: _Asked, seen: Measurements, fits: dict[str, Fit]) -> bool:
+    """Fit a law from the optimum of one that it contains; keep that fit if it is better, and say so."""
+    try:
+        again = asked.fitted(widened(fits[narrower].fitted_scene, law, seen), 0)
+    except SoftcatError:
+        return False
+    former = fits.get(law)
+    if former is not None and former.outcome.converged:
+        charged = common_loss(asked.loss, {"former": former, "again": again})
+        before, after = (charged.value(one.starts.best.residuals) for one in (former, again))
+        if not (again.outcome.converged and after < before):
+            return False
+    fits[law] = again
+    return True
+
+
+def _with_profiles(found: LawComparison, asked: _Asked, told: FitProgress) -> LawComparison:
+    """Fit the law that ranks first once more, as thoroughly as a single fit is, from where its best fit began."""
+    name = found.choice.table[0].law.name
+    again = asked.fitted(found.best.scene, asked.starts, profiles=True, progress=told)
+    return replace(found, fits={**found.fits, name: again})
+
+
+def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewest: int = 2) -> None:
+    faults = [
+        Fault(f"law {law}", f"none that can be fitted{did_you_mean(law, FITTED)}", ", ".join(FITTED))
+        for law in laws
+        if law not in FITTED
+    ]
+    if len(set(laws)) < len(laws):
+        faults.append(Fault("laws", "one is named twice", "each once"))
+    if len(laws) < fewest:
+        faults.append(Fault("laws", "nothing to compare", "two laws or more"))
+    if not faults:
+        constants = {name for law in laws for name in constants_of(law)}
+        own = [name for name in also_free if name.rpartition(".")[2] in constants]
+        accepted = "what is no constant of a law, such as time_offset or density"
+        faults += [Fault(f"free {name}", "a constant of a law is free without being named", accepted) for name in own]
+        known = {*constants, *(name.rpartition(".")[2] for name in also_free)}
+        strange = [name for name in bounds if name.rpartition(".")[2] not in known]
+        faults += [Fault(f"bounds of {name}", "not free in any law", ", ".join(sorted(known))) for name in strange]
+    if faults:
+        raise SceneError(faults)

@@ -1,1 +1,0 @@
-"""Modulus and viscosity from what a film shows, without running a model."""

@@ -1,1 +1,0 @@
-"""Nonlinear least squares: optimum, what is known, and how well; no filament is needed."""

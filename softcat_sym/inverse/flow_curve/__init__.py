@@ -1,1 +1,0 @@
-"""A rheometer's flow curve becomes a material."""

@@ -1,1 +1,0 @@
-"""Films of falling filaments: read, corrected, held against their scene."""

@@ -1,0 +1,201 @@
+"""One section of the filament, assembled from the terms that the effects in force have picked.
+
+:class:`Terms` starts with nothing: an elastic filament at small slope and strain that neither stretches nor bends,
+without inertia, under gravity switched on at once. Each effect replaces what it is responsible for. :func:`derive`
+turns the terms into the expressions of one cell; the graph prints these same objects.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+
+import sympy as sp
+
+from softcat_sym.physics import closures as closure
+from softcat_sym.physics import kinematics, sections
+from softcat_sym.physics.kinematics import InternalForce, internal_force
+from softcat_sym.physics.laws import ELASTIC, Law
+from softcat_sym.physics.loads import SURFACES, Surface
+from softcat_sym.physics.necking import NECKS, Neck
+from softcat_sym.physics.reissner import ResolvedSection, resolve
+from softcat_sym.physics.section_response import SectionResponse, Shape, respond
+from softcat_sym.physics.symbols import eta_s, g, s
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """What the equations are made of; every field has the value of the barest filament.
+
+    Attributes
+    ----------
+    centreline : Kinematics
+        Stretch and turning.
+    strain : StrainMeasure
+        Axial strain.
+    thins : bool
+        Whether the section shrinks as its shape does.
+    inertia, bending : bool
+        Whether momentum and moment are in the balance.
+    stretches : bool
+        Whether the filament stretches; otherwise it is a beam of small slope with no other unknown than its height.
+    law : Law
+        The law of the material, of which the effects pick what is in force.
+    flows, yields, viscous : bool
+        Whether its branches flow, whether they do so only beyond the yield stress, and whether its viscous stress acts.
+    damped : bool
+        Whether a viscous stress acts beside a law that has none of its own.
+    curved : bool
+        Whether the relaxed filament is curved.
+    shear, rotary_inertia : bool
+        Whether the section turns by itself, and whether it takes a moment to turn it faster.
+    resolved : bool
+        Whether the plastic strain has any profile through the thickness, instead of a linear one.
+    necking_gradient : bool
+        Whether a neck's slope stiffens it.
+    surface_tension : bool
+        Whether the energy of the surface pulls the filament together.
+    gravity, gravity_rate : sympy.Expr
+        Gravity and its rate where it does not shake.
+    shaking, shaking_rate : sympy.Expr
+        Factor by which it shakes, and the rate of that.
+    """
+
+    centreline: kinematics.Kinematics = kinematics.SMALL_SLOPE
+    strain: kinematics.StrainMeasure = kinematics.SMALL_STRAIN
+    thins: bool = False
+    inertia: bool = False
+    bending: bool = False
+    stretches: bool = False
+    law: Law = ELASTIC
+    flows: bool = False
+    yields: bool = False
+    viscous: bool = False
+    damped: bool = False
+    curved: bool = False
+    shear: bool = False
+    rotary_inertia: bool = False
+    resolved: bool = False
+    necking_gradient: bool = False
+    surface_tension: bool = False
+    gravity: sp.Expr = g
+    gravity_rate: sp.Expr = sp.S.Zero
+    # Not in its representation, from which a structure has its name: one that does not shake keeps it.
+    shaking: sp.Expr = field(default=sp.S.One, repr=False)
+    shaking_rate: sp.Expr = field(default=sp.S.Zero, repr=False)
+
+    @property
+    def load(self) -> sp.Expr:
+        """g(t): as it comes on, times its shaking."""
+        return self.gravity * self.shaking
+
+    @property
+    def load_rate(self) -> sp.Expr:
+        """dg/dt by the product rule."""
+        return self.gravity_rate * self.shaking + self.gravity * self.shaking_rate
+
+    def law_in_force(self) -> Law:
+        """The law with the flow rules and the viscous stress that the effects have left."""
+        branches = tuple(branch.in_force(flows=self.flows, yields=self.yields) for branch in self.law.branches)
+        own = self.law.viscosity if self.viscous else None
+        return replace(self.law, branches=branches, viscosity=eta_s if self.damped and own is None else own)
+
+
+@dataclass(frozen=True, slots=True)
+class FilamentEquations:
+    """The expressions of one cell of a filament: what the graph is printed from.
+
+    Attributes
+    ----------
+    terms : Terms
+        What the effects left.
+    shape : Section
+        Cross-section.
+    closure : str
+        ``material`` or ``printed``.
+    law : Law
+        With the one flow rule of each branch that is in force.
+    response : SectionResponse
+        The section of the paper: no shear, a plastic strain linear through the thickness.
+    resolved : ResolvedSection or None
+        The section point by point, where shear or fibres are in force; it then replaces `response`.
+    neck : Neck or None
+        The gradient term, if in force.
+    surface : Surface or None
+        Surface tension, if in force.
+    force : InternalForce
+        Q t + N n of a filament that does not shear.
+    """
+
+    terms: Terms
+    shape: sections.Section
+    closure: str
+    law: Law
+    response: SectionResponse
+    resolved: ResolvedSection | None
+    neck: Neck | None
+    surface: Surface | None
+    force: InternalForce
+
+    @property
+    def conserves_energy(self) -> bool:
+        """Whether forces and stored energy belong together, so that the energy balance can be judged."""
+        return self.closure == "material" and s not in self.response.volume.free_symbols
+
+
+@lru_cache(maxsize=64)
+def derive(terms: Terms, shape: sections.Section, closure_name: str) -> FilamentEquations:
+    """Assemble one cell.
+
+    Parameters
+    ----------
+    terms : Terms
+        As left by the effects.
+    shape : Section
+        Rectangle, circle or sheet.
+    closure_name : str
+        ``material`` or ``printed``.
+
+    Raises
+    ------
+    ValueError
+        If nothing carries the weight, or if a filament that does not stretch has what only stretching brings.
+    """
+    if not terms.stretches:
+        _refuse_stretching(terms)
+    contraction = shape.contraction if terms.thins else sections.NONE
+    law = terms.law_in_force()
+    closed = closure.CLOSURES[closure_name](terms.strain, contraction)
+    outline = Shape(
+        shape, contraction, terms.strain, bends=terms.bending, stretches=terms.stretches, curved=terms.curved
+    )
+    resolved = resolve(shape, law, shear=terms.shear, curved=terms.curved) if terms.shear or terms.resolved else None
+    return FilamentEquations(
+        terms=terms,
+        shape=shape,
+        closure=closure_name,
+        law=law,
+        response=respond(outline, closed, law),
+        resolved=resolved,
+        neck=NECKS[shape.name] if terms.necking_gradient else None,
+        surface=SURFACES[shape.name] if terms.surface_tension else None,
+        force=internal_force(terms.centreline, bending=terms.bending, stretches=terms.stretches),
+    )
+
+
+def _refuse_stretching(terms: Terms) -> None:
+    """Refuse what has no meaning in a filament that does not stretch."""
+    if not terms.bending:
+        raise ValueError("a filament that neither stretches nor bends carries no weight")
+    present = {
+        "finite strain": terms.strain is not kinematics.SMALL_STRAIN,
+        "large rotation": terms.centreline is not kinematics.SMALL_SLOPE,
+        "thinning": terms.thins,
+        "shear": terms.shear,
+        "a section resolved point by point": terms.resolved,
+        "a necking gradient": terms.necking_gradient,
+        "surface tension": terms.surface_tension,
+    }
+    if any(present.values()):
+        found = ", ".join(name for name, there in present.items() if there)
+        raise ValueError(f"{found}: only in a filament that stretches")

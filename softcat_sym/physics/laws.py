@@ -1,0 +1,457 @@
+"""The constitutive laws: springs in parallel, each in line with a flow rule, beside a viscous stress."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol, TypeVar, cast
+
+import sympy as sp
+
+from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.sections import TINY, Section, SectionMeans, quadrature_means
+from softcat_sym.physics.symbols import (
+    ONE,
+    RATE,
+    STRESS,
+    VISCOSITY,
+    Dimension,
+    E,
+    c,
+    enter,
+    eta,
+    sigma,
+    sigma_0,
+    sigma_1,
+    sigma_Y,
+)
+
+elastic_part = enter("eps_e", r"\epsilon^e", ONE, "elastic strain of a fibre", "2.8")
+
+
+def elastic_stress(strain: sp.Expr, plastic_strain: sp.Expr) -> sp.Expr:
+    """Axial stress E (eps - eps_p) (2.8)."""
+    return E * (strain - plastic_strain)
+
+
+RHEOLOGY_EQUATIONS: tuple[Equation, ...] = (
+    Equation("stress of an elastic strain", sigma, elastic_stress(elastic_part, sp.Integer(0)), "2.8"),
+)
+
+MeansOf = Callable[[Section], SectionMeans]
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """A flow rule and its means over a section.
+
+    Attributes
+    ----------
+    rate : sympy.Expr
+        phi, the plastic strain rate of a fibre, in the symbol ``sigma``: odd, and nowhere decreasing.
+    threshold : sympy.Expr
+        Stress below which nothing flows.
+    closed_means : callable or None
+        Means over a section in closed form; None where there is none, and they are taken by quadrature.
+    """
+
+    rate: sp.Expr
+    threshold: sp.Expr = sp.S.Zero
+    closed_means: MeansOf | None = None
+
+    def means(self, section: Section) -> SectionMeans:
+        """Means over a section in which the stress is sigma_0 + sigma_1 zeta."""
+        if self.closed_means is not None:
+            return self.closed_means(section)
+        return quadrature_means(section, self.rate, self.threshold)
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """A spring in line with a flow rule.
+
+    Attributes
+    ----------
+    modulus : sympy.Expr
+        E_j.
+    flow : Flow or None
+        Without a yield stress; None for a spring alone.
+    flow_beyond_yield : Flow or None
+        With the yield stress; None if the law has none.
+    """
+
+    modulus: sp.Expr = E
+    flow: Flow | None = None
+    flow_beyond_yield: Flow | None = None
+
+    def in_force(self, *, flows: bool, yields: bool) -> Branch:
+        """The branch with the one flow rule that is in force, or none."""
+        flow = self.flow_beyond_yield if yields and self.flow_beyond_yield is not None else self.flow
+        return replace(self, flow=flow if flows else None, flow_beyond_yield=None)
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """A number that a law asks for, by the name that the scene gives it."""
+
+    name: str
+    symbol: sp.Symbol
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """A constitutive law.
+
+    Attributes
+    ----------
+    name : str
+        As in the scene.
+    branches : tuple of Branch
+        Springs in parallel; none for a Newtonian fluid. Where a flow rule is not linear there is one branch only.
+    viscosity : sympy.Expr or None
+        eta of the viscous stress eta eps_t, if there is one.
+    constants : tuple of Constant
+        Beyond those that several laws share: of further modes, or of the user's own rule.
+    """
+
+    name: str
+    branches: tuple[Branch, ...] = (Branch(),)
+    viscosity: sp.Expr | None = None
+    constants: tuple[Constant, ...] = ()
+
+    @property
+    def flows(self) -> bool:
+        """Whether any branch flows."""
+        return any(branch.flow is not None for branch in self.branches)
+
+    @property
+    def yields(self) -> bool:
+        """Whether any branch has a yield stress."""
+        return any(branch.flow_beyond_yield is not None for branch in self.branches)
+
+
+ELASTIC = Law("elastic")
+
+plastic_rate = enter("eps_p_t", r"\epsilon^p_t", RATE, "plastic strain rate of a fibre", "2.7")
+
+
+def flow_rule(name: str, rate: sp.Expr, source: str) -> Equation:
+    """The equation eps_p_t = phi(sigma)."""
+    return Equation(name, plastic_rate, rate, source)
+
+
+ELASTIC_LAW = ELASTIC
+
+
+def maxwell_rate(viscosity: sp.Expr = eta) -> sp.Expr:
+    """phi(sigma) = sigma/eta (2.7)."""
+    return sigma / viscosity
+
+
+def maxwell_means(section: Section, viscosity: sp.Expr = eta) -> SectionMeans:
+    """Means of :func:`maxwell_rate`, linear in the stress, so that the section does not matter (2.12)."""
+    del section
+    return SectionMeans(
+        rate=sigma_0 / viscosity,
+        bending_rate=sigma_1 / viscosity,
+        yielded_fraction=sp.Integer(1),
+        largest_rate=(sp.Abs(sigma_0) + sp.Abs(sigma_1)) / viscosity,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _MaxwellMeans:
+    """:func:`maxwell_means` at a viscosity: not a closure, so that its representation names it in every process."""
+
+    viscosity: sp.Expr
+
+    def __call__(self, section: Section) -> SectionMeans:
+        return maxwell_means(section, self.viscosity)
+
+
+def linear_flow(viscosity: sp.Expr) -> Flow:
+    """The flow rule of a dashpot of this tensile viscosity."""
+    return Flow(maxwell_rate(viscosity), closed_means=_MaxwellMeans(viscosity))
+
+
+MAXWELL_LAW = Law("maxwell", branches=(Branch(flow=linear_flow(eta)),))
+
+MAXWELL_EQUATIONS: tuple[Equation, ...] = (flow_rule("Maxwell fluid", maxwell_rate(), "2.7"),)
+
+NEWTONIAN_LAW = Law("newtonian", branches=(), viscosity=eta)
+
+KELVIN_VOIGT_LAW = Law("kelvin-voigt", branches=(Branch(),), viscosity=eta)
+
+E_2 = enter("E_2", "E_2", STRESS, "modulus of the spring in line with the dashpot", "Zener 1948", positive=True)
+
+STANDARD_LINEAR_LAW = Law(
+    "standard-linear",
+    branches=(Branch(), Branch(E_2, flow=linear_flow(eta))),
+    constants=(Constant("second_modulus", E_2),),
+)
+
+_SOURCE = "Wiechert 1893"
+
+
+def mode(number: int) -> tuple[sp.Symbol, sp.Symbol]:
+    """Modulus and tensile viscosity of one mode; the first is number 1."""
+    return (
+        enter(f"E_m{number}", f"E_{{m{number}}}", STRESS, f"modulus of mode {number}", _SOURCE, positive=True),
+        enter(
+            f"eta_m{number}", rf"\eta_{{m{number}}}", VISCOSITY, f"viscosity of mode {number}", _SOURCE, positive=True
+        ),
+    )
+
+
+def multimode_maxwell(modes: int) -> Law:
+    """The law of so many modes, whose constants are ``mode_1_youngs_modulus``, ``mode_1_viscosity`` and so on.
+
+    Raises
+    ------
+    ValueError
+        If there is no mode.
+    """
+    if modes < 1:
+        raise ValueError(f"a multi-mode fluid has one mode or more, not {modes}")
+    branches, constants = [], []
+    for number in range(1, modes + 1):
+        modulus, viscosity = mode(number)
+        branches.append(Branch(modulus, flow=linear_flow(viscosity)))
+        constants.append(Constant(f"mode_{number}_youngs_modulus", modulus))
+        constants.append(Constant(f"mode_{number}_viscosity", viscosity))
+    return Law("multimode-maxwell", branches=tuple(branches), constants=tuple(constants))
+
+
+def bingham_rate() -> sp.Expr:
+    """phi(sigma) = <|sigma| - sigma_Y> sign(sigma)/eta (2.25)."""
+    return sp.Piecewise(
+        ((sigma - sigma_Y) / eta, sigma > sigma_Y), ((sigma + sigma_Y) / eta, sigma < -sigma_Y), (sp.Integer(0), True)
+    )
+
+
+def bingham_means(section: Section) -> SectionMeans:
+    """Means of :func:`bingham_rate` in closed form: (2.26), (2.27) for every sign case, free of 0/0.
+
+    The fibres beyond sigma_Y in tension fill zeta from an edge c to the stressed side, those in compression from the
+    other side; with the stress slope |sigma_1| the means are |sigma_1| K_n(c), and a section that has yielded right
+    through adds the overstress of its least stressed fibre. Both sides bend the section the way of sigma_1.
+    """
+    slope = sp.Abs(sigma_1)
+    tension = _one_sided(section, sigma_0 - sigma_Y, slope)
+    compression = _one_sided(section, -sigma_0 - sigma_Y, slope)
+    moment_per_slope = tension.moment_per_slope + compression.moment_per_slope
+    return SectionMeans(
+        rate=(tension.mean - compression.mean) / eta,
+        bending_rate=sigma_1 * moment_per_slope / (section.zeta_squared * eta),
+        yielded_fraction=tension.area + compression.area,
+        largest_rate=sp.Max(0, sp.Abs(sigma_0) + slope - sigma_Y) / eta,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _OneSided:
+    mean: sp.Expr
+    moment_per_slope: sp.Expr
+    area: sp.Expr
+
+
+def _one_sided(section: Section, overstress: sp.Expr, slope: sp.Expr) -> _OneSided:
+    low, high = section.interval
+    edge = sp.Min(sp.Max(-overstress / sp.Max(slope, TINY * E), low), high)
+
+    def beyond(partial: sp.Expr) -> sp.Expr:
+        value = partial.subs(c, edge)
+        # Where c is kept inside (-1, 1) a trace of 1e-21 would be left of a section that does not yield at all.
+        return value if high == 1 else sp.Piecewise((value, edge < high), (sp.Integer(0), True))
+
+    return _OneSided(
+        mean=sp.Max(overstress + low * slope, 0) + slope * beyond(section.overstress_mean),
+        moment_per_slope=beyond(section.overstress_moment),
+        area=beyond(section.area),
+    )
+
+
+BINGHAM_LAW = Law(
+    "bingham",
+    branches=(Branch(flow=linear_flow(eta), flow_beyond_yield=Flow(bingham_rate(), sigma_Y, bingham_means)),),
+)
+
+BINGHAM_EQUATIONS: tuple[Equation, ...] = (flow_rule("Bingham-Norton fluid", bingham_rate(), "2.25"),)
+
+n = enter("n", "n", ONE, "flow index", "Ostwald 1925", positive=True)
+K = enter("K", "K", cast("Dimension", (1, -1, n - 2)), "tensile consistency, in Pa s^n", "Ostwald 1925", positive=True)
+
+# |sigma|^(1/n) has an infinite slope at zero stress if n > 1. Within this many E of zero the rule is linear instead;
+# at a thousand times that it is off by less than a millionth. For n = 1 nothing is changed.
+SMALL_STRESS = sp.Rational(1, 10**9)
+
+CONSTANTS = (Constant("viscosity", K), Constant("index", n))
+
+
+def power_of(stress: sp.Expr) -> sp.Expr:
+    """(|stress|/K)^(1/n) sign(stress), with a finite slope where the stress vanishes.
+
+    As s (s^2 + e^2)^((1/n - 1)/2) with s the stress over K: powers of K alone would overflow for small n.
+    """
+    relative = stress / K
+    return relative * (relative**2 + (SMALL_STRESS * E / K) ** 2) ** ((1 / n - 1) / 2)
+
+
+def power_law_rate() -> sp.Expr:
+    """phi(sigma) = (|sigma|/K)^(1/n) sign(sigma)."""
+    return power_of(sigma)
+
+
+FLOW = Flow(power_law_rate())
+
+POWER_LAW_LAW = Law("power-law", branches=(Branch(flow=FLOW),), constants=CONSTANTS)
+
+POWER_LAW_EQUATIONS: tuple[Equation, ...] = (flow_rule("power-law fluid", power_law_rate(), "Ostwald 1925"),)
+
+
+def herschel_bulkley_rate() -> sp.Expr:
+    """phi(sigma) = (<|sigma| - sigma_Y>/K)^(1/n) sign(sigma)."""
+    return sp.sign(sigma) * power_of(sp.Max(sp.Abs(sigma) - sigma_Y, 0))
+
+
+HERSCHEL_BULKLEY_LAW = Law(
+    "herschel-bulkley",
+    branches=(Branch(flow=FLOW, flow_beyond_yield=Flow(herschel_bulkley_rate(), sigma_Y)),),
+    constants=CONSTANTS,
+)
+
+HERSCHEL_BULKLEY_EQUATIONS: tuple[Equation, ...] = (
+    flow_rule("Herschel-Bulkley fluid", herschel_bulkley_rate(), "Herschel & Bulkley 1926"),
+)
+
+Folded = TypeVar("Folded")
+
+
+class Formula(Protocol):
+    """A parsed formula, of which nothing is asked but to be built up again from its leaves."""
+
+    def fold(
+        self,
+        number: Callable[[float], Folded],
+        name: Callable[[str], Folded],
+        operation: Callable[[str, Sequence[Folded]], Folded],
+    ) -> Folded:
+        """Value of the formula, given what a number, a name and an operation on values are."""
+        ...
+
+
+def _asinh(size: sp.Expr) -> sp.Expr:
+    """By its logarithm, for size >= 0: of a negative one the sum would lose its digits."""
+    return sp.log(size + sp.sqrt(size**2 + 1))
+
+
+OPERATIONS: dict[str, Callable[..., sp.Expr]] = {
+    "add": lambda a, b: a + b,
+    "sub": lambda a, b: a - b,
+    "mul": lambda a, b: a * b,
+    "div": lambda a, b: a / b,
+    "pow": lambda a, b: a**b,
+    "neg": lambda a: -a,
+    "exp": sp.exp,
+    "log": sp.log,
+    "sqrt": sp.sqrt,
+    "sinh": sp.sinh,
+    "cosh": sp.cosh,
+    "tanh": sp.tanh,
+    "asinh": lambda a: sp.Piecewise((_asinh(a), a >= 0), (-_asinh(-a), True)),
+    "atan": sp.atan,
+    "sin": sp.sin,
+    "cos": sp.cos,
+    "abs": sp.Abs,
+    "sign": sp.sign,
+    "min": sp.Min,
+    "max": sp.Max,
+}
+
+
+def custom_law(formula: Formula, *, yields: bool) -> Law:
+    """The law whose plastic strain rate is a formula in ``sigma`` and parameters.
+
+    Parameters
+    ----------
+    formula : Formula
+        phi(sigma) [1/s], odd and nowhere decreasing; every name in it but ``sigma`` is a constant of the law.
+    yields : bool
+        Whether it is zero up to a stress, which the law then has as its yield stress. The rule knows its threshold by
+        itself: it is the same with yielding and without.
+
+    Raises
+    ------
+    ValueError
+        If the formula asks for an operation that is not among :data:`OPERATIONS`.
+    """
+    constants: dict[str, sp.Symbol] = {}
+
+    def named(name: str) -> sp.Expr:
+        if name == sigma.name:
+            return sigma
+        # The prefix keeps a user's "s" or "eta" apart from the theory's.
+        return constants.setdefault(name, sp.Symbol(f"custom_{name}", real=True))
+
+    rate = formula.fold(_number, named, _operation)
+    flow = Flow(rate, sigma_Y if yields else sp.S.Zero)
+    branch = Branch(flow=flow, flow_beyond_yield=flow if yields else None)
+    return Law(
+        "custom", branches=(branch,), constants=tuple(Constant(name, symbol) for name, symbol in constants.items())
+    )
+
+
+def _number(value: float) -> sp.Expr:
+    """A whole number as it is, so that x^2 stays a product; any other to all its digits."""
+    return sp.Integer(int(value)) if float(value).is_integer() else sp.Float(value, 17)
+
+
+def _operation(name: str, values: Sequence[sp.Expr]) -> sp.Expr:
+    if name not in OPERATIONS:
+        raise ValueError(f"no operation {name}: there are {', '.join(sorted(OPERATIONS))}")
+    return OPERATIONS[name](*values)
+
+
+FIXED: dict[str, Law] = {
+    law.name: law
+    for law in (
+        ELASTIC_LAW,
+        MAXWELL_LAW,
+        NEWTONIAN_LAW,
+        KELVIN_VOIGT_LAW,
+        STANDARD_LINEAR_LAW,
+        BINGHAM_LAW,
+        POWER_LAW_LAW,
+        HERSCHEL_BULKLEY_LAW,
+    )
+}
+
+
+def law_of(name: str, *, modes: int = 0, formula: Formula | None = None, yields: bool = False) -> Law:
+    """A law by its name.
+
+    Parameters
+    ----------
+    name : str
+        As in the scene.
+    modes : int
+        How many, for ``multimode-maxwell``.
+    formula : Formula or None
+        The flow rule of ``custom``.
+    yields : bool
+        Whether the rule of ``custom`` is zero up to the yield stress.
+
+    Raises
+    ------
+    ValueError
+        If there is no such law, or it lacks its modes or its formula.
+    """
+    if name == "multimode-maxwell":
+        return multimode_maxwell(modes)
+    if name == "custom":
+        if formula is None:
+            raise ValueError("a custom law is made of a formula")
+        return custom_law(formula, yields=yields)
+    if name not in FIXED:
+        raise ValueError(f"no law {name}: there are custom, multimode-maxwell, {', '.join(FIXED)}")
+    return FIXED[name]

@@ -1,0 +1,434 @@
+"""A filament that shears, resolved fibre by fibre (THEORY 12): exact in the plane, J2 flow in each fibre."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from softcat_sym.physics import kinematics
+from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
+from softcat_sym.physics.equation import Equation
+from softcat_sym.physics.kinematics import mass_per_length
+from softcat_sym.physics.laws import Branch, Law, bingham_rate, elastic_stress
+from softcat_sym.physics.section_response import PLANE_STRAIN, resistance, stiffness
+from softcat_sym.physics.sections import RECTANGLE as RECTANGULAR
+from softcat_sym.physics.sections import UNIFORM, Contraction, Section
+from softcat_sym.physics.symbols import (
+    FORCE,
+    MOMENT,
+    ONE,
+    PER_LENGTH,
+    RATE,
+    STRESS,
+    E,
+    M,
+    T,
+    X,
+    enter,
+    enter_field,
+    g,
+    h0,
+    kappa_0,
+    s,
+    sigma,
+    t,
+    x_X,
+    x_Xt,
+    y_X,
+    y_Xt,
+    zeta,
+)
+
+psi = enter("psi", r"\psi", ONE, "angle of the section's normal from the horizontal", "THEORY 12")
+Lam = enter("Lam", r"\Lambda", ONE, "r_X along the section's normal", "THEORY 12", positive=True)
+Gam = enter("Gam", r"\Gamma", ONE, "r_X along the section", "THEORY 12")
+k = enter("k", "k", PER_LENGTH, "psi_X, bending per unit material length", "THEORY 12")
+psi_t = enter("psi_t", r"\dot\psi", RATE, "rate of psi", "THEORY 12")
+Lam_t = enter("Lam_t", r"\dot\Lambda", RATE, "rate of Lam", "THEORY 12")
+Gam_t = enter("Gam_t", r"\dot\Gamma", RATE, "rate of Gam", "THEORY 12")
+k_t = enter("k_t", r"\dot k", (0, -1, -1), "rate of k", "THEORY 12")
+eps_p = enter("eps_p", r"\epsilon^p", ONE, "axial plastic strain of a fibre", "THEORY 12")
+gamma_p = enter("gamma_p", r"\gamma^p", ONE, "plastic shear of a fibre", "THEORY 12")
+tau_f = enter("tau_f", r"\tau", STRESS, "shear stress of a fibre", "THEORY 12")
+kappa_s = enter("kappa_s", r"\kappa_s", ONE, "shear correction of the section", "THEORY 12", positive=True)
+sigma_zeta = enter("sigma_zeta", r"\langle\sigma\zeta\rangle", STRESS, "mean of sigma zeta", "THEORY 12")
+sigma_mean = enter("sigma_mean", r"\langle\sigma\rangle", STRESS, "mean of sigma", "THEORY 12")
+tau_mean = enter("tau_mean", r"\langle\tau\rangle", STRESS, "mean of the shear stress", "THEORY 12")
+S = enter("S", "S", FORCE, "shear force, area times mean shear stress", "THEORY 12")
+n_1 = enter("n_1", "n_1", FORCE, "force conjugate to Lam", "THEORY 12")
+n_2 = enter("n_2", "n_2", FORCE, "force conjugate to Gam", "THEORY 12")
+m_c = enter("m_c", "m", MOMENT, "moment conjugate to k, minus M", "THEORY 12")
+
+normal_force = enter_field("normal_force", "n_1", FORCE, "force conjugate to Lam", "THEORY 12")(X, t)
+section_force = enter_field("section_force", "n_2", FORCE, "force conjugate to Gam", "THEORY 12")(X, t)
+couple = enter_field("couple", "m", MOMENT, "moment conjugate to k", "THEORY 12")(X, t)
+section_angle = enter_field("section_angle", r"\psi", ONE, "angle of the section's normal", "THEORY 12")(X, t)
+along_normal = enter_field("along_normal", r"\Lambda", ONE, "r_X along the section's normal", "THEORY 12")(X, t)
+along_section = enter_field("along_section", r"\Gamma", ONE, "r_X along the section", "THEORY 12")(X, t)
+
+RECTANGLE_SHEAR = sp.Rational(5, 6)
+"""kappa_s of a rectangle, from the energy of a parabolic shear stress."""
+CIRCLE_SHEAR = sp.Rational(9, 10)
+"""kappa_s of a circle, likewise."""
+
+
+def cowper_circle() -> sp.Expr:
+    """kappa_s = 6 (1 + nu)/(7 + 6 nu) of a circle in three-dimensional elasticity; 9/10 if incompressible."""
+    return 6 * (1 + nu) / (7 + 6 * nu)
+
+
+def director_strains() -> tuple[sp.Expr, sp.Expr]:
+    """(Lam, Gam) of (r_X, psi)."""
+    return (x_X * sp.cos(psi) + y_X * sp.sin(psi), -x_X * sp.sin(psi) + y_X * sp.cos(psi))
+
+
+@dataclass(frozen=True, slots=True)
+class ShearingCell:
+    """One cell: every link of the chain, in the symbols that the link before it computes.
+
+    Attributes
+    ----------
+    area, thickness : sympy.Expr
+        A and h of Lam (2.9).
+    axial_strain : sympy.Expr
+        True strain of the fibre zeta, of (Lam, k).
+    shear_strain : sympy.Expr
+        Gam/Lam, the same for all fibres.
+    axial_stress, shear_stress : sympy.Expr
+        sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the fibre.
+    tension, moment, shear_force : sympy.Expr
+        T, M and S of the means over the section and Lam.
+    normal_force, section_force, couple : sympy.Expr
+        n_1, n_2 and m, conjugate to Lam, Gam and k, of (T, M, S) and (Lam, Gam, k).
+    force : tuple of sympy.Expr
+        n_1 d1 + n_2 d2 in the fixed frame, of (n_1, n_2, psi).
+    turning_moment : sympy.Expr
+        Lam n_2 - Gam n_1, what the forces do to the section angle besides m_X.
+    elastic_energy : sympy.Expr
+        Stored energy of a fibre per unit undeformed volume, of (sigma, tau).
+    """
+
+    area: sp.Expr
+    thickness: sp.Expr
+    axial_strain: sp.Expr
+    shear_strain: sp.Expr
+    axial_stress: sp.Expr
+    shear_stress: sp.Expr
+    tension: sp.Expr
+    moment: sp.Expr
+    shear_force: sp.Expr
+    normal_force: sp.Expr
+    section_force: sp.Expr
+    couple: sp.Expr
+    force: tuple[sp.Expr, sp.Expr]
+    turning_moment: sp.Expr
+    elastic_energy: sp.Expr
+
+    def corrected(self, correction: sp.Expr) -> ShearingCell:
+        """The same cell with a number for kappa_s."""
+        return replace(
+            self,
+            shear_stress=self.shear_stress.subs(kappa_s, correction),
+            elastic_energy=self.elastic_energy.subs(kappa_s, correction),
+        )
+
+
+def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
+    """The chain for one way of contracting that keeps the volume: ``UNIFORM`` or ``WIDE``.
+
+    n_1 = T - M k (Lam d(log lever)/dLam)/Lam - S Gam/Lam, where lever = h/(2 Lam) is the bending strain of the outer
+    fibre per unit -k: 3/2 M k/Lam if the section shrinks both ways, 2 M k/Lam for a sheet.
+    """
+    area, thickness = contraction.area.subs(s, Lam), contraction.thickness.subs(s, Lam)
+    lever = sp.powsimp(thickness / (2 * Lam))
+    axial, shear = sp.log(Lam) - k * lever * zeta, Gam / Lam
+    # Exponent of Lam in the lever, a number: -3/2 or -2.
+    exponent = sp.powsimp(Lam * sp.diff(lever, Lam) / lever)
+    return ShearingCell(
+        area=area,
+        thickness=thickness,
+        axial_strain=axial,
+        shear_strain=shear,
+        axial_stress=elastic_stress(axial, eps_p),
+        shear_stress=kappa_s * shear_modulus() * (shear - gamma_p),
+        tension=area * sigma_mean,
+        moment=area * thickness * sigma_zeta / 2,
+        shear_force=area * tau_mean,
+        normal_force=T - exponent * M * k / Lam - S * Gam / Lam,
+        section_force=S,
+        couple=-M,
+        force=(n_1 * sp.cos(psi) - n_2 * sp.sin(psi), n_1 * sp.sin(psi) + n_2 * sp.cos(psi)),
+        turning_moment=Lam * n_2 - Gam * n_1,
+        elastic_energy=sigma**2 / (2 * E) + tau_f**2 / (2 * kappa_s * shear_modulus()),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class FibreFlow:
+    """J2 flow of a fibre under (sigma, tau), the bulk law in this stress state; rates in ``sigma_eq`` as one symbol.
+
+    Attributes
+    ----------
+    equivalent : sympy.Expr
+        sig_eq of (sigma, tau). It vanishes where nothing is stressed: a consumer floors it before it divides.
+    axial_rate, shear_rate : sympy.Expr
+        Rates of eps_p and gamma_p.
+    speed : sympy.Expr
+        Equivalent plastic rate phi(sig_eq).
+    dissipation : sympy.Expr
+        Plastic power per unit undeformed volume.
+    yields : sympy.Expr
+        1 where the fibre flows, otherwise 0.
+    """
+
+    equivalent: sp.Expr
+    axial_rate: sp.Expr
+    shear_rate: sp.Expr
+    speed: sp.Expr
+    dissipation: sp.Expr
+    yields: sp.Expr
+
+
+def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One) -> FibreFlow:
+    """sig_eq = sqrt(m sigma^2 + 3 tau^2), eps_p_t = phi m sigma/sig_eq, gamma_p_t = 3 phi tau/sig_eq.
+
+    Parameters
+    ----------
+    rate : sympy.Expr
+        Flow rule phi in the symbol ``sigma``.
+    share : sympy.Expr
+        m: 1, or 3/4 where the section is too wide to change its width (von Mises).
+    """
+    speed = rate.subs(sigma, sigma_eq)
+    return FibreFlow(
+        equivalent=sp.sqrt(share * sigma**2 + 3 * tau_f**2),
+        axial_rate=share * speed * sigma / sigma_eq,
+        shear_rate=3 * speed * tau_f / sigma_eq,
+        speed=speed,
+        dissipation=speed * sigma_eq,
+        yields=sp.sign(speed),
+    )
+
+
+def axial_flow(rate: sp.Expr, share: sp.Expr = sp.S.One) -> FibreFlow:
+    """Flow of a fibre whose shear stress only keeps the section square to the centreline: sig_eq = sqrt(m) |sigma|."""
+    both = fibre_flow(rate, share)
+    return replace(both, equivalent=sp.sqrt(share) * sp.Abs(sigma), shear_rate=sp.Integer(0))
+
+
+def strain_rates(of: ShearingCell) -> tuple[sp.Expr, sp.Expr]:
+    """Rates of the axial and the shear strain of a fibre, of (Lam, Gam, k) and their rates."""
+    moving = ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
+    axial, shear = (
+        sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in moving))
+        for strain in (of.axial_strain, of.shear_strain)
+    )
+    return axial, shear
+
+
+def director_rates() -> tuple[sp.Expr, sp.Expr]:
+    """Rates of (Lam, Gam), of (r_X, psi) and their rates."""
+    moving = ((x_X, x_Xt), (y_X, y_Xt), (psi, psi_t))
+    first, second = (
+        sp.Add(*(sp.diff(strain, symbol) * rate for symbol, rate in moving)) for strain in director_strains()
+    )
+    return first, second
+
+
+def rotary_inertia(section: Section) -> sp.Expr:
+    """Rho I_0 = lambda_0 (h_0/2)^2 <zeta^2>, of the undeformed section.
+
+    Thinning would divide it by Lam. It is kept constant so that the kinetic energy rho I_0 psi_t^2/2 has no other force
+    to it; what it changes at all is of the order of (h_0/L)^2.
+    """
+    return mass_per_length() * h0**2 * section.zeta_squared / 4
+
+
+def _balance() -> tuple[Equation, ...]:
+    turn = (sp.cos(section_angle), sp.sin(section_angle))
+    across = (-turn[1], turn[0])
+    force = tuple(normal_force * a + section_force * b for a, b in zip(turn, across, strict=True))
+    return (
+        *(
+            Equation(
+                f"momentum of a shearing filament, {name}",
+                mass_per_length() * acceleration,
+                sp.Derivative(pull, X) - mass_per_length() * weight,
+                "THEORY 12",
+            )
+            for name, acceleration, pull, weight in zip(
+                ("horizontal", "vertical"), kinematics.acceleration, force, (sp.Integer(0), g), strict=True
+            )
+        ),
+        Equation(
+            "moment of momentum of a section",
+            rotary_inertia(RECTANGULAR) * sp.Derivative(section_angle, (t, 2)),
+            sp.Derivative(couple, X) + along_normal * section_force - along_section * normal_force,
+            "THEORY 12",
+        ),
+    )
+
+
+def _cell_equations() -> tuple[Equation, ...]:
+    both, flow = shearing_cell(), fibre_flow(bingham_rate())
+    return (
+        Equation("axial stress of a shearing fibre", sigma, both.axial_stress, "THEORY 12"),
+        Equation("shear stress of a fibre", tau_f, both.shear_stress, "THEORY 12"),
+        Equation("tension of fibres", T, both.tension, "THEORY 12"),
+        Equation("moment of fibres", M, both.moment, "THEORY 12"),
+        Equation("shear force of fibres", S, both.shear_force, "THEORY 12"),
+        Equation("force conjugate to Lam", n_1, both.normal_force, "THEORY 12"),
+        Equation("force conjugate to Gam", n_2, both.section_force, "THEORY 12"),
+        Equation("moment conjugate to k", m_c, both.couple, "THEORY 12"),
+        Equation("equivalent stress of a fibre", sigma_eq, flow.equivalent, "THEORY 12"),
+        Equation(
+            "dissipation of a fibre", sigma * flow.axial_rate + tau_f * flow.shear_rate, flow.dissipation, "THEORY 12"
+        ),
+    )
+
+
+BALANCE: tuple[Equation, ...] = _balance()
+EQUATIONS: tuple[Equation, ...] = (*_cell_equations(), *BALANCE)
+
+SHEAR_CORRECTION: dict[str, sp.Rational] = {
+    "rectangle": RECTANGLE_SHEAR,
+    "circle": CIRCLE_SHEAR,
+    "sheet": RECTANGLE_SHEAR,
+}
+
+RIGIDITY = 1000
+"""How many times stiffer in shear a section is made that is not to shear: what remains of the shear is a thousandth."""
+
+
+@dataclass(frozen=True, slots=True)
+class FibreBranch:
+    """One spring of a fibre with its flow rule.
+
+    Attributes
+    ----------
+    axial_stress, shear_stress : sympy.Expr
+        sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the branch.
+    elastic_energy : sympy.Expr
+        Stored energy per unit undeformed volume, of (sigma, tau).
+    flow : FibreFlow or None
+        Plastic rates, of (sigma, tau) and ``sigma_eq``; None where it does not flow.
+    """
+
+    axial_stress: sp.Expr
+    shear_stress: sp.Expr
+    elastic_energy: sp.Expr
+    flow: FibreFlow | None
+
+
+@dataclass(frozen=True, slots=True)
+class ViscousFibre:
+    """The viscous stress of a fibre.
+
+    Attributes
+    ----------
+    axial_stress, shear_stress : sympy.Expr
+        Of (Lam, Gam, k, zeta) and their rates.
+    dissipation, speed : sympy.Expr
+        Power per unit undeformed volume and equivalent strain rate, of (sigma, tau).
+    """
+
+    axial_stress: sp.Expr
+    shear_stress: sp.Expr
+    dissipation: sp.Expr
+    speed: sp.Expr
+
+
+@dataclass(frozen=True, slots=True)
+class ResolvedSection:
+    """What one cell of a filament with a resolved section consists of.
+
+    Attributes
+    ----------
+    shears : bool
+        Whether shear is physics here; otherwise it is only kept small.
+    strains, strain_rates : tuple of sympy.Expr
+        (Lam, Gam) of (r_X, psi), and their rates.
+    cell : ShearingCell
+        The chain from strains to forces.
+    branches : tuple of FibreBranch
+        Springs in parallel.
+    viscous : ViscousFibre or None
+        What acts beside them.
+    relative_thickness : sympy.Expr
+        h/h0 of Lam.
+    rotary_inertia : sympy.Expr
+        rho I0, undeformed.
+    """
+
+    shears: bool
+    strains: tuple[sp.Expr, sp.Expr]
+    strain_rates: tuple[sp.Expr, sp.Expr]
+    cell: ShearingCell
+    branches: tuple[FibreBranch, ...]
+    viscous: ViscousFibre | None
+    relative_thickness: sp.Expr
+    rotary_inertia: sp.Expr
+
+    @property
+    def flows(self) -> bool:
+        """Whether there is a plastic state."""
+        return any(branch.flow is not None for branch in self.branches)
+
+
+def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False) -> ResolvedSection:
+    """Assemble the chain for a section that shrinks as its shape does.
+
+    Parameters
+    ----------
+    shape : Section
+        Rectangle, circle or sheet.
+    law : Law
+        With the one flow rule of each branch that is in force.
+    shear : bool
+        Whether the filament shears.
+    curved : bool
+        Whether the relaxed filament is curved.
+    """
+    correction = SHEAR_CORRECTION[shape.name] * (1 if shear else RIGIDITY)
+    cell = shearing_cell(shape.contraction).corrected(correction)
+    relaxed = -h0 * kappa_0 / 2 * zeta if curved else sp.Integer(0)
+    return ResolvedSection(
+        shears=shear,
+        strains=director_strains(),
+        strain_rates=director_rates(),
+        cell=cell,
+        branches=tuple(_branch(shape, cell, branch, correction, relaxed, shear=shear) for branch in law.branches),
+        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, correction),
+        relative_thickness=(cell.thickness / h0).subs(s, Lam),
+        rotary_inertia=rotary_inertia(shape),
+    )
+
+
+def _branch(
+    shape: Section, cell: ShearingCell, branch: Branch, correction: sp.Expr, relaxed: sp.Expr, *, shear: bool
+) -> FibreBranch:
+    modulus, shearing = stiffness(shape, branch.modulus), correction * shear_modulus().subs(E, branch.modulus)
+    flow = None
+    if branch.flow is not None:
+        share = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One
+        flow = (fibre_flow if shear else axial_flow)(branch.flow.rate, share)
+    return FibreBranch(
+        axial_stress=modulus * (cell.axial_strain - relaxed - eps_p),
+        shear_stress=shearing * (cell.shear_strain - gamma_p),
+        elastic_energy=sigma**2 / (2 * modulus) + tau_f**2 / (2 * shearing),
+        flow=flow,
+    )
+
+
+def _viscous(shape: Section, cell: ShearingCell, viscosity: sp.Expr, correction: sp.Expr) -> ViscousFibre:
+    # Shear viscosity eta/3 (Trouton), with the same correction as the shear modulus.
+    axial, shearing = resistance(shape, viscosity), correction * viscosity / 3
+    rates = strain_rates(cell)
+    dissipation = sigma**2 / axial + tau_f**2 / shearing
+    return ViscousFibre(
+        axial_stress=axial * rates[0],
+        shear_stress=shearing * rates[1],
+        dissipation=dissipation,
+        speed=sp.Abs(sigma) / axial,
+    )

@@ -1,0 +1,262 @@
+"""What a section whose stress is linear through its thickness answers to its stretch, turning and plastic state."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.closures import ClosedSection
+from softcat_sym.physics.kinematics import StrainMeasure
+from softcat_sym.physics.laws import Branch, Law
+from softcat_sym.physics.sections import Contraction, Section, SectionMeans, of_bending_alone, scaled
+from softcat_sym.physics.symbols import A0, M, T, a_0, a_1, h0, kappa_0, s, s_t, sigma_0, sigma_1, theta_X, theta_Xt
+
+PLANE_STRAIN = sp.sqrt(3) / 2
+"""Equivalent stress over axial stress in a section too wide to change its width (von Mises, incompressible flow)."""
+
+
+@dataclass(frozen=True, slots=True)
+class BranchResponse:
+    """One spring with its flow rule, the stress sigma_0 + sigma_1 zeta (2.23) its own.
+
+    Attributes
+    ----------
+    stress_mean, stress_bending : sympy.Expr
+        sigma_0 of (s, a_0) and sigma_1 of (s, theta_X, a_1).
+    means : SectionMeans or None
+        Means of the flow rule of (sigma_0, sigma_1).
+    rate_mean, rate_bending : sympy.Expr
+        da_0/dt and da_1/dt of (sigma_0, sigma_1, s) (2.24).
+    elastic_mean, elastic_bending : sympy.Expr
+        Stored energy per unit material length, of stretching and of bending.
+    dissipation_mean, dissipation_bending : sympy.Expr
+        Plastic power per unit material length, of stretching and of bending. Neither is ever negative: for an odd,
+        monotone flow rule and a symmetric section <phi> has the sign of sigma_0 and <phi zeta> that of sigma_1.
+    """
+
+    stress_mean: sp.Expr
+    stress_bending: sp.Expr
+    means: SectionMeans | None
+    rate_mean: sp.Expr
+    rate_bending: sp.Expr
+    elastic_mean: sp.Expr
+    elastic_bending: sp.Expr
+    dissipation_mean: sp.Expr
+    dissipation_bending: sp.Expr
+
+    def stress(self) -> dict[str, sp.Expr]:
+        """Stress of a known strain and plastic state."""
+        return {"stress_mean": self.stress_mean, "stress_bending": self.stress_bending}
+
+    def flow(self) -> dict[str, sp.Expr]:
+        """What a known stress does to the section, of (sigma_0, sigma_1, s), per unit undeformed area."""
+        names = ("rate_mean", "rate_bending", "elastic_mean", "elastic_bending", "dissipation_mean")
+        relations = {name: getattr(self, name) for name in (*names, "dissipation_bending")}
+        relations["yielded_fraction"] = self.means.yielded_fraction if self.means else sp.Integer(0)
+        relations["plastic_rate"] = self.means.largest_rate if self.means else sp.Integer(0)
+        return {name: relation.subs(A0, 1) for name, relation in relations.items()}
+
+
+@dataclass(frozen=True, slots=True)
+class ViscousResponse:
+    """The viscous stress eta eps_t.
+
+    Attributes
+    ----------
+    stress_mean, stress_bending : sympy.Expr
+        sigma_0 of (s, s_t) and sigma_1 of (s, s_t, theta_X, theta_Xt).
+    dissipation_mean, dissipation_bending : sympy.Expr
+        Power per unit material length, of (sigma_0, sigma_1).
+    rate : sympy.Expr
+        Largest strain rate over the section, of (sigma_0, sigma_1).
+    """
+
+    stress_mean: sp.Expr
+    stress_bending: sp.Expr
+    dissipation_mean: sp.Expr
+    dissipation_bending: sp.Expr
+    rate: sp.Expr
+
+    def stress(self) -> dict[str, sp.Expr]:
+        """Stress of a known strain and its rate."""
+        return {"stress_mean": self.stress_mean, "stress_bending": self.stress_bending}
+
+    def flow(self) -> dict[str, sp.Expr]:
+        """Power of a known stress, per unit undeformed area."""
+        relations = {"dissipation_mean": self.dissipation_mean, "dissipation_bending": self.dissipation_bending}
+        return {name: relation.subs(A0, 1) for name, relation in {**relations, "plastic_rate": self.rate}.items()}
+
+
+@dataclass(frozen=True, slots=True)
+class SectionResponse:
+    """The whole section.
+
+    Attributes
+    ----------
+    branches : tuple of BranchResponse
+        Springs in parallel.
+    viscous : ViscousResponse or None
+        What acts beside them.
+    area, thickness : sympy.Expr
+        A(s), h(s) (2.9).
+    tension, moment : sympy.Expr
+        T of (sigma_0, s) and M of (sigma_1, s) (2.10).
+    stress_of_tension, stress_of_moment : sympy.Expr
+        The inverse: sigma_0 of (T, s) and sigma_1 of (M, s) (2.23).
+    axial_correction : sympy.Expr
+        Q - T of (M, theta_X, s).
+    volume : sympy.Expr
+        Material that a unit of material length stores energy in. If it depends on s, because only one of finite stretch
+        and thinning is in force, T has no potential and the energy balance cannot close.
+    """
+
+    branches: tuple[BranchResponse, ...]
+    viscous: ViscousResponse | None
+    area: sp.Expr
+    thickness: sp.Expr
+    tension: sp.Expr
+    moment: sp.Expr
+    stress_of_tension: sp.Expr
+    stress_of_moment: sp.Expr
+    axial_correction: sp.Expr
+    volume: sp.Expr
+
+    @property
+    def branch(self) -> BranchResponse:
+        """The only branch.
+
+        Raises
+        ------
+        ValueError
+            If there are several, or none.
+        """
+        (only,) = self.branches
+        return only
+
+    @property
+    def parts(self) -> tuple[BranchResponse | ViscousResponse, ...]:
+        """The branches, followed by the viscous stress if there is one."""
+        return self.branches if self.viscous is None else (*self.branches, self.viscous)
+
+    def relations(self) -> dict[str, sp.Expr]:
+        """Relations between stress and resultants, per unit undeformed area.
+
+        The balance is divided by A_0 throughout, so forces and energies are those of a filament of unit area.
+        """
+        names = ("tension", "moment", "stress_of_tension", "stress_of_moment", "axial_correction")
+        relations = {name: getattr(self, name).subs(A0, 1) for name in names}
+        return {**relations, "relative_thickness": self.thickness / h0}
+
+    def expressions(self) -> list[sp.Expr]:
+        """Everything that is printed of it."""
+        printed = [expression for part in self.parts for expression in {**part.stress(), **part.flow()}.values()]
+        return [*self.relations().values(), *printed]
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """The section as the effects in force leave it.
+
+    Attributes
+    ----------
+    section : Section
+        Its outline.
+    contraction : Contraction
+        How it shrinks.
+    strain : StrainMeasure
+        Axial strain.
+    bends, stretches, curved : bool
+        Whether it carries a moment, whether it stretches and carries a tension, and whether it is curved when relaxed.
+    """
+
+    section: Section
+    contraction: Contraction
+    strain: StrainMeasure
+    bends: bool
+    stretches: bool
+    curved: bool
+
+    @property
+    def axial_strain(self) -> sp.Expr:
+        """Strain of the centreline, a function of s."""
+        return self.strain.strain if self.stretches else sp.Integer(0)
+
+    @property
+    def mean_stress(self) -> sp.Expr:
+        """sigma_0, or nothing in a beam that does not stretch: only the part sigma_1 zeta is left of its stress."""
+        return sigma_0 if self.stretches else sp.Integer(0)
+
+    @property
+    def weight(self) -> sp.Expr:
+        """Power of the stress is T s_t - M theta_X,t = weight <sigma eps_t>: A_0 when the section thins."""
+        return sp.powsimp(self.contraction.area / sp.diff(self.strain.strain, s))
+
+
+def respond(shape: Shape, closed: ClosedSection, law: Law) -> SectionResponse:
+    """Assemble the section of a law whose branches hold the flow rule that is in force."""
+    area, thickness = shape.contraction.area, shape.contraction.thickness
+    bends = sp.Integer(1) if shape.bends else sp.Integer(0)
+    modulus = area * thickness * shape.section.zeta_squared / 2
+    return SectionResponse(
+        branches=tuple(_branch(shape, closed, branch) for branch in law.branches),
+        viscous=None if law.viscosity is None else _viscous(shape, closed, law.viscosity),
+        area=area,
+        thickness=thickness,
+        tension=area * shape.mean_stress,
+        moment=bends * modulus * sigma_1,
+        stress_of_tension=T / area if shape.stretches else sp.Integer(0),
+        stress_of_moment=bends * M / modulus,
+        axial_correction=bends * closed.axial_correction,
+        volume=shape.weight,
+    )
+
+
+def stiffness(shape: Section, modulus: sp.Expr) -> sp.Expr:
+    """Modulus of a fibre: E, or E/(1 - nu^2) where the width is held."""
+    return modulus / (1 - nu**2) if shape.plane_strain else modulus
+
+
+def resistance(shape: Section, viscosity: sp.Expr) -> sp.Expr:
+    """Viscosity of a fibre: eta, or 4/3 eta where the width is held."""
+    return viscosity / PLANE_STRAIN**2 if shape.plane_strain else viscosity
+
+
+def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchResponse:
+    zero = sp.Integer(0)
+    bends = sp.Integer(1) if shape.bends else zero
+    means = None
+    if branch.flow is not None:
+        means = branch.flow.means(shape.section)
+        means = scaled(means, PLANE_STRAIN) if shape.section.plane_strain else means
+        means = means if shape.stretches else of_bending_alone(means)
+    modulus = stiffness(shape.section, branch.modulus)
+    bending = closed.lever * theta_X - (h0 * kappa_0 / 2 if shape.curved else zero)
+    plastic_mean = closed.recall_mean * a_0 if means and shape.stretches else zero
+    plastic_bending = closed.recall_bending * a_1 if means else zero
+    weight, bending_weight = shape.weight, bends * shape.weight * shape.section.zeta_squared
+    return BranchResponse(
+        stress_mean=modulus * (shape.axial_strain - plastic_mean),
+        stress_bending=-bends * modulus * (bending + plastic_bending),
+        means=means,
+        rate_mean=means.rate / closed.recall_mean if means else zero,
+        rate_bending=bends * means.bending_rate / closed.recall_bending if means else zero,
+        elastic_mean=weight * shape.mean_stress**2 / (2 * modulus),
+        elastic_bending=bending_weight * sigma_1**2 / (2 * modulus),
+        dissipation_mean=weight * shape.mean_stress * means.rate if means else zero,
+        dissipation_bending=bending_weight * sigma_1 * means.bending_rate if means else zero,
+    )
+
+
+def _viscous(shape: Shape, closed: ClosedSection, viscosity: sp.Expr) -> ViscousResponse:
+    eta = resistance(shape.section, viscosity)
+    bends = sp.Integer(1) if shape.bends else sp.Integer(0)
+    turning = sp.diff(closed.lever, s) * s_t * theta_X + closed.lever * theta_Xt
+    return ViscousResponse(
+        stress_mean=eta * sp.diff(shape.axial_strain, s) * s_t,
+        stress_bending=-bends * eta * turning,
+        dissipation_mean=shape.weight * shape.mean_stress**2 / eta,
+        dissipation_bending=bends * shape.weight * shape.section.zeta_squared * sigma_1**2 / eta,
+        rate=(sp.Abs(shape.mean_stress) + sp.Abs(sigma_1)) / eta,
+    )

@@ -1,0 +1,1 @@
+"""Pictures, tables and terminal output of runs and studies. Matplotlib and rich are loaded when they are used."""

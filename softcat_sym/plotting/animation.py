@@ -1,0 +1,331 @@
+"""A film of a run: the filament with its thickness, its stress and what yields, a clock, and its midpoint's trace."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize, to_rgb
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
+from matplotlib.ticker import MaxNLocator
+
+from softcat_sym.plotting import style
+from softcat_sym.plotting.animation_frames import Film, Moment
+from softcat_sym.plotting.section import Floats, vertical_stretch
+from softcat_sym.plotting.shapes import yielded_label
+from softcat_sym.plotting.style import (
+    axes_in_inches,
+    length_unit,
+    new_figure,
+    shown_part,
+    significant,
+    stamp,
+    stress_unit,
+    time_unit,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from softcat_sym.plotting.style import PicturedScene, Summary
+
+WIDTH, DPI = 12.8, 100
+"""Of a film [inch, pixel per inch]: 1280 pixels."""
+
+_LEFT, _RIGHT, _TOP, _TRACE, _BOTTOM, _BETWEEN = 0.95, 0.35, 0.75, 1.5, 0.6, 0.75
+_TALLEST, _LOWEST = 3.6, 1.3
+_FONT = 12.0
+_STEPS = (1, 2, 2.5, 5, 10)
+_COLOURS = "YlGnBu"
+"""From pale to dark, so that the colour-blind read it too, and what is hatched is seen on all of it."""
+
+_FEWEST, _PICTURES = 2.5, 4.0
+"""Pictures a period: fewer than the first show a slower swing that is not there; the second show it well."""
+
+_YIELDED = (*to_rgb(style.VERMILLION), 0.15)
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Height of the film and of the filament's panel [inch], its limits [m], the factor of its vertical scale."""
+
+    height: float
+    tall: float
+    x: tuple[float, float]
+    y: tuple[float, float]
+    stretch: float
+
+
+class Animation:
+    """Draws one moment after another; only what moves is drawn anew.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory, as :func:`softcat_sym.plotting.shapes.shapes_figure` takes it.
+    summary : mapping
+        The run's summary.
+    scene : PicturedScene
+        The scene.
+    moments : int
+        How many, equally spaced in time.
+    width : int
+        Of the film [pixel].
+
+    Notes
+    -----
+    Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: the vertical scale is then
+    stretched, thickness and all, by a factor that is written on the picture.
+    """
+
+    def __init__(
+        self, data: xr.Dataset, summary: Summary, scene: PicturedScene, moments: int, width: int = int(WIDTH * DPI)
+    ) -> None:
+        data, summary = shown_part(data, summary)
+        self._film = Film(data, scene, moments)
+        self.note = film_note(self._film.times, data, summary)
+        self._label = yielded_label(data, scene)
+        self._places = _arranged(self._film, scene)
+        self._scene = scene
+        self._ruler = length_unit(float(np.abs(self._film.bounds).max()), scene.filament.span)
+        self._clock = time_unit(float(np.abs(self._film.times).max()))
+        with style.styled():
+            self.figure: Figure = new_figure(WIDTH, self._places.height)
+            self.figure.set_dpi(width / WIDTH)
+            self.axes = axes_in_inches(
+                self.figure,
+                _LEFT,
+                _BOTTOM + _TRACE + _BETWEEN,
+                WIDTH - _LEFT - _RIGHT,
+                self._places.tall,
+            )
+            self._head(summary)
+            self._moving = [*self._filament(), *self._trace(), self._time(), *stamp(self.figure, summary)]
+            for text in self._moving:
+                text.set_animated(True)
+            self._legend()
+            self._background: Any = None
+
+    def __len__(self) -> int:
+        return self._film.times.size
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height [pixel], both even, as video wants them."""
+        width, height = self.figure.canvas.get_width_height()
+        return width - width % 2, height - height % 2
+
+    @property
+    def times(self) -> Floats:
+        """Of the moments [s]."""
+        return self._film.times
+
+    def pictures(self) -> Iterator[NDArray[np.uint8]]:
+        """Draw the moments.
+
+        Yields
+        ------
+        ndarray, shape (height, width, 3)
+            Red, green, blue.
+        """
+        for number in range(len(self)):
+            yield self.picture(number)
+
+    def picture(self, number: int) -> NDArray[np.uint8]:
+        """Draw one moment, shape (height, width, 3)."""
+        canvas: Any = self.figure.canvas
+        with style.styled():
+            if self._background is None:
+                canvas.draw()  # without what moves: that is marked as animated
+                self._background = canvas.copy_from_bbox(self.figure.bbox)
+            canvas.restore_region(self._background)
+            self._show(self._film.moment(number))
+            for artist in self._moving:
+                self.figure.draw_artist(artist)
+        width, height = self.size
+        drawn: NDArray[np.uint8] = np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
+        return drawn
+
+    def _show(self, moment: Moment) -> None:
+        """Move everything to where it is at a moment."""
+        self._body.set_verts(list(self._ruler.of(moment.strips)))
+        self._body.set_array(moment.stress / self._over)
+        self._edge.set_path(_closed(self._ruler.of(moment.outline)[None]))
+        self._yielded.set_path(_closed(self._ruler.of(moment.yielded)))
+        self._yielded.set_visible(bool(len(moment.yielded)))
+        until = self._film.run_times <= moment.time
+        past = (
+            np.append(self._film.run_times[until], moment.time),
+            np.append(self._film.run_midpoint[until], moment.midpoint),
+        )
+        self._past.set_data(self._clock.of(past[0]), self._ruler.of(past[1]))
+        self._dot.set_data([self._clock.of(moment.time)], [self._ruler.of(moment.midpoint)])
+        self._now.set_text(f"t = {self._clock.of(moment.time):.{self._decimals}f} {self._clock.symbol}")
+
+    def _head(self, summary: Summary) -> None:
+        """Title, and how the run ended."""
+        height, place = self._places.height, _LEFT / WIDTH
+        title = style.printable(self._scene.title, 70) or "Filament"
+        ending = " · ".join(str(summary[key]) for key in ("regime", "outcome") if summary.get(key))
+        self.figure.text(place, 1 - 0.14 / height, title, va="top", fontsize=16, fontweight="bold", parse_math=False)
+        self.figure.text(
+            place, 1 - 0.45 / height, style.printable(ending, 90), va="top", fontsize=_FONT, color=style.GREY
+        )
+        self.figure.text(
+            1 - _RIGHT / WIDTH, 1 - 0.46 / height, self.note, va="top", ha="right", fontsize=0.85 * _FONT,
+            color=style.VERMILLION,
+        )  # fmt: skip
+
+    def _time(self) -> Any:
+        """The clock, at the upper right."""
+        largest = float(self._clock.of(self._film.times[-1]))
+        self._decimals = 3 if largest < 10 else 2 if largest < 100 else 1
+        self._now = self.figure.text(
+            1 - _RIGHT / WIDTH,
+            1 - 0.14 / self._places.height,
+            "",
+            va="top",
+            ha="right",
+            fontsize=16,
+            family="DejaVu Sans",
+            animated=True,
+        )
+        return self._now
+
+    def _filament(self) -> tuple[Any, ...]:
+        """Body coloured by stress, hatched where it yields, its edge; behind it the shape it started from."""
+        axes, places = self.axes, self._places
+        axes.set_xlim(*(float(self._ruler.of(bound)) for bound in places.x))
+        axes.set_ylim(*(float(self._ruler.of(bound)) for bound in places.y))
+        _plain(axes, 9, max(2, int(places.tall / 0.45)))
+        scaled = "" if places.stretch == 1 else f" (vertical scale × {places.stretch:g}, thickness too)"
+        axes.set_xlabel(f"x [{self._ruler.symbol}]{scaled}", fontsize=_FONT)
+        axes.set_ylabel(f"y [{self._ruler.symbol}]", fontsize=_FONT)
+        start = self._ruler.of(self._film.moment(0).outline)
+        axes.fill(
+            start[:, 0], start[:, 1], facecolor="none", edgecolor=style.GREY, linewidth=0.8, linestyle=(0, (4, 3))
+        )
+        self._limit = self._scene.material.yield_stress
+        self._stress = stress_unit(self._film.largest)
+        self._over = self._limit or self._stress.size
+        norm = Normalize(0.0, self._film.largest / self._over or 1.0)
+        self._body = PolyCollection([], cmap=_COLOURS, norm=norm, edgecolors="none", antialiaseds=False, animated=True)
+        axes.add_collection(self._body, autolim=False)
+        nothing = Path(np.zeros((0, 2)))
+        self._yielded = PathPatch(
+            nothing, facecolor=_YIELDED, edgecolor=style.VERMILLION, linewidth=0.0, hatch="////", animated=True
+        )
+        self._edge = PathPatch(nothing, facecolor="none", edgecolor=style.BLACK, linewidth=0.9, animated=True)
+        for patch in (self._yielded, self._edge):
+            axes.add_artist(patch)
+        return self._body, self._yielded, self._edge
+
+    def _trace(self) -> tuple[Any, ...]:
+        """The midpoint against time, by all frames of the run: all of it in grey, what has passed in blue."""
+        width = 0.6 * (WIDTH - _LEFT - _RIGHT)
+        axes = axes_in_inches(self.figure, _LEFT, _BOTTOM, width, _TRACE)
+        time, height = self._clock.of(self._film.run_times), self._ruler.of(self._film.run_midpoint)
+        axes.plot(time, height, color="#d0d4d8", linewidth=1.6)
+        axes.set_xlim(float(time[0]), float(time[-1]) if time[-1] > time[0] else float(time[0]) + 1.0)
+        axes.set_xlabel(f"time [{self._clock.symbol}]", fontsize=_FONT)
+        axes.set_ylabel(f"midpoint [{self._ruler.symbol}]", fontsize=_FONT)
+        _plain(axes, 7, 4)
+        axes.margins(y=0.12)
+        (self._past,) = axes.plot([], [], color=style.BLUE, linewidth=2.2, animated=True)
+        (self._dot,) = axes.plot(
+            [], [], "o", color=style.BLUE, markersize=8, markeredgecolor="white", clip_on=False, animated=True
+        )
+        return self._past, self._dot
+
+    def _legend(self) -> None:
+        """The colour bar of the stress, and what hatching and dashes mean."""
+        left = _LEFT + 0.67 * (WIDTH - _LEFT - _RIGHT)
+        width = WIDTH - _RIGHT - left
+        bar = axes_in_inches(self.figure, left, _BOTTOM + _TRACE - 0.2, width, 0.18)
+        # Of a section resolved fibre by fibre, this is the linear stress nearest to what its fibres bear.
+        what = "linear part of the axial stress" if self._film.resolved else "axial stress"
+        label = f"{what} / yield stress" if self._limit else f"{what} [{self._stress.symbol}]"
+        drawn = self.figure.colorbar(self._body, cax=bar, orientation="horizontal")
+        drawn.set_label(label, fontsize=_FONT)
+        bar.tick_params(labelsize=10.5)
+        handles = [Patch(facecolor="none", edgecolor=style.GREY, linestyle=(0, (4, 3)), label="start")]
+        if self._limit is not None:
+            said = self._label.replace(", ", ",\n")
+            handles.insert(0, Patch(facecolor=_YIELDED, edgecolor=style.VERMILLION, lw=0.0, hatch="////", label=said))
+        self.figure.legend(
+            handles=handles,
+            loc="lower left",
+            bbox_to_anchor=(left / WIDTH, (_BOTTOM - 0.25) / self._places.height),
+            borderaxespad=0.0,
+            fontsize=_FONT,
+        )
+
+
+def film_note(moments: Floats, data: xr.Dataset, summary: Summary) -> str:
+    """What a film cannot show of a run that rings; empty where it shows all.
+
+    Parameters
+    ----------
+    moments : numpy.ndarray
+        Times of its pictures [s].
+    data : xarray.Dataset
+        Trajectory; its frames are read.
+    summary : mapping
+        ``frames_a_period`` is read: without it nothing is known of any ringing.
+    """
+    per_period = summary.get("frames_a_period")
+    time = data["time"].values
+    if not per_period or moments.size < 2 or not time[-1] > time[0]:
+        return ""
+    period = per_period * float(time[-1] - time[0]) / (time.size - 1)
+    apart = float(moments[1] - moments[0])
+    pictures, step = period / apart, time_unit(apart).text(apart)
+    if pictures >= _FEWEST:
+        return ""
+    ringing = f"It rings at {significant(1 / period)} Hz"
+    if per_period < _PICTURES:
+        return f"{ringing}: the {time.size} frames of the run are too few to show that; take more run.frames."
+    longer = significant(_PICTURES / pictures)
+    return f"{ringing}: pictures {step} apart do not show that, the curve does; a film {longer} times as long would."
+
+
+def _arranged(film: Film, scene: PicturedScene) -> _Places:
+    """The largest scale at which every moment fits, and the height that this takes."""
+    (left, low), (right, high) = film.bounds
+    stretch = vertical_stretch(film.sag, scene.filament.thickness, scene.filament.span)
+    pad, room = 0.02 * (right - left), 0.35 * scene.filament.thickness
+    x, y = [left - pad, right + pad], [low - room, high + room]
+    width = WIDTH - _LEFT - _RIGHT
+    scale = min(width / (x[1] - x[0]), _TALLEST / (stretch * (y[1] - y[0])))
+    tall = max(_LOWEST, scale * stretch * (y[1] - y[0]))
+    # What the scale leaves free is shared by both sides.
+    for bounds, wanted in ((x, width / scale), (y, tall / (scale * stretch))):
+        lacking = 0.5 * (wanted - (bounds[1] - bounds[0]))
+        bounds[0], bounds[1] = bounds[0] - lacking, bounds[1] + lacking
+    height = _BOTTOM + _TRACE + _BETWEEN + tall + _TOP
+    return _Places(height, tall, (x[0], x[1]), (y[0], y[1]), stretch)
+
+
+def _plain(axes: Axes, across: int, up: int) -> None:
+    style.lighten(axes)
+    axes.tick_params(labelsize=10.5)
+    axes.xaxis.set_major_locator(MaxNLocator(across, steps=_STEPS))
+    axes.yaxis.set_major_locator(MaxNLocator(up, steps=_STEPS))
+
+
+def _closed(polygons: Floats) -> Path:
+    """One path of several polygons, shape (polygon, vertex, 2)."""
+    if not len(polygons):
+        return Path(np.zeros((0, 2)))
+    closed = np.concatenate([polygons, polygons[:, :1]], axis=1)
+    count = closed.shape[1]
+    codes = np.full(count, Path.LINETO, dtype=np.uint8)
+    codes[0], codes[-1] = Path.MOVETO, Path.CLOSEPOLY
+    return Path(closed.reshape(-1, 2), np.tile(codes, len(polygons)))

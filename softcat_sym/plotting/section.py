@@ -1,0 +1,449 @@
+"""Geometry of a filament seen from the side: outline, yielded zones, and the frames that tell a run apart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from softcat_sym.plotting import style
+from softcat_sym.plotting.style import HEADING, PicturedScene, axes_in_inches, nice_floor
+
+# A change of shape counts fully, of the yielded zones a third, mere lapse of time a tenth.
+_YIELD_WEIGHT = 0.3
+_TIME_WEIGHT = 0.1
+# Two frames closer than this in those measures look the same on paper.
+_SAME = 0.02
+
+
+def telling_frames(data: xr.Dataset, count: int = 5) -> list[int]:
+    """Choose frames whose shapes and yielded zones differ most, the final one among them.
+
+    Each frame added is the one farthest from those already chosen, so a steady descent is cut into equal drops
+    and a long rest takes one frame. The first frame, the undeformed filament, and whatever looks like it are taken only
+    when there is nothing else.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory with ``x``, ``y`` (time, node), ``yielded_fraction`` (time, cell) and ``time``.
+    count : int
+        The most frames wanted.
+
+    Returns
+    -------
+    list of int
+        Indices along ``time``, ascending; fewer than ``count`` if the run has fewer that differ.
+    """
+    last = data.sizes["time"] - 1
+    if last <= 0:
+        return [0]
+    x, y = _compressed(data["x"].values), _compressed(data["y"].values)
+    scale = max(float(np.ptp(x, axis=0).max()), float(np.ptp(y, axis=0).max()))
+    fraction = np.asarray(data["yielded_fraction"].values, dtype=np.float64)
+    time = np.asarray(data["time"].values, dtype=np.float64)
+    duration = float(np.ptp(time))
+
+    def distance(frame: int) -> NDArray[np.float64]:
+        moved = np.maximum(np.abs(x - x[frame]).max(axis=1), np.abs(y - y[frame]).max(axis=1))
+        shape = moved / scale if scale > 0 else np.zeros(last + 1)
+        flow = np.abs(fraction - fraction[frame]).mean(axis=1)
+        # Time only decides between frames that differ: a filament at rest needs no second picture.
+        different = shape + _YIELD_WEIGHT * flow
+        lapse = np.abs(time - time[frame]) / duration if duration > 0 else np.zeros(last + 1)
+        return np.where(different > _SAME, different + _TIME_WEIGHT * lapse, 0.0)
+
+    chosen = [last]
+    nearest = np.minimum(distance(last), distance(0))
+    while len(chosen) < count and nearest.max() > 0:
+        chosen.append(int(nearest.argmax()))
+        nearest = np.minimum(nearest, distance(chosen[-1]))
+    return sorted(chosen)
+
+
+def _compressed(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """At most 65 nodes of a (time, node) array, the ends and the middle among them: enough to compare shapes."""
+    nodes = values.shape[1]
+    kept = np.unique(np.linspace(0, nodes - 1, min(nodes, 65)).round().astype(np.intp))
+    return np.asarray(values[:, kept], dtype=np.float64)
+
+
+Floats = NDArray[np.float64]
+
+# Beyond this angle [rad] at an end an extrapolation would turn the drawn end face, not follow a curve.
+_LARGEST_END_TURN = 0.3
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """The filament at one instant.
+
+    Attributes
+    ----------
+    x, y : numpy.ndarray
+        Centreline, shape (node,) [m].
+    normal : numpy.ndarray
+        Unit normals (-sin th, cos th), shape (node, 2).
+    thickness : numpy.ndarray
+        Current thickness, shape (node,) [m].
+    """
+
+    x: Floats
+    y: Floats
+    normal: Floats
+    thickness: Floats
+
+    def at(self, zeta: float | Floats, nodes: slice = slice(None)) -> Floats:
+        """Place through-thickness coordinates in the plane.
+
+        Parameters
+        ----------
+        zeta : float or numpy.ndarray
+            Coordinate in [-1, 1] for each of the chosen nodes; +1 is the side of the normal.
+        nodes : slice
+            The nodes.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points, shape (node, 2) [m].
+        """
+        centre = np.column_stack([self.x[nodes], self.y[nodes]])
+        offset = 0.5 * np.asarray(zeta) * self.thickness[nodes]
+        points: Floats = centre + offset[:, None] * self.normal[nodes]
+        return points
+
+
+def section_at(data: xr.Dataset, frame: int, clamped: tuple[bool, bool] = (False, False)) -> Section:
+    """Read the filament of one frame.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory with ``x``, ``y`` (time, node) and ``thickness`` (time, cell), all [m].
+    frame : int
+        Index along ``time``.
+    clamped : pair of bool
+        Whether the left and the right end are held level, so that their sections stay vertical.
+
+    Returns
+    -------
+    Section
+        Centreline, normals and thickness on the nodes.
+    """
+    x = np.asarray(data["x"].values[frame], dtype=np.float64)
+    y = np.asarray(data["y"].values[frame], dtype=np.float64)
+    cells = np.asarray(data["thickness"].values[frame], dtype=np.float64)
+    thickness = np.interp(data["X_node"].values, data["X_cell"].values, cells)
+    angle = node_angles(x, y)
+    angle[[0, -1]] = np.where(clamped, 0.0, angle[[0, -1]])
+    return Section(x, y, np.column_stack([-np.sin(angle), np.cos(angle)]), thickness)
+
+
+def node_angles(x: Floats, y: Floats) -> Floats:
+    """Tangent angle on the nodes: the bisector of the chords that meet there, extrapolated at the ends.
+
+    Parameters
+    ----------
+    x, y : numpy.ndarray
+        Centreline, shape (node,) with at least two nodes [m].
+
+    Returns
+    -------
+    numpy.ndarray
+        Angles [rad], shape (node,), continuous along the filament.
+    """
+    chord = np.unwrap(np.arctan2(np.diff(y), np.diff(x)))
+    if chord.size == 1:
+        return np.repeat(chord, 2)
+    turns = np.clip(0.5 * np.diff(chord)[[0, -1]], -_LARGEST_END_TURN, _LARGEST_END_TURN)
+    middle = 0.5 * (chord[1:] + chord[:-1])
+    return np.concatenate([[chord[0] - turns[0]], middle, [chord[-1] + turns[1]]])
+
+
+def outline(section: Section) -> Floats:
+    """Closed polygon of the filament's side view.
+
+    Parameters
+    ----------
+    section : Section
+        The filament.
+
+    Returns
+    -------
+    numpy.ndarray
+        Vertices, shape (2 * node, 2) [m], anticlockwise for a filament that runs to the right.
+    """
+    return np.concatenate([section.at(-1.0), section.at(1.0)[::-1]])
+
+
+def elastic_core(mean: Floats, bending: Floats, yield_stress: float) -> tuple[Floats, Floats]:
+    """Limits in zeta between which ``|mean + bending * zeta| <= yield_stress``.
+
+    Parameters
+    ----------
+    mean, bending : numpy.ndarray
+        Section-mean stress sigma_0 and its slope sigma_1, shape (cell,) [Pa].
+    yield_stress : float
+        Yield stress [Pa].
+
+    Returns
+    -------
+    lower, upper : numpy.ndarray
+        Limits clipped to [-1, 1]. Below ``lower`` and above ``upper`` the material yields; they coincide, on
+        one face, where the whole thickness does.
+    """
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        one = (-yield_stress - mean) / bending
+        other = (yield_stress - mean) / bending
+    lower, upper = np.minimum(one, other), np.maximum(one, other)
+    uniform = bending == 0
+    whole = uniform & (np.abs(mean) > yield_stress)
+    lower = np.where(uniform, -1.0, np.clip(lower, -1.0, 1.0))
+    upper = np.where(uniform, np.where(whole, -1.0, 1.0), np.clip(upper, -1.0, 1.0))
+    return lower, upper
+
+
+@dataclass(frozen=True, slots=True)
+class Yielding:
+    """What a picture shows as yielded: what flows, not what the solver's tolerance lets rest on the yield stress.
+
+    Attributes
+    ----------
+    low, high : numpy.ndarray
+        Limits in zeta of what does not yield, shape (time, cell).
+    share : numpy.ndarray
+        Share of the section that yields, shape (time, cell).
+    slowest : float
+        Plastic rate [1/s] from which on a section counts as yielded, where it exceeds it on the average of a tenth of
+        the run too; see :func:`slowest_flow`.
+    """
+
+    low: Floats
+    high: Floats
+    share: Floats
+    slowest: float
+
+
+def slowest_flow(data: xr.Dataset, scene: PicturedScene) -> float:
+    """Plastic rate [1/s] below which flow does not show in the answer.
+
+    A section that flowed so slowly through the whole run would add to the largest plastic strain no more than the
+    accuracy asked. An arrested filament rests on its yield surface: there stresses exceed the yield stress by no more
+    than the tolerance of the solver, now here, now there.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory with ``time`` [s] and ``plastic_rate`` [1/s] (time, cell).
+    scene : PicturedScene
+        Its accuracy is read.
+    """
+    time = np.asarray(data["time"].values, dtype=np.float64)
+    if time.size < 2 or not time[-1] > time[0]:
+        return 0.0
+    rate = np.asarray(data["plastic_rate"].values, dtype=np.float64)
+    strain = 0.5 * np.diff(time) @ (rate[1:] + rate[:-1])
+    return scene.run.accuracy * float(strain.max()) / float(time[-1] - time[0])
+
+
+def yielding_of(data: xr.Dataset, scene: PicturedScene) -> Yielding:
+    """What yields in every frame, of a law that has a yield stress; nothing of another.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Trajectory with ``yielded_fraction``, ``plastic_rate``, ``stress_mean``, ``stress_bending`` (time, cell), and
+        ``core_low``, ``core_high`` where the section is resolved fibre by fibre.
+    scene : PicturedScene
+        Its yield stress and its accuracy are read.
+    """
+    limit = scene.material.yield_stress
+    if limit is None:
+        shape = data["yielded_fraction"].shape
+        return Yielding(np.full(shape, -1.0), np.full(shape, 1.0), np.zeros(shape), 0.0)
+    if "core_low" in data:
+        low, high = data["core_low"].values, data["core_high"].values
+    else:
+        low, high = elastic_core(data["stress_mean"].values, data["stress_bending"].values, limit)
+    slowest, rate = slowest_flow(data, scene), np.asarray(data["plastic_rate"].values, dtype=np.float64)
+    flows = (rate > slowest) & (_running_mean(rate, len(rate) // 20) > slowest)
+    share = np.where(flows, data["yielded_fraction"].values, 0.0)
+    return Yielding(np.where(flows, low, -1.0), np.where(flows, high, 1.0), share, slowest)
+
+
+def _running_mean(values: Floats, reach: int) -> Floats:
+    """Means over `reach` frames before and after each frame, fewer where the run begins and ends."""
+    total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
+    frame = np.arange(len(values))
+    first, end = np.maximum(frame - reach, 0), np.minimum(frame + reach + 1, len(values))
+    return np.asarray((total[end] - total[first]) / (end - first)[:, None])
+
+
+def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:
+    """Quadrilaterals below and above the elastic core, cell by cell.
+
+    Parameters
+    ----------
+    section : Section
+        The filament.
+    lower, upper : numpy.ndarray
+        Limits of the core in zeta, shape (cell,).
+
+    Returns
+    -------
+    numpy.ndarray
+        Vertices, shape (quad, 4, 2) [m].
+    """
+    ones = np.ones_like(lower)
+    return np.concatenate([_quads(section, -ones, lower), _quads(section, upper, ones)])
+
+
+def _quads(section: Section, low: Floats, high: Floats) -> Floats:
+    """Quads between two zeta limits per cell; empty bands are left out."""
+    left, right = slice(None, -1), slice(1, None)
+    corners = [section.at(low, left), section.at(low, right), section.at(high, right), section.at(high, left)]
+    return np.stack(corners, axis=1)[high > low]
+
+
+# A sag below this share of the span is exaggerated, until it or the thickness reaches these shares as drawn.
+_FLAT = 0.02
+_DRAWN_SAG = 0.10
+_DRAWN_THICKNESS = 0.12
+
+_LEFT, _RIGHT, _BOTTOM, _GAP, _TALLEST, _LEAST = 0.85, 1.15, 0.85, 0.22, 7.6, 0.42
+_ROW_HEIGHT, _ROW_LABELS, _ROW_GAP = 5.2, 0.55, 0.3
+
+
+@dataclass(frozen=True, slots=True)
+class Panel:
+    """One panel: place and size [inch], limits [m], which tick labels it carries."""
+
+    left: float
+    bottom: float
+    width: float
+    height: float
+    x: tuple[float, float]
+    y: tuple[float, float]
+    bottom_labels: bool
+    left_labels: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """The picture's size [inch], its scale [inch per metre], vertical stretch and panels."""
+
+    width: float
+    height: float
+    left: float
+    scale: float
+    stretch: float
+    stacked: bool
+    panels: tuple[Panel, ...]
+
+
+def vertical_stretch(sag: float, thickness: float, span: float) -> float:
+    """Factor by which the vertical scale is stretched: 1, 2 or 5 times a power of ten.
+
+    Parameters
+    ----------
+    sag, thickness, span : float
+        Largest sag, initial thickness and span [m].
+
+    Returns
+    -------
+    float
+        One when the sag is at least 2 % of the span, or zero: there is nothing to make visible.
+    """
+    if sag <= 0 or sag >= _FLAT * span:
+        return 1.0
+    return max(1.0, nice_floor(min(_DRAWN_SAG * span / sag, _DRAWN_THICKNESS * span / thickness)))
+
+
+def arrange(outlines: list[Floats], sag: float, scene: PicturedScene) -> Layout:
+    """Lay the panels out below one another, or side by side if that would be taller than a page.
+
+    Parameters
+    ----------
+    outlines : list of numpy.ndarray
+        Closed polygons, shape (vertex, 2) [m].
+    sag : float
+        Largest sag [m].
+    scene : PicturedScene
+        Span and thickness are read.
+
+    Returns
+    -------
+    Layout
+        Panels in the order of the outlines; every one has the same scale.
+    """
+    thickness = scene.filament.thickness
+    stretch = vertical_stretch(sag, thickness, scene.filament.span)
+    low = np.min([outline.min(axis=0) for outline in outlines], axis=0)
+    high = np.max([outline.max(axis=0) for outline in outlines], axis=0)
+    pad = 0.02 * float(high[0] - low[0]) or thickness
+    x = (float(low[0]) - pad, float(high[0]) + pad)
+    width = style.WIDTH - _LEFT - _RIGHT
+    scale = width / (x[1] - x[0])
+    vertical = scale * stretch
+    ranges = [_padded(outline, 0.25 * thickness, _LEAST / vertical) for outline in outlines]
+    heights = [vertical * (y[1] - y[0]) for y in ranges]
+    if sum(heights) + _GAP * (len(heights) - 1) > _TALLEST:
+        return _row(len(outlines), x, (float(low[1]), float(high[1])))
+    panels = []
+    top = _BOTTOM + sum(heights) + _GAP * (len(heights) - 1)
+    height = top + HEADING
+    for index, (y, tall) in enumerate(zip(ranges, heights, strict=True)):
+        last = index == len(heights) - 1
+        panels.append(Panel(_LEFT, top - tall, width, tall, x, y, bottom_labels=last, left_labels=True))
+        top -= tall + _GAP
+    return Layout(style.WIDTH, height, _LEFT, scale, stretch, True, tuple(panels))
+
+
+def place(figure: Figure, layout: Layout, index: int) -> Axes:
+    """Add the axes of one panel.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        The figure.
+    layout : Layout
+        The layout.
+    index : int
+        Number of the panel.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        Axes whose limits are yet to be set, in any unit.
+    """
+    panel = layout.panels[index]
+    return axes_in_inches(figure, panel.left, panel.bottom, panel.width, panel.height)
+
+
+def _row(count: int, x: tuple[float, float], y: tuple[float, float]) -> Layout:
+    """Side by side on one height; never stretched, since what does not fit a page is not flat."""
+    pad = 0.03 * (y[1] - y[0])
+    y = (y[0] - pad, y[1] + pad)
+    room = (style.WIDTH - _LEFT - 0.2 - _ROW_GAP * (count - 1)) / count
+    scale = min(_ROW_HEIGHT / (y[1] - y[0]), room / (x[1] - x[0]))
+    tall = scale * (y[1] - y[0])
+    centre = 0.5 * (x[0] + x[1])
+    x = (centre - 0.5 * room / scale, centre + 0.5 * room / scale)
+    panels = tuple(
+        Panel(_LEFT + index * (room + _ROW_GAP), _BOTTOM, room, tall, x, y, bottom_labels=True, left_labels=index == 0)
+        for index in range(count)
+    )
+    height = _BOTTOM + tall + _ROW_LABELS + HEADING
+    return Layout(style.WIDTH, height, _LEFT, scale, 1.0, False, panels)
+
+
+def _padded(outline: Floats, pad: float, least: float) -> tuple[float, float]:
+    """Vertical range of one panel, with room around it and at least ``least`` tall."""
+    low, high = float(outline[:, 1].min()) - pad, float(outline[:, 1].max()) + pad
+    lacking = 0.5 * max(0.0, least - (high - low))
+    return low - lacking, high + lacking

@@ -1,0 +1,253 @@
+"""A sweep as one page with parallel sliders: it needs no server, no network and no other file."""
+
+from __future__ import annotations
+
+import base64
+import json
+import math
+import re
+from html import escape
+from importlib import resources
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Floats: TypeAlias = NDArray[np.float64]
+
+LARGEST: Final = 12_000_000
+"""Bytes of packed curves or of shapes in one page; what is longer keeps every second frame, fourth, ... or is left out.
+
+400 members of 21 frames and 41 nodes take 2.1 MB, as text a third more.
+"""
+
+MISSING: Final = -32768
+"""Stands for a number that there is not."""
+
+_STEPS: Final = 65534
+
+_BRIGHTEST: Final = 0.995
+"""Share of all stretches that the colours tell apart: a few hinges would leave the rest in one colour."""
+
+RESULTS: Final = (
+    ("sag_over_span", "largest sag / span", ""),
+    ("time_to_90", "time to 90 %", "s"),
+    ("largest_stretch", "largest stretch", ""),
+)
+"""Results that get an axis: variable, name, unit."""
+
+
+def packed(dataset: xr.Dataset) -> dict[str, Any]:
+    """Bring a sweep into a form that JSON can hold.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        As :func:`softcat_sym.plotting.sliders.sliders_page` takes it.
+
+    Returns
+    -------
+    dict
+        ``axes`` (key, name, unit, scale, varied, values), ``regime``, ``outcome``, ``message`` by member, ``span``,
+        ``thickness`` [m] and ``duration`` [s] by member, ``midpoint``, ``shapes`` or null, ``colours`` of the stretch.
+
+    Raises
+    ------
+    ValueError
+        If there is no member, or nothing was varied.
+    """
+    members = dataset.sizes.get("member", 0)
+    keys = [str(name) for name, values in dataset.data_vars.items() if values.attrs.get("varied")]
+    if not members or not keys:
+        raise ValueError("a page of sliders needs a sweep of at least one member in which something was varied")
+    axes = [_axis(key, key, str(dataset[key].attrs.get("units", "")), dataset[key], varied=True) for key in keys]
+    sound = _sound(dataset)
+    axes += [
+        _axis(*result, dataset[result[0]], varied=False, sound=sound) for result in RESULTS if result[0] in dataset
+    ]
+    return {
+        "members": members,
+        "axes": [axis for axis in axes if axis is not None],
+        **{name: _texts(dataset, name) for name in ("regime", "outcome", "message")},
+        "span": _listed(_of_member(dataset, "span", math.nan)),
+        "duration": _listed(_of_member(dataset, "duration", math.nan)),
+        "thickness": _listed(_of_member(dataset, "thickness", float(dataset.attrs.get("thickness", math.nan)))),
+        "sheet": dataset.attrs.get("section") == "sheet",
+        "midpoint": _curves(dataset),
+        "shapes": _shapes(dataset),
+        "colours": _colours(),
+    }
+
+
+def quantised(values: Floats) -> dict[str, Any]:
+    """Round numbers to 65534 steps of each member's own range and write them as base64 of little-endian int16.
+
+    Parameters
+    ----------
+    values : ndarray, shape (members, ...)
+        NaN where there is none.
+
+    Returns
+    -------
+    dict
+        ``low`` and ``step`` by member, ``codes``: the number is low + step * (code + 32767), and none at code -32768.
+    """
+    flat = np.asarray(values, dtype=np.float64).reshape(len(values), -1)
+    finite = np.isfinite(flat)
+    low = np.where(finite, flat, np.inf).min(axis=1, initial=np.inf)
+    high = np.where(finite, flat, -np.inf).max(axis=1, initial=-np.inf)
+    low, high = np.where(np.isfinite(low), low, 0.0), np.where(np.isfinite(high), high, 0.0)
+    step = np.where(high > low, (high - low) / _STEPS, 1.0)
+    codes = np.where(finite, np.rint((np.where(finite, flat, 0.0) - low[:, None]) / step[:, None]) - 32767, MISSING)
+    text = base64.b64encode(codes.astype("<i2").tobytes()).decode("ascii")
+    # In full: rounded, the bounds would shift a member whose range is small beside its values.
+    return {"low": low.tolist(), "step": step.tolist(), "codes": text}
+
+
+def _sound(dataset: xr.Dataset) -> NDArray[np.bool_]:
+    """Members whose answer has a regime, whose scales the page has; all where none has. What ruptures is far longer."""
+    sound = np.array([bool(regime) for regime in _texts(dataset, "regime")])
+    return sound if sound.any() else np.ones_like(sound)
+
+
+def _axis(
+    key: str, name: str, unit: str, values: xr.DataArray, *, varied: bool, sound: NDArray[np.bool_] | None = None
+) -> dict[str, Any] | None:
+    """One axis; words, such as the name of a law, stand at equal distances. None where there is nothing to show."""
+    axis: dict[str, Any] = {"key": key, "name": name, "unit": "" if unit == "1" else unit, "varied": varied}
+    if values.dtype.kind not in "fiub":
+        words = [str(value) for value in values.values]
+        known = sorted(set(words))
+        return axis | {"scale": "lin", "words": known, "values": [known.index(word) for word in words]}
+    numbers = np.asarray(values.values, dtype=np.float64)
+    finite = numbers[np.isfinite(numbers) & (True if sound is None else sound)]
+    if not finite.size:
+        return None
+    wide = bool(finite.min() > 0 and finite.max() > 100 * finite.min())
+    logarithmic = wide if not varied else values.attrs.get("scale") == "log" and bool(finite.min() > 0)
+    return axis | {"scale": "log" if logarithmic else "lin", "values": _listed(numbers)}
+
+
+def _curves(dataset: xr.Dataset) -> dict[str, Any] | None:
+    """Midpoints over the fraction of the duration."""
+    if "midpoint" not in dataset or not dataset.sizes.get("frame"):
+        return None
+    values = np.asarray(dataset["midpoint"].transpose("member", "frame").values, dtype=np.float64)
+    every = _thinning(values.shape[1], values.shape[0])
+    if not every:
+        return None
+    return {"at": _fractions(dataset, "frame")[::every].tolist(), **quantised(values[:, ::every])}
+
+
+def _shapes(dataset: xr.Dataset) -> dict[str, Any] | None:
+    """Centrelines and stretch; fewer frames of a large sweep."""
+    if not {"x", "y", "stretch"} <= set(dataset.data_vars):
+        return None
+    order = ("member", "shape_frame", "shape_node")
+    fields = {name: dataset[name].transpose(*order) for name in ("x", "y", "stretch")}
+    members, frames, nodes = fields["x"].shape
+    every = _thinning(frames, 3 * members * nodes)
+    if not every or nodes < 2:
+        return None
+    kept = {name: np.asarray(field.values[:, ::every], dtype=np.float64) for name, field in fields.items()}
+    stretch = kept["stretch"][_sound(dataset)]
+    stretch = stretch[np.isfinite(stretch)]
+    return {
+        "at": _fractions(dataset, "shape_frame")[::every].tolist(),
+        "nodes": nodes,
+        "stretches": np.quantile(stretch, (0.0, _BRIGHTEST)).tolist() if stretch.size else [1.0, 1.0],
+        **{name: quantised(field) for name, field in kept.items()},
+    }
+
+
+def _thinning(frames: int, numbers: int) -> int:
+    """Keep every how manieth frame of so many int16 numbers each; 0 where not even two would fit."""
+    every = 1
+    while 2 * numbers * math.ceil(frames / every) > LARGEST:
+        every *= 2
+        if every > max(1, frames - 1):
+            return 0
+    return every
+
+
+def _fractions(dataset: xr.Dataset, dim: str) -> Floats:
+    """Of the duration, 0 to 1."""
+    count = dataset.sizes[dim]
+    given = dataset[dim].values if dim in dataset.coords else np.linspace(0.0, 1.0, count)
+    return np.asarray(given, dtype=np.float64)
+
+
+def _of_member(dataset: xr.Dataset, name: str, otherwise: float) -> Floats:
+    if name in dataset and dataset[name].dims == ("member",):
+        return np.asarray(dataset[name].values, dtype=np.float64)
+    return np.full(dataset.sizes["member"], otherwise)
+
+
+def _texts(dataset: xr.Dataset, name: str) -> list[str]:
+    if name not in dataset:
+        return [""] * dataset.sizes["member"]
+    texts = [str(value) for value in dataset[name].values]
+    return ["" if text in ("nan", "None") else text for text in texts]
+
+
+def _listed(values: Floats) -> list[float | None]:
+    """Numbers to seven digits, null for what is none."""
+    return [float(f"{value:.7g}") if math.isfinite(value) else None for value in values.tolist()]
+
+
+def _colours() -> list[list[int]]:
+    """Red, green and blue of cividis, which looks the same to the colour-blind, at 17 places."""
+    from matplotlib import colormaps
+
+    colours = colormaps["cividis"](np.linspace(0.0, 1.0, 17))[:, :3]
+    rounded: list[list[int]] = np.rint(255 * colours).astype(int).tolist()
+    return rounded
+
+
+_SCRIPTS = ("sliders_data.js", "sliders_axes.js", "sliders_filament.js", "sliders.js")
+"""In the order in which they need one another."""
+
+
+def sliders_page(dataset: xr.Dataset, title: str) -> str:
+    """Write the page of a sweep: an axis for each varied parameter, with a handle, and one for each result.
+
+    Dragging a handle chooses the member that is nearest; its filament, its midpoint and its numbers are shown below.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A sweep, with dims ``member``, ``frame`` and, if shapes were kept, ``shape_frame`` and ``shape_node``. Varied
+        keys have the attribute ``varied = 1``, and ``scale`` ("lin" or "log"); results are ``regime``, ``outcome``,
+        ``message``, ``sag_over_span``, ``time_to_90`` [s], ``largest_stretch``, ``midpoint`` [m], ``x``, ``y`` [m],
+        ``stretch``. What is missing is not shown.
+    title : str
+        Heading; any text.
+
+    Returns
+    -------
+    str
+        HTML. Midpoints and shapes are rounded to 1/65534 of each member's range.
+
+    Raises
+    ------
+    ValueError
+        If there is no member, or nothing was varied.
+    """
+    folder = resources.files("softcat_sym.plotting") / "templates"
+
+    def read(name: str) -> str:
+        return (folder / name).read_text(encoding="utf-8")
+
+    # In a script element only "<" can end the element; JSON may write it otherwise.
+    data = json.dumps(packed(dataset), allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+    parts = {
+        "TITLE": escape(" ".join(title.split()) or "Sweep"),
+        "STYLE": read("sliders.css"),
+        "SCRIPT": "\n".join(read(name) for name in _SCRIPTS),
+        "DATA": data,
+    }
+    # In one pass: a title that looks like a mark stays a title.
+    return re.sub("@(TITLE|STYLE|SCRIPT|DATA)@", lambda mark: parts[mark[1]], read("sliders.html"))

@@ -1,0 +1,1 @@
+"""The result of a run, with its energy audit, regime and verdict."""

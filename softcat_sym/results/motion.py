@@ -1,0 +1,505 @@
+"""How a filament has moved: its regime, when it has come to rest, and about which height it rings until then."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.effect import Motion
+from softcat_sym.effects.forecast import (
+    compliant_sag,
+    flowing_overstress,
+    forecast,
+    lagging,
+    missed_by,
+    sheared_share,
+    tension_share,
+)
+from softcat_sym.effects.free_vibration import first_vibration, ringing, solid_decay
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.quasi_static import load_factor, retardation
+from softcat_sym.effects.scaling_estimates import (
+    effective_viscosity,
+    effective_viscosity_at,
+    pull_of_surface,
+    surface_stress,
+    weight_stress,
+    yield_stress_of,
+)
+from softcat_sym.physics.loads import SURFACES
+from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
+from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Progress, Solution
+
+FRAMES_A_PERIOD = 4.0
+"""Fewer pictures a period show a swing that is not there: the wheels of the stage-coach that turn backwards."""
+
+SEEN = 0.01
+"""Of the largest sag: smaller swings do not count."""
+
+_TURNS = 4
+"""Fewer turning points make no ringing."""
+
+
+def swing_period(time: Floats, midpoint: Floats) -> float | None:
+    """Period [s] with which the midpoint swings, by the turning points of its frames; None where it does not.
+
+    Parameters
+    ----------
+    time, midpoint : ndarray, shape (frames,)
+        [s], [m]; equally spaced.
+
+    Returns
+    -------
+    float or None
+        Twice the mean time between turning points. Frames too far apart to follow a swing show a slower one.
+    """
+    scale = SEEN * float(np.abs(midpoint).max())
+    turns = [0]
+    for frame in range(1, len(midpoint)):
+        here, last = midpoint[frame], midpoint[turns[-1]]
+        before = midpoint[turns[-2]] if len(turns) > 1 else last
+        if (here - last) * (last - before) > 0:
+            turns[-1] = frame  # still on the same way
+        elif abs(here - last) > scale:
+            turns.append(frame)
+    turned = turns[1:-1]
+    return 2 * float(time[turned[-1]] - time[turned[0]]) / (len(turned) - 1) if len(turned) >= _TURNS else None
+
+
+def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float | None:
+    """Frames for each period of the ringing; None of a filament that does not ring.
+
+    Parameters
+    ----------
+    time, midpoint : ndarray, shape (frames,)
+        [s], [m].
+    frequency : float
+        Angular frequency that is forecast [1/s], infinite where none is. What the frames show is believed unless this
+        says that they are too few to show it.
+    """
+    period = swing_period(time, midpoint)
+    if period is None:
+        return None
+    step = float(time[-1] - time[0]) / (len(time) - 1)
+    forecast = 2 * math.pi / frequency / step
+    return forecast if 0 < forecast < FRAMES_A_PERIOD else period / step
+
+
+def too_few_frames(time: Floats, per_period: float | None) -> list[str]:
+    """Warn of frames that show a swing slower than it is, or jagged.
+
+    Parameters
+    ----------
+    time : ndarray, shape (frames,)
+        [s].
+    per_period : float or None
+        As from :func:`frames_a_period`.
+    """
+    if per_period is None or per_period >= FRAMES_A_PERIOD:
+        return []
+    period = per_period * float(time[-1] - time[0]) / (len(time) - 1)
+    enough = math.ceil(2 * FRAMES_A_PERIOD / per_period * len(time))
+    return [
+        f"it rings at about {1 / period:.3g} Hz, with {per_period:.2g} frames a period: too few to show the swing, "
+        f"which may look slower than it is in midpoint.csv, pictures and films; run.frames = {enough} shows it"
+    ]
+
+
+_LEAST = 1e-12
+"""Sag over span below which nothing has moved."""
+
+
+def seen(
+    scene: Scene, effects: Effects, time: Floats, places: tuple[Floats, Floats], fields: Mapping[str, Floats]
+) -> Motion:
+    """Describe the motion of a finished run; what it cannot show, because its effect was left out, is as foreseen.
+
+    Parameters
+    ----------
+    scene : Scene
+        What was asked.
+    effects : Effects
+        What was in force.
+    time : ndarray, shape (frames,)
+        [s].
+    places : pair of ndarray
+        Material coordinates [m] of nodes and cells.
+    fields : mapping of str to ndarray
+        (frames, nodes), (frames, cells): ``x``, ``y``, ``stretch``, ``shear_force``, ``stress_mean``,
+        ``stress_bending``, ``yielded_fraction``, ``tension``.
+    """
+    span, length = scene.filament.span, np.diff(places[0])
+    midpoint, chord = _midpoint(scene, fields)
+    depth = np.abs(midpoint - chord) / span
+    sag = max(float(np.max(depth)), _LEAST)
+    strain = float(np.max(np.abs((fields["stretch"] - 1) @ length))) / float(np.sum(length))
+    shared = tension_share(scene, sag)
+    shown = replace(
+        forecast(scene),
+        sag=sag,
+        scale=max(float(np.max(np.abs(midpoint))) / span, _LEAST),
+        strain=strain,
+        slope=_slope(fields),
+        tension_share=shared,
+        swings=_swings(midpoint),
+        relaxed=max(forecast(scene).relaxed, _relaxed(effects, fields)),
+        overstress=_overstress(scene, fields),
+        flowing_overstress=flowing_overstress(scene, sag),
+        sheared=max(sheared_share(scene, sag, shared), _compliance(scene, effects, time, fields, length) / sag),
+        folds=_folds(scene, strain, time, fields),
+        capillary=_capillary(scene, depth, fields, length),
+    )
+    return _what_was_left_out(scene, effects, time, midpoint, shown)
+
+
+def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, shown: Motion) -> Motion:
+    """The numbers that only a run without the effect shows."""
+    names = effects.names
+    if "inertia" not in names:
+        shown = replace(shown, missed=missed_by(scene, time, midpoint))
+    if "viscous-flow" not in names and np.isfinite(shown.overstress):
+        # Below the yield stress nothing flows, whatever was foreseen.
+        shown = replace(shown, relaxed=1 - 1 / max(1.0, shown.overstress))
+    if "viscous-stress" not in names and retardation(scene):
+        shown = replace(shown, retarded=max(shown.retarded, _lost(scene, shown.swings, ringing(scene).decay)))
+    if "solid-damping" not in names and scene.material.has_loss:
+        shown = replace(shown, damped=max(shown.damped, _lost(scene, shown.swings, solid_decay(scene))))
+    if "gravity-ramp" not in names and scene.load.ramp > 0:
+        moved = np.abs(midpoint - midpoint[0] * is_slack(scene))
+        risen = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), _LEAST)
+        shown = replace(shown, risen=risen)
+    return shown
+
+
+def _lost(scene: Scene, swings: float, decay: float) -> float:
+    """What a decay [1/s] would have taken from the swings that a run without it shows."""
+    swing = swings / max(1.0, ringing(scene, lossless=True).frequency * scene.run.duration)
+    return float(-swing * np.expm1(-decay * scene.run.duration))
+
+
+def _midpoint(scene: Scene, fields: Mapping[str, Floats]) -> tuple[Floats, Floats]:
+    """Height of the midpoint, and of the middle of the line between the ends [m]; with a free one, of the support."""
+    y = fields["y"]
+    line = (y[:, 0] + y[:, -1]) / 2 if is_held(scene) else np.zeros(len(y))
+    return y[:, y.shape[1] // 2], line
+
+
+def _slope(fields: Mapping[str, Floats]) -> float:
+    """Largest angle of any cell against the horizontal [rad]."""
+    rise, run = np.diff(fields["y"], axis=1), np.diff(fields["x"], axis=1)
+    return float(np.max(np.abs(np.arctan2(rise, run))))
+
+
+def _swings(midpoint: Floats) -> float:
+    """Phase times amplitude of the ringing, over the largest sag: it travels four amplitudes in 2 pi."""
+    largest = float(np.max(np.abs(midpoint)))
+    if largest == 0:
+        return 0.0
+    travelled = float(np.sum(np.abs(np.diff(midpoint)))) - abs(float(midpoint[-1] - midpoint[0]))
+    return np.pi / 2 * max(0.0, travelled) / largest
+
+
+def _relaxed(effects: Effects, fields: Mapping[str, Floats]) -> float:
+    """What flow has dissipated, of that and the most that was stored; unknown where a solid dissipates too."""
+    if "solid-damping" in effects.names:
+        return 0.0
+    lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
+    return lost / (lost + stored) if lost > 0 else 0.0
+
+
+def _compliance(scene: Scene, effects: Effects, time: Floats, fields: Mapping[str, Floats], length: Floats) -> float:
+    """Sag over span by shear that follows the transverse force, behind a viscous stress with its retardation time."""
+    lag = retardation(scene) if "viscous-stress" in effects.names else 0.0
+    return compliant_sag(scene, lagging(time, fields["shear_force"], lag), length)
+
+
+def _overstress(scene: Scene, fields: Mapping[str, Floats]) -> float:
+    limit = yield_stress_of(scene)
+    if limit is None or "stress_mean" not in fields:
+        return np.inf
+    return float(np.max(np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"]))) / limit
+
+
+def _capillary(scene: Scene, depth: Floats, fields: Mapping[str, Floats], length: Floats) -> float:
+    """Largest share of the pull of the surface in the axial force, times the share of the load carried by that."""
+    load, pull = weight_stress(scene) * load_factor(scene), surface_stress(scene)
+    if pull == 0 or load == 0 or not is_held(scene):
+        return forecast(scene).capillary
+    shrinks = SURFACES[scene.filament.section].shrinks
+    surface = pull * (1 / np.sqrt(fields["stretch"]) if shrinks else np.ones_like(fields["stretch"]))
+    taut = np.maximum(fields["tension"], 0.0) / undeformed_area(scene)
+    pulled, tension = (values @ length / np.sum(length) for values in (surface, taut))
+    carried = np.minimum(1.0, 8 * (pulled + tension) * depth / load)
+    return float(np.max(pulled / (pulled + tension) * carried))
+
+
+def _folds(scene: Scene, strain: float, time: Floats, fields: Mapping[str, Floats]) -> float:
+    """E-folds of an unevenness: the strain, and beyond a yield stress sigma/eta for as long as a section flows."""
+    limit = yield_stress_of(scene)
+    viscosity = effective_viscosity_at(scene, limit) if limit is not None else None
+    if not viscosity or "stress_mean" not in fields or len(time) < 2:
+        return strain
+    stress = np.maximum(fields["stress_mean"] + pull_of_surface(scene) / 2, 0.0)
+    rate = stress * fields["yielded_fraction"] / viscosity
+    grown = np.trapezoid(rate, time, axis=0)
+    return max(strain, float(np.max(grown)))
+
+
+PERIODS = 5
+"""Periods of the first mode over which mean and amplitude are taken."""
+
+STRIDE = 1.25
+"""Ratio of the times, since the whole load acts, at which the filament is looked at."""
+
+NOISE = 0.01
+"""Share of the accuracy below which a change of the mean is none: the time steps err by about as much."""
+
+FEWEST_PERIODS = 10.0
+"""In a run of which height and amplitude are told, and no phase, where it rings on to the end."""
+
+_SAMPLES = 200
+_FRAMES_PER_PERIOD = 8
+_WORTH = 0.1
+"""Share of a run that may be integrated again to see the ringing between frames that are far apart."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ringing:
+    """Height about which the midpoint rings at last, and half of what it swings through; both in m."""
+
+    mean: float
+    amplitude: float
+
+
+def period_of(scene: Scene) -> float:
+    """Period of the ringing [s]: of the shaking, or of the first natural frequency; sqrt(L/g) without a spring."""
+    if scene.load.shake > 0:
+        return 1 / scene.load.shake_frequency
+    vibration = first_vibration(scene)
+    return 2 * math.pi / vibration.frequency if vibration else min(gravity_time(scene), scene.run.duration / PERIODS)
+
+
+def ringing_of(heights: Floats) -> Ringing:
+    """Mean and amplitude of evenly spaced heights over some periods.
+
+    The mean is weighted by 1 - cos, so that it does not matter with which phase the stretch begins and ends; the
+    amplitude is what is left beside a steady drift. Where nothing turns back the mean is the last height.
+    """
+    along = np.linspace(-1.0, 1.0, len(heights))
+    weights = 1 + np.cos(np.pi * along) + 1e-12
+    drift = np.polyfit(along, heights, 1, w=np.sqrt(weights))[0] * along
+    amplitude = float(np.ptp(heights - drift)) / 2
+    steps = np.diff(heights)
+    steps = steps[np.abs(steps) > 1e-9 * float(np.max(np.abs(heights), initial=1e-300))]
+    if np.count_nonzero(steps[1:] * steps[:-1] < 0) < 2:
+        return Ringing(float(heights[-1]), min(amplitude, float(np.ptp(heights)) / 2))
+    return Ringing(float(np.average(heights, weights=weights)), amplitude)
+
+
+def ringing_at_last(
+    scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, progress: Progress
+) -> tuple[dict[str, float] | None, str]:
+    """Mean and amplitude over the last periods of a run, for the summary; without them, why there are none.
+
+    Frames that are too far apart to show the ringing are not believed: the last periods are integrated again from the
+    frame before them, with the same steps.
+    """
+    heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) + 0.0
+    if not solution.outcome.is_success or len(heights) < 2:
+        return None, "the run has not reached its end"
+    if "inertia" not in effects.names or prepared.integration is None:
+        return asdict(Ringing(float(heights[-1]), 0.0)), ""
+    period, time = period_of(scene) / prepared.scale, solution.time
+    periods = min(PERIODS, int((time[-1] - time[0]) / period))
+    if periods == 0:
+        return None, f"the run is shorter than one period of the first mode, {period * prepared.scale:.3g} s"
+    begin = float(time[-1]) - periods * period
+    frame = max(0, int(np.searchsorted(time, begin, side="right")) - 1)
+    if (len(time) - 1 - frame) >= _FRAMES_PER_PERIOD * periods:
+        return asdict(ringing_of(heights[frame:])), ""
+    again = float(time[-1] - time[frame])
+    if again > max(2 * PERIODS * period, _WORTH * float(time[-1])):
+        return None, "the frames are too far apart to show the ringing: more run.frames would"
+    start = Start(solution.x[:, frame], solution.z[:, frame])
+    piece = prepared.piece(start, (float(time[frame]), begin, float(time[-1])), _SAMPLES, progress)
+    if not piece.outcome.is_success:
+        return None, "the frames are too far apart to show the ringing: more run.frames would"
+    return asdict(ringing_of(midpoint_heights(prepared.graph, piece)[1:] * rest_length(scene) + 0.0)), ""
+
+
+def rings_on(scene: Scene, told: dict[str, float] | None, largest: float) -> bool:
+    """Whether a run rings for so long, and to its end, that height and amplitude are all that an answer tells of it.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+    told : dict of str to float, or None
+        As from :func:`ringing_at_last`.
+    largest : float
+        Largest distance of the midpoint [m].
+    """
+    long = scene.load.shake == 0 and scene.run.duration >= FEWEST_PERIODS * period_of(scene)
+    return told is not None and long and told["amplitude"] > scene.run.accuracy * largest
+
+
+def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: Progress) -> float | None:
+    """Time [s] at which nothing moves any more by the accuracy asked; None if that is not before the end of the run.
+
+    The filament is looked at for five periods before the times t_load + 1.25^k of them. It has settled when the
+    midpoint swings by less than the accuracy times its largest height, and when its mean, too, is not going to move by
+    that much in what is left of the run. What is going to happen is what has happened from one such time to the next:
+    changes that fall by a ratio go on doing so (a logarithm moves by the same, an exponential by ever less), and at
+    most at a constant rate. Of a filament that may flow a change too small to be seen counts as one that can just be
+    seen and goes on at a constant rate, so that it is watched for some 4 % of the run at least.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked.
+    effects : Effects
+        In force.
+    prepared : Prepared
+        Its filament.
+    progress : Progress
+        Told about simulated time.
+    """
+    loaded = max((scene.load.ramp, *(row[0] for row in scene.ends.motion)))
+    if prepared.start is None:
+        return None
+    if prepared.integration is None:
+        return loaded if 0 < loaded < scene.run.duration else None
+    unit = rest_length(scene)
+    flows = "viscous-flow" in effects.names
+    window = PERIODS * period_of(scene)
+    state, reached, elapsed = prepared.start, 0.0, window
+    largest, means = 0.0, list[float]()
+    while loaded + elapsed < scene.run.duration:
+        end = loaded + elapsed
+        scale, samples = prepared.scale, max(reached, end - window)
+        piece = prepared.piece(state, (reached / scale, samples / scale, end / scale), _SAMPLES, progress)
+        if not piece.outcome.is_success:
+            return None
+        heights = midpoint_heights(prepared.graph, piece)[1:] * unit
+        largest = max(largest, float(np.max(np.abs(heights))))
+        means.append(ringing_of(heights).mean)
+        least, left = scene.run.accuracy * largest, scene.run.duration - loaded
+        still = float(np.ptp(heights)) / 2 < least
+        if still and len(means) > 2 and still_to_move(means, left / elapsed, NOISE * least, flows=flows) < least:
+            return end
+        state, reached = Start(piece.x[:, -1], piece.z[:, -1]), end
+        elapsed *= STRIDE
+    return None
+
+
+def still_to_move(means: list[float], times: float, noise: float, *, flows: bool) -> float:
+    """By how much a mean is going to change while the time grows so many times, from its last three values.
+
+    Parameters
+    ----------
+    means : list of float
+        At times that grow by :data:`STRIDE`.
+    times : float
+        End of the run over the present time.
+    noise : float
+        Change that cannot be told from none.
+    flows : bool
+        Whether a change too small to be seen may go on for ever.
+    """
+    before, change = abs(means[-2] - means[-3]), abs(means[-1] - means[-2])
+    if change <= noise and not flows:
+        return noise
+    ratio = min(STRIDE, change / before) if before > noise and change > noise else STRIDE
+    strides = math.log(max(1.0, times)) / math.log(STRIDE)
+    total = strides if abs(ratio - 1) < 1e-9 else ratio * (ratio**strides - 1) / (ratio - 1)
+    return max(change, noise) * total
+
+
+Regime = Literal[
+    "no-yield", "arrested-overdamped", "arrested-underdamped", "descending", "viscous", "elastic", "shaken"
+]
+
+ARREST_RATE = 0.5
+"""Arrested: the plastic rate stays below this fraction of sigma_Y/eta, in every fibre ...
+
+The hinges at the clamps are the last to stop: in the paper's overdamped arrest they still flow at 0.25 sigma_Y/eta at
+t~ = 460 (N = 320), in its continual descent at 2.
+"""
+
+ARREST_TIME = 0.1
+"""... over this last fraction of the run."""
+
+TURNED_BACK = 0.05
+"""Underdamped: the midpoint came back up by more than this fraction of its largest sag."""
+
+
+def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midpoint: Floats) -> Regime:
+    """Name the regime.
+
+    Under shaken gravity a filament that has yielded never comes to rest: it is "descending" where it flows on in the
+    last tenth and the last period, and otherwise "shaken", of which nothing more is claimed.
+
+    Parameters
+    ----------
+    fields : mapping of str to ndarray
+        ``plastic_rate``, ``yielded_fraction``, ``stress_mean``, ``stress_bending`` (frames, cells),
+        ``energy_dissipated`` (frames,).
+    midpoint : ndarray, shape (frames,)
+        Height of the midpoint [m].
+    """
+    if is_solid(scene):
+        return "elastic"
+    if not {"viscous-flow", "viscous-stress"} & set(effects.names):
+        limit = yield_stress_of(scene)
+        stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])
+        return "no-yield" if limit is not None and float(np.max(stress)) < limit else "elastic"
+    if "yielding" not in effects.names:
+        return "viscous"
+    # What has yielded between two frames has dissipated; but so has a loss below yield.
+    lost = np.any(fields["energy_dissipated"] > 0) and "solid-damping" not in effects.names
+    if not np.any(fields["yielded_fraction"] > 0) and not lost:
+        return "no-yield"
+    if not is_arrested(scene, fields["plastic_rate"]):
+        return "descending"
+    if scene.load.shake > 0:
+        return "shaken"
+    return "arrested-underdamped" if turned_back(midpoint) > TURNED_BACK else "arrested-overdamped"
+
+
+def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
+    """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`."""
+    pace = _pace(scene)
+    if not pace:
+        return False
+    frames, share = len(plastic_rate), ARREST_TIME
+    if scene.load.shake > 0:
+        share = min(1.0, max(share, 1 / (scene.load.shake_frequency * scene.run.duration)))
+    last = plastic_rate[min(frames - 1, int((1 - share) * (frames - 1))) :]
+    return bool(np.max(last) < ARREST_RATE * pace)
+
+
+def _pace(scene: Scene) -> float:
+    """Plastic strain rate at an overstress as large as the yield stress [1/s]: sigma_Y/eta, (sigma_Y/K)^(1/n)."""
+    yield_stress, viscosity = yield_stress_of(scene), effective_viscosity(scene)
+    if not yield_stress or not viscosity:
+        return 0.0
+    material = scene.material
+    if material.viscosity is None:
+        return yield_stress / viscosity
+    return float((yield_stress / material.viscosity) ** (1 / material.index))
+
+
+def turned_back(midpoint: Floats) -> float:
+    """Largest rise of the midpoint after it had been lower, relative to its largest sag."""
+    sag = -midpoint
+    deepest = np.maximum.accumulate(sag)
+    return float(np.max(deepest - sag) / np.max(sag)) if np.max(sag) > 0 else 0.0

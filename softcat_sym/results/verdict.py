@@ -1,0 +1,414 @@
+"""Whether an answer may be trusted: what was left out, strain that localises, rupture, and where the theory ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from softcat_sym.discretization.graph import time_scale
+from softcat_sym.discretization.grid import Floats, choose_grading
+from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.effect import Estimate, Motion
+from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
+from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
+from softcat_sym.effects.scaling_estimates import neck_length
+from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
+from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
+from softcat_sym.effects.yielding import YIELDING
+from softcat_sym.results.fields import least_energy
+from softcat_sym.scene.material import SOLIDS
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Solution
+
+
+def measures(scene: Scene, effects: Effects, motion: Motion) -> dict[str, Estimate]:
+    """The size of every effect that the scene has and the run left out, from how the filament has moved.
+
+    Parameters
+    ----------
+    scene : Scene
+        What was asked.
+    effects : Effects
+        What was in force.
+    motion : Motion
+        What the run has shown.
+    """
+    return {
+        decision.effect.name: decision.effect.estimate(scene, motion)
+        for decision in effects.decisions
+        if not decision.in_force and decision.estimate is not None
+    }
+
+
+def overlooked(scene: Scene, effects: Effects, measured: dict[str, Estimate], outcome: Outcome) -> dict[str, str]:
+    """Effects that ``auto`` has left out and the run shows to matter more than the accuracy asked, and how.
+
+    A run that fails shows nothing: then it is everything in the published theory that was left out, and of one that
+    localises the gradient that limits a neck. Nothing where the scene names its effects: what the user has left out is
+    reported, not repaired.
+    """
+    if scene.run.effects != "auto" or scene.run.closure == "printed" or scene.model == "small-deflection":
+        return {}
+    omitted = [decision.effect for decision in effects.decisions if decision.effect.name in measured]
+    if outcome is Outcome.localised:
+        return {e.name: "without it a neck has no width" for e in omitted if e is NECKING_GRADIENT}
+    if not outcome.is_success and outcome is not Outcome.energy_drift:
+        # Without rotary inertia the angles of sheared sections are algebraic: a stiff pull may leave them no solution.
+        turning = set(ROTARY_INERTIA.needs) <= set(effects.names)
+        wanted = [e for e in omitted if e.in_paper or (turning and e is ROTARY_INERTIA)]
+        return {e.name: "the run without it failed" for e in wanted}
+    return {
+        effect.name: f"the run without it shows that it is worth {measured[effect.name]}"
+        for effect in omitted
+        if measured[effect.name].value > scene.run.accuracy and not effect.spared(scene)
+    }
+
+
+def spared(scene: Scene, effects: Effects, measured: dict[str, Estimate]) -> list[str]:
+    """Warn of effects that ``auto`` leaves out for what they cost, and that the run shows to matter."""
+    if scene.run.effects != "auto":
+        return []
+    return [
+        f"{decision.effect.name} is left out ({why}), but may be worth {measured[decision.effect.name]}; "
+        "name it in run.effects to have it"
+        for decision in effects.decisions
+        if decision.effect.name in measured
+        and measured[decision.effect.name].value > scene.run.accuracy
+        and (why := decision.effect.spared(scene))
+    ]
+
+
+SHARE_OF_ONE_CELL = 0.3
+"""A cell that by itself, beyond its neighbours, carries this share of its half's elongation is a localised neck.
+
+Converged runs stay below 0.2 (a thick ink strand at N = 20) and fall with 1/N; a neck that the theory cannot resolve
+carries 0.4 or more on every grid from N = 10 up. A thick strand on very few cells (N = 8) comes close to the limit.
+"""
+
+DRAWN_OUT = 0.4
+"""Strain of a neck, spread over its length, beyond which it is drawn out even where the necking gradient is in force.
+
+Elongation beyond the neighbourhood does not depend on the grid, unlike the stretch of the cell that shows it. In plane
+stress the paper's ringing filament stops at 0.18 for G = 0.25 and at 0.33 for G = 0.3, on 40 cells as on 160, where
+elements stop too; for G = 0.4 it ruptures on every grid (tests/acceptance/test_necking.py).
+"""
+
+_SMOOTH = 0.3
+"""Of the neighbours' strain: what a cell much longer than a neck may exceed them by without one."""
+
+_NEGLIGIBLE_ELONGATION = 1e-9
+_RUPTURED = 10.0  # strain beyond which only a thread is left: no number is worth telling
+
+
+def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
+    """Share of a half's elongation that one cell carries in excess of its more stretched neighbour.
+
+    Parameters
+    ----------
+    stretch : ndarray, shape (cells,)
+        Stretch over the whole span.
+    length : ndarray, shape (cells,)
+        Undeformed lengths of the cells.
+
+    Returns
+    -------
+    float
+        Between 0 (smooth) and 1 (all in one cell); 0 where the filament is hardly stretched.
+    """
+    # A support has no cell behind it: its cell is compared with the one neighbour it has.
+    left = np.concatenate([[-np.inf], stretch[:-1]])
+    right = np.concatenate([stretch[1:], [-np.inf]])
+    excess = np.maximum(stretch - np.maximum(np.maximum(left, right), 1.0), 0.0) * length
+    # Where parts are compressed and parts drawn, their sum may vanish: it is no scale.
+    elongation = np.abs(stretch - 1.0) * length
+    middle = len(stretch) // 2
+    shares = [
+        float(np.max(excess[half])) / float(np.sum(elongation[half]))
+        for half in (slice(None, middle), slice(middle, None))
+        if float(np.sum(elongation[half])) > _NEGLIGIBLE_ELONGATION * float(np.sum(length))
+    ]
+    return max(shares, default=0.0)
+
+
+def neck_strain(stretch: Floats, length: Floats, neck: float) -> float:
+    """Largest strain of any neck beyond its neighbourhood, spread over the length of a neck.
+
+    Parameters
+    ----------
+    stretch, length : ndarray, shape (cells,)
+        Stretch over the whole span and undeformed lengths of the cells.
+    neck : float
+        Length of a neck, below which the gradient evens out any strain.
+    """
+    edges = np.concatenate([[0.0], np.cumsum(length)])
+    elongation = np.concatenate([[0.0], np.cumsum((stretch - 1) * length)])
+    # A cell longer than a neck shows the same elongation over its own length.
+    window = np.maximum(length, neck)
+    left = np.clip((edges[1:] + edges[:-1] - window) / 2, 0.0, edges[-1] - window)
+
+    def mean(start: Floats) -> Floats:
+        inside = (start > -1e-9 * edges[-1]) & (start + window < (1 + 1e-9) * edges[-1])
+        gain = np.interp(start + window, edges, elongation) - np.interp(start, edges, elongation)
+        return np.where(inside, gain / window, -np.inf)
+
+    beside = np.maximum(mean(left - window), mean(left + window))
+    # Over a cell longer than a neck strain also varies smoothly, and by more than a short neck holds.
+    smooth = _SMOOTH * (1 - neck / window) * np.maximum(np.where(np.isfinite(beside), beside, 0.0), 0.0)
+    excess = mean(left) - beside - smooth
+    return float(np.max(np.where(np.isfinite(excess), excess, 0.0) * window / neck))
+
+
+def neck_that_the_grid_decides(stretch: Floats, length: Floats, neck: float | None) -> str:
+    """What is wrong with a neck, or an empty text.
+
+    Parameters
+    ----------
+    stretch, length : ndarray, shape (cells,)
+        Stretch over the whole span and undeformed lengths of the cells.
+    neck : float or None
+        Length of a neck where the necking gradient is in force, in the unit of `length`: then a hinge narrower than a
+        cell is a matter of resolution, and only one that is drawn out is refused.
+    """
+    edges = np.concatenate([[0.0], np.cumsum(length)])
+    cell = int(np.argmax(stretch))
+    where = f"X/L = {(edges[cell] + edges[cell + 1]) / 2 / edges[-1] - 0.5:.4g}"
+    if neck is not None:
+        strain = neck_strain(stretch, length, neck)
+        far = f"by {strain:.0%} of its length" if strain < _RUPTURED else f"to more than {_RUPTURED:g} times its length"
+        drawn = f"the neck at {where} is drawn out {far} beyond its neighbourhood: near rupture"
+        return drawn if strain > DRAWN_OUT else ""
+    share = largest_share_of_one_cell(stretch, length)
+    gathered = f"the cell at {where} carries {share:.0%} of the elongation of its half beyond its neighbour"
+    return gathered if share > SHARE_OF_ONE_CELL else ""
+
+
+THREAD = 1000.0
+"""Stretch beyond which only a thread is left of a fluid: a thirtieth of the thickness, and nothing of the theory."""
+
+STRONGEST = math.e
+"""Stretch at which a bar of true strain is strongest, A0 E log(s)/s: an elastic solid drawn further runs away."""
+
+_GIFT = 0.2
+"""Share by which the energy of a filament may exceed what weight and supports gave it, where the closure is the paper's
+printed one and its balance is no more than approximate; a filament that has run away exceeds it a millionfold."""
+
+_NOISE = 0.01
+"""Of the largest energy: the first frames hold next to nothing, to no accuracy."""
+
+
+def largest_stretch(scene: Scene) -> float:
+    """The stretch at which a filament counts as ruptured."""
+    return STRONGEST if scene.material.law in SOLIDS else THREAD
+
+
+def rupture_frame(scene: Scene, stretch: Floats) -> int | None:
+    """The first frame in which a cell is drawn beyond what its material can bear; None without.
+
+    Parameters
+    ----------
+    scene : Scene
+        For its law.
+    stretch : ndarray, shape (frames, cells)
+        Of the whole span.
+    """
+    torn = np.flatnonzero(~(np.max(stretch, axis=1) <= largest_stretch(scene)))
+    return int(torn[0]) if len(torn) else None
+
+
+def rupture(scene: Scene, time: Floats, stretch: Floats, nodes: Floats) -> str:
+    """When and where the filament ruptures, or an empty text.
+
+    Parameters
+    ----------
+    time : ndarray, shape (frames,)
+        [s].
+    stretch : ndarray, shape (frames, cells)
+        Of the whole span.
+    nodes : ndarray
+        X of the nodes.
+    """
+    frame = rupture_frame(scene, stretch)
+    if frame is None:
+        return ""
+    cell = int(np.argmax(np.nan_to_num(stretch[frame], nan=np.inf)))
+    where = round(float((nodes[cell] + nodes[cell + 1]) / 2 / (nodes[-1] - nodes[0])), 6) + 0.0
+    return (
+        f"by t = {time[frame]:.6g} s the cell at X/L = {where:.4g} is drawn to more than {largest_stretch(scene):.4g} "
+        "times its length"
+    )
+
+
+def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
+    """That motion and stress hold more energy than weight and supports gave the filament, or an empty text.
+
+    Dissipation only takes energy away, whatever the closure: this holds also where the balance itself is not audited.
+
+    Parameters
+    ----------
+    fields : mapping of str to ndarray, shape (frames,)
+        Energies and ``work_external`` [J].
+    least : float
+        Energy that counts as none [J].
+    """
+    held = fields["energy_kinetic"] + fields["energy_elastic"]
+    stored = fields["energy_potential"] + fields["energy_surface"]
+    given = held[0] + stored[0] - stored + fields["work_external"]
+    noise = _NOISE * np.max(held) + least
+    excess = held - (1 + _GIFT) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
+    frame = int(np.argmax(excess))
+    if not excess[frame] > 0:
+        return ""
+    return (
+        f"in frame {frame} motion and stress hold {held[frame]:.3g} J, but weight and supports gave "
+        f"{given[frame]:.3g} J: no filament can be in that state"
+    )
+
+
+SHORTEST_CELL = 1 / 18
+"""Of the thickness. A ringing filament whose hinge has cells of h0/17 stops where elements do, on 40, 80 and 160 cells;
+with cells of h0/19 to h0/35 it sags a tenth to four times further, differently on every grid."""
+
+
+def warnings_of(
+    scene: Scene, effects: Effects, capillary: float, nodes: Floats, fields: dict[str, Floats], residual: float
+) -> list[str]:
+    """Warnings in words, none if the theory holds.
+
+    Parameters
+    ----------
+    effects : Effects
+        In force.
+    capillary : float
+        Share of the sag that surface tension would take.
+    nodes : ndarray, shape (nodes,)
+        X of the nodes [m].
+    fields : dict of str to ndarray
+        Of the whole span: ``yielded_fraction`` in cells.
+    residual : float
+        Of the energy balance; zero for a sequence of equilibria, which has none.
+    """
+    return [
+        *filter(None, (neglected_surface(scene, capillary), rounded_corners(scene))),
+        *_short_hinge_cells(scene, effects, nodes, fields["yielded_fraction"]),
+        *_swelling(scene, effects, residual),
+    ]
+
+
+def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: Floats) -> float | None:
+    """Length over thickness of the shortest cell at a clamp whose section has yielded and shears, if it is too short.
+
+    A sheared section that has yielded resists a neck only over lengths comparable with the thickness: below
+    `SHORTEST_CELL` the answer may change with the grid. Only a grading set by hand makes such cells where they need
+    not be: the program's own are that short in a filament too thick to neck.
+
+    Parameters
+    ----------
+    effects : Effects
+        In force.
+    nodes : ndarray, shape (nodes,)
+        X of the nodes [m].
+    yielded : ndarray, shape (frames, cells)
+        Share of the section that has yielded.
+    """
+    if not {"yielding", "bending"} <= set(effects.names) or not {"shear", "fibres"} & set(effects.names):
+        return None
+    asked = scene.numerics.grading
+    if asked is None or asked <= choose_grading(scene, (len(nodes) - 1) // 2, effects):
+        return None
+    ends = [place for place, end in ((0, scene.ends.left), (-1, scene.ends.right)) if end == "clamped"]
+    lengths = np.diff(nodes) / scene.filament.thickness
+    short = [float(lengths[end]) for end in ends if np.max(yielded[:, end]) > 0.5 and lengths[end] < SHORTEST_CELL]
+    return min(short, default=None)
+
+
+def _short_hinge_cells(scene: Scene, effects: Effects, nodes: Floats, yielded: Floats) -> list[str]:
+    shortest = shortest_hinge_cell(scene, effects, nodes, yielded)
+    if shortest is None:
+        return []
+    return [
+        f"cells of the hinge at a clamp are 1/{1 / shortest:.0f} of the thickness long: below "
+        f"1/{1 / SHORTEST_CELL:.0f} a hinge may neck as the grid lets it; leave out numerics.grading or take fewer "
+        "numerics.cells"
+    ]
+
+
+def _swelling(scene: Scene, effects: Effects, residual: float) -> list[str]:
+    """Without thinning a section swells as it is drawn: the energy that this stores, no force gives back."""
+    swells = "finite-stretch" in effects.names and "thinning" not in effects.names
+    if not swells or scene.run.closure != "material" or residual <= scene.run.accuracy:
+        return []
+    return [
+        f"the energy residual, {residual:.2g}, exceeds the accuracy of {scene.run.accuracy:g}: with finite-stretch and "
+        "without thinning the section swells as it is drawn, and energy is not conserved; add thinning to run.effects"
+    ]
+
+
+_COMPRESSION = 0.02
+"""Of the largest tension: what a string that does not bend may be compressed by."""
+
+
+def verdict(
+    scene: Scene, effects: Effects, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
+) -> tuple[Outcome, str]:
+    """Decide: a neck that the grid decides, a rupture, a failed integration, an energy balance that stays open.
+
+    Parameters
+    ----------
+    scene, effects
+        What was asked.
+    solution : Solution
+        How the integration ended.
+    fields : dict of str to ndarray
+        Of the whole span; a neck is looked for in the last frame, rupture in all.
+    nodes : ndarray
+        X of the nodes [m].
+    residual : float
+        Of the energy balance; zero where it says nothing.
+
+    Returns
+    -------
+    Outcome, str
+        And the complaint.
+    """
+    if solution.outcome is Outcome.no_equilibrium and not solution.steps:
+        # Nothing was found to begin from: what the frame holds is no state of the filament.
+        return solution.outcome, solution.complaint
+    # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
+    runs_away = {NECKING_GRADIENT.name, YIELDING.name} <= set(effects.names)
+    length = neck_length(scene) if runs_away else None
+    # An elastic filament is as uneven as its load: only flow gathers strain.
+    flows = VISCOUS_FLOW.name in effects.names
+    neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length) if flows else ""
+    if neck:
+        return Outcome.localised, "; ".join(filter(None, [neck, solution.complaint]))
+    torn = rupture(scene, solution.time * time_scale(scene), fields["stretch"], nodes)
+    if torn:
+        return Outcome.ruptured, "; ".join(filter(None, [torn, solution.complaint]))
+    if not solution.outcome.is_success:
+        return solution.outcome, solution.complaint
+    if "bending" not in effects.names:
+        pushed = _pushed_string(solution.time * time_scale(scene), fields.get("axial_force", fields["tension"]))
+        if pushed:
+            return Outcome.compressed, pushed
+    gained = gained_energy(fields, least_energy(scene)) if solution.steps else ""
+    if gained:
+        return Outcome.energy_drift, gained
+    if residual > scene.run.accuracy:
+        return Outcome.energy_drift, f"energy residual {residual:.2g} against an accuracy of {scene.run.accuracy:g}"
+    return Outcome.solved, ""
+
+
+def _pushed_string(time: Floats, tension: Floats) -> str:
+    """When a string without bending is pushed together, or an empty text: it has no stiffness against folds."""
+    # Waves along a string leave traces of compression in the first order of the grid.
+    pushed = np.flatnonzero(np.min(tension, axis=1) < -_COMPRESSION * np.max(tension))
+    if not len(pushed):
+        return ""
+    share = -float(np.min(tension[pushed[0]])) / float(np.max(tension))
+    return (
+        f"by t = {time[pushed[0]]:.6g} s the string is pushed together with {share:.0%} of its largest tension: "
+        "without bending that is ill-posed"
+    )

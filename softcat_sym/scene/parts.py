@@ -1,0 +1,341 @@
+"""The parts of a scene beside its material: frozen models without unknown keys, in plain SI values."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    ValidationInfo,
+    ValidatorFunctionWrapHandler,
+    field_validator,
+    model_validator,
+)
+
+from softcat_sym.errors import Fault
+from softcat_sym.scene.units import (
+    Choice,
+    Flag,
+    Kind,
+    Motion,
+    Names,
+    Number,
+    Numbers,
+    Quantity,
+    Whole,
+    refusal,
+    shown,
+    with_unit,
+)
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.scene import Scene
+
+
+class Part(BaseModel):
+    """One table of the scene file, every value plain SI.
+
+    Two parts are equal when their physics is: how a value was given (in shear or in tension) does not count.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+    table_name: ClassVar[str] = ""
+
+    def kinds(self) -> dict[str, Kind]:
+        """Return how each value is written, by field name."""
+        return kinds_of(type(self))
+
+    def physics(self) -> dict[str, Any]:
+        """Values that make a difference to the answer, by field name; SI."""
+        return {name: getattr(self, name) for name, info in type(self).model_fields.items() if not info.exclude}
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was converted from other names or data, in words and numbers."""
+        return ()
+
+    def given(self) -> dict[str, object]:
+        """Return the raw table as it was asked for: only what was set, so that what follows from it still follows."""
+        return {
+            name: kind.write(getattr(self, name))
+            for name, kind in self.kinds().items()
+            if name in self.model_fields_set and getattr(self, name) is not None
+        }
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and isinstance(other, Part) and self.physics() == other.physics()
+
+    def __hash__(self) -> int:
+        return hash((type(self), tuple(self.physics().values())))
+
+
+def dotted(*names: str) -> str:
+    """Join the names that are not empty by dots."""
+    return ".".join(name for name in names if name)
+
+
+def kinds_of(part: type[BaseModel]) -> dict[str, Kind]:
+    """Return the kind of each field that holds a value (not a part)."""
+    return {name: kind for name, info in part.model_fields.items() for kind in info.metadata if isinstance(kind, Kind)}
+
+
+Section = Literal["rectangle", "circle", "sheet"]
+_THICKNESS = Quantity("length", "6 mm")
+Length = Annotated[float, _THICKNESS]
+
+
+class Filament(Part):
+    """Geometry and density; lengths in m, density in kg/m^3."""
+
+    table_name: ClassVar[str] = "filament"
+
+    span: Annotated[float, Quantity("length", "0.2 m")]
+    """Horizontal distance between the supports, L."""
+    rest_length: Annotated[float | None, Quantity("length", "0.21 m")] = None
+    """Length of the reference configuration; the distance between the supports over initial.stretch unless given."""
+    diameter: Annotated[float | None, Quantity("length", "6 mm")] = Field(default=None, exclude=True, repr=False)
+    """Diameter of a circle, which the section then is; instead of thickness."""
+    thickness: Length = Field(default=None, validate_default=True)
+    """h0, in the plane of bending; the diameter of a circle."""
+    section: Annotated[Section, Choice(("rectangle", "circle", "sheet"))] = "rectangle"
+    """Shape of the cross-section."""
+    width: Length = Field(default=None, validate_default=True)
+    """D0, across the plane of bending; the thickness unless given."""
+    density: Annotated[float, Quantity("density", "1900 kg/m^3")]
+    """Mass per volume, rho."""
+    profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
+    """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
+    curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
+    """Natural curvature."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _round_if_it_has_a_diameter(cls, data: Any) -> Any:
+        return {"section": "circle", **data} if isinstance(data, dict) and data.get("diameter") is not None else data
+
+    @field_validator("thickness", mode="wrap")
+    @classmethod
+    def _thinner_than_long(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        diameter = info.data.get("diameter", math.nan)
+        if value is None and diameter is None:
+            raise refusal("missing", f"{_THICKNESS.accepted}, or filament.diameter")
+        if value is not None and diameter is not None:
+            raise refusal("given twice, here and as filament.diameter", "one of the two")
+        thickness = diameter if value is None else handler(value)
+        span = info.data.get("span")
+        if span is not None and thickness >= span:
+            found = shown(value) if diameter is None else f"the diameter, {diameter:g} m,"
+            raise refusal(f"{found} is not less than the span", f"a thickness below the span, {span:g} m")
+        return thickness
+
+    @field_validator("section", mode="wrap")
+    @classmethod
+    def _round_where_it_has_a_diameter(
+        cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo
+    ) -> Any:
+        section = handler(value)
+        if section != "circle" and info.data.get("diameter") is not None:
+            raise refusal(
+                f"{shown(value)}, but filament.diameter is given",
+                "circle, or filament.thickness instead of filament.diameter",
+            )
+        return section
+
+    @field_validator("width", mode="wrap")
+    @classmethod
+    def _follow_thickness(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        # NaN never escapes: without a thickness there is a fault, and with a fault there is no filament.
+        thickness = info.data.get("thickness", math.nan)
+        if value is None:
+            return thickness
+        width = handler(value)
+        if info.data.get("section") == "circle" and math.isfinite(thickness) and width != thickness:
+            raise refusal("a circle has no width of its own", "leaving it out; the diameter is filament.thickness")
+        return width
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was given under another name, in words and numbers."""
+        return () if self.diameter is None else (f"thickness = diameter of a circle: {self.thickness:.6g} m",)
+
+    def follows(self) -> dict[str, str]:
+        """Name the values that only repeat another, and need not be written: ``{field: the other}``."""
+        return {"width": "thickness"} if self.width == self.thickness else {}
+
+
+Point = tuple[float, float]
+
+
+def places(scene: Scene) -> list[Point]:
+    """Return the places of the right support seen from the left one, first and at each row of its motion [m]."""
+    first = (scene.filament.span, -scene.ends.drop)
+    return [first, *((first[0] + dx, first[1] + dy) for _, dx, dy in scene.ends.motion)]
+
+
+def farthest(scene: Scene) -> float:
+    """Return the greatest distance of the supports at any time [m]; a straight path has it at one of its ends."""
+    return max(math.hypot(*place) for place in places(scene))
+
+
+def nearest(scene: Scene) -> float:
+    """Return the least distance of the supports at any time [m]."""
+    path = places(scene)
+    return min((_to_origin(a, b) for a, b in pairwise(path)), default=math.hypot(*path[0]))
+
+
+def motion_faults(scene: Scene) -> Iterator[Fault]:
+    """List what is wrong with the motion of the right support."""
+    rows, path = scene.ends.motion, "ends.motion"
+    times = [time for time, _, _ in rows]
+    if any(time < 0 for time in times):
+        yield Fault(path, f"a row at {min(times):g} s, before the start", "times from 0 s on")
+    for before, after in pairwise(times):
+        if after <= before:
+            yield Fault(path, f"a row at {after:g} s after one at {before:g} s", "times that increase from row to row")
+            break
+    if rows and rows[0][1:] != (0.0, 0.0):
+        start = f'["{with_unit(0.0, "time")}", "0 m", "0 m"]'
+        found = f"the first row, at {times[0]:g} s, moves the support at once"
+        yield Fault(path, found, f"a first row without displacement, such as {start}")
+    if rows and nearest(scene) < scene.filament.thickness:
+        found = f"the supports come within {nearest(scene):.4g} m of each other"
+        yield Fault(path, found, f"a path that keeps them the thickness apart, {scene.filament.thickness:g} m")
+
+
+def _to_origin(start: Point, end: Point) -> float:
+    """Distance of the origin from the straight line between two points."""
+    along = (end[0] - start[0], end[1] - start[1])
+    squared = along[0] ** 2 + along[1] ** 2
+    if squared == 0:
+        return math.hypot(*start)
+    at = min(1.0, max(0.0, -(start[0] * along[0] + start[1] * along[1]) / squared))
+    return math.hypot(start[0] + at * along[0], start[1] + at * along[1])
+
+
+End = Literal["clamped", "pinned", "free"]
+_END = Choice(("clamped", "pinned", "free"))
+_ANGLE = Quantity("angle", "10 deg", "any")
+Angle = Annotated[float, _ANGLE]
+
+
+class Ends(Part):
+    """Supports; lengths in m, angles in rad."""
+
+    table_name: ClassVar[str] = "ends"
+
+    left: Annotated[End, _END] = "clamped"
+    """How the left end is held."""
+    right: Annotated[End, _END] = "clamped"
+    """How the right end is held."""
+    drop: Annotated[float, Quantity("length", "0 m", "any")] = 0.0
+    """Right support below the left one."""
+    left_angle: Angle = 0.0
+    """Of a left clamp: its tangent, counterclockwise from the horizontal; a symmetric pair is -a and a."""
+    right_angle: Angle = 0.0
+    """Of a right clamp, likewise."""
+    motion: Annotated[tuple[tuple[float, float, float], ...], Motion()] = ()
+    """Path of the right support, right and up from its first place, linear between rows, held after the last."""
+
+    @field_validator("left_angle", "right_angle", mode="wrap")
+    @classmethod
+    def _within_half_a_turn(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> Any:
+        angle = handler(value)
+        if not -math.pi < angle < math.pi:
+            raise refusal(f"{shown(value)} is half a turn or more", "an angle between -180 deg and 180 deg")
+        return angle
+
+
+class Load(Part):
+    """Gravity, its ramp and its shaking; SI."""
+
+    table_name: ClassVar[str] = "load"
+
+    gravity: Annotated[float, Quantity("acceleration", "9.81 m/s^2", "non-negative")] = 9.81
+    """Acceleration g, downwards."""
+    ramp: Annotated[float, Quantity("time", "0.1 s", "non-negative")] = 0.0
+    """Time in which gravity grows from nothing, by a quintic smooth step; 0: at once."""
+    point_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
+    """Mass at midspan."""
+    shake: Annotated[float, Number(above=0, closed=True)] = 0.0
+    """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
+    shake_frequency: Annotated[float, Quantity("frequency", "5 Hz", "non-negative")] = 0.0
+    """Frequency f of oscillating gravity, in cycles a second; given together with load.shake."""
+
+
+class Initial(Part):
+    """State at the first instant; dimensionless."""
+
+    table_name: ClassVar[str] = "initial"
+
+    stretch: Annotated[float, Number(above=0)] = 1.0
+    """Stretch before the load acts, s0."""
+    relaxed: Annotated[bool, Flag()] = True
+    """Whether that stretch is free of stress, a plastic strain log(s0) everywhere, or elastic."""
+    P: Annotated[tuple[float, ...], Numbers()] = ()
+    """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
+    C: Annotated[tuple[float, ...], Numbers()] = ()
+    """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), likewise."""
+
+
+class Surroundings(Part):
+    """The medium around the filament; SI."""
+
+    table_name: ClassVar[str] = "surroundings"
+
+    surface_tension: Annotated[float, Quantity("surface tension", "21 mN/m", "non-negative")] = 0.0
+    """Surface tension Gamma between the filament and what surrounds it."""
+
+
+Until = Literal["duration", "settled"]
+Closure = Literal["material", "printed"]
+
+
+class Run(Part):
+    """What is asked of the run; times in s."""
+
+    table_name: ClassVar[str] = "run"
+
+    duration: Annotated[float, Quantity("time", "2 s")]
+    """Simulated time; the longest one where the run may settle before."""
+    frames: Annotated[int, Whole(2, 1_000_000)] = 201
+    """Number of evenly spaced output times, t = 0 included."""
+    accuracy: Annotated[float, Number(above=0, below=1)] = 0.01
+    """Largest error of the midpoint over the largest midpoint."""
+    until: Annotated[Until, Choice(("duration", "settled"))] = "duration"
+    """Whether the run ends with its duration, or before when nothing moves any more by the accuracy asked."""
+    effects: Annotated[str | tuple[str, ...], Names(("auto", "paper"))] = "auto"
+    """Which physics is in force: auto chooses by estimates, paper is the published theory; or names of effects."""
+    closure: Annotated[Closure, Choice(("material", "printed"))] = "material"
+    """Plastic state, strain measure and axial force: that of the material, or as the paper prints it."""
+
+
+Solver = Literal["cvodes", "idas", "rosenbrock"]
+Backend = Literal["auto", "interpreted", "compiled"]
+
+
+class Numerics(Part):
+    """Overrules; None means that the program chooses."""
+
+    table_name: ClassVar[str] = "numerics"
+
+    cells: Annotated[int | None, Whole(4, 100_000)] = None
+    """N, cells per half span; chosen by the program unless given."""
+    grading: Annotated[float | None, Number(above=0, below=1000)] = None
+    """Length of the cells at midspan over that at the clamps, 1: all equal; chosen by the program unless given."""
+    order: Annotated[int | None, Whole(1, 20)] = None
+    """k, order of the plastic strain through the thickness; chosen by the program unless given."""
+    fibres: Annotated[int | None, Whole(2, 1000)] = None
+    """Fibres through the thickness; chosen by the program unless given."""
+    solver: Annotated[Solver | None, Choice(("cvodes", "idas", "rosenbrock"))] = None
+    """Integrator; chosen by the program unless given."""
+    rtol: Annotated[float | None, Number(above=0, below=1)] = None
+    """Relative tolerance of the integrator; chosen by the program unless given."""
+    backend: Annotated[Backend, Choice(("auto", "interpreted", "compiled"))] = "auto"
+    """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
+    estimate: Annotated[bool, Flag()] = True
+    """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

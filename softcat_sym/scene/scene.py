@@ -1,0 +1,545 @@
+"""The scene: all that is asked, in plain SI values, whether its parts go together, and its dimensionless groups."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Any, Literal
+
+from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
+from pydantic_core import ValidationError
+
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
+from softcat_sym.scene.material import SOLIDS, Material, power
+from softcat_sym.scene.parts import (
+    Ends,
+    Filament,
+    Initial,
+    Load,
+    Numerics,
+    Part,
+    Run,
+    Surroundings,
+    dotted,
+    farthest,
+    kinds_of,
+    motion_faults,
+)
+from softcat_sym.scene.toml import Override, apply, toml_of
+from softcat_sym.scene.units import Choice, Text, fault_of, shown
+
+_ROUNDING = 1e-12
+
+
+def distance(scene: Scene) -> float:
+    """Return the straight distance between the supports at the start [m]."""
+    return math.hypot(scene.filament.span, scene.ends.drop)
+
+
+def rest_length(scene: Scene) -> float:
+    """Return the length of the reference configuration, to which the undeformed section belongs [m].
+
+    As given, or the distance over the initial stretch.
+    """
+    given = scene.filament.rest_length
+    return distance(scene) / scene.initial.stretch if given is None else given
+
+
+def stress_free_length(scene: Scene) -> float:
+    """Return the length at which the filament starts without stress [m]: a relaxed initial stretch lengthens it."""
+    return rest_length(scene) * (scene.initial.stretch if scene.initial.relaxed else 1.0)
+
+
+def is_held(scene: Scene) -> bool:
+    """Tell whether neither end is free."""
+    return "free" not in (scene.ends.left, scene.ends.right)
+
+
+def is_slack(scene: Scene) -> bool:
+    """Tell whether both ends are held and the filament is longer without stress than they are apart."""
+    return is_held(scene) and stress_free_length(scene) > distance(scene) * (1 + _ROUNDING)
+
+
+def is_symmetric(scene: Scene) -> bool:
+    """Tell whether left and right mirror each other at all times."""
+    ends = scene.ends
+    mirrored = math.isclose(ends.left_angle, -ends.right_angle, rel_tol=_ROUNDING, abs_tol=_ROUNDING)
+    along = (scene.filament.profile, scene.initial.P, scene.initial.C)
+    return (
+        ends.left == ends.right
+        and is_held(scene)
+        and mirrored
+        and ends.drop == 0
+        and not ends.motion
+        and all(values == values[::-1] for values in along)
+    )
+
+
+def chord_angle(scene: Scene) -> float:
+    """Return the angle of the line from the left support to the right one, counterclockwise [rad]."""
+    return math.atan2(-scene.ends.drop, scene.filament.span) + 0.0  # level is 0, not -0
+
+
+def undeformed_area(scene: Scene) -> float:
+    """Return A0 [m^2] where the relative thickness is 1."""
+    filament = scene.filament
+    if filament.section == "circle":
+        return math.pi * filament.thickness**2 / 4
+    return filament.thickness * filament.width
+
+
+# Beyond, the two supports are one point.
+_LONGEST = 1000
+_ANGLE_ROUNDING = 1e-9
+# The small-deflection model has laws of one plastic stretch; a law that yields is refused where effects are chosen.
+_SMALL_LAWS = ("elastic", "maxwell")
+_REFUSED_LATER = ("bingham", "herschel-bulkley")
+
+
+def faults_between_parts(scene: Scene) -> list[Fault]:
+    """List everything that does not go together.
+
+    Parameters
+    ----------
+    scene : Scene
+        Sound part by part.
+
+    Returns
+    -------
+    list of Fault
+        Empty for a scene that makes sense.
+    """
+    checks = (
+        *(_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection),
+        *(_of_shaking, _of_loss, _of_section),
+    )
+    return [fault for check in checks for fault in check(scene)]
+
+
+def refuse_settled(scene: Scene, why: str) -> None:
+    """Refuse a run that ends when it has settled, where several answers are compared at the same times.
+
+    Raises
+    ------
+    SceneError
+        If the scene asks for that.
+    """
+    if scene.run.until == "settled":
+        raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
+
+
+def _of_ends(scene: Scene) -> Iterator[Fault]:
+    ends = scene.ends
+    if ends.left == ends.right == "free":
+        yield Fault("ends", "both ends are free", "at least one end clamped or pinned")
+    for side, how in (("left", ends.left), ("right", ends.right)):
+        if how != "clamped" and getattr(ends, f"{side}_angle") != 0:
+            found = f"given, but the {side} end is {how}"
+            yield Fault(f"ends.{side}_angle", found, f'leaving it out, or ends.{side} = "clamped"')
+    if ends.drop != 0 and not is_held(scene):
+        yield Fault("ends.drop", "given, but one end is free", "leaving it out, or two ends that are held")
+    if ends.motion and ends.right == "free":
+        yield Fault("ends.motion", "given, but the right end is free", "leaving it out, or a right end that is held")
+
+
+def _of_section(scene: Scene) -> Iterator[Fault]:
+    numerics = scene.numerics
+    if numerics.order is not None and numerics.fibres is not None:
+        found = f"{numerics.order}, but numerics.fibres is {numerics.fibres}: polynomials stand in the place of fibres"
+        yield Fault("numerics.order", found, "one of the two")
+
+
+def _of_shaking(scene: Scene) -> Iterator[Fault]:
+    load = scene.load
+    if load.shake > 0 and scene.run.until == "settled":
+        found = f"'settled', but load.shake is {load.shake:g}: what is shaken does not come to rest"
+        yield Fault("run.until", found, "duration")
+    if load.shake > 0 and load.shake_frequency == 0:
+        found = f"zero or missing, but load.shake is {load.shake:g}"
+        yield Fault("load.shake_frequency", found, 'a positive frequency, such as "5 Hz", or no load.shake')
+    if load.shake_frequency > 0 and load.shake == 0:
+        found = f"zero or missing, but load.shake_frequency is {load.shake_frequency:g} Hz"
+        yield Fault("load.shake", found, "a positive number without a unit, such as 0.3, or no load.shake_frequency")
+
+
+def _of_loss(scene: Scene) -> Iterator[Fault]:
+    """A loss below yield is a stress that only the filament of the material closure has."""
+    material, ends = scene.material, scene.ends
+    if not material.has_loss:
+        return
+    key = "loss_modulus" if material.loss_modulus else "loss_tangent" if material.loss_tangent else "solid_viscosity"
+    path, accepted = f"material.{key}", "leaving it out"
+    if scene.model == "small-deflection":
+        yield Fault(path, "given with model 'small-deflection'", f'{accepted}, or model = "filament"')
+    if scene.run.closure == "printed":
+        found = "given with run.closure = 'printed', whose section has no viscous stress beside its flow"
+        yield Fault(path, found, f'{accepted}, or run.closure = "material"')
+    if key != "solid_viscosity" and sorted((ends.left, ends.right)) == ["free", "pinned"]:
+        found = "given, but a strand that a pin alone holds has no elastic natural frequency at which it holds"
+        yield Fault(path, found, f"material.solid_viscosity, or {accepted}")
+
+
+def _of_reach(scene: Scene) -> Iterator[Fault]:
+    """The force A0 E log(s)/s of a true-strain bar is greatest at s = e: beyond it no weight is carried stably."""
+    if scene.material.law not in SOLIDS or not is_held(scene):
+        return
+    length = rest_length(scene)
+    limit = math.e * length * (1 + _ROUNDING)
+    reach = farthest(scene)
+    if reach <= limit:
+        return
+    # By what stretches it: a motion if that is why, else the length, however it was given.
+    drawn_at_first = distance(scene) > limit
+    given = "initial.stretch" if scene.filament.rest_length is None else "filament.rest_length"
+    found = (
+        f"the supports are up to {reach:.4g} m apart, {reach / length:.4g} times the rest length {length:.4g} m: "
+        "beyond what the filament can follow; an elastic filament of true strain is strongest at stretch e = 2.718"
+    )
+    yield Fault(
+        given if drawn_at_first else "ends.motion", found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
+    )
+
+
+def _of_slack(scene: Scene) -> Iterator[Fault]:
+    if not is_slack(scene):
+        return
+    if rest_length(scene) > _LONGEST * distance(scene):
+        times = rest_length(scene) / distance(scene)
+        found = f"{rest_length(scene):.4g} m, {times:.4g} times the distance of the supports"
+        yield Fault("filament.rest_length", found, f"at most {_LONGEST} times, {_LONGEST * distance(scene):.4g} m")
+    slack = f"the filament is slack ({rest_length(scene):.4g} m over {distance(scene):.4g} m)"
+    if scene.material.law == "newtonian":
+        yield Fault("material.law", f"'newtonian', but {slack}: a fluid has no shape to start from", "maxwell")
+    if scene.load.ramp > 0:
+        found = f"{scene.load.ramp:g} s, but {slack}: a slack filament hangs in its weight from the start"
+        yield Fault("load.ramp", found, "leaving it out")
+    if scene.load.gravity == 0:
+        yield Fault("load.gravity", f"zero, but {slack}: nothing tells what shape it has", "a positive acceleration")
+    for name in ("P", "C"):
+        if getattr(scene.initial, name):
+            yield Fault(f"initial.{name}", f"given, but {slack}", "leaving it out, or a taut filament")
+
+
+def _of_initial_state(scene: Scene) -> Iterator[Fault]:
+    initial, law = scene.initial, scene.material.law
+    stretched = initial.stretch != 1
+    if law in SOLIDS and initial.relaxed and stretched:
+        found = f"true with a stretch, but the law '{law}' does not flow"
+        yield Fault("initial.relaxed", found, "false; or filament.rest_length instead of initial.stretch")
+    if not initial.relaxed and stretched and scene.filament.rest_length is not None:
+        follows = distance(scene) / initial.stretch
+        if not math.isclose(scene.filament.rest_length, follows, rel_tol=_ROUNDING):
+            found = f"{initial.stretch:g}, but filament.rest_length is {scene.filament.rest_length:g} m"
+            yield Fault("initial.stretch", found, f"one of the two, or a rest length of {follows!r} m")
+    if law in (*SOLIDS, "newtonian"):
+        for name in ("P", "C"):
+            if getattr(initial, name):
+                yield Fault(f"initial.{name}", f"given, but the law '{law}' has no plastic strain", "leaving it out")
+
+
+def _of_newtonian(scene: Scene) -> Iterator[Fault]:
+    if scene.material.law != "newtonian":
+        return
+    ends, accepted = scene.ends, "leaving it out, or the law 'maxwell'"
+    if scene.filament.curvature != 0:
+        yield Fault(
+            "filament.curvature", "given, but a newtonian filament has no elastic shape to start from", accepted
+        )
+    if not is_held(scene):
+        return
+    chord = chord_angle(scene)
+    for side, how, angle in (("left", ends.left, ends.left_angle), ("right", ends.right, ends.right_angle)):
+        if how == "clamped" and abs(angle - chord) > _ANGLE_ROUNDING:
+            found = (
+                f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports, at "
+                f"{math.degrees(chord):.4g} deg: a newtonian filament has no elastic shape to start from"
+            )
+            yield Fault(f"ends.{side}_angle", found, f"\"{chord!r} rad\", a pinned end, or the law 'maxwell'")
+
+
+def _of_small_deflection(scene: Scene) -> Iterator[Fault]:
+    if scene.model != "small-deflection":
+        return
+    law, accepted = scene.material.law, 'leaving it out, or model = "filament"'
+    if law not in (*_SMALL_LAWS, *_REFUSED_LATER):
+        yield Fault("material.law", f"{law!r} with model 'small-deflection'", " or ".join(_SMALL_LAWS))
+    defaults = (
+        ("filament", {"rest_length": None, "profile": (), "curvature": 0.0}),
+        ("ends", {"drop": 0.0, "left_angle": 0.0, "right_angle": 0.0, "motion": ()}),
+        ("initial", {"stretch": 1.0, "P": (), "C": ()}),
+    )
+    for table, keys in defaults:
+        for key, default in keys.items():
+            if getattr(getattr(scene, table), key) != default:
+                yield Fault(f"{table}.{key}", "given with model 'small-deflection'", accepted)
+    if scene.filament.section == "sheet":
+        yield Fault("filament.section", "'sheet' with model 'small-deflection'", "rectangle, circle")
+    for side in ("left", "right"):
+        if getattr(scene.ends, side) == "free":
+            yield Fault(f"ends.{side}", "'free' with model 'small-deflection'", "clamped, pinned")
+
+
+LATE = "late overrides"
+
+
+class Scene(Part):
+    """All that is asked of one run; frozen, every value plain SI.
+
+    Build one with `load_scene`, or with ``Scene.model_validate`` from nested dicts whose quantities are text with a
+    unit or pint quantities.
+
+    Attributes
+    ----------
+    title : str
+        For pictures and tables.
+    model : str
+        ``"filament"``.
+    filament, material, ends, load, initial, surroundings, run, numerics : Part
+        The tables of the scene file, under the file's own names.
+
+    Raises
+    ------
+    SceneError
+        With every fault at once.
+    """
+
+    title: Annotated[str, Text()] = ""
+    """For pictures and tables."""
+    model: Annotated[Literal["filament", "small-deflection"], Choice(("filament", "small-deflection"))] = "filament"
+    """The theory: the filament with all its effects, or small deflections of an elastic or Maxwell one."""
+    filament: Filament
+    material: Material
+    ends: Ends = Ends()
+    load: Load = Load()
+    initial: Initial = Initial()
+    surroundings: Surroundings = Surroundings()
+    run: Run
+    numerics: Numerics = Numerics()
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _list_every_fault(cls, data: Any, handler: ModelWrapValidatorHandler[Scene], info: ValidationInfo) -> Scene:
+        if isinstance(data, Scene):
+            return data
+        resolved = resolve_groups(_as_table(data))
+        late: tuple[Override, ...] = (info.context or {}).get(LATE, ())
+        faults = [*resolved.faults, *apply(late, resolved.table)]
+        for required in ("filament", "material", "run"):
+            # So that each missing key is named, and not only its table.
+            resolved.table.setdefault(required, {})
+        try:
+            scene = handler(resolved.table)
+        except ValidationError as error:
+            found = [fault_of(one, known_keys(), _accepted()) for one in error.errors()]
+            own = [fault for fault in found if not resolved.excuses(fault)]
+            faults += own if own or faults else found
+            raise SceneError(faults) from None
+        faults += faults_between_parts(scene)
+        if faults:
+            raise SceneError(faults)
+        return scene
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was converted from other names or data, in all tables."""
+        return tuple(note for part in (self.filament, self.material) for note in part.notes)
+
+    def given(self) -> dict[str, object]:
+        """Return the raw table as it was asked for, after `groups` were resolved."""
+        table = super().given()
+        for name in type(self).model_fields:
+            part = getattr(self, name)
+            if isinstance(part, Part):
+                table[name] = part.given()
+        return table
+
+    def without_numerics(self) -> Scene:
+        """The same scene at the program's own resolution: what does not depend on it is computed once."""
+        return self.model_copy(update={"numerics": Numerics()})
+
+    def replace(self, changes: Mapping[str, object]) -> Scene:
+        """Return a scene with some values changed, validated anew.
+
+        Parameters
+        ----------
+        changes : mapping of str to object
+            ``{"numerics.cells": 40, "material.yield_stress": "5 kPa"}``; None takes a key out.
+
+        Returns
+        -------
+        Scene
+            What follows from a changed value (a width that was not given, say) follows again.
+
+        Raises
+        ------
+        SceneError
+            With every fault at once.
+        """
+        table = self.given()
+        faults = [
+            Fault(path, "a resolved scene has no groups", "load_scene(name, overrides), or physical values")
+            for path in changes
+            if path.split(".")[0] == "groups"
+        ]
+        faults += apply([Override(path, value) for path, value in changes.items()], table)
+        if faults:
+            raise SceneError(faults)
+        return Scene.model_validate(table)
+
+    def to_toml(self) -> str:
+        """Write the scene as TOML in physical form with units; reading it again gives an equal scene."""
+        return toml_of(self)
+
+
+def _as_table(data: object) -> Table:
+    if not isinstance(data, Mapping):
+        raise SceneError([Fault("", f"{shown(data)} is not a table", "a mapping of tables, as in a scene file")])
+    return {
+        key: value.given() if isinstance(value, Part) else dict(value) if isinstance(value, Mapping) else value
+        for key, value in data.items()
+    }
+
+
+@cache
+def known_keys() -> dict[str, tuple[str, ...]]:
+    """Return the keys of every table; ``""`` is the file itself."""
+    tables = {"": (*Scene.model_fields, "groups")} | {
+        name: tuple(part.model_fields) for name, part in parts_of_scene().items()
+    }
+    # Last, so that a misplaced key is sent to its physical table first.
+    return tables | {"groups": tuple(GroupBlock.model_fields)}
+
+
+@cache
+def _accepted() -> dict[str, str]:
+    parts: dict[str, type[Part]] = {"": Scene, **parts_of_scene()}
+    kinds = ((table, name, kind) for table, part in parts.items() for name, kind in kinds_of(part).items())
+    return {dotted(table, name): kind.accepted for table, name, kind in kinds}
+
+
+def parts_of_scene() -> dict[str, type[Part]]:
+    """Return the tables of the scene file by name, but for ``groups``."""
+    annotations = {name: info.annotation for name, info in Scene.model_fields.items()}
+    return {name: part for name, part in annotations.items() if isinstance(part, type) and issubclass(part, Part)}
+
+
+@dataclass(frozen=True, slots=True)
+class Groups:
+    """Dimensionless groups of a scene; None where the law has no such constant.
+
+    Attributes
+    ----------
+    delta : float
+        Thickness over span.
+    E_star : float or None
+        E/(rho g L).
+    G : float or None
+        rho g L/sY [3.10]; of a custom law with the stress below which nothing flows.
+    V : float or None
+        eta/(rho sqrt(g L^3)) [3.10]; with an index K/(rho g L (L/g)^(n/2)).
+    eps_Y : float or None
+        sY/E [3.9].
+    tau_star : float or None
+        V/E_star: relaxation time in units of sqrt(L/g), where the index is 1.
+    B : float or None
+        1/(2 V).
+    """
+
+    delta: float
+    E_star: float | None
+    G: float | None
+    V: float | None
+    eps_Y: float | None
+    tau_star: float | None
+    B: float | None
+
+
+def gravity_time(scene: Scene) -> float:
+    """Return sqrt(L/g).
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+
+    Returns
+    -------
+    float
+        In s; infinite without gravity.
+    """
+    gravity = scene.load.gravity
+    return math.sqrt(scene.filament.span / gravity) if gravity > 0 else math.inf
+
+
+def elastic_time(scene: Scene) -> float:
+    """Return L sqrt(rho/E).
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+
+    Returns
+    -------
+    float
+        In s; zero for a law without a modulus, which is infinitely stiff.
+    """
+    modulus = _modulus(scene)
+    return scene.filament.span * math.sqrt(scene.filament.density / modulus) if modulus is not None else 0.0
+
+
+def _modulus(scene: Scene) -> float | None:
+    """E [Pa]; of parallel modes their sum, of a standard linear solid the spring that always acts."""
+    modes = scene.material.modes
+    return sum(mode.youngs_modulus for mode in modes) if modes else scene.material.youngs_modulus
+
+
+def _viscosity(scene: Scene) -> float | None:
+    """Eta [Pa s], or K [Pa s^n]; of parallel modes their sum."""
+    modes = scene.material.modes
+    return sum(mode.viscosity for mode in modes) if modes else scene.material.viscosity
+
+
+def groups_of(scene: Scene) -> Groups:
+    """Compute the dimensionless groups [3.9, 3.10].
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+
+    Returns
+    -------
+    Groups
+        Without gravity the groups take their limits: E_star and V infinite, G, B and tau_star zero.
+    """
+    filament, material = scene.filament, scene.material
+    modulus, viscosity, yields_at = _modulus(scene), _viscosity(scene), material.threshold or None
+    stress, impulse = filament.density * scene.load.gravity * filament.span, _impulse(scene)
+    slowness = None if viscosity is None or modulus is None else viscosity / modulus
+    return Groups(
+        delta=filament.thickness / filament.span,
+        E_star=None if modulus is None else _ratio(modulus, stress),
+        G=None if yields_at is None else stress / yields_at,
+        V=None if viscosity is None else _ratio(viscosity, impulse),
+        eps_Y=None if yields_at is None or modulus is None else yields_at / modulus,
+        tau_star=None if slowness is None else _ratio(slowness, power(gravity_time(scene), material.index)),
+        B=None if viscosity is None else impulse / (2 * viscosity),
+    )
+
+
+def _impulse(scene: Scene) -> float:
+    """Scale of a viscosity, rho g L (L/g)^(n/2), written so that it has a limit without gravity."""
+    filament, gravity, n = scene.filament, scene.load.gravity, scene.material.index
+    if n == 1:
+        return filament.density * math.sqrt(gravity * filament.span * filament.span * filament.span)
+    if gravity == 0:
+        return 0.0
+    return filament.density * gravity * filament.span * power(filament.span / gravity, n / 2)
+
+
+def _ratio(value: float, scale: float) -> float:
+    return value / scale if scale > 0 else math.inf

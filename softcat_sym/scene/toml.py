@@ -1,0 +1,176 @@
+"""A scene as TOML in physical form, SI units and exact numbers; and overrides of single values."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from softcat_sym.errors import Fault
+from softcat_sym.scene.material import INDEXED, Material, twins
+from softcat_sym.scene.parts import Filament, Part
+from softcat_sym.scene.units import shown
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.scene import Scene
+
+_FORM = "dotted.key=value, such as material.yield_stress=5 kPa"
+
+
+@dataclass(frozen=True, slots=True)
+class Override:
+    """One value to set; None takes the key out."""
+
+    path: str
+    value: object
+
+
+def read_overrides(overrides: Mapping[str, object] | Sequence[str]) -> tuple[list[Override], list[Fault]]:
+    """Read overrides as the command line gives them.
+
+    Parameters
+    ----------
+    overrides : mapping or sequence of str
+        ``{"run.effects": "paper"}`` or ``["run.effects=paper"]``. Text is TOML if it parses, else a string.
+
+    Returns
+    -------
+    list of Override, list of Fault
+    """
+    if isinstance(overrides, Mapping):
+        pairs = [(str(path), _value(value) if isinstance(value, str) else value) for path, value in overrides.items()]
+        return [Override(path, value) for path, value in pairs], []
+    read: list[Override] = []
+    faults: list[Fault] = []
+    for text in [overrides] if isinstance(overrides, str) else overrides:
+        path, equals, given = text.partition("=")
+        override = Override(path.strip(), _value(given))
+        if not equals or not override.path:
+            faults.append(Fault("--set", f"{shown(text)} sets nothing", _FORM))
+        elif override.value == {} and "." not in override.path:
+            faults.append(Fault(override.path, "an empty table, which would drop every key", "table.key=value"))
+        else:
+            read.append(override)
+    return read, faults
+
+
+def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
+    """Set the values in a raw table, in place.
+
+    Parameters
+    ----------
+    overrides : iterable of Override
+        In order; the last one wins.
+    table : dict
+        Raw scene. A table as a value replaces the table of the scene: an empty one is its defaults.
+
+    Returns
+    -------
+    list of Fault
+        Paths that lead through something that is no table.
+    """
+    faults = []
+    for override in overrides:
+        *tables, key = override.path.split(".")
+        here: Any = table if all((*tables, key)) else None
+        for name in tables:
+            here = here.setdefault(name, {}) if isinstance(here, dict) else None
+        if not isinstance(here, dict):
+            faults.append(Fault(override.path, "leads to no key", "table.key, as in the scene file"))
+        elif override.value is None:
+            here.pop(key, None)
+        else:
+            here[key] = override.value
+            # The same quantity given the other way: overruled, or it would be given twice.
+            for twin in twins(override.path):
+                if here.pop(twin.partition(".")[2], None) is not None and twin == "filament.diameter":
+                    # What was round stays so.
+                    here.setdefault("section", "circle")
+    return faults
+
+
+def _value(text: str) -> object:
+    try:
+        parsed = tomllib.loads(f"value = {text.strip()}")
+    except (ValueError, RecursionError):
+        return text.strip()
+    # More than one key: the text went on to a second line of its own.
+    return parsed["value"] if set(parsed) == {"value"} else text.strip()
+
+
+_IDLE_AT_ZERO = {"load": ("shake", "shake_frequency"), "material": ("loss_tangent",)}
+"""Keys that say nothing where they are zero."""
+
+
+def toml_of(scene: Scene, *, every_default: bool = False) -> str:
+    """Write a scene so that reading it again gives an equal one.
+
+    Parameters
+    ----------
+    scene : Scene
+        Any scene.
+    every_default : bool
+        Whether keys that say nothing are written too: an empty list, no shaking; in a comment what has no value.
+
+    Returns
+    -------
+    str
+        TOML; every number is the shortest text that reads back to the same float.
+    """
+    lines = ["# The scene as resolved: physical values, SI units.", *_table_lines(scene, every_default)]
+    for name in type(scene).model_fields:
+        part = getattr(scene, name)
+        if isinstance(part, Part):
+            written = _table_lines(part, every_default)
+            if written:
+                lines += ["", f"[{name}]", *written]
+    return "\n".join([*lines, ""])
+
+
+def _table_lines(part: Part, every_default: bool) -> list[str]:
+    kinds = part.kinds()
+    follows = part.follows() if isinstance(part, Filament) else {}
+    lines = []
+    for name, value in part.physics().items():
+        if name not in kinds or (not every_default and _is_idle(part, name, value)):
+            continue
+        if value is None:
+            # A constant that is not there is none of the law's.
+            if every_default and not isinstance(part, Material):
+                lines.append(f"# {name}: {type(part).model_fields[name].description}")
+            continue
+        if name in follows:
+            # As a comment, so that an override of the one it follows still carries it along.
+            lines.append(f"# {name} = {follows[name]}")
+        else:
+            lines.append(f"{name} = {toml_value(kinds[name].write(value))}")
+    if part.table_name:
+        lines += [f"# {note}" for note in part.notes]
+    return lines
+
+
+def _is_idle(part: Part, name: str, value: object) -> bool:
+    """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
+    if isinstance(part, Material) and name == "index":
+        return part.law not in INDEXED
+    if name in _IDLE_AT_ZERO.get(part.table_name, ()):
+        return value == 0
+    if part.table_name == "run" and name == "until":
+        return value == "duration"
+    return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
+
+
+def toml_value(value: object) -> str:
+    """Write a raw value as TOML."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        # JSON strings are TOML basic strings but for DEL, which TOML wants escaped.
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(toml_value(item) for item in value)}]"
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{key} = {toml_value(item)}' for key, item in value.items())}}}"
+    return repr(value)

@@ -1,0 +1,1 @@
+"""A Graph is integrated in time; the Outcome says how that went."""

@@ -1,0 +1,626 @@
+"""Integration in time by the C runtime, which knows nothing of Python: the fastest there is."""
+
+from __future__ import annotations
+
+import ctypes as ct
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor, wait
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
+from importlib import resources
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.codegen.c_printer import CSource
+from softcat_sym.codegen.compiler import beside
+from softcat_sym.codegen.export import GENERAL_POWERS, RHS, SOLVER, rhs_source, solver_source
+from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
+from softcat_sym.codegen.loops import Sites, places_of, sites_of
+from softcat_sym.codegen.model import Model, Structure, model_for
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.errors import SoftcatError
+from softcat_sym.solvers.checkpoint import Checkpoint, checkpoint_of
+from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.settings import Settings
+from softcat_sym.solvers.solution import POWERS, Flagged, Progress, Reached, Solution, at_start, watched
+
+Doubles = ct.POINTER(ct.c_double)
+Integers = ct.POINTER(ct.c_int)
+
+_VERSIONS = {"casadi": version("casadi")}
+_MODEL = "softcat_filament_model"
+
+# As fast as at -O3, and compiled in two thirds of the time.
+_RUNTIME = ("-O2", *OPTIMISED[1:])
+
+SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
+
+
+class Filament(ct.Structure):
+    """softcat_filament."""
+
+    _fields_ = (("sites", ct.c_int), ("parameters", Doubles), ("places", Doubles))
+
+
+class Options(ct.Structure):
+    """softcat_options."""
+
+    _fields_ = (
+        ("relative", ct.c_double),
+        ("absolute", Doubles),
+        ("work_absolute", ct.c_double),
+        ("first_step", ct.c_double),
+        ("smallest_step", ct.c_double),
+        ("largest_step", ct.c_double),
+        ("most_steps", ct.c_long),
+        ("method", ct.c_int),
+        ("kinks", Doubles),
+        ("kink_count", ct.c_int),
+        ("stop", Integers),
+    )
+
+
+class Status(ct.Structure):
+    """softcat_status."""
+
+    _fields_ = (
+        ("code", ct.c_int),
+        ("steps", ct.c_long),
+        ("rejected", ct.c_long),
+        ("evaluations", ct.c_long),
+        ("factorisations", ct.c_long),
+        ("reached", ct.c_double),
+        ("worst_site", ct.c_int),
+        ("worst_slot", ct.c_int),
+    )
+
+
+class CDirections(ct.Structure):
+    """softcat_directions."""
+
+    _fields_ = (
+        ("count", ct.c_int),
+        ("two_sided", ct.c_int),
+        ("size", Doubles),
+        ("parameters", Doubles),
+        ("places", Doubles),
+        ("state", Doubles),
+        ("states", Doubles),
+        ("work", Doubles),
+    )
+
+
+def doubles(array: Floats | None) -> ct._Pointer[ct.c_double] | None:
+    """A pointer to an array's memory, which the caller keeps alive; NULL for None."""
+    return None if array is None else array.ctypes.data_as(Doubles)
+
+
+@dataclass(frozen=True)
+class Run:
+    """Numbers of one integration.
+
+    Attributes
+    ----------
+    parameters : ndarray
+        In the order of the model.
+    places : ndarray, shape (sites, places)
+        Geometry.
+    state : ndarray, shape (sites, slots)
+        Where it begins.
+    times : ndarray, shape (frames,)
+        Increasing; the first is where it begins.
+    relative, absolute : float
+        Tolerances; the absolute one may have a number for each slot, shape (slots,).
+    work_absolute : float
+        Absolute tolerance of the work; 0 where its error is not controlled.
+    kinks : ndarray
+        Times that no step runs over.
+    most_steps : int
+        Before it gives up.
+    max_step : float
+        0 for none.
+    method : int
+        0: Rodas5P, 1: Rodas4, 2: Rodas3P, as softcat_rosenbrock.h numbers them.
+    """
+
+    parameters: Floats
+    places: Floats
+    state: Floats
+    times: Floats
+    relative: float
+    absolute: float | Floats
+    work_absolute: float
+    kinks: Floats
+    most_steps: int
+    max_step: float = 0.0
+    method: int = 0
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came of it: states (frames, sites, slots) and work (frames, powers), NaN where it did not get."""
+
+    states: Floats
+    work: Floats
+    status: Status
+
+
+@dataclass(frozen=True)
+class Directions:
+    """Numbers q that move a run, in which it is to be differentiated.
+
+    Attributes
+    ----------
+    parameters : ndarray, shape (count, parameters)
+        d parameters/dq.
+    state : ndarray, shape (count, sites, slots)
+        d initial state/dq; algebraic unknowns are made consistent.
+    size : ndarray, shape (count,)
+        Step in each q, positive: the derivative errs by about its square relative to the scale on which the solution
+        bends in q, and by 1e-16 over it.
+    """
+
+    parameters: Floats
+    state: Floats
+    size: Floats
+
+
+class CModel:
+    """A compiled model, ready to be integrated from any number of threads.
+
+    Parameters
+    ----------
+    model : Callable
+        Gives its text.
+
+    Raises
+    ------
+    SoftcatError
+        If the compiler refuses; with its message.
+    """
+
+    def __init__(self, model: Callable[[], Model]) -> None:
+        with beside(_runtime), watched() as interrupts:
+            self.model = model()
+            # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
+            interrupts.check()
+            sources = {"filament.c": self.model.text, **_headers()}
+            self._library = load(compile_library(sources, flags=SOON, versions=_VERSIONS), _MODEL)
+        self._runtime = _runtime()
+        self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
+
+    def room(self, run: Run, status: Status) -> Answer:
+        """Where the frames of a run go: NaN until they do."""
+        frames = len(run.times)
+        return Answer(np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers))), status)
+
+    def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None, room: Answer | None = None) -> Answer:
+        """Integrate; `status` tells the time reached even while it works, and a non-zero `stop` ends it.
+
+        Frames up to the time reached are in the `room`, if it was given, already then.
+        """
+        answer = room or self.room(run, status)
+        self._call(run, answer.states, answer.work if self.model.powers else None, None, status, stop)
+        return answer
+
+    def sensitivities(
+        self, run: Run, directions: Directions, status: Status, stop: ct.c_int | None = None
+    ) -> tuple[Floats, Floats]:
+        """Integrate, with two-sided differences of neighbours in lock-step: derivatives of the discrete solution.
+
+        The work is left out; where its error is controlled it still limits the steps.
+
+        Returns
+        -------
+        states : ndarray, shape (frames, sites, slots)
+            NaN where it did not get.
+        slopes : ndarray, shape (count, frames, sites, slots)
+            Their derivatives.
+        """
+        shape = (len(run.times), *run.state.shape)
+        states, slopes = np.full(shape, np.nan), np.full((len(directions.size), *shape), np.nan)
+        moved = [np.ascontiguousarray(part) for part in (directions.size, directions.parameters, directions.state)]
+        given = CDirections(count=len(directions.size), two_sided=1, states=doubles(slopes))
+        given.size, given.parameters, given.state = (doubles(part) for part in moved)
+        # Without room for the work it would not be integrated, and steps would differ from those of `integrate`.
+        work = np.zeros((len(run.times), len(self.model.powers))) if run.work_absolute > 0 else None
+        self._call(run, states, work if self.model.powers else None, given, status, stop)
+        return states, slopes
+
+    def _call(
+        self,
+        run: Run,
+        states: Floats,
+        work: Floats | None,
+        directions: CDirections | None,
+        status: Status,
+        stop: ct.c_int | None,
+    ) -> None:
+        sites, slots = run.state.shape
+        state, absolute = run.state.copy(), np.full(slots, run.absolute)
+        filament = Filament(sites, doubles(run.parameters), doubles(run.places))
+        options = Options(relative=run.relative, absolute=doubles(absolute), most_steps=run.most_steps)
+        options.work_absolute, options.method = run.work_absolute, run.method
+        options.largest_step = run.max_step
+        if len(run.kinks):
+            options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
+        if stop is not None:
+            options.stop = ct.pointer(stop)
+        self._runtime.softcat_sensitivities(
+            self._address,
+            ct.byref(filament),
+            ct.byref(options),
+            doubles(state),
+            doubles(run.times),
+            len(run.times),
+            doubles(states),
+            doubles(work),
+            None if directions is None else ct.byref(directions),
+            ct.byref(status),
+        )
+
+    def message(self, code: int) -> str:
+        """What a code means."""
+        return str(self._runtime.softcat_message(code).decode())
+
+
+def runtime_sources() -> dict[str, str]:
+    """The C files of the runtime by name."""
+    folder = resources.files("softcat_sym.codegen") / "runtime"
+    files = sorted(folder.iterdir(), key=str)
+    return {file.name: file.read_text(encoding="utf-8") for file in files if file.name[-2:] in (".c", ".h")}
+
+
+def _headers() -> dict[str, str]:
+    return {name: text for name, text in runtime_sources().items() if name == "softcat_model.h"}
+
+
+@lru_cache(maxsize=1)
+def _runtime() -> ct.CDLL:
+    library = load(compile_library(runtime_sources(), flags=_RUNTIME), "softcat_sensitivities", "softcat_message")
+    library.softcat_sensitivities.argtypes = _signature()
+    library.softcat_message.restype = ct.c_char_p
+    return library
+
+
+def _signature() -> list[Any]:
+    given: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
+    return [*given, Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
+
+
+def refuse(code: int, message: str) -> None:
+    """Raise where the fault is not in the filament.
+
+    Raises
+    ------
+    SoftcatError
+        If memory is short, or an argument is wrong.
+    """
+    if code in (MEMORY, ARGUMENT):
+        raise SoftcatError(f"the compiled solver refused to begin: {message}")
+
+
+# Runs on every machine of this kind, and no number changes: no -march=native, no -ffast-math, no fused operations.
+PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
+
+
+@dataclass(frozen=True)
+class External:
+    """A compiled right-hand side, to be built into an integrator; its derivatives are those by t, x and z only.
+
+    Attributes
+    ----------
+    library : pathlib.Path
+        What was compiled.
+    rhs : casadi.Function
+        (t, x, z, p) to (ode, alg).
+    powers : casadi.Function
+        (t, x, z, p) to the powers of the whole filament, shape (3,).
+    """
+
+    library: Path
+    rhs: ca.Function
+    powers: ca.Function
+
+    def symbols(self) -> tuple[ca.MX, ca.MX, ca.MX]:
+        """New symbols x, z, p of the right sizes."""
+        x, z, p = (ca.MX.sym(name, self.rhs.size1_in(name)) for name in ("x", "z", "p"))
+        return x, z, p
+
+
+def compiled_rhs(graph: Graph) -> External:
+    """The right-hand side of a graph as machine code, compiled now or found in the cache.
+
+    Raises
+    ------
+    SoftcatError
+        If there is no compiler, it refuses the text, or the cache cannot be written.
+    """
+    library = _compiled(rhs_source(graph))
+    # Without these CasADi would look for forward derivatives in the library, and find none.
+    options = {"enable_forward": False, "enable_reverse": False}
+    rhs, powers = (ca.external(name, str(library), options) for name in (RHS, GENERAL_POWERS))
+    return External(library, rhs, powers)
+
+
+def compiled_rosenbrock(graph: Graph, settings: Settings, frames: int) -> ca.Function:
+    """CasADi's Rosenbrock method on this graph as machine code.
+
+    Parameters
+    ----------
+    graph : Graph
+        It must have differential states.
+    settings : Settings
+        Tolerances; the solver named there is not asked for.
+    frames : int
+        Output times, the first included.
+
+    Returns
+    -------
+    casadi.Function
+        (x0, z0, p, start, interval) to (xf, zf, qf), with a column for each output time. It fails by returning NaN
+        or a nonzero code from a buffer, and does not say why.
+
+    Raises
+    ------
+    SoftcatError
+        If there is no compiler, it refuses the text, or the cache cannot be written.
+    """
+    options = replace(settings, solver="rosenbrock").options()
+    return ca.external(SOLVER, str(_compiled(solver_source(graph, frames, options))))
+
+
+def _compiled(source: CSource) -> Path:
+    return compile_library(source.files, flags=PORTABLE)
+
+
+_BESIDE = 1e-9
+_LOOK = 0.1  # s between two looks at how far it has got
+_MOST_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs more gets nowhere
+_OUTCOMES = {
+    STEP_LIMIT: Outcome.step_limit,
+    STEP_TOO_SMALL: Outcome.no_convergence,
+    NON_FINITE: Outcome.non_finite,
+    SINGULAR: Outcome.no_convergence,
+    NO_CONVERGENCE: Outcome.no_convergence,
+}
+
+
+@dataclass(frozen=True)
+class CompiledFilament:
+    """A compiled model with the geometry of one grid.
+
+    Attributes
+    ----------
+    model : CModel
+        What is integrated.
+    sites : Sites
+        Where the unknowns of the graph are in it.
+    places : ndarray, shape (sites, places)
+        Geometry.
+    """
+
+    model: CModel
+    sites: Sites
+    places: Floats
+
+
+@dataclass(frozen=True)
+class _UnderWay:
+    """A run that is being integrated.
+
+    Attributes
+    ----------
+    filament : CompiledFilament
+        What it is.
+    run : Run
+        From where on.
+    room : Answer
+        Where the frames go.
+    known : Reached
+        The frames before, the one it begins from included.
+    """
+
+    filament: CompiledFilament
+    run: Run
+    room: Answer
+    known: Reached
+
+    def reached(self, time: float) -> Reached:
+        """All frames up to a time."""
+        new = int(np.count_nonzero(self.run.times <= time))
+        known, steps = self.known, self.known.steps + int(self.room.status.steps)
+        if new <= 1:
+            return replace(known, steps=steps)
+        x, z = self.filament.sites.vectors(self.room.states[1:new])
+        quad = np.zeros((POWERS, new - 1))
+        quad[: self.room.work.shape[1]] = self.room.work[1:new].T
+        quad += known.quad[:, -1:]
+        return Reached(np.hstack([known.x, x]), np.hstack([known.z, z]), np.hstack([known.quad, quad]), steps)
+
+    def to_go_on_from(self, time: float) -> Reached:
+        """The same, but that it does not end on a kink: where f jumps, algebraic unknowns are yet to jump with it."""
+        past = self.run.times[self.run.times <= time]
+        on_kink = len(past) > 1 and bool(np.any(self.run.kinks == past[-1]))
+        return self.reached(past[-2] if on_kink else time)
+
+
+@dataclass(frozen=True)
+class CompiledIntegration:
+    """A prepared run of the C model.
+
+    Attributes
+    ----------
+    graph : Graph
+        The same filament, for names.
+    settings : Settings
+        Tolerances.
+    filament : CompiledFilament
+        What is integrated.
+    frames : int
+        Output times, t = 0 included.
+    kinks : ndarray
+        Times, in units of the time scale, at which a support changes pace.
+    """
+
+    graph: Graph
+    settings: Settings
+    filament: CompiledFilament
+    frames: int
+    kinks: Floats
+
+    def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
+        """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
+        asked = self._asked(start, p, np.linspace(0.0, duration, self.frames), scale)
+        checkpoint = checkpoint_of(progress, lambda: self._identity(asked))
+        known = checkpoint.before if checkpoint is not None else None
+        known = known or at_start(start.x, start.z)
+        if known.frames == self.frames:
+            return Solution(asked.times, known.x, known.z, known.quad, Outcome.solved, "", known.steps)
+        state = self.filament.sites.state(known.x[:, -1], known.z[:, -1])
+        run = replace(asked, state=state, times=asked.times[known.frames - 1 :])
+        return self._integrated(run, asked.times, known, scale, progress, checkpoint)
+
+    def piece(
+        self,
+        start: Start,
+        p: Floats,
+        times: tuple[float, float, float],
+        samples: int,
+        scale: float,
+        progress: Progress,
+    ) -> Solution:
+        """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
+        begin, first, end = times
+        # Where there is nothing before the samples, the first of them lies just behind the start.
+        first = max(first, begin + _BESIDE * (end - begin))
+        every = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
+        run = self._asked(start, p, every, scale)
+        return self._integrated(run, every, at_start(start.x, start.z), scale, progress, None)
+
+    def _asked(self, start: Start, p: Floats, times: Floats, scale: float) -> Run:
+        return Run(
+            parameters=np.ascontiguousarray(p),
+            places=self.filament.places,
+            state=self.filament.sites.state(start.x, start.z),
+            times=times,
+            relative=self.settings.rtol,
+            absolute=self.settings.absolute(slot.name for slot in self.filament.model.model.slots),
+            # Without inertia only flow limits the steps: where little flows the work would be left to chance.
+            work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
+            kinks=self.kinks,
+            most_steps=max(_MOST_STEPS, _STEPS_PER_FRAME * len(times)),
+            max_step=(self.settings.max_step or 0.0) / scale,
+        )
+
+    def _integrated(
+        self,
+        run: Run,
+        times: Floats,
+        known: Reached,
+        scale: float,
+        progress: Progress,
+        checkpoint: Checkpoint | None,
+    ) -> Solution:
+        """Integrate, and put what comes of it behind what is known already."""
+        status = Status()
+        under_way = _UnderWay(self.filament, run, self.filament.model.room(run, status), known)
+        self._watched(under_way, scale, progress, checkpoint)
+        refuse(status.code, self.filament.model.message(status.code))
+        found = under_way.reached(status.reached)
+        outcome, complaint = Outcome.solved, ""
+        if status.code != SOLVED:
+            outcome, complaint = _OUTCOMES[status.code], self._complaint(status, scale)
+        return Solution(times[: found.frames], found.x, found.z, found.quad, outcome, complaint, found.steps)
+
+    def _identity(self, run: Run) -> Iterator[bytes]:
+        """All that decides the numbers."""
+        yield from (text.encode() for text in (self.filament.model.model.text, *runtime_sources().values()))
+        yield from (part.tobytes() for part in (run.parameters, run.places, run.state, run.times, run.kinks))
+        yield np.array(
+            [
+                run.relative,
+                run.work_absolute,
+                run.max_step,
+                run.method,
+                run.most_steps,
+                *np.atleast_1d(run.absolute),
+            ]
+        ).tobytes()
+
+    def _watched(self, under_way: _UnderWay, scale: float, progress: Progress, checkpoint: Checkpoint | None) -> None:
+        """Integrate in a thread, so that Ctrl-C is heard and progress is told meanwhile; a flagged one needs none.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            If the user stops it.
+        MemoryError
+            If the frames do not fit into memory.
+        """
+        status, integrate = under_way.room.status, self.filament.model.integrate
+
+        def tell() -> None:
+            reached = status.reached * scale
+            progress.update(reached, reached / status.steps if status.steps else None)
+
+        if isinstance(progress, Flagged):
+            integrate(under_way.run, status, progress.flag, under_way.room)
+            tell()
+            return
+        stop = ct.c_int(0)
+        try:
+            with ThreadPoolExecutor(1) as pool:
+                answer = pool.submit(integrate, under_way.run, status, stop, under_way.room)
+                try:
+                    # Of the look before: what was written into memory then is there by now.
+                    seen = under_way.run.times[0]
+                    while not wait([answer], _LOOK).done:
+                        tell()
+                        if checkpoint is not None:
+                            checkpoint.offer(partial(under_way.to_go_on_from, seen))
+                            seen = status.reached
+                finally:
+                    stop.value = 1
+        except KeyboardInterrupt:
+            if checkpoint is not None:
+                checkpoint.leave(partial(under_way.to_go_on_from, status.reached))
+            raise
+        tell()
+        answer.result()
+        if checkpoint is not None and status.code == SOLVED:
+            checkpoint.finish(partial(under_way.reached, status.reached))
+
+    def _complaint(self, status: Status, scale: float) -> str:
+        """Time, worst component and what went wrong."""
+        worst = ""
+        if status.worst_slot >= 0:
+            name, site = self.filament.model.model.slots[status.worst_slot].name, status.worst_site
+            worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
+        return f"stopped after t = {status.reached * scale:.6g} s{worst}; {self.filament.model.message(status.code)}"
+
+
+def compile_filament(graph: Graph, structure: Structure) -> CompiledFilament:
+    """The compiled form of a filament, from the cache if it has been compiled before.
+
+    Raises
+    ------
+    SoftcatError
+        If the compiler refuses; with its message.
+    """
+    compiled = compiled_model(structure)
+    model = compiled.model
+    places = places_of(graph, structure.body, structure.area_power, model.places)
+    return CompiledFilament(compiled, sites_of(graph, model.slots), places)
+
+
+@lru_cache(maxsize=128)
+def compiled_model(structure: Structure) -> CModel:
+    """The library of a structure, loaded once a process."""
+    return CModel(partial(model_for, structure))

@@ -1,0 +1,52 @@
+"""How a run ended; the value of each member is the advice."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+
+class Outcome(Enum):
+    """End of a run; ``Outcome.x.name`` goes into the summary, ``Outcome.x.value`` tells the user what to do."""
+
+    solved = "the whole run was integrated; no check refuses the answer"
+    localised = (
+        "strain gathers in one cell and the answer changes with the grid: without the effect necking-gradient nothing "
+        "stops a neck, and with it the filament is near rupture; do not trust the sag: take the effect in, or lower "
+        "gravity, thicken the filament or raise the yield stress"
+    )
+    ruptured = (
+        "the filament is drawn out beyond what its material can bear: the run ends there; it is too heavy or too weak, "
+        "or its supports go too far: lower gravity, shorten run.duration, thicken the filament or stiffen the material"
+    )
+    compressed = (
+        "a string that does not bend is pushed together: it would fold at every length, and the answer changes with "
+        "the grid; take in the effect bending, or keep the supports apart"
+    )
+    energy_drift = (
+        "the energy balance is off by more than the accuracy asked: tighten numerics.rtol, take more numerics.cells, "
+        "or ask for a smaller run.accuracy"
+    )
+    inaccurate = (
+        "the estimated error stayed above twice the accuracy asked after whatever refinement the scene allows: ask for "
+        "a larger run.accuracy, or shorten the run"
+    )
+    overlooked = (
+        "an effect that was left out matters more than the accuracy asked, and the run was not repeated once more: "
+        "name the effects in run.effects, or ask for a larger run.accuracy"
+    )
+    step_limit = (
+        "the integrator ran out of steps: loosen numerics.rtol, shorten run.duration, or try another numerics.solver"
+    )
+    no_convergence = (
+        "the integrator could not converge with its smallest step: try another numerics.solver, a tighter "
+        "numerics.rtol, or a load.ramp"
+    )
+    non_finite = "the state became infinite or undefined: the filament has run away or ruptured; shorten run.duration"
+    no_equilibrium = (
+        "without inertia the filament must begin in equilibrium and none was found: keep the inertia effect, or bending"
+    )
+
+    @property
+    def is_success(self) -> bool:
+        """Whether the answer may be used."""
+        return self is Outcome.solved

@@ -1,0 +1,144 @@
+"""A filament without inertia or flow: a sequence of equilibria."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Sequence
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.physics.symbols import Expr, Symbol
+from softcat_sym.solvers.initial_state import Equilibrium, snapped
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Progress, Solution
+
+
+def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Floats) -> Floats:
+    """Solutions of c_0 f^(n) + ... + c_(n-1) f' = 0 that start from each unit vector of (f, f', ..., f^(n-1)).
+
+    Parameters
+    ----------
+    coefficients : sequence of sympy.Expr, length n
+        Highest derivative first, that of f' last; functions of `time` alone.
+    time : sympy.Symbol
+        The variable.
+    times : ndarray, shape (frames,)
+        Where the solutions are wanted; they start at the first.
+
+    Returns
+    -------
+    ndarray, shape (n, frames)
+        f of each solution.
+    """
+    order = len(coefficients)
+    t, state = ca.SX.sym("t"), ca.SX.sym("f", order)
+    names = {f"c{k}": c for k, c in enumerate(coefficients)}
+    c = CellFunction(names, (time,))({time: t})
+    highest = -sum(c[f"c{k}"] * state[order - k] for k in range(1, order)) / c["c0"]
+    dae = {"t": t, "x": state, "ode": ca.vertcat(state[1:], highest)}
+    options = {"reltol": 1e-8, "abstol": 1e-12, "max_num_steps": 1_000_000}
+    call = ca.integrator("linear", "rosenbrock", dae, float(times[0]), times.tolist(), options)
+    return np.array([np.asarray(call(x0=start)["xf"], dtype=float)[0] for start in np.eye(order)])
+
+
+# Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
+_GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
+
+_SMALLEST_STEP = 1 / 1024  # of the time from one instant to the next
+_GROWTH = 1.5
+
+
+def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
+    """Equilibrium at each output time, each found from the one before.
+
+    Parameters
+    ----------
+    graph : Graph
+        Without differential states.
+    z0 : ndarray, shape (nz,)
+        Equilibrium at the first time.
+    p : ndarray
+        Parameters.
+    times : ndarray, shape (frames,)
+        In units of the time scale.
+    scale : float
+        Time scale [s].
+    progress : Progress
+        Told after every frame.
+    """
+    path, power = _Path(graph, p, float(times[0]), z0), _power_of_load(graph)
+    shapes, work = [z0], [0.0]
+    for before, time in itertools.pairwise(times):
+        instants = [float(before + share * (time - before)) for share in (*_GAUSS, 1.0)]
+        passed: list[Floats] = []
+        for instant in instants:
+            z = path.to(instant)
+            if z is None:
+                text = f"no equilibrium at t = {instant * scale:.6g} s"
+                return _solution(times[: len(shapes)], shapes, work, Outcome.no_equilibrium, text)
+            passed.append(z)
+        powers = [power(instant, z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
+        work.append(work[-1] + float(time - before) * sum(powers) / len(powers))
+        shapes.append(passed[-1])
+        progress.update(float(time) * scale, None)
+    return _solution(times, shapes, work, Outcome.solved, "")
+
+
+class _Path:
+    """Equilibria one after another, in smaller steps than asked where a support goes far."""
+
+    def __init__(self, graph: Graph, p: Floats, time: float, z: Floats) -> None:
+        self._graph, self._p, self._equilibrium = graph, p, Equilibrium(graph)
+        self._known = [(time, z)]
+        self._step = np.inf
+
+    def to(self, until: float) -> Floats | None:
+        """Equilibrium at a later time; None without.
+
+        Where even the smallest step leads nowhere the branch has ended: a filament that bends snaps into what lies
+        below.
+        """
+        whole = until - self._known[-1][0]
+        falls = "bending" in self._graph.effects and self._graph.conserves_energy
+        while (left := until - self._known[-1][0]) > 0:
+            step = min(left, self._step)
+            at = until if step == left else self._known[-1][0] + step
+            further = self._search(at, self._guess(at))
+            if further is None and step > _SMALLEST_STEP * whole:
+                self._step = step / 2
+                continue
+            if further is None and falls:
+                start = snapped(self._graph, at, np.zeros(0), self._p, self._known[-1][1])
+                further = self._search(at, start)
+            if further is None:
+                return None
+            self._known = [self._known[-1], (at, further)]
+            self._step *= _GROWTH
+        return self._known[-1][1]
+
+    def _search(self, at: float, guess: Floats) -> Floats | None:
+        return self._equilibrium.search(at, np.zeros(0), self._p, [guess])
+
+    def _guess(self, at: float) -> Floats:
+        """The equilibrium before; along a path of small steps, carried on."""
+        last, z = self._known[-1]
+        if not np.isfinite(self._step) or len(self._known) < 2:
+            return z
+        first, before = self._known[0]
+        return np.asarray(z + (at - last) / (last - first) * (z - before))
+
+
+def _power_of_load(graph: Graph) -> Callable[[float, Floats, Floats], float]:
+    """Power of the changing load and of the moving support, of time, positions and parameters."""
+    powers = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
+    return lambda time, z, p: float(np.asarray(powers(time, [], z, p)).ravel()[1])
+
+
+def _solution(times: Floats, shapes: list[Floats], work: list[float], outcome: Outcome, text: str) -> Solution:
+    frames = len(shapes)
+    quad = np.vstack([np.zeros(frames), work, np.zeros(frames)])
+    return Solution(times, np.zeros((0, frames)), np.array(shapes).T, quad, outcome, text, frames - 1)

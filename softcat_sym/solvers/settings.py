@@ -1,0 +1,324 @@
+"""Which integrator and backend, and how tightly, so that the time error is a tenth of the accuracy asked."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.discretization.assembly import choose_grid
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.forecast import expected_sag, expected_strain
+from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.effects.scaling_estimates import (
+    elastic_sag,
+    gravity_number_of,
+    instant_modulus,
+    viscous_number,
+    weight_stress,
+    yield_stress_of,
+    yields_throughout,
+)
+from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack
+
+_HERE = "numerics.backend"
+
+ONE_TENSION = "the tension of the small-deflection model is one number for all cells, not a row of sites"
+NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, only a row of equilibria"
+
+
+@dataclass(frozen=True, slots=True)
+class Backend:
+    """What evaluates the right-hand side.
+
+    Attributes
+    ----------
+    compiled : bool
+        Whether generated C does, its integrator included; otherwise CasADi interprets the graph.
+    reason : str
+        By which compiler, or why not.
+    """
+
+    compiled: bool
+    reason: str
+
+    def __str__(self) -> str:
+        return f"{'compiled' if self.compiled else 'interpreted'}: {self.reason}"
+
+
+def choose_backend(scene: Scene, effects: Effects) -> Backend:
+    """Choose the backend: compiled where there is a compiler and the filament has a compiled form.
+
+    Raises
+    ------
+    SceneError
+        If the scene asks for the compiled one and cannot have it.
+    """
+    asked = scene.numerics.backend
+    if asked == "interpreted":
+        return Backend(False, "named in numerics.backend")
+    obstacle = _obstacle(scene, effects, asked)
+    if not obstacle:
+        compiler = find_compiler()
+        if compiler is not None:
+            return Backend(True, compiler.version)
+        obstacle = "there is no C compiler that runs: install gcc or clang, or set CC"
+    if asked == "compiled":
+        raise SceneError([Fault(_HERE, f"'compiled', but {obstacle}", "auto or interpreted")])
+    return Backend(False, obstacle)
+
+
+def integrates(effects: Collection[str]) -> bool:
+    """Whether a filament with these effects is carried through time, rather than from equilibrium to equilibrium."""
+    return bool({"inertia", "viscous-flow", "viscous-stress"} & set(effects))
+
+
+def _obstacle(scene: Scene, effects: Effects, asked: str) -> str:
+    """Why the filament has no compiled form; empty if it has one."""
+    if scene.model == "small-deflection":
+        return ONE_TENSION
+    if scene.numerics.solver in ("cvodes", "idas") and asked == "auto":
+        return f"{scene.numerics.solver} is named in numerics.solver, and rarely runs faster on compiled expressions"
+    if not integrates(effects.names):
+        return NOTHING_TO_INTEGRATE
+    return ""
+
+
+Name = Literal["cvodes", "idas", "rosenbrock"]
+
+# BDF of order 3-5 is unstable on the imaginary axis, where the elastic waves are; order 2 is A-stable.
+_BDF_ORDER = 2
+_STEPS_PER_FRAME = 100_000
+
+# Measured on the bundled scenes (tests/acceptance/test_time_error.py): with these the time error of the midpoint is
+# a tenth of the accuracy asked or less.
+_RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
+_VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
+_TURNING = 0.05  # of BDF where sections have inertia: their waves must not spoil the energy balance
+_CREEP = 0.003  # of BDF where the load is slow and little is left to resolve: its few steps must be accurate
+_REST = 0.04  # of IDAS where a filament that yields throughout comes to rest: its last swings are small, not absent
+_QUASI_STATIC = 0.04  # of BDF without inertia: the flow that a sudden load starts must be followed from the beginning
+# Relative tolerance of the compiled Rosenbrock method over the accuracy: of a filament that flows down, of one that a
+# viscous stress holds, of one that creeps to rest, and of one that rings.
+_FLOWING, _HELD_BACK, _CREEPING, _RINGING = 0.3, 0.03, 1.0, 0.012
+_LOOSEST = 1e-3  # of the compiled method: a looser tolerance rejects more steps than it saves
+# Amplitude that the method itself takes from a ringing over a run, over rtol: a tenth of the accuracy of a ringing by
+# half of the sag. In n steps a period it takes 5e-6 (2 pi)^6/n^5 of the amplitude, for n of nine and more.
+_TAKEN, _TAKEN_PER_PERIOD = 17.0, 0.31
+_PER_YIELD_STRAIN = 0.02  # absolute strain, over the yield strain, against which one that creeps to rest is measured
+_ATOL_PER_RTOL = {"cvodes": 0.1, "idas": 0.1, "rosenbrock": 1.0}
+
+_OVERDAMPED = 5.0  # V above which a descending filament does not turn back
+_SHORT_MEMORY = 0.02  # relaxation time in sqrt(L/g) below which a Maxwell filament does not ring
+_SLOW_PERIODS = 20.0
+_NOISE = 5 * float(np.finfo(float).eps)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """An integrator and its tolerances.
+
+    Attributes
+    ----------
+    solver : str
+        ``cvodes``, ``idas`` or ``rosenbrock``.
+    rtol, atol : float
+        Relative tolerance, and absolute tolerance in units of span and time scale.
+    reason : str
+        Why this one.
+    across : float or None
+        Absolute tolerance of all but axial velocities, where theirs is looser for what rounding leaves in them.
+    max_step : float or None
+        [s]; None where only the tolerances limit the steps.
+    """
+
+    solver: Name
+    rtol: float
+    atol: float
+    reason: str
+    across: float | None = None
+    max_step: float | None = None
+
+    def absolute(self, kinds: Iterable[str]) -> Floats:
+        """Absolute tolerance of unknowns of these kinds."""
+        across = self.atol if self.across is None else self.across
+        return np.array([self.atol if kind == "u" else across for kind in kinds])
+
+    def options(self) -> dict[str, Any]:
+        """Options of the CasADi integrator."""
+        common: dict[str, Any] = {"reltol": self.rtol, "abstol": self.atol, "max_num_steps": _STEPS_PER_FRAME}
+        if self.solver == "rosenbrock":
+            return common
+        return {**common, "max_order": _BDF_ORDER, "disable_internal_warnings": True}
+
+
+def choose_settings(scene: Scene, effects: Effects) -> Settings:
+    """Choose the integrator: what the scene says, otherwise by whether flow damps the elastic waves.
+
+    BDF of order 2 is the cheapest where flow damps the waves, and where a filament creeps to rest; it would damp by
+    itself the ringing of one that stays elastic or stops short, so those go to the fifth-order Rosenbrock method.
+
+    Raises
+    ------
+    SceneError
+        If the scene names an integrator that cannot solve it.
+    """
+    solver, reason = _solver(scene, effects)
+    rtol = scene.numerics.rtol or scene.run.accuracy * _tightening(scene, effects, solver)
+    wanted = rtol * _ATOL_PER_RTOL[solver] * _smallest_strain(scene)
+    noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
+    return Settings(solver, rtol, max(wanted, noise), reason)
+
+
+def compiled_settings(scene: Scene, effects: Effects) -> Settings:
+    """Tolerances of the compiled Rosenbrock method, which is the cheapest for every filament."""
+    share, smallest = _RINGING, _smallest_strain(scene)
+    if "viscous-stress" in effects.names:
+        share = _HELD_BACK
+    elif _creeps_to_rest(scene, effects):
+        # What is left of its stress beyond yield decides where it stops.
+        share, smallest = _CREEPING, min(smallest, _PER_YIELD_STRAIN * _yield_strain(scene))
+    elif _flow_damps(scene, effects):
+        share = _FLOWING
+    rtol = scene.numerics.rtol or min(_LOOSEST, scene.run.accuracy * share)
+    wanted = rtol * smallest
+    noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
+    across = max(wanted, noise * _steepest(scene))
+    longest = _max_step(scene, effects, rtol) if share == _RINGING else None
+    return Settings("rosenbrock", rtol, max(wanted, noise), "the compiled one", across, longest)
+
+
+def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
+    """Longest step [s] of a filament that rings: an L-stable method takes from the ringing what no tolerance misses.
+
+    The tolerances hold the error of a step. It falls with the amplitude, so that steps grow as the ringing is lost, and
+    a ringing by little of the sag is lost from the beginning.
+    """
+    rings = ringing(scene)
+    lasts = rings.decay == 0 and rings.amplitude > scene.run.accuracy * expected_sag(scene)
+    if "inertia" not in effects.names or not lasts:
+        return None
+    period = 2 * math.pi / rings.frequency
+    per_period = (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
+    return period / float(per_period)
+
+
+def _steepest(scene: Scene) -> float:
+    """Slope by which noise along the filament shows across it; one where it is not level at first."""
+    level = is_held(scene) and scene.ends.drop == 0 and not scene.ends.motion and not is_slack(scene)
+    return min(1.0, 4 * expected_sag(scene)) if level and scene.filament.curvature == 0 else 1.0
+
+
+def _yield_strain(scene: Scene) -> float:
+    """Eps_Y of a law that yields; infinite for one that is rigid until then, or does not."""
+    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    return limit / modulus if limit and modulus else math.inf
+
+
+def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:
+    """Integrator and tolerances of a run that is compiled or not; compiled, CVODES and IDAS must be named.
+
+    Raises
+    ------
+    SceneError
+        If the scene names an integrator that cannot solve it.
+    """
+    ours = compiled and scene.numerics.solver in (None, "rosenbrock")
+    return compiled_settings(scene, effects) if ours else choose_settings(scene, effects)
+
+
+def _roundoff(scene: Scene, effects: Effects) -> float:
+    """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
+    modulus, weight = instant_modulus(scene), weight_stress(scene)
+    cells = 0.5 / float(np.min(choose_grid(scene, effects).cell_length))
+    return _NOISE * cells * math.sqrt(modulus / weight) if modulus is not None and weight > 0 else 0.0
+
+
+def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
+    """Relative tolerance over the accuracy asked."""
+    if solver != "rosenbrock" and "inertia" not in effects.names:
+        return _QUASI_STATIC
+    if solver != "rosenbrock":
+        if _is_slow(scene):
+            return _CREEP
+        if "rotary-inertia" in effects.names:
+            return _TURNING
+        if "yielding" not in effects.names:
+            return _VISCOUS
+        if _creeps_to_rest(scene, effects):
+            return _REST
+    return _RTOL_PER_ACCURACY[solver]
+
+
+def _smallest_strain(scene: Scene) -> float:
+    """The strain against which absolute errors are measured: that of the expected sag, a hundredth at the most."""
+    bending = 4 * expected_sag(scene) * groups_of(scene).delta
+    expected = max(bending, expected_strain(scene))
+    return min(0.01, expected) if expected > 0 else 0.01
+
+
+def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
+    asked, algebraic = scene.numerics.solver, _algebraic(effects)
+    if asked == "cvodes" and algebraic:
+        found = f"'cvodes' cannot hold {algebraic[0]} that are algebraic, as they are without {algebraic[1]}"
+        raise SceneError([Fault("numerics.solver", found, f"idas or rosenbrock, or the effect {algebraic[1]}")])
+    if asked is not None:
+        return asked, "named in numerics.solver"
+    if "inertia" not in effects.names:
+        unknowns = "velocities" if "viscous-stress" in effects.names else "positions"
+        return "idas", f"{unknowns} are algebraic without inertia"
+    turning = algebraic or "rotary-inertia" in effects.names
+    if turning and "yielding" not in effects.names and not _is_slow(scene):
+        return "rosenbrock", "nothing yields, so that a method of fifth order takes few steps"
+    if _flow_damps(scene, effects):
+        solver: Name = "idas" if algebraic else "cvodes"
+        return solver, "flow damps the elastic waves: BDF of order 2 is the cheapest"
+    if _creeps_to_rest(scene, effects):
+        slow: Name = "idas" if algebraic else "cvodes"
+        return slow, "it yields throughout and creeps to rest: BDF of order 2, tightly, is the cheapest"
+    return "rosenbrock", "elastic waves ring on: a fifth-order method does not damp them by itself"
+
+
+def _algebraic(effects: Effects) -> tuple[str, str] | None:
+    """Which unknowns have no rate of their own, and the effect that would give them one."""
+    if "inertia" not in effects.names:
+        return ("velocities" if "viscous-stress" in effects.names else "positions"), "inertia"
+    independent = {"shear", "fibres"} & set(effects.names)
+    return ("section angles", "rotary-inertia") if independent and "rotary-inertia" not in effects.names else None
+
+
+def _flow_damps(scene: Scene, effects: Effects) -> bool:
+    """Whether flow goes on through the run and damps what the load excites."""
+    viscous, modulus, gravity_number = viscous_number(scene), instant_modulus(scene), gravity_number_of(scene)
+    if "viscous-stress" in effects.names:
+        return True
+    if "viscous-flow" not in effects.names or viscous is None or modulus is None:
+        return False
+    if "yielding" in effects.names and gravity_number is not None:
+        return (gravity_number > math.sqrt(2) and viscous > _OVERDAMPED) or _is_slow(scene)
+    return viscous * weight_stress(scene) / modulus < _SHORT_MEMORY or _is_slow(scene)
+
+
+def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
+    """Whether the filament yields far beyond its first fibre, too viscously to turn back, and stops."""
+    gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
+    if "yielding" not in effects.names or gravity_number is None or viscous is None:
+        return False
+    if scene.load.shake > 0:
+        return False
+    return yields_throughout(scene) and gravity_number <= math.sqrt(2) and viscous > _OVERDAMPED
+
+
+def _is_slow(scene: Scene) -> bool:
+    """Whether the load comes on so slowly, compared with the period of the elastic filament, that nothing rings."""
+    sag = elastic_sag(scene)
+    if sag == 0 or scene.load.shake > 0:
+        return False
+    period = 2 * math.pi * math.sqrt(sag) * gravity_time(scene)
+    return scene.load.ramp > _SLOW_PERIODS * period

@@ -1,0 +1,314 @@
+"""What a scene calls for and what it should do, before anything is integrated."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import re
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+from softcat_sym.discretization.graph import Graph, parameter_values
+from softcat_sym.effects.choosing import Effects, choose_effects
+from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
+from softcat_sym.effects.forecast import expected_sag, expected_strain
+from softcat_sym.effects.free_vibration import damping_note, first_vibration, ringing
+from softcat_sym.effects.theory_limits import theory_limits
+from softcat_sym.physics.equation import Stated
+from softcat_sym.physics.in_force import equations_in_force
+from softcat_sym.scene.reading import SceneLike, as_scene
+from softcat_sym.scene.scene import Scene, groups_of
+from softcat_sym.solvers.run import assembled
+from softcat_sym.solvers.settings import choose_backend, settings_for
+
+STEPS_PER_PERIOD = {"sudden": (350.0, 0.7, 0.55), "ramp": (60.0, 1.0, 0.35), "damped": (20.0, 1.0, 0.35)}
+"""Steps of the compiled Rosenbrock method in the first period at an accuracy of 0.01, the power of the number of
+periods with which they grow, and that of 0.01/accuracy (tests/slow/test_ringing_cost.py).
+
+A load that comes on at once excites all modes, of which the accuracy needs the more the finer it is. Measured at 0.01
+and 0.001: elastic strands of 1 mm over 20 mm 253, 895 (450 kPa) and 167, 583 (45 kPa); a gel of 0.2 mm over 2 mm 119 to
+187, 390 to 630; with a ramp 60, 132 (no-yield); damped 15, 33 (rubber-strand) and 44, 73 (cooked-spaghetti).
+Higher modes lose what the time steps do not follow, so that steps grow: users' inks take 4900, 19 000 and 54 000 steps
+for 73, 927 and 4316 periods, agar 48 000 for 619.
+"""
+
+SECONDS_PER_UNKNOWN = 0.35e-6
+"""Of the processor, each step and unknown, of compiled models; 0.29 to 0.45 us were measured."""
+
+BESIDE = 3.0
+"""What a run and those beside it that estimate its error take, over the run."""
+
+LONG = 5.0
+"""Seconds from which on the advice is given what to do about it."""
+
+GROUP_MEANINGS = {
+    "delta": "thickness over span, h0/L [3.9]",
+    "G": "weight over yield stress, rho g L/sigma_Y [3.10]",
+    "V": "viscosity, eta/(rho sqrt(g L^3)) [3.10]",
+    "eps_Y": "yield strain, sigma_Y/E [3.9]",
+    "E_star": "modulus over weight, E/(rho g L)",
+    "tau_star": "relaxation time eta/E in sqrt(L/g)",
+    "B": "weight over viscosity, 1/(2 V)",
+}
+
+KINDS = {
+    "x": "horizontal positions",
+    "y": "heights",
+    "u": "horizontal velocities",
+    "v": "vertical velocities",
+    "psi": "angles of the section",
+    "omega": "rates of the angle of the section",
+    "a_0": "axial plastic strains",
+    "a_1": "bending plastic strains",
+    "axial": "axial plastic strains, at every point through the thickness",
+    "shear": "plastic shear strains, at every point through the thickness",
+}
+_NUMBERS = re.compile(r"_mode\d+$|(?<=axial)_\d+(_mode\d+)?$|(?<=shear)_\d+(_mode\d+)?$")
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """A dimensionless group; the value None where it is infinite."""
+
+    name: str
+    value: float | None
+    meaning: str
+
+
+@dataclass(frozen=True, slots=True)
+class Decided:
+    """One effect.
+
+    Attributes
+    ----------
+    effect, summary : str
+        Its name and what it adds.
+    in_force : bool
+        Whether the run holds it.
+    estimate : float or None
+        Change of the midpoint that leaving it out would make, over the largest; None where it cannot be had.
+    meaning, formula, reason : str
+        What the estimate is, in words and in symbols, and why the effect is in or out.
+    """
+
+    effect: str
+    summary: str
+    in_force: bool
+    estimate: float | None
+    meaning: str
+    formula: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """One kind of unknown; `algebraic` has no rate of its own."""
+
+    kind: str
+    meaning: str
+    number: int
+    algebraic: bool
+
+
+@dataclass(frozen=True, slots=True)
+class GraphSize:
+    """Size of what is integrated; `cells` and `nodes` are those of the half span where it is symmetric."""
+
+    cells: int
+    half: bool
+    differential: int
+    algebraic: int
+    instructions: int
+    parameters: tuple[tuple[str, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Integrator:
+    """The integrator, its tolerances and why it was taken; whether generated C runs it, and by which compiler."""
+
+    solver: str
+    backend: str
+    rtol: float
+    atol: float
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """Everything that is known of a run before it is made.
+
+    Attributes
+    ----------
+    title, law, model, closure : str
+        What is asked.
+    accuracy : float
+        Likewise.
+    groups : tuple of Group
+        Those that the law has.
+    regime : ExpectedRegime
+        What it should show.
+    sag, strain : float
+        Rough largest sag over span, and mean strain.
+    effects : tuple of Decided
+        All of them, in the order of the registry.
+    equations : tuple of Stated
+        In force.
+    unknowns : tuple of Unknown
+        By kind.
+    graph : GraphSize
+        How large they make the graph.
+    integrator : Integrator
+        How it is integrated.
+    damping, ringing : str
+        First natural frequency and the loss below yield at it, and for how long it rings and what that costs; empty
+        where there is none.
+    warnings : tuple of str
+        Where the theory itself ends.
+    """
+
+    title: str
+    law: str
+    model: str
+    closure: str
+    accuracy: float
+    groups: tuple[Group, ...]
+    regime: ExpectedRegime
+    sag: float
+    strain: float
+    effects: tuple[Decided, ...]
+    equations: tuple[Stated, ...]
+    unknowns: tuple[Unknown, ...]
+    graph: GraphSize
+    integrator: Integrator
+    damping: str
+    ringing: str
+    warnings: tuple[str, ...]
+
+    @property
+    def in_force(self) -> tuple[str, ...]:
+        """Names of the effects in force."""
+        return tuple(decided.effect for decided in self.effects if decided.in_force)
+
+    def as_dict(self) -> dict[str, Any]:
+        """The same as nested dictionaries and lists, fit for JSON."""
+        plain = dataclasses.asdict(self)
+        plain["graph"]["parameters"] = dict(self.graph.parameters)
+        return plain
+
+
+def explain(scene: SceneLike) -> Explanation:
+    """Work out what a scene calls for; its equations and graph are built, nothing is integrated.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or dict
+        What is asked.
+
+    Returns
+    -------
+    Explanation
+        Groups, expected regime, each effect with its estimate and reason, equations, sizes, integrator, limits.
+
+    Raises
+    ------
+    SceneError
+        If the scene names effects that it cannot have.
+    """
+    scene = as_scene(scene)
+    effects = choose_effects(scene)
+    filament = assembled(scene, effects)
+    equations, graph = filament.equations, filament.graph
+    regime = expected_regime(scene, effects.names)
+    decisions = tuple(
+        Decided(
+            effect=decision.effect.name,
+            summary=decision.effect.summary,
+            in_force=decision.in_force,
+            estimate=decision.estimate.value if decision.estimate else None,
+            meaning=decision.estimate.meaning if decision.estimate else "",
+            formula=decision.estimate.formula if decision.estimate else "",
+            reason=decision.why,
+        )
+        for decision in effects.decisions
+    )
+    return Explanation(
+        title=scene.title,
+        law=scene.material.law,
+        model=scene.model,
+        closure=scene.run.closure,
+        accuracy=scene.run.accuracy,
+        groups=_groups(scene),
+        regime=regime,
+        sag=expected_sag(scene),
+        strain=expected_strain(scene),
+        effects=decisions,
+        equations=equations_in_force(equations, reduced=scene.model == "small-deflection"),
+        unknowns=_unknowns(graph),
+        graph=_size(scene, graph),
+        integrator=_integrator(scene, effects),
+        damping=damping_note(scene),
+        ringing=_ringing(scene, effects, graph),
+        warnings=theory_limits(scene, regime),
+    )
+
+
+def _ringing(scene: Scene, effects: Effects, graph: Graph) -> str:
+    """For how many periods of the first mode the filament rings, and the seconds of the processor that takes.
+
+    Right to a factor of two or three where it is compiled; see :data:`STEPS_PER_PERIOD`.
+    """
+    vibration, rings = first_vibration(scene), ringing(scene)
+    if (
+        vibration is None
+        or "inertia" not in effects.names
+        or rings.amplitude < scene.run.accuracy * expected_sag(scene)
+    ):
+        return ""
+    frequency = vibration.frequency / (2 * math.pi)
+    damped = rings.decay > 0
+    lasts = min(scene.run.duration, -math.log(scene.run.accuracy) / rings.decay if damped else math.inf)
+    at_first, growth, power = STEPS_PER_PERIOD["damped" if damped else "ramp" if scene.load.ramp > 0 else "sudden"]
+    steps = at_first * (frequency * lasts) ** growth * (0.01 / scene.run.accuracy) ** power
+    runs = BESIDE if scene.numerics.estimate else 1.0
+    seconds = steps * (graph.x.numel() + graph.z.numel()) * SECONDS_PER_UNKNOWN * runs
+    told = float(f"{seconds:.1g}")
+    text = f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {told:g} s of the processor"
+    return text if damped or seconds < LONG else f"{text}; set load.ramp or material.loss_tangent"
+
+
+def _groups(scene: Scene) -> tuple[Group, ...]:
+    known = groups_of(scene)
+    values = {name: getattr(known, name) for name in GROUP_MEANINGS}
+    return tuple(
+        Group(name, float(value) if value < float("inf") else None, GROUP_MEANINGS[name])
+        for name, value in values.items()
+        if value is not None
+    )
+
+
+def _unknowns(graph: Graph) -> tuple[Unknown, ...]:
+    """Kinds of unknown; the plastic states of all points through the thickness are one kind, and so of all modes."""
+    found: list[Unknown] = []
+    for kinds, algebraic in ((graph.x_kinds, False), (graph.z_kinds, True)):
+        for kind, number in Counter(_NUMBERS.sub("", kind) or kind for kind in kinds).items():
+            found.append(Unknown(kind, KINDS.get(kind, "plastic strains"), number, algebraic))
+    return tuple(found)
+
+
+def _size(scene: Scene, graph: Graph) -> GraphSize:
+    values = parameter_values(scene)
+    return GraphSize(
+        cells=graph.grid.cells,
+        half=graph.grid.is_half,
+        differential=int(graph.x.numel()),
+        algebraic=int(graph.z.numel()),
+        instructions=graph.instructions,
+        parameters=tuple((name, float(values[name])) for name in graph.parameters),
+    )
+
+
+def _integrator(scene: Scene, effects: Effects) -> Integrator:
+    backend = choose_backend(scene, effects)
+    settings = settings_for(scene, effects, compiled=backend.compiled)
+    return Integrator(settings.solver, str(backend), settings.rtol, settings.atol, settings.reason)

@@ -1,0 +1,562 @@
+"""The paper's figures 2, 3(b) and 4: their scenes, elements, and what the text says of them."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from softcat_sym.discretization.casadi_printer import evaluate
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.physics import closed_forms, regimes
+from softcat_sym.physics.regimes import delta as slenderness
+from softcat_sym.physics.regimes import tau_star as tau
+from softcat_sym.physics.rheometry import B, alpha, t_high, t_star
+from softcat_sym.physics.small_deflection import K_I
+from softcat_sym.reference.element_loop import (
+    POINTS,
+    Clamp,
+    ElementLoop,
+    Mesh,
+    Strip,
+    deferred,
+    element_sources,
+    fingerprint,
+    half_span_supports,
+    problem_of,
+    read_checkpoint,
+    shape_values,
+    write_checkpoint,
+)
+from softcat_sym.reference.elements import ElementRun, March, run_of
+from softcat_sym.reference.material_point import point_code
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, groups_of
+from softcat_sym.simulate import simulated
+from softcat_sym.solvers.quasi_static import fundamental_solutions
+from softcat_sym.solvers.solution import Progress
+
+if TYPE_CHECKING:
+    from softcat_sym.results.trajectory import Trajectory
+
+# Seconds between two checkpoints: what an interruption by force can cost.
+_EVERY = 30.0
+
+# Sides of an element in the order in which its outline is drawn, by the numbers of element.NODES in lattice places.
+_OUTLINE = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The half strip X >= 0 at one instant; lengths over the span.
+
+    Attributes
+    ----------
+    time : float
+        t~ = (t/L) sqrt(E/rho).
+    outline : ndarray, shape (elements, 8, 2)
+        Corners and middles of the sides of each element, in order around it.
+    quarter : ndarray, shape (4 elements, 4, 2)
+        Corners of the quarter of an element around each Gauss point.
+    place : ndarray, shape (4 elements, 2)
+        Where the Gauss points are.
+    rate : ndarray, shape (4 elements,)
+        Plastic shear rate at the Gauss points times L sqrt(rho/E): sqrt(3) times the equivalent tensile rate.
+    """
+
+    time: float
+    outline: Floats
+    quarter: Floats
+    place: Floats
+    rate: Floats
+
+
+@dataclass(frozen=True)
+class ElementFilm:
+    """A finished run with its snapshots.
+
+    Attributes
+    ----------
+    run : ElementRun
+        Midpoint, energies and strains at all output times.
+    point : ndarray, shape (4 elements, 2)
+        Reference places of the Gauss points over the span.
+    snapshots : tuple of Snapshot
+        In order of time.
+    """
+
+    run: ElementRun
+    point: Floats
+    snapshots: tuple[Snapshot, ...]
+
+    def at(self, instant: float) -> Snapshot:
+        """The snapshot nearest to a time t~."""
+        return min(self.snapshots, key=lambda shot: abs(shot.time - instant))
+
+
+def film_elements(
+    scene: Scene, mesh: Mesh, instants: tuple[float, ...], folder: Path, name: str, progress: Progress
+) -> ElementFilm:
+    """Run the elements over a scene and keep the whole strip at some instants.
+
+    Parameters
+    ----------
+    scene : Scene
+        As for :func:`softcat_sym.reference.run_elements`.
+    mesh : Mesh
+        Elements.
+    instants : tuple of float
+        t~; the output times nearest to them are taken.
+    folder : pathlib.Path
+        Exists. Holds the complete state, in a file named after the scene and after all that decides the numbers: if
+        it is there the run goes on from it.
+    name : str
+        Of the scene, for the file's name.
+    progress : Progress
+        Told the simulated time [s].
+
+    Raises
+    ------
+    SceneError
+        If the scene holds what the elements do not know.
+    SoftcatError
+        If the elements fail, there is no C compiler, or the file is damaged.
+    KeyboardInterrupt
+        On Ctrl-C; the state is in the file.
+    """
+    problem = problem_of(scene)
+    strip, code = Strip(mesh, problem.thickness), point_code(problem.law)
+    frames = np.unique(np.round(np.array(instants) / problem.duration * (problem.frames - 1)).astype(int))
+    key = fingerprint(problem, mesh, Clamp.THINNING, 1.0, {**element_sources(code), "frames": str(frames.tolist())})
+    supports = half_span_supports(strip, Clamp.THINNING)
+    loop = ElementLoop(strip, supports, code, dict(problem.material), gravity=problem.gravity, ramp=problem.ramp)
+    camera = _Camera(March(problem, loop, 1.0), loop, frames)
+    wall = camera.finish(folder / f"elements-{name}-{_short(key)}.npz", key, progress, elastic_time(scene))
+    dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
+    run = run_of(scene, strip, Clamp.THINNING, camera.march.records, dofs=dofs, wall=wall)
+    times = np.linspace(0.0, problem.duration, problem.frames)[frames]
+    shots = (_snapshot(strip, *of) for of in zip(times.tolist(), camera.displacement, camera.rate, strict=True))
+    return ElementFilm(run, strip.points.reshape(-1, 2), tuple(shots))
+
+
+def _short(key: str) -> str:
+    return hashlib.sha256(key.encode()).hexdigest()[:8]
+
+
+class _Camera:
+    """A march that keeps displacements and rates at some frames, and all of it in a file."""
+
+    def __init__(self, march: March, loop: ElementLoop, frames: npt.NDArray[np.int_]) -> None:
+        self.march, self._loop, self._frames = march, loop, frames
+        self.displacement = np.full((len(frames), *loop.displacement.shape), np.nan)
+        self.rate = np.full((len(frames), *loop.rate.shape), np.nan)
+        self._look()
+
+    def finish(self, path: Path, key: str, progress: Progress, second: float) -> float:
+        """Advance to the last output time, from where the file left it; `second` is the elastic time [s].
+
+        Returns
+        -------
+        float
+            Seconds spent, those before a resumption included.
+        """
+        before, began = self._restore(path, key), time.perf_counter()
+        saved = began
+        with deferred() as interrupt:
+            while not self.march.finished:
+                self.march.advance()
+                self._look()
+                progress.update(second * self.march.time, second * self.march.step)
+                now = time.perf_counter()
+                if interrupt.pending or self.march.finished or now - saved > _EVERY:
+                    shots = {"shot_displacement": self.displacement, "shot_rate": self.rate}
+                    wall = np.array(before + now - began)
+                    write_checkpoint(path, key, {**self.march.state(), **shots, "wall": wall})
+                    saved = now
+                if interrupt.pending:
+                    raise KeyboardInterrupt
+        return before + time.perf_counter() - began
+
+    def _restore(self, path: Path, key: str) -> float:
+        state = read_checkpoint(path, key)
+        if state is None:
+            return 0.0
+        self.march.restore(state)
+        self.displacement[...], self.rate[...] = state["shot_displacement"], state["shot_rate"]
+        return float(state["wall"].item())
+
+    def _look(self) -> None:
+        """Take what stands at this frame: a march stops at each, and goes on only when it is told to."""
+        reached = np.isfinite(self.march.records.arrays["steps"][self._frames])
+        for shot in np.flatnonzero(reached & np.isnan(self.rate[:, 0, 0])):
+            self.displacement[shot], self.rate[shot] = self._loop.displacement, self._loop.rate
+
+
+def _snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) -> Snapshot:
+    corners = (strip.position + displacement)[strip.corner]
+
+    def placed(local: Floats) -> Floats:
+        """Where points of the parent square are; shape (elements, points, 2)."""
+        return np.asarray(np.einsum("pa,eai->epi", shape_values(local), corners))
+
+    quarters = np.array([_quarter(point) for point in np.sign(POINTS)])
+    return Snapshot(
+        time=instant,
+        outline=placed(np.array(_OUTLINE, dtype=np.float64)),
+        quarter=placed(quarters.reshape(-1, 2)).reshape(-1, 4, 2),
+        place=placed(POINTS).reshape(-1, 2),
+        rate=np.sqrt(3) * rate.ravel(),
+    )
+
+
+def _quarter(sign: Floats) -> Floats:
+    """The quarter of the parent square in one direction, around it."""
+    x, y = sign
+    return np.array([[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]])
+
+
+ALPHA = 46.0
+"""The paper's unit of the snapshots' times, in L sqrt(rho/E)."""
+
+INSTANTS = tuple(share * ALPHA for share in (0.25, 0.5, 1.0, 2.0, 10.0))
+"""Times t~ at which the elements are kept whole."""
+
+MESH = Mesh(64, 4)
+
+PAPER, PRINTED, OWN = "paper's physics, material closure", "paper's physics, printed closure", "chosen by the program"
+THEORIES: dict[str, dict[str, object]] = {
+    PAPER: {"run.effects": "paper", "run.closure": "material"},
+    PRINTED: {"run.effects": "paper", "run.closure": "printed"},
+    OWN: {},
+}
+
+# What the elements assume of the width, and enough frames for what rings.
+_CHANGES: dict[str, object] = {"filament.width": "0.06 mm", "run.frames": 801}
+
+Listening = Callable[[str, float], AbstractContextManager[Progress]]
+"""Given what is about to run and how long [s] it is, a context whose value is told how far it is."""
+
+
+@dataclass(frozen=True)
+class FigureScene:
+    """One set of the paper's parameters.
+
+    Attributes
+    ----------
+    name : str
+        Of the bundled scene.
+    title : str
+        In pictures.
+    parameters : str
+        delta, G, eps_Y, V as the scene has them.
+    """
+
+    name: str
+    title: str
+    parameters: str
+
+
+SCENES = (
+    FigureScene("no-yield", "no yielding", "G = 0.01"),
+    FigureScene("arrested-overdamped", "arrested, overdamped", "G = 0.4, V = 26"),
+    FigureScene("arrested-underdamped", "arrested, underdamped", "G = 0.25, V = 0.4"),
+    FigureScene("edge-of-rupture", "edge of rupture (paper)", "G = 0.4, V = 0.4"),
+    FigureScene("continual-descent", "continual descent", "G = 1.9, V = 26"),
+)
+SNAPSHOTS = ("no-yield", "arrested-overdamped", "continual-descent")
+"""Scenes of figure 4(a), (b) and (c); the last one is also that of (d)."""
+
+
+@dataclass(frozen=True)
+class FilmedScene:
+    """A scene, run in every way.
+
+    Attributes
+    ----------
+    of : FigureScene
+        Its name and titles.
+    scene : Scene
+        What was run, with the effects that the program chooses.
+    film : ElementFilm
+        The elements.
+    filaments : dict of str to Trajectory
+        By the names of `THEORIES`; those that localised included.
+    """
+
+    of: FigureScene
+    scene: Scene
+    film: ElementFilm
+    filaments: dict[str, Trajectory]
+
+    @property
+    def elements(self) -> tuple[Floats, Floats]:
+        """t~ and y/L of the elements' midpoint."""
+        run = self.film.run
+        return run.time / run.elastic_time, run.midpoint / self.scene.filament.span
+
+    def filament(self, theory: str) -> tuple[Floats, Floats]:
+        """t~ and y/L of a filament's midpoint."""
+        data = self.filaments[theory].data
+        return data["time"].values / elastic_time(self.scene), data["midpoint"].values / self.scene.filament.span
+
+
+def film_scene(of: FigureScene, folder: Path, listening: Listening, mesh: Mesh = MESH) -> FilmedScene:
+    """Run a scene as elements and as filaments.
+
+    Parameters
+    ----------
+    of : FigureScene
+        Which.
+    folder : pathlib.Path
+        Exists. Where the elements keep their state; a finished run is taken from there.
+    listening : callable
+        See `Listening`.
+    mesh : Mesh
+        Elements.
+
+    Raises
+    ------
+    SoftcatError
+        If the elements fail.
+    KeyboardInterrupt
+        On Ctrl-C; the elements' state is in the folder.
+    """
+    scene = load_scene(of.name, _CHANGES)
+    with listening(f"{of.name}: elements", scene.run.duration) as listener:
+        film = film_elements(scene, mesh, INSTANTS, folder, of.name, listener)
+    filaments = {}
+    for theory, changes in THEORIES.items():
+        with listening(f"{of.name}: {theory}", scene.run.duration) as listener:
+            filaments[theory] = simulated(load_scene(of.name, {**_CHANGES, **changes}), listener)
+    return FilmedScene(of, scene, film, filaments)
+
+
+MOMENTS = (46.0, 115.0, 230.0, 460.0)
+"""t~ at which midpoints are tabulated."""
+
+RINGING_SINCE = 60.0
+"""Means of what rings are taken from here on."""
+
+
+def stopping_depth(gravity_number: float) -> dict[str, float | None]:
+    """H_stop/L of (3.13) and of the exact catenary; None where there is none."""
+    stops = gravity_number < float(regimes.ARREST_THRESHOLD)
+    held = gravity_number < float(regimes.arrest_threshold_exact())
+    return {
+        "paper": float(evaluate(regimes.STOPPING_DEPTH.right, {regimes.G: gravity_number})[0]) if stops else None,
+        "exact": float(regimes.stopping_depth_exact(gravity_number)) if held else None,
+    }
+
+
+def scene_facts(filmed: FilmedScene) -> dict[str, Any]:
+    """Parameters, midpoints, means and strains of a scene run in every way.
+
+    Parameters
+    ----------
+    filmed : FilmedScene
+        As from :func:`softcat_sym.studies.paper_figures.film_scene`.
+    """
+    groups = groups_of(filmed.scene)
+    material, run = filmed.scene.material, filmed.film.run
+    gravity_number = float(groups.G or 0.0)
+    curves = {"elements": filmed.elements} | {name: filmed.filament(name) for name in THEORIES}
+    thickness = filmed.scene.filament.thickness / filmed.scene.filament.span
+    return {
+        "scene": filmed.of.name,
+        "delta": thickness,
+        "G": gravity_number,
+        "eps_Y": (material.yield_stress or 0.0) / (material.youngs_modulus or 1.0),
+        "V": float(groups.V or 0.0),
+        "stopping_depth_over_L": stopping_depth(gravity_number),
+        "midpoint_over_L": {name: _tabulated(*curve) for name, curve in curves.items()},
+        "regime": {name: filmed.filaments[name].summary["regime"] for name in THEORIES},
+        "outcome": {name: filmed.filaments[name].outcome.name for name in THEORIES},
+        "effects": {name: list(filmed.filaments[name].summary["effects"]) for name in THEORIES},
+        "strain_at_clamp": {
+            "mean": float(np.expm1(run.clamp_strain[-1])),
+            "largest": float(np.expm1(run.clamp_strain_largest[-1])),
+        },
+        "dissipated_over_work_of_gravity": float(run.energy_dissipated[-1] / run.work),
+        "mesh": [run.mesh.along, run.mesh.through],
+        "element_steps": run.steps,
+    }
+
+
+def _tabulated(time: Floats, height: Floats) -> dict[str, float | None]:
+    """Heights at `MOMENTS`, and their mean while the filament rings; None after a run has ended early."""
+    slack = 1e-9 * MOMENTS[-1]
+    at = {f"{t:g}": float(np.interp(t, time, height)) if t <= time[-1] + slack else None for t in MOMENTS}
+    late = time >= RINGING_SINCE
+    whole = MOMENTS[-1] <= time[-1] + slack
+    return {**at, "mean": float(height[late].mean()) if whole else None}
+
+
+LOAD_OVER_VISCOSITY = 3.3e-5
+DURATION = 20.0
+_FRAMES = 4001
+_FITTED_PERIODS, _SHOWN_PERIODS = 1.5, 4.0
+_POINTS = 600
+
+SLENDERNESS = (0.0025, 0.025)
+"""The figure's own regimes need the first; the second is printed under it."""
+
+RELAXATION = (0.35, 0.035)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Sag of the midpoint over the span against time in sqrt(L/g).
+
+    Attributes
+    ----------
+    name : str
+        What it is.
+    time, sag : ndarray, shape (points,)
+        Dimensionless, positive down.
+    """
+
+    name: str
+    time: Floats
+    sag: Floats
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One filament and all that is said of it.
+
+    Attributes
+    ----------
+    delta, tau_star : float
+        Slenderness and relaxation time.
+    curves : tuple of Curve
+        Full and reduced model first, then the formulas.
+    t_low, t_high : float
+        End of free fall and start of the 1/3 law by the formulas.
+    tension_over_bending : float
+        Load borne by tension over load borne by bending at t_high, on the 1/3 law.
+    outcomes : dict of str to str
+        Verdicts of the two runs.
+    """
+
+    delta: float
+    tau_star: float
+    curves: tuple[Curve, ...]
+    t_low: float
+    t_high: float
+    tension_over_bending: float
+    outcomes: dict[str, str]
+
+
+def maxwell_descents(told: Callable[[str], None]) -> tuple[Panel, ...]:
+    """Run the figure's filaments, both models, at both slendernesses.
+
+    Parameters
+    ----------
+    told : callable
+        Told what is being run.
+    """
+    return tuple(_panel(delta, tau_star, told) for delta in SLENDERNESS for tau_star in RELAXATION)
+
+
+def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
+    runs = {}
+    for model in ("filament", "small-deflection"):
+        told(f"tau* = {tau_star:g}, delta = {delta:g}, {model}")
+        changes: dict[str, object] = {
+            "groups.delta": delta,
+            "groups.tau": tau_star,
+            "groups.B": LOAD_OVER_VISCOSITY,
+            "groups.duration": DURATION,
+            "run.frames": _FRAMES,
+            "run.effects": "paper",
+            "model": model,
+            "numerics.estimate": False,
+        }
+        runs[model] = simulated(load_scene("maxwell-slow", changes))
+    scene = runs["filament"].scene
+    unit, span = gravity_time(scene), scene.filament.span
+    full, reduced = (
+        Curve(name, runs[model].data.time.values / unit, -runs[model].data.midpoint.values / span)
+        for name, model in (("full model", "filament"), ("reduced model (2.18)", "small-deflection"))
+    )
+    known = {B: LOAD_OVER_VISCOSITY, tau: tau_star, alpha: float(closed_forms.TOLERANCE)}
+    low = _end_of_free_fall(known)
+    high = float(evaluate(closed_forms.T_HIGH, known)[0])
+    sag_high = -float(evaluate(closed_forms.THIRD_LAW, {**known, t_star: high})[0])
+    formulas = (*_outer(known, high, full.time), *_ringing(known, high, full))
+    outcomes = {model: run.outcome.name for model, run in runs.items()}
+    share = float(
+        evaluate(
+            closed_forms.TENSION_TO_BENDING,
+            {closed_forms.phi: 4 * sag_high, slenderness: groups_of(scene).delta, K_I: 1 / 12},
+        )[0]
+    )
+    curves = tuple(_thinned(curve) for curve in (full, reduced, *formulas))
+    return Panel(delta, tau_star, curves, low, high, share, outcomes)
+
+
+def _thinned(curve: Curve) -> Curve:
+    """At most some hundred points, evenly spaced on a logarithmic axis."""
+    later = np.flatnonzero(curve.time > 0)
+    marks = np.geomspace(curve.time[later[0]], curve.time[-1], _POINTS)
+    kept = np.unique(np.clip(np.searchsorted(curve.time, marks), 0, len(curve.time) - 1))
+    return Curve(curve.name, curve.time[kept], curve.sag[kept])
+
+
+def _end_of_free_fall(known: dict[object, float]) -> float:
+    """Time at which tension reaches alpha of inertia on the falling parabola, for any ratio of t_low to tau."""
+    limits = [float(evaluate(limit, known)[0]) for limit in (closed_forms.T_LOW_LONG, closed_forms.T_LOW_SHORT)]
+    time = np.geomspace(min(limits) / 2, 4 * max(limits), 4000)
+    ratio = evaluate(closed_forms.EARLY_RATIO, {**known, t_star: time})
+    return float(np.interp(known[alpha], ratio, time))
+
+
+def _outer(known: dict[object, float], high: float, time: Floats) -> tuple[Curve, ...]:
+    """Free fall, (2.20) from rest and as printed, and the 1/3 law."""
+    early = time[(time > 0) & (time < 3 * high)]
+    fall = Curve("free fall", early, -evaluate(closed_forms.FREE_FALL, {**known, t_star: early}))
+    first = float(evaluate(closed_forms.ELASTIC_START, known)[0])
+    last = float(evaluate(closed_forms.THIRD_LAW_FACTOR, {**known, t_star: time[-1]})[0])
+    phi = np.geomspace(first * 1.0001, last * 1.1, 400)
+    outer = []
+    for name, law in (
+        ("(2.20) from rest", closed_forms.OUTER_TIME_FROM_REST),
+        ("(2.20) as printed", closed_forms.OUTER_TIME),
+    ):
+        when = evaluate(law, {**known, closed_forms.phi: phi})
+        shown = (when > time[1]) & (when <= time[-1])
+        outer.append(Curve(name, when[shown], phi[shown] / 4))
+    late = time[time > high / 10]
+    return fall, *outer, Curve("1/3 law", late, -evaluate(closed_forms.THIRD_LAW, {**known, t_star: late}))
+
+
+def _ringing(known: dict[object, float], high: float, full: Curve) -> tuple[Curve, ...]:
+    """(2.21) integrated and (2.22), each with its three constants fitted to the full model after t_high."""
+
+    def law(at: Floats) -> Floats:
+        return -evaluate(closed_forms.THIRD_LAW, {**known, t_star: at})
+
+    frequency = float(evaluate(closed_forms.FREQUENCY, {**known, t_high: high})[0])
+    if not np.isfinite(frequency):
+        return ()
+    period = 2 * np.pi / frequency
+    window = (full.time >= high) & (full.time <= high + _SHOWN_PERIODS * period)
+    time = full.time[window]
+    fitted = time <= high + _FITTED_PERIODS * period
+    wanted = (full.sag[window] - law(time))[fitted]
+    shift = time - high
+    damped = np.exp(-float(evaluate(closed_forms.DECAY_RATE, known)[0]) * shift)
+    closed = np.array([np.ones_like(time), damped * np.cos(frequency * shift), damped * np.sin(frequency * shift)])
+    coefficients = tuple(c.subs(known) for c in closed_forms.OSCILLATION)
+    numeric = fundamental_solutions(coefficients, t_star, time)
+    return tuple(
+        Curve(name, time, law(time) + basis.T @ np.linalg.lstsq(basis.T[fitted], wanted, rcond=None)[0])
+        for name, basis in (("(2.21) integrated", numeric), ("(2.22)", closed))
+    )

@@ -1,0 +1,503 @@
+"""Regimes over planes of dimensionless groups, by what runs show, beside the paper's lines."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Final, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.expected_regime import TURNS_BACK
+from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
+from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, weight_stress
+from softcat_sym.ensemble.block_store import KeptBlocks
+from softcat_sym.ensemble.ensemble import MembersProgress, NobodyListens
+from softcat_sym.ensemble.executor import workplace
+from softcat_sym.physics import regimes
+from softcat_sym.physics.sections import SECTIONS, Section
+from softcat_sym.results.motion import ARREST_RATE
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
+from softcat_sym.solvers.solution import watched
+from softcat_sym.studies.phase_runs import (
+    CLAMPS_ONLY,
+    DESCENDING,
+    PLANES,
+    KeptRuns,
+    Node,
+    PhasePlane,
+    PhaseRun,
+    PhaseRunner,
+    Place,
+    RefinedLattice,
+    checked_resolution,
+    place_at,
+    planes_of,
+    refined,
+    refuse_scene,
+)
+
+Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
+Source = Literal["paper", "exact", "estimate"]
+
+_CLAMPED_BEAM = 4.730041**2  # first natural frequency of a clamped beam, in sqrt(EI/(rho A L^4))
+_PSI, _PSI_POINTS = (0.1, 300.0), 160  # psi of first yield: linear beam to taut string
+
+
+@dataclass(frozen=True)
+class PhaseLine:
+    """One line.
+
+    Attributes
+    ----------
+    name : str
+        What it says.
+    kind : str
+        The boundary that it is a formula of.
+    source : str
+        ``"paper"``, ``"exact"`` of its own idealisation, or ``"estimate"``.
+    equation : str
+        Where it is from.
+    other : ndarray
+        delta or V, shape (points,).
+    G : ndarray
+        Gravity number there; NaN where there is none.
+    """
+
+    name: str
+    kind: Kind
+    source: Source
+    equation: str
+    other: Floats
+    G: Floats
+
+    def at(self, other: float) -> float:
+        """G at a value of the other group, between its points by the logarithm."""
+        return float(np.exp(np.interp(math.log(other), np.log(self.other), np.log(self.G))))
+
+
+def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[PhaseLine, ...]:
+    """The lines of a plane.
+
+    Parameters
+    ----------
+    scene : Scene
+        For its section, ends, modulus and ramp.
+    plane : PhasePlane
+        G and another group.
+    points : int
+        Of each line.
+    """
+    other = np.geomspace(plane.y.low, plane.y.high, points)
+    places = [place_at(scene, plane, 1.0, float(value)) for value in other]
+    section, beam = SECTIONS[scene.filament.section], beam_of(scene)
+
+    def line(name: str, kind: Kind, source: Source, equation: str, G: Callable[[Place], float]) -> PhaseLine:
+        return PhaseLine(name, kind, source, equation, other, np.array([G(place) for place in places]))
+
+    def beam_line(expression: Any) -> Callable[[Place], float]:
+        slope = float(expression.subs(regimes.delta, 1))
+        return lambda place: slope * place.delta
+
+    static, sudden = regimes.first_yield(section, beam), regimes.first_yield_at_once(section, beam)
+    exact = float(regimes.arrest_threshold_exact())
+    # What counts as arrested may flow at this rate still: its stress is that much above the yield stress.
+    at_rate = 1 + ARREST_RATE
+    found = [
+        line("first yield of a beam", "first yield", "paper", "(3.11)", beam_line(static)),
+        line("arrest of a shallow catenary", "arrest", "paper", "(3.12)", lambda _: math.sqrt(2)),
+        line("sudden load, undamped beam", "first yield", "exact", "(3.11) over the bound", beam_line(sudden)),
+        line("arrest of the exact catenary", "arrest", "exact", "(3.12), exact", lambda _: exact),
+        line("the same, of rate 0.5", "arrest of the span", "exact", "(3.12) at 1.5 σʏ", lambda _: exact * at_rate),
+        line("spring-back of 5 %", "overdamping", "estimate", "one-mode fall", _overdamped(scene)),
+    ]
+    if beam == regimes.CLAMPED:
+        slow = _slow_yield(scene, section)
+        found += [
+            line("slow load, bending and tension", "first yield", "exact", "(3.11) with tension", slow),
+            line(
+                "this ramp, first mode", "first yield", "estimate", "ramp gain", _ramped(scene, section, static, slow)
+            ),
+        ]
+    return tuple(found)
+
+
+def modulus_number(scene: Scene) -> float:
+    """E* = E/(rho g L), which all filaments of a diagram share."""
+    return (instant_modulus(scene) or math.inf) / weight_stress(scene)
+
+
+def _slow_yield(scene: Scene, section: Section) -> Callable[[Place], float]:
+    """G of first yield under a slow load, from eps_Y G E* = 1 along the curve of psi; NaN beyond its end.
+
+    eps_Y goes as delta^2 and G as delta at a given psi: one table of their product serves every filament.
+    """
+    product, gravity = _yield_curve(section)
+    modulus = modulus_number(scene)
+
+    def found(place: Place) -> float:
+        wanted = -math.log(modulus * place.delta**3)
+        return place.delta * math.exp(float(np.interp(wanted, product, gravity, right=math.nan)))
+
+    return found
+
+
+@cache
+def _yield_curve(section: Section) -> tuple[Floats, Floats]:
+    """Logarithms of eps_Y G and of G along the curve of first yield, of a filament as thick as long."""
+    curve = regimes.first_yield_stretched(section)
+    strain, gravity = (side.subs(regimes.delta, 1) for side in (curve.yield_strain, curve.gravity_number))
+    points = np.geomspace(*_PSI, _PSI_POINTS)
+    values = [[float(side.subs(regimes.psi_T, psi)) for psi in points] for side in (strain, gravity)]
+    logarithms = np.log(np.array(values))
+    return logarithms[0] + logarithms[1], logarithms[1]
+
+
+def _ramped(scene: Scene, section: Section, static: Any, slow: Callable[[Place], float]) -> Callable[[Place], float]:
+    """Static first yield over what the first mode of the beam overshoots by after the ramp.
+
+    A filament that swings is not relied on to have its tension when it bends most.
+    """
+    beam = beam_of(scene)
+    slope, bound = float(static.subs(regimes.delta, 1)), float(beam.overshoot_bound)
+    speed = _CLAMPED_BEAM * math.sqrt(float(regimes.gyration(section)) * modulus_number(scene))
+    ramp = scene.load.ramp / gravity_time(scene)
+
+    def found(place: Place) -> float:
+        left = ringing_share(speed * place.delta, ramp)
+        linear = slope * place.delta
+        return (linear + (1 - left) * (slow(place) - linear)) / (1 + (bound - 1) * left)
+
+    return found
+
+
+def _overdamped(scene: Scene) -> Callable[[Place], float]:
+    """G at which the filament springs back by `TURNS_BACK` of its sag; NaN if at none between 0.1 and 1.3255."""
+    ramp, modulus = scene.load.ramp / gravity_time(scene), modulus_number(scene)
+    G = np.geomspace(0.1, float(regimes.arrest_threshold_exact()), 60)
+    left = [ringing_share(math.sqrt(10 / value), ramp) for value in G]
+
+    def found(place: Place) -> float:
+        past = [1 + (overshoot(value, place.V, 0.0) - 1) * share for value, share in zip(G, left, strict=True)]
+        springs = [rebound(value, 1 / (modulus * value), far) for value, far in zip(G, past, strict=True)]
+        excess = np.array(springs) - TURNS_BACK
+        falls = np.flatnonzero((excess[:-1] > 0) & (excess[1:] <= 0))
+        if not len(falls):
+            return math.nan
+        k = int(falls[0])
+        return float(np.exp(np.interp(0.0, -excess[k : k + 2], np.log(G[k : k + 2]))))
+
+    return found
+
+
+NO_YIELD, UNDERDAMPED, OVERDAMPED = "no-yield", "arrested-underdamped", "arrested-overdamped"
+
+_RESTS = frozenset({NO_YIELD, UNDERDAMPED, OVERDAMPED})
+_SIDES: dict[str, tuple[frozenset[str], frozenset[str]]] = {
+    "first yield": (frozenset({NO_YIELD}), frozenset({UNDERDAMPED, OVERDAMPED, DESCENDING, CLAMPS_ONLY})),
+    "overdamping": (frozenset({UNDERDAMPED}), frozenset({OVERDAMPED})),
+    "arrest": (_RESTS, frozenset({DESCENDING, CLAMPS_ONLY})),
+    "arrest of the span": (_RESTS | {CLAMPS_ONLY}, frozenset({DESCENDING})),
+}
+_FORMULAS_OF: dict[str, tuple[Kind, ...]] = {
+    "first yield": ("first yield",),
+    "overdamping": ("overdamping",),
+    "arrest": ("arrest",),
+    "arrest of the span": ("arrest", "arrest of the span"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """Where a row of the lattice goes from one regime to another, between two neighbouring answers.
+
+    Attributes
+    ----------
+    kind : str
+        Which boundary: of first yield, of underdamped arrest, of arrest in every fibre, of arrest but at the clamps.
+    other : float
+        delta or V of the row.
+    G_low, G_high : float
+        The neighbours: the boundary is between them.
+    """
+
+    kind: str
+    other: float
+    G_low: float
+    G_high: float
+
+    @property
+    def G(self) -> float:
+        """Their geometric mean."""
+        return math.sqrt(self.G_low * self.G_high)
+
+
+@dataclass(frozen=True)
+class Distance:
+    """How far one formula is from the runs.
+
+    Attributes
+    ----------
+    kind : str
+        Which boundary of the runs.
+    line : PhaseLine
+        The formula.
+    rows : int
+        Rows in which both are there.
+    median, least, most : float
+        G of the runs over that of the formula, less one.
+    """
+
+    kind: str
+    line: PhaseLine
+    rows: int
+    median: float
+    least: float
+    most: float
+
+
+def crossings(G: Floats, other: Floats, marks: npt.NDArray[np.str_]) -> tuple[Crossing, ...]:
+    """Every crossing of a lattice.
+
+    Parameters
+    ----------
+    G, other : ndarray, shape (n + 1,)
+        Lattice values.
+    marks : ndarray of str, shape (n + 1, n + 1)
+        Regimes, or what took their place: no boundary is seen beside a run that is no answer.
+    """
+    found = []
+    for kind, (below, above) in _SIDES.items():
+        for j, value in enumerate(other):
+            steps = [i for i in range(len(G) - 1) if marks[i, j] in below and marks[i + 1, j] in above]
+            found += [Crossing(kind, float(value), float(G[i]), float(G[i + 1])) for i in steps]
+    return tuple(found)
+
+
+def distances(lines: Sequence[PhaseLine], seen: Sequence[Crossing]) -> tuple[Distance, ...]:
+    """Each formula against the crossings of its kind; a row that crosses several times counts with its first."""
+    found = []
+    for kind, line in [(kind, line) for kind in _SIDES for line in lines if line.kind in _FORMULAS_OF[kind]]:
+        first: dict[float, Crossing] = {}
+        for crossing in seen:
+            if crossing.kind == kind:
+                first.setdefault(crossing.other, crossing)
+        off = np.array([one.G / line.at(one.other) - 1 for one in first.values()])
+        off = off[np.isfinite(off)]
+        if len(off):
+            found.append(Distance(kind, line, len(off), *map(float, (np.median(off), np.min(off), np.max(off)))))
+    return tuple(found)
+
+
+SETTINGS: Final = ("run.effects=paper", "run.accuracy=0.01", "numerics.cells=40", "numerics.grading=30")
+"""What a diagram changes in a scene: the published physics, an accuracy that decides a regime, one grid for all."""
+
+DESCENT_SCENE: Final = "continual-descent"
+DESCENT_TIME: Final = 460.0
+"""Of the paper's continual descent, in L sqrt(rho/E); it finds local strains over 23 % near the clamp by then."""
+
+PAPER_STRAIN: Final = 0.23
+
+
+@dataclass(frozen=True)
+class PhasePoint:
+    """A run and its lattice node.
+
+    Attributes
+    ----------
+    i, j : int
+        Across (G) and upwards.
+    run : PhaseRun
+        The run.
+    """
+
+    i: int
+    j: int
+    run: PhaseRun
+
+
+@dataclass(frozen=True)
+class PhaseSheet:
+    """One plane.
+
+    Attributes
+    ----------
+    plane : PhasePlane
+        Its axes.
+    x, y : ndarray, shape (cells + 1,)
+        Lattice values: G, and delta or V.
+    points : tuple of PhasePoint
+        What was run.
+    lattice : RefinedLattice
+        Squares and known marks.
+    lines : tuple of PhaseLine
+        Formulas.
+    crossings : tuple of Crossing
+        Boundaries that the runs show.
+    distances : tuple of Distance
+        Between the two.
+    wall, processor : float
+        Time that it took [s]; of all threads of this process together.
+    """
+
+    plane: PhasePlane
+    x: Floats
+    y: Floats
+    points: tuple[PhasePoint, ...]
+    lattice: RefinedLattice
+    lines: tuple[PhaseLine, ...]
+    crossings: tuple[Crossing, ...]
+    distances: tuple[Distance, ...]
+    wall: float
+    processor: float
+
+    @property
+    def labels(self) -> npt.NDArray[np.str_]:
+        """The mark of every lattice node, shape (cells + 1, cells + 1)."""
+        return self.lattice.labels()
+
+    @property
+    def nodes(self) -> int:
+        """Of the lattice: what a diagram without refinement would run."""
+        return (self.lattice.cells + 1) ** 2
+
+    @property
+    def runs(self) -> int:
+        """All that were made, repetitions included."""
+        return sum(point.run.runs for point in self.points)
+
+    @property
+    def saved(self) -> int:
+        """Nodes that were never run."""
+        return self.lattice.saved
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Runs of each mark."""
+        return dict(sorted(Counter(point.run.mark for point in self.points).items()))
+
+    def held(self, scene: Scene) -> str:
+        """The group that does not vary and the modulus, in words."""
+        place = self.place(scene, 0, 0)
+        fixed = (
+            f"V = {place.V:.4g}" if self.plane.y.key == "delta" else f"\N{GREEK SMALL LETTER DELTA} = {place.delta:.4g}"
+        )
+        return f"{fixed}, E = {modulus_number(scene):.4g} \N{GREEK SMALL LETTER RHO} g L"
+
+    def place(self, scene: Scene, i: int, j: int) -> Place:
+        """The groups at a node."""
+        return place_at(scene, self.plane, float(self.x[i]), float(self.y[j]))
+
+
+@dataclass(frozen=True)
+class PhaseDiagram:
+    """What :func:`phase_diagram` returns.
+
+    Attributes
+    ----------
+    scene : Scene
+        What all filaments have in common.
+    sheets : tuple of PhaseSheet
+        One for each plane.
+    descent : PhaseRun
+        The paper's continual descent (G 1.9, V 26, delta 0.03) at t~ = 460.
+    workers : int
+        Threads, or workers of a cluster.
+    """
+
+    scene: Scene
+    sheets: tuple[PhaseSheet, ...]
+    descent: PhaseRun
+    workers: int
+
+
+def phase_diagram(
+    scene: Scene,
+    planes: Sequence[str] = tuple(PLANES),
+    resolution: int = 40,
+    *,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    local_cluster: int | None = None,
+    kept: KeptBlocks | None = None,
+    progress: MembersProgress | None = None,
+) -> PhaseDiagram:
+    """Regimes over one or more planes.
+
+    Parameters
+    ----------
+    scene : Scene
+        A filament with Bingham's law between level supports; its groups are what a plane does not vary. Load it with
+        `SETTINGS` for the paper's physics at a cost of some hundredths of a second a run.
+    planes : sequence of str
+        Of ``"G-delta"`` and ``"G-V"``.
+    resolution : int
+        Cells of the finest lattice along each axis.
+    workers, scheduler, local_cluster : optional
+        Threads, all cores by default; or a Dask cluster, as :func:`softcat_sym.sweep` takes them.
+    kept : KeptBlocks, optional
+        Where finished runs are kept, and those finished before are found.
+    progress : MembersProgress, optional
+        Told about each round of refinement.
+
+    Raises
+    ------
+    SceneError
+        If G, V and delta do not decide the regimes of the scene.
+    SoftcatError
+        If there is no such plane or resolution.
+    KeyboardInterrupt
+        If the user stops it.
+    """
+    chosen, cells = planes_of(planes), checked_resolution(resolution)
+    refuse_scene(scene)
+    known = KeptRuns(kept) if kept is not None else None
+    with watched() as interrupts, workplace(workers, scheduler, local_cluster) as place:
+        try:
+            runner = PhaseRunner(scene, place.size(), progress or NobodyListens(), place, known)
+            sheets = tuple(_sheet(scene, plane, cells, runner) for plane in chosen)
+            return PhaseDiagram(scene, sheets, descent_run(scene), place.size())
+        finally:
+            interrupts.check()
+
+
+def descent_run(scene: Scene) -> PhaseRun:
+    """The paper's continual descent to its last time, by the physics and the numerics of a scene."""
+    paper = load_scene(DESCENT_SCENE)
+    paper = paper.model_copy(update={"run": scene.run, "numerics": scene.numerics})
+    place = place_at(paper, PLANES["G-V"], 1.9, 26.0)
+    return PhaseRunner(paper, 1, NobodyListens()).run([place], [DESCENT_TIME * elastic_time(paper)])[0]
+
+
+def _sheet(scene: Scene, plane: PhasePlane, cells: int, runner: PhaseRunner) -> PhaseSheet:
+    begun, spent = time.perf_counter(), time.process_time()
+    x, y = plane.x.values(cells), plane.y.values(cells)
+    points: list[PhasePoint] = []
+
+    def marks(nodes: Sequence[Node]) -> list[str]:
+        runs = runner.run([place_at(scene, plane, float(x[i]), float(y[j])) for i, j in nodes])
+        points.extend(PhasePoint(i, j, run) for (i, j), run in zip(nodes, runs, strict=True))
+        return [run.mark for run in runs]
+
+    lattice = refined(cells, marks)
+    lines = phase_lines(scene, plane)
+    seen = crossings(x, y, lattice.labels())
+    return PhaseSheet(
+        plane,
+        x,
+        y,
+        tuple(points),
+        lattice,
+        lines,
+        seen,
+        distances(lines, seen),
+        time.perf_counter() - begun,
+        time.process_time() - spent,
+    )

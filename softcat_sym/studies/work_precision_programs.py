@@ -1,0 +1,658 @@
+"""The programs of a work-precision diagram: the package's integrators, and rivals on the same right-hand side."""
+
+from __future__ import annotations
+
+import ctypes as ct
+import json
+import math
+import os
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
+from importlib import resources
+from statistics import median
+from typing import Any, Literal, TextIO
+
+import numpy as np
+import numpy.typing as npt
+
+from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.errors import SoftcatError
+from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.compiled import (
+    Answer,
+    CModel,
+    CompiledIntegration,
+    Doubles,
+    Filament,
+    Integers,
+    Run,
+    Status,
+    runtime_sources,
+)
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.run import Assembled, Prepared, assembled, prepare
+from softcat_sym.solvers.settings import Settings, choose_backend, settings_for
+from softcat_sym.solvers.solution import Silence, Solution
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One program with one set of its numbers.
+
+    Attributes
+    ----------
+    program : str
+        Key of a program, such as ``"compiled-rodas5p"``.
+    cells : int
+        Per half span.
+    grading : float
+        Length of the cells at midspan over that at the clamps.
+    section : int
+        Fibres through the thickness, or the order of their polynomial; 0 where a section has no choice.
+    by_order : bool
+        Whether `section` is an order.
+    rtol : float
+        Relative tolerance; of RK4 its step over the longest stable one.
+    """
+
+    program: str
+    cells: int
+    grading: float
+    section: int = 0
+    by_order: bool = False
+    rtol: float = 1e-3
+
+    @property
+    def text(self) -> str:
+        """As people read it: ``40 cells, 8 fibres, rtol 1e-03``."""
+        parts = [f"{self.cells} cells"]
+        if self.section:
+            parts.append(f"k = {self.section}" if self.by_order else f"{self.section} fibres")
+        if self.program in STEPPED:
+            parts += [f"grading {self.grading:.3g}", f"{self.rtol:g} of the stable step"]
+        else:
+            parts.append(f"rtol {self.rtol:.0e}")
+        return ", ".join(parts)
+
+
+STEPPED = frozenset({"compiled-rk4", "numpy-rk4"})
+"""Programs that take equal steps."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What came of a task.
+
+    Attributes
+    ----------
+    seconds : float
+        Median wall time of the integration of several warm runs [s]; of what failed, how long it took to.
+    build : float
+        Wall time of everything before, the first time in a process, libraries found in the cache [s].
+    steps, evaluations : int
+        Steps, and right-hand sides without those of Jacobians; 0 where nobody counts.
+    repeats : int
+        Runs of which `seconds` is the median.
+    midpoint : tuple of float
+        Height of midspan at the output times, in rest lengths; empty if it failed.
+    complaint : str
+        Why it failed, else empty.
+    first : float
+        Wall time of the first integration, before anything is warm [s].
+    """
+
+    seconds: float
+    build: float = 0.0
+    steps: int = 0
+    evaluations: int = 0
+    repeats: int = 0
+    midpoint: tuple[float, ...] = ()
+    complaint: str = ""
+    first: float = 0.0
+
+    @property
+    def microseconds(self) -> float | None:
+        """Of one step; None where nobody counts them."""
+        return 1e6 * self.seconds / self.steps if self.steps else None
+
+    def document(self) -> dict[str, Any]:
+        """Plain values."""
+        return asdict(self)
+
+    @classmethod
+    def from_document(cls, values: dict[str, Any]) -> Measured:
+        """From plain values.
+
+        Raises
+        ------
+        TypeError
+            If they are those of something else.
+        """
+        return cls(**{**values, "midpoint": tuple(values["midpoint"])})
+
+
+_HEADER, _SOURCE = "softcat_model.h", "work_precision_explicit.c"
+_ON_THE_LIMIT = 1 + 1e-9
+_REACH = 2.83
+"""RK4 is stable up to 2.83 on the imaginary axis and 2.79 on the real one."""
+
+
+class _Model(ct.Structure):
+    """softcat_model."""
+
+    _fields_ = (
+        *(
+            (n, ct.c_int)
+            for n in ("slots", "sections", "parameters", "places", "scratch", "entries", "powers", "moves")
+        ),
+        *((n, Integers) for n in ("rate", "differential", "held_first", "held_last", "row", "offset", "column")),
+        *((n, ct.c_void_p) for n in ("rates", "jacobian", "work", "work_slope")),
+    )
+
+
+_JACOBIAN = ct.CFUNCTYPE(ct.c_int, ct.POINTER(Filament), ct.c_double, Doubles, Doubles, Doubles)
+
+
+class CompiledRates:
+    """Rates and Jacobian of a compiled filament that has no algebraic unknowns.
+
+    Parameters
+    ----------
+    prepared : Prepared
+        A compiled run, with a start.
+
+    Attributes
+    ----------
+    size : int
+        Numbers in a state, held ones included.
+    band : int
+        How far from the diagonal the Jacobian reaches.
+
+    Raises
+    ------
+    SoftcatError
+        If the run is not compiled, has no start, or has algebraic unknowns.
+    """
+
+    def __init__(self, prepared: Prepared) -> None:
+        whole = prepared.integration
+        if not isinstance(whole, CompiledIntegration) or prepared.start is None:
+            raise SoftcatError("an explicit method needs a compiled right-hand side and a shape to begin from")
+        if prepared.graph.is_dae:
+            raise SoftcatError(f"cannot: {prepared.graph.z.numel()} algebraic unknowns")
+        compiled = whole.filament.model
+        library = _library("filament.c", compiled.model.text)
+        self._keep = library, np.ascontiguousarray(prepared.p), whole.filament.places
+        self._model = _Model.in_dll(library, "softcat_filament_model")
+        text = (resources.files("softcat_sym.studies") / _SOURCE).read_text(encoding="utf-8")
+        self._c = _library(_SOURCE, text)
+        self._c.explicit_rates.restype = self._c.explicit_rk4.restype = ct.c_int
+        self._sites = whole.filament.sites
+        sites, slots = self._sites.shape
+        self.size = sites * slots
+        self._filament = Filament(sites, _pointer(self._keep[1]), _pointer(self._keep[2]))
+        live = np.zeros(self.size, dtype=bool)
+        live[self._sites.x] = True
+        self._held = np.flatnonzero(~live).astype(np.int32)
+        self._start = self._sites.state(prepared.start.x, prepared.start.z).ravel()
+        scratch = sites * self._model.scratch
+        self._scratch, self._room = np.zeros(scratch + 1), np.zeros(3 * self.size + scratch)
+        self._entries = np.zeros(sites * self._model.entries)
+        self._call = _JACOBIAN(self._model.jacobian)
+        self._rows, self._columns, self._taken = self._pattern(live)
+        self.band = int(np.max(np.abs(self._rows - self._columns), initial=0))
+        # Memory of its own, and pointers made once: a call then costs little more than its arithmetic.
+        self._state, self._found = np.zeros(self.size), np.zeros(self.size)
+        self._head = (
+            ct.byref(self._model),
+            ct.byref(self._filament),
+            self._held.ctypes.data_as(Integers),
+            ct.c_int(len(self._held)),
+        )
+        self._memory = _pointer(self._state), _pointer(self._found), _pointer(self._scratch)
+        self._for_entries = self._memory[0], _pointer(self._entries), self._memory[2]
+        self._order, self._starts = self._by_columns()
+
+    def start(self) -> Floats:
+        """The state at t = 0, shape (size,)."""
+        return self._start.copy()
+
+    def unknowns(self, states: Floats) -> tuple[Floats, Floats]:
+        """What :class:`softcat_sym.solvers.Solution` holds as x and z, of states (frames, size)."""
+        return self._sites.vectors(states.reshape(len(states), *self._sites.shape))
+
+    def rates(self, t: float, state: Floats) -> Floats:
+        """Rates of a state, shape (size,), zero of what is held."""
+        self._state[:] = state
+        self._c.explicit_rates(*self._head, ct.c_double(t), *self._memory)
+        return self._found.copy()
+
+    def values(self, t: float, state: Floats) -> Floats:
+        """Entries of the Jacobian that can differ from zero, in the order of the pattern."""
+        self._state[:] = state
+        self._call(self._head[1], t, *self._for_entries)
+        return self._entries[self._taken]
+
+    def sparse(self, t: float, state: Floats) -> Any:
+        """The Jacobian as a ``scipy.sparse.csc_matrix``, shape (size, size)."""
+        from scipy.sparse import csc_matrix  # type: ignore[import-untyped]
+
+        values = self.values(t, state)[self._order]
+        return csc_matrix((values, self._rows[self._order], self._starts), shape=(self.size, self.size))
+
+    def banded(self, t: float, state: Floats) -> Floats:
+        """The Jacobian by diagonals, shape (2 band + 1, size), as LAPACK and LSODA have it."""
+        packed = np.zeros((2 * self.band + 1, self.size))
+        packed[self._rows - self._columns + self.band, self._columns] = self.values(t, state)
+        return packed
+
+    def dense(self, t: float, state: Floats) -> Floats:
+        """The Jacobian of what is not held, shape (nx, nx)."""
+        whole = np.zeros((self.size, self.size))
+        whole[self._rows, self._columns] = self.values(t, state)
+        live = np.sort(self._sites.x)
+        return whole[np.ix_(live, live)]
+
+    def advance(self, state: Floats, begin: float, end: float, steps: int) -> bool:
+        """Carry a state through equal steps of RK4, in place; whether it is still finite."""
+        code = self._c.explicit_rk4(
+            *self._head,
+            ct.c_double(begin),
+            ct.c_double(end),
+            ct.c_long(steps),
+            _pointer(state),
+            _pointer(self._room),
+        )
+        return code == 0 and bool(np.isfinite(state).all())
+
+    def _pattern(self, live: npt.NDArray[np.bool_]) -> tuple[npt.NDArray[np.int64], ...]:
+        """Row, column and place among the entries of each that counts."""
+        sites, slots = self._sites.shape
+        count = self._model.entries
+        row, offset, column = (
+            np.array(part[:count], dtype=np.int64) for part in (self._model.row, self._model.offset, self._model.column)
+        )
+        site = np.arange(sites)[:, None]
+        other = site + offset
+        rows, columns = site * slots + row, other * slots + column
+        inside = (other >= 0) & (other < sites)
+        inside[inside] = live[rows[inside]] & live[columns[inside]]
+        return rows[inside], columns[inside], np.flatnonzero(inside.ravel())
+
+    def _by_columns(self) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+        """Order of the entries column by column, and where each column begins."""
+        order = np.lexsort((self._rows, self._columns))
+        counts = np.bincount(self._columns, minlength=self.size)
+        return order, np.concatenate([[0], np.cumsum(counts)])
+
+
+def stable_step(jacobian: Floats) -> float:
+    """The longest step of RK4 that lets no mode of a linear system grow.
+
+    Parameters
+    ----------
+    jacobian : ndarray, shape (n, n)
+        Of the rates.
+
+    Returns
+    -------
+    float
+        Infinite where nothing moves. |1 + q + q^2/2 + q^3/6 + q^4/24| <= 1 for q = step times each eigenvalue.
+    """
+    modes = np.linalg.eigvals(jacobian)
+    # What grows by itself grows whatever the step.
+    modes = modes[modes.real <= 1e-6 * np.abs(modes)]
+    fastest = float(np.abs(modes).max(initial=0.0))
+    if fastest == 0:
+        return np.inf
+    low, high = 0.0, _REACH / fastest
+    for _ in range(40):
+        middle = (low + high) / 2
+        q = middle * np.minimum(modes.real, 0.0) + 1j * middle * modes.imag
+        stable = np.abs(1 + q * (1 + q / 2 * (1 + q / 3 * (1 + q / 4)))).max() <= _ON_THE_LIMIT
+        low, high = (middle, high) if stable else (low, middle)
+    return float(low)
+
+
+@lru_cache(maxsize=16)
+def _library(name: str, text: str) -> ct.CDLL:
+    """A C text that asks for the model's header, loaded once a process."""
+    return load(compile_library({name: text, _HEADER: runtime_sources()[_HEADER]}))
+
+
+def _pointer(array: Floats) -> ct._Pointer[ct.c_double]:
+    return array.ctypes.data_as(Doubles)
+
+
+Kind = Literal["own", "rival"]
+
+_RODAS4 = 1
+_FIFTH = 5
+_TRIAL_STEPS = 50
+_MISSING = "SciPy is missing: pip install 'softcat_sym[peers]'"
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """What one integration found, and how many steps and right-hand sides it took, 0 where nobody counts."""
+
+    midpoint: Floats
+    steps: int
+    evaluations: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A row of the diagram.
+
+    Attributes
+    ----------
+    key, name : str
+        In tables of ours, and for people.
+    kind : str
+        ``own``: what the package runs; ``rival``: what it does not.
+    backend : str
+        ``numerics.backend`` of the scene on which it runs.
+    solver : str
+        ``numerics.solver`` of the same.
+    """
+
+    key: str
+    name: str
+    kind: Kind
+    backend: str
+    solver: str
+
+
+PROGRAMS: tuple[Program, ...] = (
+    Program("compiled-rodas5p", "Rodas5P, compiled", "own", "compiled", "rosenbrock"),
+    Program("compiled-rodas4", "Rodas4, compiled", "own", "compiled", "rosenbrock"),
+    Program("rosenbrock", "Rosenbrock, interpreted", "own", "interpreted", "rosenbrock"),
+    Program("cvodes", "CVODES, order 2", "own", "interpreted", "cvodes"),
+    Program("cvodes-5", "CVODES, to order 5", "rival", "interpreted", "cvodes"),
+    Program("idas", "IDAS, order 2", "own", "interpreted", "idas"),
+    Program("idas-5", "IDAS, to order 5", "rival", "interpreted", "idas"),
+    Program("compiled-rk4", "RK4, compiled", "rival", "compiled", "rosenbrock"),
+    Program("numpy-rk4", "RK4, NumPy", "rival", "compiled", "rosenbrock"),
+    Program("scipy-radau", "SciPy Radau", "rival", "compiled", "rosenbrock"),
+    Program("scipy-bdf", "SciPy BDF", "rival", "compiled", "rosenbrock"),
+    Program("scipy-lsoda", "SciPy LSODA", "rival", "compiled", "rosenbrock"),
+)
+_BY_KEY = {program.key: program for program in PROGRAMS}
+_SCIPY = {"scipy-radau": "Radau", "scipy-bdf": "BDF", "scipy-lsoda": "LSODA"}
+
+
+def program_of(key: str) -> Program:
+    """The program with this key.
+
+    Raises
+    ------
+    KeyError
+        If there is none.
+    """
+    return _BY_KEY[key]
+
+
+class _FifthOrder(Settings):
+    """BDF up to its fifth order, which is accurate where flow damps the elastic waves, and unstable where none does."""
+
+    def options(self) -> dict[str, Any]:
+        return {**Settings.options(self), "max_order": _FIFTH}
+
+
+class _Rodas4(CModel):
+    """A compiled model integrated by the method of fourth order (Hairer & Wanner 1996); nothing is loaded anew."""
+
+    def __init__(self, model: CModel) -> None:
+        vars(self).update(vars(model))
+
+    def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None, room: Answer | None = None) -> Answer:
+        return super().integrate(replace(run, method=_RODAS4), status, stop, room)
+
+
+class Bench:
+    """Makes programs ready for a scene, one after another; what they share is built once.
+
+    Parameters
+    ----------
+    scene : Scene
+        What is asked; its effects are a list.
+    limit : float
+        How long an integration may take [s].
+    """
+
+    def __init__(self, scene: Scene, limit: float) -> None:
+        self._scene, self._limit = scene, limit
+        self._built: tuple[Scene, Assembled] | None = None
+
+    def ready(self, task: Task) -> Callable[[], Solved]:
+        """Build all that a program needs; what is returned does nothing but integrate.
+
+        Raises
+        ------
+        SoftcatError
+            If the program cannot solve the scene, or would take longer than the limit.
+        """
+        prepared = self._prepare(task)
+        if prepared.start is None:
+            raise SoftcatError("no shape in balance was found to begin from")
+        if task.program in ("compiled-rk4", "numpy-rk4"):
+            return self._stepped(prepared, task)
+        if task.program in _SCIPY:
+            return _scipy(prepared, _SCIPY[task.program])
+        return lambda: _own(prepared)
+
+    def _prepare(self, task: Task) -> Prepared:
+        program = program_of(task.program)
+        scene = scene_of(self._scene, task, program)
+        effects = choose_effects(scene)
+        backend = choose_backend(scene, effects)
+        settings = settings_for(scene, effects, compiled=backend.compiled)
+        filament = self._assembled(scene.replace({"numerics.rtol": None, "numerics.solver": None}))
+        code = filament.code(backend, settings)
+        if task.program.endswith("-5"):
+            settings = _FifthOrder(settings.solver, settings.rtol, settings.atol, settings.reason)
+        prepared = prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
+        whole = prepared.integration
+        if task.program == "compiled-rodas4" and isinstance(whole, CompiledIntegration):
+            other = replace(whole.filament, model=_Rodas4(whole.filament.model))
+            return replace(prepared, integration=replace(whole, filament=other))
+        return prepared
+
+    def _assembled(self, scene: Scene) -> Assembled:
+        """The filament of a scene, kept until another grid or section is asked for."""
+        if self._built is None or self._built[0] != scene:
+            self._built = scene, assembled(scene, choose_effects(scene))
+        return self._built[1]
+
+    def _stepped(self, prepared: Prepared, task: Task) -> Callable[[], Solved]:
+        """RK4 in equal steps: in C, or step by step in NumPy."""
+        rates = CompiledRates(prepared)
+        step = task.rtol * _stable(prepared, rates)
+        counts = [max(1, math.ceil(span / step)) if step > 0 else 1 for span in np.diff(prepared.times).tolist()]
+        advance = rates.advance if task.program == "compiled-rk4" else _InNumpy(rates).advance
+        trial, began = rates.start(), time.perf_counter()
+        advance(trial, 0.0, _TRIAL_STEPS * min(step, float(prepared.times[1])), _TRIAL_STEPS)
+        expected = (time.perf_counter() - began) / _TRIAL_STEPS * sum(counts)
+        if expected > self._limit:
+            raise SoftcatError(f"{sum(counts)} steps would take {expected:.3g} s")
+
+        def solve() -> Solved:
+            state = rates.start()
+            states = np.empty((len(prepared.times), rates.size))
+            states[0] = state
+            for k, count in enumerate(counts):
+                if not advance(state, float(prepared.times[k]), float(prepared.times[k + 1]), count):
+                    raise SoftcatError(f"the answer is not finite after frame {k}")
+                states[k + 1] = state
+            return Solved(_midpoint(prepared, rates, states), sum(counts), 4 * sum(counts))
+
+        return solve
+
+
+def scene_of(scene: Scene, task: Task, program: Program) -> Scene:
+    """The scene on which a task runs: one run, nothing chosen."""
+    named = "numerics.order" if task.by_order else "numerics.fibres"
+    sections = {"numerics.fibres": None, "numerics.order": None, named: task.section or None}
+    return scene.replace(
+        {
+            **sections,
+            "numerics.estimate": False,
+            "numerics.cells": task.cells,
+            "numerics.grading": task.grading,
+            "numerics.backend": program.backend,
+            "numerics.solver": program.solver,
+            "numerics.rtol": 1e-3 if program.key in ("compiled-rk4", "numpy-rk4") else task.rtol,
+        }
+    )
+
+
+class _InNumpy:
+    """RK4 with the sums of a step in NumPy, in arrays that are made once."""
+
+    def __init__(self, rates: CompiledRates) -> None:
+        self._rates = rates.rates
+        self._stage, self._sum = np.empty(rates.size), np.empty(rates.size)
+
+    def advance(self, state: Floats, begin: float, end: float, steps: int) -> bool:
+        """Carry a state through equal steps, in place; whether it is still finite."""
+        rates, stage, total = self._rates, self._stage, self._sum
+        dt = (end - begin) / steps
+        for k in range(steps):
+            t = begin + k * dt
+            np.multiply(rates(t, state), dt / 6, out=total)
+            np.multiply(total, 3.0, out=stage)
+            for ahead in (0.5, 1.0):
+                np.add(stage, state, out=stage)
+                slope = rates(t + 0.5 * dt, stage)
+                np.multiply(slope, ahead * dt, out=stage)
+                slope *= dt / 3
+                total += slope
+            np.add(stage, state, out=stage)
+            slope = rates(t + dt, stage)
+            slope *= dt / 6
+            total += slope
+            state += total
+        return bool(np.isfinite(state).all())
+
+
+def _own(prepared: Prepared) -> Solved:
+    solution = prepared.solve(Silence())
+    if solution.outcome is not Outcome.solved:
+        raise SoftcatError(f"{solution.outcome.name}: {solution.complaint}")
+    return Solved(midpoint_heights(prepared.graph, solution), solution.steps)
+
+
+def _scipy(prepared: Prepared, method: str) -> Callable[[], Solved]:
+    """One of SciPy's integrators with an exact Jacobian, banded for LSODA, sparse for the others.
+
+    Raises
+    ------
+    SoftcatError
+        If SciPy is missing, or gives up.
+    """
+    try:
+        from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+    except ImportError:
+        raise SoftcatError(_MISSING) from None
+    rates, times = CompiledRates(prepared), prepared.times
+    band = {"jac": rates.banded, "lband": rates.band, "uband": rates.band}
+    options: dict[str, Any] = band if method == "LSODA" else {"jac": rates.sparse}
+    options |= {"rtol": prepared.settings.rtol, "atol": prepared.settings.atol}
+
+    def solve() -> Solved:
+        found = solve_ivp(rates.rates, (0.0, times[-1]), rates.start(), method=method, t_eval=times, **options)
+        if not found.success:
+            raise SoftcatError(str(found.message))
+        return Solved(_midpoint(prepared, rates, found.y.T.copy()), 0, int(found.nfev))
+
+    return solve
+
+
+def _stable(prepared: Prepared, rates: CompiledRates) -> float:
+    """The longest stable step of RK4 at the start, midway and at the end of a run."""
+    whole = prepared.integration
+    solution = prepared.solve(Silence())
+    if not isinstance(whole, CompiledIntegration) or solution.outcome is not Outcome.solved:
+        raise SoftcatError(f"no run to find the stable step of: {solution.complaint}")
+    found = []
+    for frame in (0, len(solution.time) // 2, len(solution.time) - 1):
+        state = whole.filament.sites.state(solution.x[:, frame], solution.z[:, frame]).ravel()
+        found.append(stable_step(rates.dense(float(solution.time[frame]), state)))
+    return min(*found, float(prepared.times[-1]))
+
+
+def _midpoint(prepared: Prepared, rates: CompiledRates, states: Floats) -> Floats:
+    x, z = rates.unknowns(states)
+    nothing = np.zeros((3, len(states)))
+    return midpoint_heights(prepared.graph, Solution(prepared.times, x, z, nothing, Outcome.solved, "", 0))
+
+
+_REPEATS = 7
+_LONG = 1.5  # s; what takes longer altogether is not repeated again
+_EXPECTED = (SoftcatError, RuntimeError, ArithmeticError, ValueError, MemoryError)
+"""What integrators of others raise when they cannot go on, beside our own refusals."""
+
+
+def serve(scene: str, limit: float, asked: TextIO, answers: TextIO) -> None:
+    """Answer tasks until there are no more."""
+    bench = Bench(load_scene(scene), limit)
+    for line in asked:
+        began = time.perf_counter()
+        try:
+            solve = bench.ready(Task(**json.loads(line)))
+        except _EXPECTED as error:
+            _tell(answers, time.perf_counter() - began)
+            _tell(answers, asdict(Measured(0.0, complaint=_words(error))))
+            continue
+        build = time.perf_counter() - began
+        _tell(answers, build)
+        _tell(answers, asdict(measure(solve, build)))
+
+
+def measure(solve: Callable[[], Solved], build: float) -> Measured:
+    """Integrate once to warm up, then several times; what takes long is integrated once."""
+    began = time.perf_counter()
+    try:
+        found = solve()
+    except _EXPECTED as error:
+        return Measured(time.perf_counter() - began, build, complaint=_words(error))
+    first = spent = time.perf_counter() - began
+    seconds: list[float] = []
+    while len(seconds) < _REPEATS and spent < _LONG:
+        began = time.perf_counter()
+        solve()
+        seconds.append(time.perf_counter() - began)
+        spent += seconds[-1]
+    seconds = seconds or [first]
+    midpoint = tuple(found.midpoint.tolist())
+    return Measured(median(seconds), build, found.steps, found.evaluations, len(seconds), midpoint, first=first)
+
+
+def _words(error: BaseException) -> str:
+    return " ".join(str(error).split())[:300] or type(error).__name__
+
+
+def _tell(answers: TextIO, what: object) -> None:
+    answers.write(json.dumps(what) + "\n")
+    answers.flush()
+
+
+def _main() -> None:
+    # SUNDIALS and SciPy's Fortran print where they like: answers go another way.
+    answers = os.fdopen(os.dup(1), "w")
+    silent = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silent, 1)
+    os.dup2(silent, 2)
+    serve(sys.argv[1], float(sys.argv[2]), sys.stdin, answers)
+
+
+if __name__ == "__main__":
+    _main()
