@@ -608,8 +608,8 @@ for section in gyration:
         assert abs(prediction.bending_stiffness(scene) - stiffness) < 1e-14 * stiffness
 for number in ("0.4", "1.0"):
     scene = load_scene("arrested-overdamped", {"groups.G": float(number), "groups.duration": 1e9})
-    foreseen = expected_regime(scene, ("inertia", "bending", "viscous-flow", "yielding")).stopping_depth_paper
-    assert abs(foreseen - first.subs(G, sp.Rational(number))) < 1e-12
+    forecast_motion = expected_regime(scene, ("inertia", "bending", "viscous-flow", "yielding")).stopping_depth_paper
+    assert abs(forecast_motion - first.subs(G, sp.Rational(number))) < 1e-12
 
 # %%
 record_errata(

@@ -51,7 +51,7 @@ def scene_of(material: str) -> sc.Scene:
 
 def run(material: str) -> sc.Trajectory:
     done = sc.simulate(scene_of(material))
-    assert done.outcome is sc.Outcome.solved, done.summary["complaint"]
+    assert done.outcome is sc.Outcome.solved, done.summary["message"]
     return done
 
 

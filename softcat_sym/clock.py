@@ -15,13 +15,7 @@ class Clock:
         self._laps = dict.fromkeys(_STAGES, 0.0)
 
     def lap(self, stage: str) -> None:
-        """Put what has passed since the last lap down to a stage.
-
-        Raises
-        ------
-        KeyError
-            If there is no such stage.
-        """
+        """Put what has passed since the last lap down to a stage."""
         now = time.perf_counter()
         self._laps[stage] += now - self._last
         self._last = now

@@ -18,14 +18,8 @@ _waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", def
 _PATIENCE = 5.0  # s, for whoever writes into a pipe to begin
 
 
-def read_at_most(path: str | os.PathLike[str], size: int) -> bytes:
-    """Read the first `size` bytes of a file, or of a pipe such as a shell's ``<(command)``.
-
-    Raises
-    ------
-    OSError
-        If it cannot be read, or is a pipe into which nobody writes.
-    """
+def read_limited(path: str | os.PathLike[str], size: int) -> bytes:
+    """Read the first `size` bytes of a file, or of a pipe such as a shell's ``<(command)``."""
 
     def opener(name: str, flags: int) -> int:
         # Otherwise opening a pipe waits for a writer, for ever.
@@ -40,25 +34,7 @@ def read_at_most(path: str | os.PathLike[str], size: int) -> bytes:
 
 
 def replace_atomically(path: Path, content: bytes) -> Path:
-    """Write a file next to its place, then move it there; a reader sees the old file or the new one.
-
-    Parameters
-    ----------
-    path : pathlib.Path
-        Where the file goes; its folder exists.
-    content : bytes
-        What it holds.
-
-    Returns
-    -------
-    pathlib.Path
-        The path.
-
-    Raises
-    ------
-    OSError
-        If the folder cannot be written or the place is taken by a folder. Nothing is left behind.
-    """
+    """Write a file next to its place, then move it there; a reader sees the old file or the new one."""
 
     def fill(passing: Path) -> None:
         with passing.open("xb") as stream:
@@ -68,26 +44,14 @@ def replace_atomically(path: Path, content: bytes) -> Path:
 
 
 def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
-    """Write several files into a folder, which is made if missing, :func:`written_together`.
-
-    Raises
-    ------
-    OSError
-        If the folder cannot be made or written. Then none of them is.
-    """
+    """Write several files into a folder, which is made if missing, :func:`written_together`."""
     with made(directory) as folder, written_together():
         return [replace_atomically(folder / name, content) for name, content in contents.items()]
 
 
 @contextmanager
 def made(directory: str | Path) -> Iterator[Path]:
-    """Make a folder and those above it, if they are missing; if then nothing comes into them, they go again.
-
-    Raises
-    ------
-    OSError
-        If it cannot be made.
-    """
+    """Make a folder and those above it, if they are missing; if then nothing comes into them, they go again."""
     folder = Path(directory)
     missing = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
@@ -107,13 +71,7 @@ def folder_of(file: Path | None) -> AbstractContextManager[object]:
 
 @contextmanager
 def written_together() -> Iterator[None]:
-    """Move what is written meanwhile into place only when all of it is: a full disk then leaves the old files alone.
-
-    Raises
-    ------
-    OSError
-        If the place of a file is taken by a folder.
-    """
+    """Move what is written meanwhile into place only when all of it is: a full disk then leaves the old files alone."""
     if _waiting.get() is not None:
         yield
         return
@@ -133,20 +91,7 @@ def written_together() -> Iterator[None]:
 
 
 def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
-    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later.
-
-    Parameters
-    ----------
-    path : pathlib.Path
-        Where the file goes; its folder exists.
-    fill : callable
-        Given the path of the file to write, which does not exist yet.
-
-    Raises
-    ------
-    OSError
-        As :func:`replace_atomically`.
-    """
+    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later."""
     # A name of its own keeps two runs into one folder apart. Not tempfile: its files are readable by their owner only.
     passing = path.with_name(f".{path.stem}.{secrets.token_hex(4)}.part{path.suffix}")
     waiting, kept = _waiting.get(), False

@@ -59,18 +59,10 @@ def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: s
 
 @dataclass(frozen=True)
 class Exported:
-    """A described filament with its graph.
+    """A described filament with its graph."""
 
-    Attributes
-    ----------
-    description : Description
-        What C is told.
-    filament : Assembled
-        The same as CasADi has it.
-    """
-
-    description: Description
-    filament: Assembled
+    description: Description  # What C is told
+    filament: Assembled  # The same as CasADi has it
 
     @property
     def graph(self) -> Graph:
@@ -109,13 +101,7 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
 
 
 def export(scene: Scene) -> Exported:
-    """A scene's filament, described for C.
-
-    Raises
-    ------
-    SceneError
-        If it has no compiled form, or names effects that it cannot have.
-    """
+    """A scene's filament, described for C."""
     from softcat_sym.codegen.interface import describe
     from softcat_sym.codegen.model import model_for
     from softcat_sym.effects.choosing import choose_effects
@@ -130,13 +116,7 @@ def export(scene: Scene) -> Exported:
 
 
 def _refuse(scene: Scene, effects: tuple[str, ...]) -> None:
-    """Refuse what has no compiled form.
-
-    Raises
-    ------
-    SceneError
-        With the reason.
-    """
+    """Refuse what has no compiled form."""
     from softcat_sym.errors import Fault, SceneError
     from softcat_sym.scene.scene import refuse_settled
     from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, integrates
@@ -149,13 +129,7 @@ def _refuse(scene: Scene, effects: tuple[str, ...]) -> None:
 
 
 def _start(scene: Scene, exported: Exported) -> Floats:
-    """Unknowns at t = 0 in rows of sites, what the ends hold filled in.
-
-    Raises
-    ------
-    SoftcatError
-        If no equilibrium was found.
-    """
+    """Unknowns at t = 0 in rows of sites, what the ends hold filled in."""
     from softcat_sym.codegen.loops import sites_of
     from softcat_sym.discretization.graph import parameter_values
     from softcat_sym.errors import SoftcatError
@@ -191,18 +165,10 @@ ALWAYS = "arrested-overdamped"
 
 @dataclass(frozen=True)
 class Product:
-    """A structure, under the name of the first scene that has it.
+    """A structure, under the name of the first scene that has it."""
 
-    Attributes
-    ----------
-    scene : str
-        That scene.
-    description : Description
-        What C is told of it.
-    """
-
-    scene: str
-    description: Description
+    scene: str  # That scene
+    description: Description  # What C is told of it
 
     @property
     def features(self) -> frozenset[str]:
@@ -231,18 +197,7 @@ class Product:
 
 
 def bundled(told: Callable[[str], None] = lambda _: None) -> dict[str, Description]:
-    """Each bundled scene, described for C.
-
-    Parameters
-    ----------
-    told : callable, optional
-        Given the name of each scene before its turn.
-
-    Raises
-    ------
-    SceneError
-        If one has no compiled form.
-    """
+    """Each bundled scene, described for C."""
     from softcat_sym.scene.bundled import bundled_names
     from softcat_sym.scene.reading import load_scene
 
@@ -291,20 +246,7 @@ def contents(described: dict[str, Description]) -> dict[str, str]:
 
 
 def write(directory: str | Path, told: Callable[[str], None] = lambda _: None) -> list[Path]:
-    """Write the products, all or none; folders of structures that are no longer among them are left alone.
-
-    Parameters
-    ----------
-    directory : str or pathlib.Path
-        Made if missing.
-    told : callable, optional
-        Given the name of each scene before its turn.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be written.
-    """
+    """Write the products, all or none; folders of structures that are no longer among them are left alone."""
     from softcat_sym.files import write_all, written_together
 
     root, files = Path(directory), contents(bundled(told))

@@ -27,13 +27,7 @@ def interrupts_go_to(note: Callable[[int, FrameType | None], None]) -> Iterator[
 
 
 class Ending:
-    """Which signal has ended the program, if one has.
-
-    Attributes
-    ----------
-    number : int or None
-        SIGTERM, or SIGHUP; None if none has come, and of Ctrl-C.
-    """
+    """Which signal has ended the program, if one has."""
 
     def __init__(self) -> None:
         self.number: int | None = None
@@ -44,13 +38,7 @@ class Ending:
         return _SHELL + (self.number or signal.SIGINT)
 
     def note(self, number: int, frame: FrameType | None) -> None:
-        """Handle the signal: do what Ctrl-C does at this moment.
-
-        Raises
-        ------
-        KeyboardInterrupt
-            Unless whoever handles Ctrl-C puts it off.
-        """
+        """Handle the signal: do what Ctrl-C does at this moment."""
         self.number = number
         handler = signal.getsignal(signal.SIGINT)
         if not callable(handler):

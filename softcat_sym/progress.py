@@ -35,30 +35,14 @@ _BAR = 12
 
 @dataclass
 class Stage:
-    """One stage of a command.
+    """One stage of a command."""
 
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    began : float
-        When [s].
-    ended : float or None
-        When; None while it lasts.
-    doing : str
-        What is being done in it.
-    share : float or None
-        How much of it is done, 0 to 1; None where nobody knows.
-    state : str
-        The same in words.
-    """
-
-    name: str
-    began: float
-    ended: float | None = None
-    doing: str = ""
-    share: float | None = None
-    state: str = ""
+    name: str  # What it is called
+    began: float  # When [s]
+    ended: float | None = None  # When; None while it lasts
+    doing: str = ""  # What is being done in it
+    share: float | None = None  # How much of it is done, 0 to 1; None where nobody knows
+    state: str = ""  # The same in words
     _seen: deque[tuple[float, float]] = field(default_factory=deque)
     _since: float = 0.0
     _left: float | None = None
@@ -88,23 +72,6 @@ class Display:
 
     On a terminal there is a line for each stage, from a second on, and none is left at the end. Elsewhere, as in a
     pipe, plain lines are written: at each stage that lasts, and every five seconds.
-
-    Parameters
-    ----------
-    quiet : bool
-        Tell nothing.
-    console : rich.console.Console or None
-        Where to; standard error by default.
-
-    Attributes
-    ----------
-    stages : list of Stage
-        All so far.
-
-    Notes
-    -----
-    A thread looks four times a second, so that what compiles or draws without a word is seen to go on. It alone writes;
-    whoever works sets attributes, and Ctrl-C meets no lock.
     """
 
     def __init__(self, *, quiet: bool = False, console: Console | None = None) -> None:

@@ -56,15 +56,7 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Trajectory:
 
 
 def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
-    """Run a filament as :func:`simulate` does; its warnings are in the summary only, for whoever tells them otherwise.
-
-    Raises
-    ------
-    SceneError
-        If the scene names effects that it cannot have.
-    KeyboardInterrupt
-        If the user stops it.
-    """
+    """Run a filament as :func:`simulate` does, with warnings in the summary only."""
     # Imported here, so that `import softcat_sym` stays light.
     from softcat_sym.solvers.solution import Silence, watched
 
@@ -94,22 +86,16 @@ def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
         times = frames_of_first(asked, effects)
         trajectory = run_once(asked, asked, effects, clock, listener, times)
         last = len(repeats) == _REPEATS
-        if scene.numerics.estimate and (last or not trajectory.overlooked):
+        if scene.numerics.estimate and (last or not trajectory.missing_effect):
             trajectory = as_accurate_as_asked(trajectory, effects, clock, listener)
-        if last or not trajectory.overlooked:
+        if last or not trajectory.missing_effect:
             return trajectory.repeated(repeats).settled(scene, ends)
         clock.set_aside()
-        listener.stage(f"again, with {', '.join(trajectory.overlooked)}")
-        shown |= trajectory.overlooked
-        repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.overlooked.items()))
+        listener.stage(f"again, with {', '.join(trajectory.missing_effect)}")
+        shown |= trajectory.missing_effect
+        repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.missing_effect.items()))
 
 
 def without_estimate(scene: Scene) -> Scene:
-    """The same scene, run once and at the program's first guess: for runs whose error something else bounds.
-
-    Parameters
-    ----------
-    scene : Scene
-        Any.
-    """
+    """The same scene, run once and at the program's first guess: for runs whose error something else bounds."""
     return scene.replace({"numerics.estimate": False})

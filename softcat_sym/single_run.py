@@ -22,7 +22,7 @@ from softcat_sym.solvers.run import Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
 from softcat_sym.solvers.solution import Progress, Silence
 
-_FEWEST_CELLS = 8
+_MIN_CELLS = 8
 
 _TRIES, _TIGHTER = 3, 30.0
 """Runs that end by a step too long for them, and how much tighter each is than the one before."""
@@ -32,19 +32,7 @@ OF_A_STEP_TOO_LONG = (Outcome.energy_drift, Outcome.non_finite)
 
 
 def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: Progress | None = None) -> Prepared:
-    """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    effects : Effects
-        From :func:`softcat_sym.effects.choose_effects`.
-    clock : Clock
-        Told what the compilation took.
-    progress : Progress
-        Told what begins.
-    """
+    """Equations -> Graph -> Solver of a scene with given effects; whatever `solve` still needs is ready."""
     listener = progress or Silence()
     listener.doing("building")
     backend = choose_backend(scene, effects)
@@ -63,23 +51,7 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: 
 def run_once(
     scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0
 ) -> Trajectory:
-    """Integrate once, and judge the answer.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked, which the trajectory carries.
-    resolved : Scene
-        The same at the resolution that is run.
-    effects : Effects
-        In force.
-    clock : Clock
-        Told of every stage.
-    progress : Progress
-        Told about simulated time.
-    times : int
-        At which the midpoint is looked at, where these are more than the frames, and a whole number between any two.
-    """
+    """Integrate once, and judge the answer."""
 
     def identity() -> Iterator[str]:
         yield from ("run", scene.to_toml(), resolved.to_toml(), *run_texts(effects))
@@ -91,21 +63,8 @@ def run_once(
 
 
 def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:
-    """When a filament has settled [s], found on half the cells: its frames are spaced evenly up to then.
-
-    Parameters
-    ----------
-    scene, effects
-        What is asked, and the physics in force.
-    progress : Progress
-        Told about simulated time.
-
-    Returns
-    -------
-    float or None
-        None if it still moves at the end of the run.
-    """
-    coarse = scene.replace({"numerics.cells": max(_FEWEST_CELLS, choose_cells(scene, effects) // 2)})
+    """When a filament has settled [s], found on half the cells: its frames are spaced evenly up to then."""
+    coarse = scene.replace({"numerics.cells": max(_MIN_CELLS, choose_cells(scene, effects) // 2)})
     return settling_time(coarse, effects, build(coarse, effects), progress)
 
 

@@ -37,7 +37,7 @@ from softcat_sym.cli import phase as phase  # isort: skip
 from softcat_sym.cli import figures as figures  # isort: skip
 from softcat_sym.cli import generate as generate  # isort: skip
 from softcat_sym.cli import cache as cache  # isort: skip
-from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, complain
+from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, print_error
 from softcat_sym.cli.streams import print_whatever_the_terminal_takes
 
 __all__ = ["app", "main"]
@@ -81,20 +81,20 @@ def _status() -> int | str | None:
     except SystemExit as left:
         # Typer turns Ctrl-C where no command expects it into this status, and says nothing.
         if isinstance(getattr(left.__context__, "__cause__", None), KeyboardInterrupt):
-            complain("interrupted; every file is whole, the old one or the new")
+            print_error("interrupted; every file is whole, the old one or the new")
         return _NOBODY_READS if _is_broken_pipe(left.__context__) else left.code
     except SoftcatError as error:
-        complain(str(error))
+        print_error(str(error))
         return BAD_INPUT
     except OSError as error:
-        complain(f"cannot write the results: {_reason(error)}")
+        print_error(f"cannot write the results: {_reason(error)}")
         return BAD_INPUT
     except MemoryError:
-        complain("there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames")
+        print_error("there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames")
         return BAD_INPUT
     except ImportError as error:
         reason = str(error).strip().rpartition("\n")[2]  # of what numpy says, the last line tells
-        complain(f"cannot be loaded: {reason}; allow more memory (ulimit -v), or install softcat_sym again")
+        print_error(f"cannot be loaded: {reason}; allow more memory (ulimit -v), or install softcat_sym again")
         return BAD_INPUT
     return 0
 

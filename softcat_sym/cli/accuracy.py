@@ -14,7 +14,7 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     app,
-    complain,
+    print_error,
     scene_and_directory,
 )
 
@@ -71,10 +71,10 @@ def accuracy(
     if resume:
         kept.read()
     try:
-        with StepProgress(plan.most_steps, "accuracy", quiet=quiet) as progress:
+        with StepProgress(plan.max_steps, "accuracy", quiet=quiet) as progress:
             found = study(scene, asked, plan, kept, progress.step)
     except KeyboardInterrupt:
-        complain(f"interrupted; {len(kept.points)} points are kept in {points}: go on with --resume")
+        print_error(f"interrupted; {len(kept.points)} points are kept in {points}: go on with --resume")
         raise typer.Exit(INTERRUPTED) from None
     written = write_accuracy(found, output)
     points.unlink(missing_ok=True)

@@ -111,20 +111,7 @@ def scene_of(name: str, changes: list[str] | None) -> Scene:
 
 
 def output_directory(output: Path | None, command: str, scene: str | None = None, asked: Scene | None = None) -> Path:
-    """Return the DIR of a command, which can be written: ``-o``, or a folder of its own for each scene and command.
-
-    Parameters
-    ----------
-    output : pathlib.Path or None
-        What ``-o`` says.
-    command : str
-        Name of the command. `run` alone writes into ``softcat-out/SCENE``, the others into
-        ``softcat-out/SCENE-COMMAND``, so that none replaces the ``scene.toml`` or the tables of another.
-    scene : str or None
-        Name or path of the scene, of which the last part counts, without ``.toml``; None for a command without one.
-    asked : Scene or None
-        The scene itself: where DIR cannot be written, what is wrong with its effects is told first.
-    """
+    """Return the DIR of a command, which can be written: ``-o``, or a folder of its own for each scene and command."""
     if output is None:
         parts = ([] if scene is None else [Path(scene).name.removesuffix(".toml")]) + [command] * (command != "run")
         output = Path("softcat-out") / "-".join(parts)
@@ -142,31 +129,17 @@ def output_directory(output: Path | None, command: str, scene: str | None = None
 def scene_and_directory(
     name: str, changes: list[str] | None, output: Path | None, command: str, settings: Sequence[str] = ()
 ) -> tuple[Scene, Path]:
-    """Return the scene and the DIR of a command; the faults of the scene, its effects with it, are told first.
-
-    Parameters
-    ----------
-    name : str
-        Name of a bundled scene, or path of a TOML file.
-    changes : list of str or None
-        What ``--set`` says.
-    output : pathlib.Path or None
-        What ``-o`` says.
-    command : str
-        Name of the command.
-    settings : sequence of str
-        Changes of the command itself, which ``--set`` overrules.
-    """
+    """Return the scene and the DIR of a command; the faults of the scene, its effects with it, are told first."""
     asked = scene_of(name, [*settings, *(changes or [])])
     return asked, output_directory(output, command, name, asked)
 
 
-def judge(outcome: Outcome, complaint: str, *, quiet: bool) -> None:
+def judge(outcome: Outcome, message: str, *, quiet: bool) -> None:
     """Exit with 1 if the answer is not to be trusted."""
     if outcome.is_success:
         return
     if quiet:
-        complain(f"{outcome.name}: {complaint}; {outcome.value}")
+        print_error(f"{outcome.name}: {message}; {outcome.value}")
     raise typer.Exit(UNTRUSTED)
 
 
@@ -181,7 +154,7 @@ def check_directory(directory: Path) -> None:
         raise PermissionError(f"{parent} cannot be written")
 
 
-def complain(text: str) -> None:
+def print_error(text: str) -> None:
     """Say what is wrong, where errors go."""
     with contextlib.suppress(BrokenPipeError):  # nobody reads them: the exit status tells
         typer.echo(f"softcat: {text}", err=True)

@@ -176,7 +176,7 @@ def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: boo
     if not quiet:
         print_card(found)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
-    judge(found.run.outcome, str(found.summary["complaint"]), quiet=quiet)
+    judge(found.run.outcome, str(found.summary["message"]), quiet=quiet)
 
 
 def _command(scene: str | None, flags: dict[str, str | None], sag: str | None, changes: list[str]) -> str:

@@ -17,8 +17,8 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     app,
-    complain,
     judge,
+    print_error,
     scene_and_directory,
     scene_of,
 )
@@ -75,7 +75,7 @@ def compare_in_calculix(
         for warning in comparison.warnings:
             typer.echo(f"note: {warning}")
         typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
-    judge(comparison.trajectory.outcome, comparison.trajectory.summary["complaint"], quiet=quiet)
+    judge(comparison.trajectory.outcome, comparison.trajectory.summary["message"], quiet=quiet)
 
 
 def _write_deck(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
@@ -108,7 +108,7 @@ def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, 
         )
     except KeyboardInterrupt:
         kept = f"the same command goes on from {checkpoint}" if checkpoint.is_file() else "nothing was written"
-        complain(f"interrupted; {kept}")
+        print_error(f"interrupted; {kept}")
         raise typer.Exit(INTERRUPTED) from None
     written = write_comparison(comparison, output)
     if vtk_available():
@@ -119,7 +119,7 @@ def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, 
         print_comparison(comparison)
         typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
     own = comparison.filament.trajectory
-    judge(own.outcome, own.summary["complaint"], quiet=quiet)
+    judge(own.outcome, own.summary["message"], quiet=quiet)
 
 
 def compare_varied(
@@ -156,7 +156,7 @@ def compare_varied(
         )
     except KeyboardInterrupt:
         kept = f"the same command goes on from {folder}" if folder.is_dir() else "nothing was written"
-        complain(f"interrupted; {kept}")
+        print_error(f"interrupted; {kept}")
         raise typer.Exit(INTERRUPTED) from None
     written = write_theory_end(end, output)
     if not quiet:

@@ -10,26 +10,14 @@ from importlib.resources import files
 
 
 def complete_scene(incomplete: str) -> list[str]:
-    """Offer bundled scenes by name, and TOML files and folders by path.
-
-    Parameters
-    ----------
-    incomplete : str
-        What was typed so far.
-    """
+    """Offer bundled scenes by name, and TOML files and folders by path."""
     folder = files("softcat_sym") / "scene" / "bundled"
     names = sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
     return [name for name in names if name.startswith(incomplete)] + _paths(incomplete)
 
 
 def complete_change(incomplete: str) -> list[str]:
-    """Offer the dotted keys of a scene, each with its equals sign.
-
-    Parameters
-    ----------
-    incomplete : str
-        What was typed so far: ``mat``, or ``numerics.c``. Behind an equals sign nothing is offered.
-    """
+    """Offer the dotted keys of a scene, each with its equals sign."""
     from softcat_sym.scene.scene import known_keys
 
     known = known_keys()

@@ -13,8 +13,8 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     app,
-    complain,
     output_directory,
+    print_error,
 )
 from softcat_sym.cli.run import AnimateOption, SecondsOption, StyleOption, film, pictures_asked
 
@@ -53,7 +53,7 @@ def draw(
             if order is not None:
                 files.append(film(order, output, (run.data, run.summary, run.scene), quiet=quiet))
     except KeyboardInterrupt:
-        complain("interrupted; nothing was written")
+        print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         typer.echo(f"wrote {', '.join(path.name for path in files)} to {output}")

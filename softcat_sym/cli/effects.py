@@ -67,7 +67,7 @@ def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) ->
     if not quiet:
         print_pricing(pricing)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
-    judge(pricing.base.outcome, pricing.base.complaint, quiet=quiet)
+    judge(pricing.base.outcome, pricing.base.message, quiet=quiet)
 
 
 def _all(output: Path | None, changes: list[str], *, quiet: bool) -> None:

@@ -69,9 +69,9 @@ def experiment(
     frame_rate: RateOption = None,
     duration: DurationOption = None,
     nuisance: NuisanceOption = None,
-    frames_at_most: FramesOption = None,
+    max_frames: FramesOption = None,
     rough: RoughOption = 1.0,
-    sag_at_most: DepthOption = None,
+    max_sag: DepthOption = None,
     sag: SagOption = None,
     resume: ResumeOption = False,
     changes: SetOption = None,
@@ -89,7 +89,7 @@ def experiment(
     from softcat_sym.plotting.design import write_experiment
     from softcat_sym.plotting.terminal import FitProgressBar as Bar
 
-    how = _How(nuisance=nuisance or [], frames_at_most=frames_at_most, rough=rough, sag_at_most=sag_at_most)
+    how = _How(nuisance=nuisance or [], max_frames=max_frames, rough=rough, max_sag=max_sag)
     told = {"scene": asked.to_toml(), "free": free, "noise": noise, "within": within, "how": how, "sag": sag}
     with going_on(output, "experiment", told, resume=resume), Bar(quiet=quiet) as progress:
         # The quicker of the two first.
@@ -110,9 +110,9 @@ class _How(TypedDict):
     """What a design is asked for besides."""
 
     nuisance: list[str]
-    frames_at_most: int | None
+    max_frames: int | None
     rough: float
-    sag_at_most: str | None
+    max_sag: str | None
 
 
 def _within(given: dict[str, str | None]) -> dict[str, object]:

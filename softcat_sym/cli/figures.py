@@ -17,8 +17,8 @@ from softcat_sym.cli.application import (
     OutputOption,
     QuietOption,
     app,
-    complain,
     output_directory,
+    print_error,
 )
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def figures(
                 typer.echo(said)
                 typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     except KeyboardInterrupt:
-        complain(f"interrupted; {_left(output, [number for number in _NUMBERS if number in asked], waiting)}")
+        print_error(f"interrupted; {_left(output, [number for number in _NUMBERS if number in asked], waiting)}")
         raise typer.Exit(INTERRUPTED) from None
 
 

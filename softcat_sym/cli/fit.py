@@ -17,7 +17,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SetOption,
     app,
-    complain,
+    print_error,
     scene_and_directory,
 )
 from softcat_sym.cli.completing import complete_scene
@@ -164,7 +164,7 @@ def _tell(found: Fit, laws: LawComparison | None, written: list[Path], output: P
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     if not found.outcome.converged:
         if quiet:
-            complain(f"{found.outcome.word}: {found.outcome.value}")
+            print_error(f"{found.outcome.word}: {found.outcome.value}")
         raise typer.Exit(UNTRUSTED)
 
 

@@ -14,8 +14,8 @@ from softcat_sym.cli.application import (
     QuietOption,
     SetOption,
     app,
-    complain,
     output_directory,
+    print_error,
     scene_and_directory,
 )
 
@@ -57,7 +57,7 @@ def generate(
             asked, output = scene_and_directory(scene, changes, output, "generate")
             written = _one(asked, output, name, rhs=rhs)
     except KeyboardInterrupt:
-        complain("interrupted; nothing was written; C texts that were made by then are kept in the cache")
+        print_error("interrupted; nothing was written; C texts that were made by then are kept in the cache")
         raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         size = sum(path.stat().st_size for path in written)

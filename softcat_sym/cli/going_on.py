@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from softcat_sym.cli.application import INTERRUPTED, complain
+from softcat_sym.cli.application import INTERRUPTED, print_error
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
@@ -27,26 +27,7 @@ ResumeOption = Annotated[
 def going_on(
     output: Path, what: str, asked: Mapping[str, object], *, resume: bool, left: Callable[[], str] = str
 ) -> Iterator[None]:
-    """Keep what is computed meanwhile in DIR/parts until all is written; Ctrl-C says what is kept, and exits.
-
-    Parameters
-    ----------
-    output : pathlib.Path
-        DIR.
-    what : str
-        The command, for whoever looks into the folder.
-    asked : mapping
-        All that decides the results beside the version of this program.
-    resume : bool
-        Whether to go on from what is there.
-    left : callable
-        Of an interrupted command: what it leaves in DIR beside its parts, and how to go on; empty if nothing.
-
-    Raises
-    ------
-    SoftcatError
-        If what is there is another command's, or is not to be resumed.
-    """
+    """Keep what is computed meanwhile in DIR/parts until all is written; Ctrl-C says what is kept, and exits."""
     from softcat_sym.ensemble.block_store import kept_text
     from softcat_sym.files import made
     from softcat_sym.solvers.checkpoint import kept_by
@@ -58,7 +39,7 @@ def going_on(
                 yield
         except KeyboardInterrupt:
             results.flush()
-            complain(f"interrupted; {left() or results.trouble or kept_text(output) or 'nothing was written'}")
+            print_error(f"interrupted; {left() or results.trouble or kept_text(output) or 'nothing was written'}")
             raise typer.Exit(INTERRUPTED) from None
         except SoftcatError:
             # It would end so again.
@@ -67,7 +48,7 @@ def going_on(
         except OSError:
             results.flush()
             if text := kept_text(output):
-                complain(text)
+                print_error(text)
             raise
         results.clear()
 

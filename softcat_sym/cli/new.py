@@ -97,13 +97,7 @@ def _asked() -> dict[str, str]:
 
 
 def write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
-    """Write files where there are none yet, all or none.
-
-    Raises
-    ------
-    SoftcatError
-        If one is there with another content, and is not to be replaced.
-    """
+    """Write files where there are none yet, all or none."""
     from softcat_sym.files import write_all
 
     paths = {folder / name: content for name, content in contents.items()}

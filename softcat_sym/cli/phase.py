@@ -17,7 +17,7 @@ from softcat_sym.cli.application import (
     QuietOption,
     SetOption,
     app,
-    complain,
+    print_error,
     scene_and_directory,
 )
 from softcat_sym.cli.sweep import ClusterOption, ResumeOption, SchedulerOption, WorkersOption
@@ -80,7 +80,7 @@ def phase(
             )
         written = write_phase_diagram(diagram, output)
     except KeyboardInterrupt:
-        complain(f"interrupted; {kept_text(output) or 'nothing was written'}")
+        print_error(f"interrupted; {kept_text(output) or 'nothing was written'}")
         raise typer.Exit(INTERRUPTED) from None
     kept.clear()
     if not quiet:

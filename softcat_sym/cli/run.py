@@ -16,9 +16,9 @@ from softcat_sym.cli.application import (
     SetOption,
     VerboseOption,
     app,
-    complain,
     directory,
     judge,
+    print_error,
     scene_and_directory,
 )
 from softcat_sym.cli.without_dask import without_dask
@@ -92,11 +92,11 @@ def run(
             with made(output), written_together():
                 written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:
-        complain(f"interrupted; {_kept(checkpoints)}")
+        print_error(f"interrupted; {_kept(checkpoints)}")
         raise typer.Exit(INTERRUPTED) from None
     except OSError:
         if checkpoints.kept or checkpoints.resumed:
-            complain(_kept(checkpoints))
+            print_error(_kept(checkpoints))
         raise
     checkpoints.clear()
     if order is not None:
@@ -108,7 +108,7 @@ def run(
         print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
         if resume:
             typer.echo(_resumed(checkpoints))
-    judge(trajectory.outcome, trajectory.summary["complaint"], quiet=quiet)
+    judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 
 def pictures_asked(animate: str | None, seconds: float, style: str) -> tuple[FilmOrder | None, str]:
@@ -131,7 +131,7 @@ def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Picture
     with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
         path, note = write_film(order, output, run, progress.step)
     if note:
-        complain(f"{path.name}: {note}")
+        print_error(f"{path.name}: {note}")
     return path
 
 
@@ -143,7 +143,7 @@ def _film_of_a_run(
         film(order, output, run, quiet=quiet)
     except KeyboardInterrupt:
         again = f"softcat draw {output} -o {output} --animate {order.name}"
-        complain(f"interrupted; the run is in {output}, its film is not: {again}")
+        print_error(f"interrupted; the run is in {output}, its film is not: {again}")
         raise typer.Exit(INTERRUPTED) from None
 
 

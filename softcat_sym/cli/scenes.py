@@ -14,8 +14,8 @@ from softcat_sym.cli.application import (
     SetOption,
     app,
     check_directory,
-    complain,
     directory,
+    print_error,
 )
 from softcat_sym.cli.completing import complete_scene
 
@@ -72,7 +72,7 @@ def _gallery(names: list[str], changes: list[str], output: Path, *, quiet: bool)
         written = write_gallery(done, output)
     except KeyboardInterrupt:
         kept = f"{len(done)} of {len(asked)} scenes are in {output}: the same command goes on from there"
-        complain(f"interrupted; {kept if done else 'nothing was written'}")
+        print_error(f"interrupted; {kept if done else 'nothing was written'}")
         raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         there = f" ({before} of them were there)" if before else ""

@@ -17,7 +17,7 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     app,
-    complain,
+    print_error,
     scene_and_directory,
 )
 from softcat_sym.cli.completing import complete_change
@@ -99,7 +99,7 @@ def sweep(
     plan = plan_sweep(asked, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
     done = _run(plan, output, (workers, scheduler, local_cluster), resume=resume, quiet=quiet)
     if not done.counts.outcomes.get("solved"):
-        complain("no member is an answer; sweep.csv tells of each why")
+        print_error("no member is an answer; sweep.csv tells of each why")
         raise typer.Exit(UNTRUSTED)
 
 
@@ -116,11 +116,11 @@ def _run(
             done = run_sweep(plan, output, where, bar, resume=resume)
         written = write_sweep(done, output)
     except KeyboardInterrupt:
-        complain(f"interrupted; {kept_text(output) or 'nothing was written'}")
+        print_error(f"interrupted; {kept_text(output) or 'nothing was written'}")
         raise typer.Exit(INTERRUPTED) from None
     except OSError:
         if kept := kept_text(output):
-            complain(kept)
+            print_error(kept)
         raise
     if not quiet:
         print_sweep(done)

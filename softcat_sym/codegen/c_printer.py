@@ -80,13 +80,7 @@ def helpers_of(text: str) -> str:
 
 
 def number(value: float) -> str:
-    """A double that C reads as the same one.
-
-    Raises
-    ------
-    PrintingError
-        If it is not a number.
-    """
+    """A double that C reads as the same one."""
     if math.isnan(value):
         raise PrintingError("an expression of the generated code holds a constant that is not a number")
     if math.isinf(value):
@@ -109,44 +103,17 @@ class When(IntEnum):
 
 @dataclass(frozen=True)
 class Target:
-    """What a result is assigned to.
+    """What a result is assigned to."""
 
-    Attributes
-    ----------
-    text : str
-        C text.
-    each : bool
-        Whether there is one for each fibre.
-    adds : bool
-        Whether the result is added to it.
-    """
-
-    text: str
-    each: bool = False
-    adds: bool = False
+    text: str  # C text
+    each: bool = False  # Whether there is one for each fibre
+    adds: bool = False  # Whether the result is added to it
 
 
 def statements(
     code: Code, inputs: Sequence[str], known: Sequence[When], targets: Sequence[Target]
 ) -> dict[When, list[str]]:
-    """Statements by when they are executed.
-
-    Parameters
-    ----------
-    code : Code
-        What is computed.
-    inputs : sequence of str
-        C text of each input.
-    known : sequence of When
-        From when on each input is known.
-    targets : sequence of Target
-        What each result is assigned to.
-
-    Raises
-    ------
-    PrintingError
-        If something of a fibre needs a sum over all of them, or a site something of a fibre.
-    """
+    """Statements by when they are executed."""
     uses = Counter(argument for one in code.instructions if one.operation != "INPUT" for argument in one.arguments)
     uses.update(result for result in code.results if result >= 0)
     when = _when(code, known)
@@ -178,13 +145,7 @@ def statements(
 
 
 def _when(code: Code, known: Sequence[When]) -> list[When]:
-    """When each instruction is executed.
-
-    Raises
-    ------
-    PrintingError
-        If one needs both a fibre and the sum over all of them.
-    """
+    """When each instruction is executed."""
     found: list[When] = []
     for one in code.instructions:
         needs = {known[one.arguments[0]]} if one.operation == "INPUT" else {found[a] for a in one.arguments}
@@ -343,15 +304,7 @@ def _known(leaf: Leaf) -> When:
 
 
 class Row:
-    """Numbers of a site: those that it has once first, then those of its fibres, kind by kind.
-
-    Parameters
-    ----------
-    size : str
-        C name of their number.
-    names : sequence of str
-        What they are.
-    """
+    """Numbers of a site: those that it has once first, then those of its fibres, kind by kind."""
 
     def __init__(self, size: str, names: Sequence[str]) -> None:
         self.plain, self.each = ([n for n in names if (EACH in n) is each] for each in (False, True))
@@ -390,15 +343,9 @@ def at(size: int, distance: int, number: int) -> str:
 
 @dataclass(frozen=True)
 class CSource:
-    """C text, complete: what it includes beside the standard library is in it.
+    """C text, complete: what it includes beside the standard library is in it."""
 
-    Attributes
-    ----------
-    files : mapping of str to str
-        Text by file name; read only.
-    """
-
-    files: Mapping[str, str]
+    files: Mapping[str, str]  # Text by file name; read only
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "files", MappingProxyType(dict(sorted(self.files.items()))))

@@ -36,13 +36,7 @@ _LOCK, _MOMENT = "lock", 5.0
 
 
 def cache_folder() -> Path:
-    """SOFTCAT_CACHE, else ``softcat_sym`` in XDG_CACHE_HOME, else in ``~/.cache``; it may not exist yet.
-
-    Raises
-    ------
-    SoftcatError
-        If SOFTCAT_CACHE begins with the home of a user who does not exist.
-    """
+    """SOFTCAT_CACHE, else ``softcat_sym`` in XDG_CACHE_HOME, else in ``~/.cache``; it may not exist yet."""
     chosen, shared = os.environ.get("SOFTCAT_CACHE"), os.environ.get("XDG_CACHE_HOME")
     if chosen:
         try:
@@ -82,13 +76,7 @@ def distrust(folder: Path) -> str:
 
 
 def make(folder: Path) -> None:
-    """Make a folder that only this user can write, with the folders above it.
-
-    Raises
-    ------
-    OSError
-        If it cannot be made, or what is there is not to be trusted.
-    """
+    """Make a folder that only this user can write, with the folders above it."""
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     if reason := distrust(folder):
         raise PermissionError(reason)
@@ -145,29 +133,7 @@ def in_use(folder: Path) -> bool:
 
 
 def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
-    """Run a command to its end, and take what it says.
-
-    Parameters
-    ----------
-    command : sequence of str
-        The executable and its arguments.
-    seconds : float
-        How long it may take.
-    folder : pathlib.Path, optional
-        Where it runs and puts its temporary files.
-
-    Returns
-    -------
-    subprocess.CompletedProcess
-        Its status (negative: the signal that ended it) and what it printed.
-
-    Raises
-    ------
-    OSError
-        If it cannot be started.
-    subprocess.TimeoutExpired
-        If it takes longer. As with Ctrl-C, it is then dead, and so is every process that it started.
-    """
+    """Run a command to its end, and take what it says."""
     interrupt = _Interrupt()
     with (
         interrupts_go_to(interrupt.note),
@@ -314,18 +280,10 @@ _PATIENCE = 10.0  # s, for a compiler to say its version, which takes a tenth of
 
 @dataclass(frozen=True, slots=True)
 class Compiler:
-    """A C compiler that runs.
+    """A C compiler that runs."""
 
-    Attributes
-    ----------
-    command : tuple of str
-        How it is called: its path first, then what the variable CC says besides.
-    version : str
-        First line of what ``--version`` prints.
-    """
-
-    command: tuple[str, ...]
-    version: str
+    command: tuple[str, ...]  # How it is called: its path first, then what the variable CC says besides
+    version: str  # First line of what ``--version`` prints
 
     @property
     def path(self) -> Path:
@@ -354,16 +312,6 @@ def find_compiler() -> Compiler | None:
     """The compiler that the variable CC names (with its flags), else the first of cc, gcc, clang on the PATH.
 
     It is asked for its version once: as long as its file stays the same, what it said is read from the cache.
-
-    Returns
-    -------
-    Compiler or None
-        None where there is none, or where CC names something that does not run: another is never taken in its place.
-
-    Raises
-    ------
-    SoftcatError
-        If quotes are not closed in CC.
     """
     named = split_variable("CC")
     for command in [named] if named else [[name] for name in _USUAL]:
@@ -426,14 +374,7 @@ def _output(*command: str) -> str | None:
 
 @contextlib.contextmanager
 def beside(work: Callable[[], object]) -> Iterator[None]:
-    """Do some work while the block does its own; both are done at its end.
-
-    Parameters
-    ----------
-    work : callable
-        Called in a thread. What it raises is raised at the end of the block; if the block itself raises, every
-        process that the work has started is killed, and what it then raises is dropped.
-    """
+    """Do some work while the block does its own; both are done at its end."""
     raised: list[BaseException] = []
     processes = Processes()
 

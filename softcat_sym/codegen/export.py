@@ -27,15 +27,7 @@ from softcat_sym.errors import SoftcatError
 
 
 def manifest_text(described: Description, name: str, command: str, source: CSource) -> str:
-    """The manifest.
-
-    Parameters
-    ----------
-    described, name, command
-        As :func:`softcat_sym.codegen.interface.source_text` takes them.
-    source : CSource
-        The generated C, whose digest it states.
-    """
+    """The manifest."""
     return json.dumps(manifest(described, name, command, source), indent=1, ensure_ascii=False) + "\n"
 
 
@@ -103,17 +95,7 @@ START = "start.csv"
 
 
 def parameter_text(described: Description, command: str, *, has_start: bool) -> str:
-    """Lines ``name = number unit  # comment``, in SI units, of all that a run is asked.
-
-    Parameters
-    ----------
-    described : Description
-        With the values of its scene.
-    command : str
-        That writes the file again.
-    has_start : bool
-        Whether a starting shape lies beside it.
-    """
+    """Lines ``name = number unit  # comment``, in SI units, of all that a run is asked."""
     run, free = described.scene.run, ("curvature", "drop", "_angle", "_dx", "_dy")
     lines = [f"# {' '.join(described.title.split())}", f"# Written by: {command}. Edit freely: name = number unit.", ""]
     for one in described.parameters:
@@ -122,7 +104,7 @@ def parameter_text(described: Description, command: str, *, has_start: bool) -> 
         lines.append(
             _line(f"{one.name} = {one.value!r}{'' if one.unit == '1' else f' {one.unit}'}", said or one.meaning)
         )
-    lines += ["", _line(f"cells = {described.cells}", f"per half span, {described.least_cells} or more")]
+    lines += ["", _line(f"cells = {described.cells}", f"per half span, {described.min_cells} or more")]
     lines.append(_line(f"grading = {described.grading!r}", "longest cell over the shortest"))
     lines.append(_line(f"duration = {run.duration!r} s", ""))
     lines.append(_line(f"frames = {run.frames}", "times, evenly spaced from 0"))
@@ -138,17 +120,7 @@ def _line(text: str, said: str) -> str:
 
 
 def start_text(described: Description, nodes: Floats, state: Floats) -> str:
-    """A starting shape as CSV: X of the nodes [rest lengths] and all unknowns, dimensionless.
-
-    Parameters
-    ----------
-    described : Description
-        For the names of the unknowns.
-    nodes : ndarray, shape (sites,)
-        X.
-    state : ndarray, shape (sites, slots)
-        Unknowns; what the ends hold has its value there, too.
-    """
+    """A starting shape as CSV: X of the nodes [rest lengths] and all unknowns, dimensionless."""
     names = [slot.name for slot in described.model.slots]
     rows = [",".join(repr(float(value)) for value in (x, *row)) for x, row in zip(nodes, state, strict=True)]
     return "\n".join([",".join(["X", *names]), *rows]) + "\n"
@@ -188,13 +160,7 @@ done since start: plastic, of the changing load, of the necking gradient. It ret
 
 @dataclass(frozen=True)
 class Dynamics:
-    """Right-hand side, Jacobian and powers of a graph as CasADi functions of (t, x, z, p), loops found again.
-
-    Parameters
-    ----------
-    graph : Graph
-        What is to move.
-    """
+    """Right-hand side, Jacobian and powers of a graph as CasADi functions of (t, x, z, p), loops found again."""
 
     graph: Graph
 
@@ -272,18 +238,7 @@ class Dynamics:
 
 
 def rhs_source(graph: Graph) -> CSource:
-    """The right-hand side, its sparse Jacobian and the powers, for users who bring their own integrator.
-
-    Parameters
-    ----------
-    graph : Graph
-        Any filament.
-
-    Returns
-    -------
-    CSource
-        ``softcat_rhs.c`` and ``softcat_rhs.h``; the same text wherever it is generated.
-    """
+    """The right-hand side, its sparse Jacobian and the powers, for users who bring their own integrator."""
     dynamics = Dynamics(graph)
     functions = [dynamics.rhs, dynamics.jacobian, dynamics.powers]
     functions += [function.jacobian() for function in (dynamics.rhs, dynamics.powers)]
@@ -292,22 +247,7 @@ def rhs_source(graph: Graph) -> CSource:
 
 
 def solver_source(graph: Graph, frames: int, options: Mapping[str, Any]) -> CSource:
-    """The whole solver: CasADi's ``rosenbrock`` with everything that it calls.
-
-    Parameters
-    ----------
-    graph : Graph
-        Any filament that has differential states.
-    frames : int
-        Output times, the first included.
-    options : mapping
-        Options of CasADi's integrator: ``reltol``, ``abstol``, ``max_num_steps``.
-
-    Returns
-    -------
-    CSource
-        ``softcat_rosenbrock.c`` and ``softcat_rosenbrock.h``.
-    """
+    """The whole solver: CasADi's ``rosenbrock`` with everything that it calls."""
     says = _SOLVER_SAYS.format(
         solver=SOLVER,
         nx=graph.x.numel(),
@@ -402,13 +342,7 @@ _TEMPLATES = ("main.c", "Makefile", "CMakeLists.txt", "README.md")
 
 
 def check_name(name: str) -> str:
-    """The name, if files and functions may have it.
-
-    Raises
-    ------
-    SoftcatError
-        If not.
-    """
+    """The name, if files and functions may have it."""
     if not _NAME.fullmatch(name) or name in _TAKEN or name.startswith("softcat"):
         raise SoftcatError(
             f"name {name!r}: take up to 40 small letters, digits and underscores, a letter first, and not "

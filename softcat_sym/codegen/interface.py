@@ -16,7 +16,7 @@ from softcat_sym.errors import PrintingError
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import si_unit
 
-LEAST_CELLS = 4
+MIN_CELLS = 4
 """Per half span: with fewer, the two ends see each other."""
 
 _UNITS = {
@@ -56,65 +56,32 @@ _MEANINGS = {
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """A parameter of a filament.
+    """A parameter of a filament."""
 
-    Attributes
-    ----------
-    name, unit, meaning : str
-        SI.
-    bound : str
-        ``any``, ``not-negative``, ``positive`` or ``poisson``.
-    value : float
-        That of the scene.
-    """
-
-    name: str
+    name: str  # SI
     unit: str
     meaning: str
-    bound: str
-    value: float
+    bound: str  # ``any``, ``not-negative``, ``positive`` or ``poisson``
+    value: float  # That of the scene
 
 
 @dataclass(frozen=True)
 class Description:
-    """A scene's filament as C sees it.
+    """A scene's filament as C sees it."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What was asked.
-    effects : Effects
-        The physics in force.
-    structure : Structure
-        What its text depends on.
-    model : Model
-        Its physics as C text.
-    parameters : tuple of Given
-        In the order of the model.
-    on_cells : tuple of bool
-        Whether each slot belongs to the cell of its site.
-    profiles : tuple of (float, float)
-        What each slot is of a plastic strain that is linear through the thickness.
-    cells : int
-        Per half span.
-    grading, relative, absolute : float
-        Ratio of the longest cell to the shortest, and tolerances.
-    towards_middle : bool
-        Whether cells are short at midspan, too.
-    """
-
-    scene: Scene
-    effects: Effects
-    structure: Structure
-    model: Model
-    parameters: tuple[Given, ...]
-    on_cells: tuple[bool, ...]
+    scene: Scene  # What was asked
+    effects: Effects  # The physics in force
+    structure: Structure  # What its text depends on
+    model: Model  # Its physics as C text
+    parameters: tuple[Given, ...]  # In the order of the model
+    on_cells: tuple[bool, ...]  # Whether each slot belongs to the cell of its site
+    # What each slot is of a plastic strain that is linear through the thickness.
     profiles: tuple[tuple[float, float], ...]
-    cells: int
-    grading: float
+    cells: int  # Per half span
+    grading: float  # Ratio of the longest cell to the shortest, and tolerances
     relative: float
     absolute: float
-    towards_middle: bool
+    towards_middle: bool  # Whether cells are short at midspan, too
 
     @property
     def title(self) -> str:
@@ -127,25 +94,15 @@ class Description:
         return CSource({"model.c": self.model.text}).digest
 
     @property
-    def least_cells(self) -> int:
+    def min_cells(self) -> int:
         """Per half span."""
-        return LEAST_CELLS
+        return MIN_CELLS
 
 
 def describe(
     scene: Scene, effects: Effects, graph: Graph, structure: Structure, model: Model, tolerances: tuple[float, float]
 ) -> Description:
-    """Gather what is known of a scene's filament.
-
-    Parameters
-    ----------
-    scene, effects
-        What is asked, and the physics in force.
-    graph, structure, model
-        What it became.
-    tolerances : (float, float)
-        Relative and absolute.
-    """
+    """Gather what is known of a scene's filament."""
     values = parameter_values(scene)
     units = {name: _unit(scene, name, model.parameters) for name in model.parameters}
     given = tuple(
@@ -238,17 +195,7 @@ def symbol(text: str) -> str:
 
 
 def source_text(described: Description, name: str, command: str) -> str:
-    """The C file: the model, then its description and the functions of the header.
-
-    Parameters
-    ----------
-    described : Description
-        What it is of.
-    name : str
-        Of the file, and within the names of all that it exports.
-    command : str
-        That writes the file again.
-    """
+    """The C file: the model, then its description and the functions of the header."""
     model = described.model.text.replace("softcat_filament_model", symbol_of(name, "model"))
     # Its head includes what the model needs; the header of this file brings more.
     return "\n".join(
@@ -328,13 +275,7 @@ def _tables(described: Description) -> str:
 
 
 def _place_kind(name: str) -> str:
-    """The C constant of a number that sites are given.
-
-    Raises
-    ------
-    PrintingError
-        If softcat_places.c does not know it.
-    """
+    """The C constant of a number that sites are given."""
     if name not in _PLACES:
         raise PrintingError(f"the generated code asks sites for {name}, which softcat_places.c does not know")
     return f"SOFTCAT_PLACE_{symbol(name)}"
@@ -367,7 +308,7 @@ def _structure(described: Description, name: str) -> str:
         "bending": "described_bending",
         "first": f"SOFTCAT_{structure.ends[0].name}",
         "last": f"SOFTCAT_{structure.ends[1].name}",
-        "least_cells": str(described.least_cells),
+        "least_cells": str(described.min_cells),
         "area_power": str(structure.area_power),
         "profiled": str(int(structure.body.profile.nodes is not None)),
         "places": "described_places",
@@ -456,13 +397,7 @@ def shown(one: Given) -> str:
 
 
 def header_text(described: Description, name: str, command: str) -> str:
-    """The C header.
-
-    Parameters
-    ----------
-    described, name, command
-        As :func:`softcat_sym.codegen.interface.source_text` takes them.
-    """
+    """The C header."""
     prefix = prefix_of(name)
     big, guard = prefix.upper(), f"SOFTCAT_{symbol(name)}_H"
     parts = [
@@ -484,7 +419,7 @@ def header_text(described: Description, name: str, command: str) -> str:
             big=big,
             structure=symbol_of(name, "structure"),
             grid=_grid(described),
-            least=described.least_cells,
+            least=described.min_cells,
         ),
         "#ifdef __cplusplus\n}\n#endif",
         "#endif",

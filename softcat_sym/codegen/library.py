@@ -35,13 +35,7 @@ _SIZE = re.compile(r"\s*(\d{1,18}(?:\.\d{1,18})?)\s*([a-z]*)\s*", re.ASCII | re.
 
 
 def cache_limit() -> int:
-    """Bytes that compiled libraries may take together: SOFTCAT_CACHE_LIMIT, else 512 MB.
-
-    Raises
-    ------
-    SoftcatError
-        If the variable is no size.
-    """
+    """Bytes that compiled libraries may take together: SOFTCAT_CACHE_LIMIT, else 512 MB."""
     text = os.environ.get(VARIABLE) or _DEFAULT
     found = _SIZE.fullmatch(text)
     factor = _BYTES.get(found[2].lower()) if found else None
@@ -90,15 +84,7 @@ def recall(key: str) -> str | None:
 
 
 def keep(key: str, text: str) -> None:
-    """Keep a text; where that is impossible, it will be written again.
-
-    Parameters
-    ----------
-    key : str
-        Hash of all that the text depends on.
-    text : str
-        What :func:`recall` will return.
-    """
+    """Keep a text; where that is impossible, it will be written again."""
     folder, packed = texts_folder(), zlib.compress(text.encode(), 1)
     with contextlib.suppress(OSError):
         compiler.make(folder)
@@ -117,13 +103,7 @@ def kept_texts() -> list[Path]:
 
 
 def clear_texts() -> int:
-    """Delete every text, and say how many bytes that freed.
-
-    Raises
-    ------
-    OSError
-        If one cannot be deleted.
-    """
+    """Delete every text, and say how many bytes that freed."""
     freed = 0
     for path in kept_texts():
         with contextlib.suppress(FileNotFoundError):
@@ -149,30 +129,14 @@ GRACE = 60.0
 
 @dataclass(frozen=True, slots=True)
 class CacheEntry:
-    """One compiled library.
+    """One compiled library."""
 
-    Attributes
-    ----------
-    key : str
-        Hash of sources, compiler, flags, versions and, where a flag asks for it, processor.
-    path : pathlib.Path
-        The library.
-    size : int
-        Bytes on disk.
-    modified : float
-        When it was compiled [s since 1970].
-    used : float
-        When it was last asked for [s since 1970].
-    about : str
-        What it was compiled from, and by what.
-    """
-
-    key: str
-    path: Path
-    size: int
-    modified: float
-    used: float
-    about: str
+    key: str  # Hash of sources, compiler, flags, versions and, where a flag asks for it, processor
+    path: Path  # The library
+    size: int  # Bytes on disk
+    modified: float  # When it was compiled [s since 1970]
+    used: float  # When it was last asked for [s since 1970]
+    about: str  # What it was compiled from, and by what
 
 
 def find(key: str) -> Path | None:
@@ -205,26 +169,6 @@ def store(key: str, build: Callable[[Path], object], about: str = "") -> Path:
 
     Several processes may do so at once: the first to finish is kept, the others find it and drop theirs. Then what was
     used least recently is dropped until the cache keeps its limit.
-
-    Parameters
-    ----------
-    key : str
-        Hash under which it is found again.
-    build : callable
-        Given a folder, writes ``library.so`` into it.
-    about : str
-        A line on what it is.
-
-    Returns
-    -------
-    pathlib.Path
-        The library in its place. Where the usual cache cannot be used that is in a temporary folder, with a warning.
-
-    Raises
-    ------
-    SoftcatError
-        If the folder that SOFTCAT_CACHE names cannot be used, or the disk is full. What `build` raises passes through;
-        nothing is left behind.
     """
     native, limit = compiler.libraries(), cache_limit()
     try:
@@ -338,16 +282,6 @@ def clear_cache() -> int:
 
     Compilations under way are let alone, and so is whatever else lies in the folder. Programs that have loaded a
     library go on.
-
-    Returns
-    -------
-    int
-        Bytes freed.
-
-    Raises
-    ------
-    SoftcatError
-        If the folder is not this user's own, or cannot be written.
     """
     native, freed = compiler.libraries(), 0
     if reason := compiler.distrust(native):
@@ -426,31 +360,7 @@ def compile_library(
     units: Sequence[str] | None = None,
     versions: Mapping[str, str] | None = None,
 ) -> Path:
-    """The shared library of these sources, compiled now or found in the cache.
-
-    Parameters
-    ----------
-    sources : mapping of str to str
-        C text by file name; an ``#include`` finds the others by these names.
-    flags : sequence of str
-        Compiler flags beside ``-std=c99 -fPIC -shared``. After them come those of the variable SOFTCAT_CFLAGS, such as
-        ``-march=native``.
-    units : sequence of str, optional
-        The sources that are compiled on their own; by default every name that ends in ``.c``.
-    versions : mapping of str to str, optional
-        Versions by name of what made the sources: other versions, another entry of the cache.
-
-    Returns
-    -------
-    pathlib.Path
-        The library, in the cache. It is safe from being dropped for a minute, within which it should be loaded.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no compiler, the compiler refuses the sources (with its first errors), does not end within ten
-        minutes or is killed, a variable makes no sense, or the cache cannot be written.
-    """
+    """The shared library of these sources, compiled now or found in the cache."""
     cache_limit()  # nonsense in the variable is refused whether or not anything has to be compiled
     compiler = find_compiler()
     if compiler is None:
@@ -467,13 +377,7 @@ def compile_library(
 
 
 def load(path: Path, *symbols: str) -> ctypes.CDLL:
-    """Load a compiled library that has these symbols.
-
-    Raises
-    ------
-    SoftcatError
-        If the file is missing, no library of this machine, or lacks a symbol, as flags of CC or SOFTCAT_CFLAGS make it.
-    """
+    """Load a compiled library that has these symbols."""
     again = "look at CC and SOFTCAT_CFLAGS; softcat cache --clear, and compile again"
     try:
         library = ctypes.CDLL(str(path))

@@ -37,40 +37,20 @@ _SEED, _POINTS, _SAME = 20261121, 8, 1e-12
 
 @dataclass(frozen=True)
 class Where:
-    """Sites of a loop, whatever the number of sites: from `first` to the last but `behind`; or one site alone.
+    """Sites of a loop, whatever the number of sites: from `first` to the last but `behind`; or one site alone."""
 
-    Attributes
-    ----------
-    first : int
-        Site at which the loop begins; of a single one counted from the last if negative (-1 is the last).
-    behind : int
-        Sites left out at the end of the row.
-    alone : bool
-        Whether it is `first` only.
-    """
-
-    first: int
-    behind: int
-    alone: bool = False
+    first: int  # Site at which the loop begins; of a single one counted from the last if negative (-1 is the last)
+    behind: int  # Sites left out at the end of the row
+    alone: bool = False  # Whether it is `first` only
 
 
 @dataclass(frozen=True)
 class Loop:
-    """Fields that the same sites compute in one go, as seen from each of them.
+    """Fields that the same sites compute in one go, as seen from each of them."""
 
-    Attributes
-    ----------
-    where : Where
-        The sites.
-    names : tuple of str
-        The fields.
-    values : tuple of casadi.SX
-        What each is, of leaves whose sites are distances.
-    """
-
-    where: Where
-    names: tuple[str, ...]
-    values: tuple[ca.SX, ...]
+    where: Where  # The sites
+    names: tuple[str, ...]  # The fields
+    values: tuple[ca.SX, ...]  # What each is, of leaves whose sites are distances
 
 
 @dataclass(frozen=True)
@@ -85,13 +65,7 @@ class _Shaped:
 
 
 def _shaped(leaves: Leaves, items: Sequence[Item]) -> list[_Shaped]:
-    """Items as their sites see them.
-
-    Raises
-    ------
-    PrintingError
-        If the sites in the middle do not all compute the same.
-    """
+    """Items as their sites see them."""
     found = []
     for item, alike in zip(items, _alike(leaves, items), strict=True):
         middle, sites = CELLS // 2, [site for site, same in zip(item.sites, alike, strict=True) if same]
@@ -152,20 +126,7 @@ def needed(leaves: Leaves, staged: Sequence[Item], items: Iterable[Item]) -> tup
 
 
 def loops_of(leaves: Leaves, items: Sequence[Item]) -> tuple[Loop, ...]:
-    """The loops that compute items in their order; those that can share one do.
-
-    Parameters
-    ----------
-    leaves : Leaves
-        Symbols.
-    items : sequence of Item
-        Each made of leaves and of earlier items.
-
-    Raises
-    ------
-    PrintingError
-        If the sites in the middle do not all compute the same.
-    """
+    """The loops that compute items in their order; those that can share one do."""
     shaped = _shaped(leaves, items)
     by_name = {one.item.name: one for one in shaped}
     level: dict[str, int] = {}
@@ -228,20 +189,12 @@ Entry = tuple[str, int]
 
 @dataclass
 class Chain:
-    """Derivatives of the fields of earlier loops.
+    """Derivatives of the fields of earlier loops."""
 
-    Attributes
-    ----------
-    leaves : Leaves
-        Symbols.
-    patterns : dict of str to list of Entry
-        With respect to which unknowns each field has a derivative, at any of its sites.
-    constants : dict of (str, Entry) to float
-        Those that are the same number at all sites.
-    """
-
-    leaves: Leaves
+    leaves: Leaves  # Symbols
+    # With respect to which unknowns each field has a derivative, at any of its sites.
     patterns: dict[str, list[Entry]] = field(default_factory=dict)
+    # Those that are the same number at all sites.
     constants: dict[tuple[str, Entry], float] = field(default_factory=dict)
 
     def of(self, loop: Loop) -> dict[str, dict[Entry, ca.SX]]:
@@ -313,18 +266,10 @@ def entry_name(name: str, entry: Entry) -> str:
 
 @dataclass(frozen=True)
 class Sites:
-    """Where the unknowns of a graph are in the rows of sites.
+    """Where the unknowns of a graph are in the rows of sites."""
 
-    Attributes
-    ----------
-    shape : (int, int)
-        Sites and slots.
-    x, z : ndarray of int
-        Flat index of each differential and each algebraic unknown.
-    """
-
-    shape: tuple[int, int]
-    x: npt.NDArray[np.int64]
+    shape: tuple[int, int]  # Sites and slots
+    x: npt.NDArray[np.int64]  # Flat index of each differential and each algebraic unknown
     z: npt.NDArray[np.int64]
 
     def state(self, x: Floats, z: Floats) -> Floats:
@@ -351,19 +296,7 @@ def sites_of(graph: Graph, slots: tuple[Slot, ...]) -> Sites:
 
 
 def places_of(graph: Graph, body: Body, power: int, names: tuple[str, ...]) -> Floats:
-    """Geometry of each site, shape (sites, names); what the last site's missing cell would have is one.
-
-    Parameters
-    ----------
-    graph : Graph
-        With its grid.
-    body : Body
-        Profile and point mass.
-    power : int
-        With which the area of the section goes with its thickness.
-    names : tuple of str
-        From :func:`softcat_sym.codegen.recording.place_names`.
-    """
+    """Geometry of each site, shape (sites, names); what the last site's missing cell would have is one."""
     grid, profile = graph.grid, body.profile
     middle = np.zeros(grid.cells + 1)
     middle[int(np.argmin(np.abs(grid.nodes)))] = 0.5 if grid.is_half else 1.0
@@ -385,24 +318,12 @@ _LEAF = -1
 
 @dataclass(frozen=True)
 class _Tape:
-    """Straight-line code, operation by operation.
+    """Straight-line code, operation by operation."""
 
-    Attributes
-    ----------
-    operations : list of int
-        CasADi's number of each operation; ``_LEAF`` for inputs and constants.
-    operands : list of tuple of int
-        Which earlier ones it takes.
-    leaves : dict
-        Input and entry of it, or the constant (a float), by position.
-    results : list of list of int
-        The entries of every output.
-    """
-
-    operations: list[int]
-    operands: list[tuple[int, ...]]
-    leaves: dict[int, tuple[int, int] | float]
-    results: list[list[int]]
+    operations: list[int]  # CasADi's number of each operation; ``_LEAF`` for inputs and constants
+    operands: list[tuple[int, ...]]  # Which earlier ones it takes
+    leaves: dict[int, tuple[int, int] | float]  # Input and entry of it, or the constant (a float), by position
+    results: list[list[int]]  # The entries of every output
 
     def is_leaf(self, k: int) -> bool:
         """Whether nothing is computed there."""
@@ -429,27 +350,14 @@ def _record(function: ca.Function) -> _Tape:
 
 @dataclass
 class _Cluster:
-    """Operations needed by the same places, in order.
+    """Operations needed by the same places, in order."""
 
-    Attributes
-    ----------
-    level : int
-        Clusters of a lower level come first.
-    code : list of (str or int, tuple of int)
-        Kind of a leaf, or CasADi's number of an operation and the positions of its operands in this list.
-    leaves : list of int
-        Where on the tape each leaf is found.
-    roots : list of int
-        Where on the tape the values are that others need.
-    chosen : tuple of int
-        Positions of these in `code`.
-    """
-
-    level: int
+    level: int  # Clusters of a lower level come first
+    # Kind of a leaf, or CasADi's number of an operation and the positions of its operands in this list.
     code: list[tuple[str | int, tuple[int, ...]]] = field(default_factory=list)
-    leaves: list[int] = field(default_factory=list)
-    roots: list[int] = field(default_factory=list)
-    chosen: tuple[int, ...] = ()
+    leaves: list[int] = field(default_factory=list)  # Where on the tape each leaf is found
+    roots: list[int] = field(default_factory=list)  # Where on the tape the values are that others need
+    chosen: tuple[int, ...] = ()  # Positions of these in `code`
 
     @property
     def signature(self) -> Hashable:
@@ -591,25 +499,7 @@ class _Writer:
 
 
 def rolled(function: ca.Function, places: Sequence[Sequence[Hashable]]) -> ca.Function:
-    """The same function, with what it does alike at many places written once.
-
-    Parameters
-    ----------
-    function : casadi.Function
-        Of SX: straight-line code.
-    places : sequence of sequence
-        For every structural nonzero of every output, the place along the filament that it belongs to.
-
-    Returns
-    -------
-    casadi.Function
-        Of MX, with the same inputs and outputs, equal to the last bit.
-
-    Raises
-    ------
-    ValueError
-        If there are not as many places as nonzeros.
-    """
+    """The same function, with what it does alike at many places written once."""
     tape = _record(function)
     alike: dict[Hashable, list[_Cluster]] = {}
     for cluster in _clusters(tape, places):

@@ -31,54 +31,28 @@ from softcat_sym.scene.scene import Scene
 
 @dataclass(frozen=True)
 class Model:
-    """What the C text of a filament amounts to.
+    """What the C text of a filament amounts to."""
 
-    Attributes
-    ----------
-    text : str
-        The C file.
-    slots : tuple of Slot
-        Unknowns of a site.
-    parameters, places : tuple of str
-        Numbers that a run is given, as a whole and for each site.
-    powers : tuple of str
-        What is integrated beside the unknowns.
-    entries : tuple of (str, str, int)
-        Row, column and distance of each entry of the Jacobian.
-    """
-
-    text: str
-    slots: tuple[Slot, ...]
-    parameters: tuple[str, ...]
+    text: str  # The C file
+    slots: tuple[Slot, ...]  # Unknowns of a site
+    parameters: tuple[str, ...]  # Numbers that a run is given, as a whole and for each site
     places: tuple[str, ...]
-    powers: tuple[str, ...]
-    entries: tuple[tuple[str, str, int], ...]
+    powers: tuple[str, ...]  # What is integrated beside the unknowns
+    entries: tuple[tuple[str, str, int], ...]  # Row, column and distance of each entry of the Jacobian
 
 
 @dataclass(frozen=True)
 class Template:
-    """The C text of a filament before it is known how many fibres it has; what each has is named with a ``#``.
+    """The C text of a filament before it is known how many fibres it has; what each has is named with a ``#``."""
 
-    Attributes
-    ----------
-    functions : str
-        The C text of its physics.
-    slots, parameters, places, powers, entries
-        As in :class:`Model`.
-    scratch : (int, int)
-        Doubles per site that the functions need, and per site and fibre.
-    moves : bool
-        Whether they depend on time.
-    """
-
-    functions: str
-    slots: tuple[Slot, ...]
+    functions: str  # The C text of its physics
+    slots: tuple[Slot, ...]  # As in :class:`Model`
     parameters: tuple[str, ...]
     places: tuple[str, ...]
     powers: tuple[str, ...]
     entries: tuple[tuple[str, str, int], ...]
-    scratch: tuple[int, int]
-    moves: bool
+    scratch: tuple[int, int]  # Doubles per site that the functions need, and per site and fibre
+    moves: bool  # Whether they depend on time
 
     def with_fibres(self, rule: SectionRule | None = None) -> Model:
         """The model with so many fibres; with none where it has no fibres."""
@@ -110,18 +84,7 @@ _MARK = "@"  # stands in the text for what is known only later
 
 
 def template_of(recording: Recording) -> Template:
-    """C text of a filament that was taken apart.
-
-    Parameters
-    ----------
-    recording : Recording
-        From :func:`softcat_sym.codegen.recording.record`.
-
-    Raises
-    ------
-    PrintingError
-        If the sites in the middle of the filament do not all compute the same.
-    """
+    """C text of a filament that was taken apart."""
     writer, leaves = Writer(recording), recording.leaves
     fields = needed(leaves, recording.staged, recording.rates)
     loops = loops_of(leaves, [*fields, *recording.rates])
@@ -335,15 +298,7 @@ _MADE_BY = ("codegen", "discretization", "effects", "physics", "scene")
 
 
 def template_kept(key: str, made: Callable[[], Template]) -> Template:
-    """The model of a key from the cache, or else made and kept there.
-
-    Parameters
-    ----------
-    key : str
-        Of all that the model depends on, but for the program itself and the libraries that it uses.
-    made : callable
-        Makes it.
-    """
+    """The model of a key from the cache, or else made and kept there."""
     full = hashlib.sha256(f"{key}\n{dict(VERSIONS)}\n{_program()}".encode()).hexdigest()
     kept = library.recall(full)
     if kept is not None:
@@ -398,24 +353,12 @@ _PROCESS = secrets.token_hex()
 
 @dataclass(frozen=True)
 class Structure:
-    """All filaments that share a C text.
+    """All filaments that share a C text."""
 
-    Attributes
-    ----------
-    key : str
-        Hash of all that the text depends on but the program and the fibres.
-    rule : str
-        Where the fibres are; empty without. Two structures are equal if these two are.
-    effects : tuple of str
-        Names of the effects in force.
-    equations, theory, ends, body
-        What the filament is recorded from.
-    """
-
-    key: str
-    rule: str
-    effects: tuple[str, ...]
-    equations: FilamentEquations = field(compare=False)
+    key: str  # Hash of all that the text depends on but the program and the fibres
+    rule: str  # Where the fibres are; empty without. Two structures are equal if these two are
+    effects: tuple[str, ...]  # Names of the effects in force
+    equations: FilamentEquations = field(compare=False)  # What the filament is recorded from
     theory: Discretisation = field(compare=False)
     ends: tuple[End, End] = field(compare=False)
     body: Body = field(compare=False)
@@ -429,15 +372,7 @@ class Structure:
 def structure_of(
     scene: Scene, effects: Effects, graph: Graph, equations: FilamentEquations, theory: Discretisation, body: Body
 ) -> Structure:
-    """The structure of a scene's filament.
-
-    Parameters
-    ----------
-    scene, effects
-        What is asked, and the physics in force.
-    graph, equations, theory, body
-        What it became.
-    """
+    """The structure of a scene's filament."""
     ends, fibres = (graph.grid.first, graph.grid.last), theory.fibres
     parts: tuple[object, ...] = (
         effects.terms(),
@@ -474,13 +409,7 @@ def _named(part: object) -> object:
 
 @lru_cache(maxsize=128)
 def model_for(structure: Structure) -> Model:
-    """The C text of a structure.
-
-    Raises
-    ------
-    PrintingError
-        If it has none.
-    """
+    """The C text of a structure."""
     fibres = structure.theory.fibres
     return _template(replace(structure, rule="")).with_fibres(fibres.rule if fibres else None)
 

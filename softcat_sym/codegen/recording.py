@@ -33,47 +33,23 @@ _NAMES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
 
 @dataclass(frozen=True)
 class Instruction:
-    """One elementary operation.
+    """One elementary operation."""
 
-    Attributes
-    ----------
-    operation : str
-        CasADi's name without ``OP_``; ``INPUT`` and ``CONST`` for what is given.
-    arguments : tuple of int
-        Numbers of earlier instructions; of an input its number.
-    value : float
-        Of a constant.
-    """
-
-    operation: str
-    arguments: tuple[int, ...]
-    value: float = 0.0
+    operation: str  # CasADi's name without ``OP_``; ``INPUT`` and ``CONST`` for what is given
+    arguments: tuple[int, ...]  # Numbers of earlier instructions; of an input its number
+    value: float = 0.0  # Of a constant
 
 
 @dataclass(frozen=True)
 class Code:
-    """Instructions, and which of them are the results.
+    """Instructions, and which of them are the results."""
 
-    Attributes
-    ----------
-    instructions : tuple of Instruction
-        In the order of evaluation.
-    results : tuple of int
-        Number of the instruction that gives each output; -1 for a zero.
-    """
-
-    instructions: tuple[Instruction, ...]
-    results: tuple[int, ...]
+    instructions: tuple[Instruction, ...]  # In the order of evaluation
+    results: tuple[int, ...]  # Number of the instruction that gives each output; -1 for a zero
 
 
 def code_of(inputs: list[ca.SX], outputs: list[ca.SX]) -> Code:
-    """Instructions that compute scalars from scalars, equal ones shared.
-
-    Raises
-    ------
-    PrintingError
-        If an output holds a symbol that is not among the inputs.
-    """
+    """Instructions that compute scalars from scalars, equal ones shared."""
     shared = ca.cse([ca.densify(ca.SX(output)) for output in outputs])
     try:
         function = ca.Function("code", [ca.vertcat(*inputs)], [ca.vertcat(*shared)])
@@ -111,21 +87,11 @@ FIBRE, SUM = "fibre", "sum"
 
 @dataclass(frozen=True, order=True)
 class Leaf:
-    """One input of an expression.
+    """One input of an expression."""
 
-    Attributes
-    ----------
-    kind : str
-        One of the eight kinds above.
-    name : str
-        Which unknown, field, length, entry or parameter.
-    site : int
-        Where: a site, or the distance from the site that is being looked at; zero for what has no place.
-    """
-
-    kind: str
-    name: str
-    site: int = 0
+    kind: str  # One of the eight kinds above
+    name: str  # Which unknown, field, length, entry or parameter
+    site: int = 0  # Where: a site, or the distance from the site that is being looked at; zero for what has no place
 
     @property
     def is_local(self) -> bool:
@@ -198,15 +164,7 @@ INVERTED = "cell", "node", "mass"
 
 
 def with_reciprocals(code: Code, leaves: Sequence[Leaf]) -> tuple[Code, list[Leaf]]:
-    """The same results with fewer divisions, and what they are made of.
-
-    Parameters
-    ----------
-    code : Code
-        Instructions.
-    leaves : sequence of Leaf
-        Its inputs; those that the new code has besides follow them.
-    """
+    """The same results with fewer divisions, and what they are made of."""
     divisors = Counter(one.arguments[-1] for one in code.instructions if one.operation in ("DIV", "INV"))
     inputs, found = list(leaves), list[Instruction]()
     known: dict[Instruction, int] = {}
@@ -284,74 +242,35 @@ _RATES = {"x": "u", "y": "v", "psi": "omega"}
 
 @dataclass(frozen=True)
 class Item:
-    """A field: one expression at each of its sites.
+    """A field: one expression at each of its sites."""
 
-    Attributes
-    ----------
-    name : str
-        What it is.
-    sites : range
-        Where it is.
-    values : tuple of casadi.SX
-        At these sites.
-    """
-
-    name: str
-    sites: range
-    values: tuple[ca.SX, ...]
+    name: str  # What it is
+    sites: range  # Where it is
+    values: tuple[ca.SX, ...]  # At these sites
 
 
 @dataclass(frozen=True)
 class Slot:
-    """One unknown of every site.
+    """One unknown of every site."""
 
-    Attributes
-    ----------
-    name : str
-        ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ...
-    differential : bool
-        Whether it has a rate, or balances something.
-    rate : str
-        Name of the unknown that is its rate, or an empty text.
-    section : bool
-        Whether it belongs to the section of one cell.
-    sites : range
-        Where it is unknown.
-    """
-
-    name: str
-    differential: bool
-    rate: str
-    section: bool
-    sites: range
+    name: str  # ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``,
+    differential: bool  # Whether it has a rate, or balances something
+    rate: str  # Name of the unknown that is its rate, or an empty text
+    section: bool  # Whether it belongs to the section of one cell
+    sites: range  # Where it is unknown
 
 
 @dataclass(frozen=True)
 class Recording:
-    """A filament taken apart.
+    """A filament taken apart."""
 
-    Attributes
-    ----------
-    leaves : Leaves
-        Symbols of all that is given.
-    slots : tuple of Slot
-        Unknowns of a site, those of sections last.
-    staged : tuple of Item
-        Fields that other sites read, each made of earlier ones.
-    rates : tuple of Item
-        What becomes of each slot: its rate, or what it balances.
-    powers : tuple of tuple of Item
-        Plastic power, power of the load and of the necking gradient, each a sum over the sites of its items.
-    parameters, places : tuple of str
-        Numbers that a run is given, as a whole and for each site.
-    """
-
-    leaves: Leaves
-    slots: tuple[Slot, ...]
-    staged: tuple[Item, ...]
-    rates: tuple[Item, ...]
+    leaves: Leaves  # Symbols of all that is given
+    slots: tuple[Slot, ...]  # Unknowns of a site, those of sections last
+    staged: tuple[Item, ...]  # Fields that other sites read, each made of earlier ones
+    rates: tuple[Item, ...]  # What becomes of each slot: its rate, or what it balances
+    # Plastic power, power of the load and of the necking gradient, each a sum over the sites of its items.
     powers: tuple[tuple[Item, ...], ...]
-    parameters: tuple[str, ...]
+    parameters: tuple[str, ...]  # Numbers that a run is given, as a whole and for each site
     places: tuple[str, ...]
 
 
@@ -397,19 +316,7 @@ def _sites(count: int) -> range:
 
 
 def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End, End], body: Body) -> Recording:
-    """Take the filament apart.
-
-    Parameters
-    ----------
-    equations : FilamentEquations
-        One cell.
-    theory : Discretisation
-        Which unknowns the grid carries; where it has fibres, one stands for all.
-    ends : pair of End
-        What holds the first and the last node.
-    body : Body
-        Supports, whether there is a profile, and a point mass.
-    """
+    """Take the filament apart."""
     leaves, half = Leaves(), ends[0] is End.SYMMETRY
     grid = Grid(np.linspace(0.0 if half else -0.5, 0.5, CELLS + 1), *ends)
     if theory.fibres is not None:

@@ -41,22 +41,7 @@ def crossings(values: Sequence[float]) -> tuple[int, ...]:
 def illinois(
     function: Callable[[float], float], low: tuple[float, float], high: tuple[float, float], tolerance: float
 ) -> tuple[float, float]:
-    """Find a root by the Illinois method (Dowell and Jarratt 1971); by bisection while an end is infinite.
-
-    Parameters
-    ----------
-    function : callable
-        May be infinite.
-    low, high : (float, float)
-        Argument and value at either end; the values differ in sign.
-    tolerance : float
-        Length of the bracket, or distance of two iterates, at which to stop.
-
-    Returns
-    -------
-    (float, float)
-        Argument and value of the iterate with the least finite value.
-    """
+    """Find a root by the Illinois method (Dowell and Jarratt 1971); by bisection while an end is infinite."""
     (a, fa), (b, fb) = low, high
     best = min((low, high), key=lambda pair: abs(pair[1]))
     last = math.inf
@@ -76,28 +61,19 @@ def illinois(
 
 
 # Between which the largest sag is found by a parabola.
-_LEAST_FRAMES = 2001
+_MIN_FRAMES = 2001
 _STEP = 1e-3
 _NO_DIFFERENCE = "makes no difference"
 
 
 @dataclass(frozen=True)
 class Sag:
-    """A finished run.
+    """A finished run."""
 
-    Attributes
-    ----------
-    value : float
-        Largest distance of the midpoint from the supports' level, or that at the end [m]; infinite without an answer.
-    effects : tuple of str
-        In force.
-    note : str
-        Why there is no answer; empty if there is.
-    """
-
+    # Largest distance of the midpoint from the supports' level, or that at the end [m]; infinite without an answer.
     value: float
-    effects: tuple[str, ...]
-    note: str
+    effects: tuple[str, ...]  # In force
+    note: str  # Why there is no answer; empty if there is
 
 
 def with_span(scene: Scene, span: float) -> Scene:
@@ -125,30 +101,13 @@ def _sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
 
 
 class FrozenSag:
-    """Sag as a smooth function of the logarithms of span and parameters: effects, grid and tolerances are fixed.
-
-    Parameters
-    ----------
-    scene : Scene
-        At about the span that is sought.
-    effects : tuple of str
-        For all spans.
-    paths : sequence of str
-        Of the parameters.
-    at_end : bool
-        Whether the sag at the end is meant, not the largest.
-
-    Attributes
-    ----------
-    idle : tuple of str
-        Parameters that make no difference.
-    """
+    """Sag as a smooth function of the logarithms of span and parameters: effects, grid and tolerances are fixed."""
 
     def __init__(self, scene: Scene, effects: tuple[str, ...], paths: Sequence[str], *, at_end: bool) -> None:
         self._scene = scene.replace({"run.effects": list(effects)})
         self._at_end = at_end
         duration = scene.run.duration
-        frames = 2 if at_end else max(scene.run.frames, _LEAST_FRAMES)
+        frames = 2 if at_end else max(scene.run.frames, _MIN_FRAMES)
         self._times = np.linspace(0.0, duration, frames)[1:]
         self._paths = tuple(paths)
         self.idle: tuple[str, ...] = ()
@@ -242,18 +201,10 @@ class SagWithSlopes(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Of the sag: a length, or a fraction of the span.
+    """Of the sag: a length, or a fraction of the span."""
 
-    Attributes
-    ----------
-    value : float
-        [m], or a fraction.
-    of_span : bool
-        Which of them.
-    """
-
-    value: float
-    of_span: bool
+    value: float  # [m], or a fraction
+    of_span: bool  # Which of them
 
     def at(self, span: float) -> float:
         """The limit [m]."""
@@ -271,13 +222,7 @@ class Limit:
 
 
 def read_limit(value: object) -> Limit:
-    """Read a length with its unit, or a fraction of the span: a number, or text such as ``"5 %"``.
-
-    Raises
-    ------
-    NotAQuantity
-        Its text says what was found.
-    """
+    """Read a length with its unit, or a fraction of the span: a number, or text such as ``"5 %"``."""
     share = read_share(value)
     if share is not None:
         return Limit(share, of_span=True)
@@ -286,22 +231,12 @@ def read_limit(value: object) -> Limit:
 
 @dataclass(frozen=True, eq=False)
 class Root:
-    """A critical span.
+    """A critical span."""
 
-    Attributes
-    ----------
-    span, sag : float
-        [m].
-    gradient : dict of str to float
-        d log span/d log parameter.
-    notes : tuple of str
-        What to know beside it.
-    """
-
-    span: float
+    span: float  # [m]
     sag: float
-    gradient: dict[str, float]
-    notes: tuple[str, ...]
+    gradient: dict[str, float]  # d log span/d log parameter
+    notes: tuple[str, ...]  # What to know beside it
 
 
 def polished(frozen: SagWithSlopes, limit: Limit, near: float) -> Root:
@@ -309,11 +244,6 @@ def polished(frozen: SagWithSlopes, limit: Limit, near: float) -> Root:
 
     Where things yield fibre by fibre, slopes scatter from one span to the next: then the median over five neighbouring
     spans is taken, and said.
-
-    Parameters
-    ----------
-    near : float
-        Span [m] within some 0.1 % of the root.
     """
     x, best = math.log(near), (math.inf, near, math.nan)
     for _ in range(_STEPS):
@@ -390,7 +320,7 @@ def sentences(
     noise: Noise,
     counted: tuple[str, ...],
     rough: float,
-    sag_at_most: Limit | None,
+    max_sag: Limit | None,
 ) -> tuple[str, ...]:
     """Say what to film, what it will tell, what the scene as given would, and which bounds bind."""
     film = (
@@ -401,14 +331,14 @@ def sentences(
     found = [film, f"Relative standard errors to expect with {_noise_text(noise, best)} of noise a reading: {listed}."]
     if rough > 1:
         found.append(f"Each is the largest for rough values that are wrong by a factor of {rough:g} either way.")
-    allowed = math.inf if sag_at_most is None else sag_at_most.at(best.span)
+    allowed = math.inf if max_sag is None else max_sag.at(best.span)
     limited = "" if math.isinf(allowed) else f", of {length_text(allowed)} that are allowed"
     found.append(f"It sags {length_text(best.sag)} while it is filmed{limited}.")
     found.append(_compared(best, given))
     if given.sag > allowed:
         found.append(f"The scene as given sags {length_text(given.sag)}, which is more than allowed.")
     bound = [f"{_CALLED[path]} at its {edge} bound" for path, edge in at_bounds.items() if path in _CALLED]
-    if "frames_at_most" in at_bounds:
+    if "max_frames" in at_bounds:
         bound.append("as many frames as the camera keeps")
     if bound:
         found.append(f"What limits it: {', '.join(bound)}.")
@@ -444,33 +374,16 @@ Told = Callable[[float, float], None]
 
 @dataclass(frozen=True, eq=False)
 class CriticalSpan:
-    """The largest safe span.
+    """The largest safe span."""
 
-    Attributes
-    ----------
-    span : float
-        [m]; the smallest at which the sag reaches the limit: every span that was scanned below it sags less.
-    sag : float
-        There, which is the limit [m].
-    gradient : mapping of str to float
-        d log span/d log parameter, by path: an exponent. Zero for what makes no difference.
-    crossings : tuple of (float, float)
-        Neighbouring spans of the scan [m] between which the sag crosses the limit, either way.
-    scan : tuple of (float, float)
-        Span and sag [m]; infinite where the run has no answer.
-    effects : tuple of str
-        In force at the critical span.
-    notes : tuple of str
-        What to know beside the numbers.
-    """
-
-    span: float
-    sag: float
-    gradient: Mapping[str, float]
+    span: float  # [m]; the smallest at which the sag reaches the limit: every span that was scanned below it sags less
+    sag: float  # There, which is the limit [m]
+    gradient: Mapping[str, float]  # d log span/d log parameter, by path: an exponent. Zero for what makes no difference
+    # Neighbouring spans of the scan [m] between which the sag crosses the limit, either way.
     crossings: tuple[tuple[float, float], ...]
-    scan: tuple[tuple[float, float], ...]
-    effects: tuple[str, ...]
-    notes: tuple[str, ...]
+    scan: tuple[tuple[float, float], ...]  # Span and sag [m]; infinite where the run has no answer
+    effects: tuple[str, ...]  # In force at the critical span
+    notes: tuple[str, ...]  # What to know beside the numbers
 
     @property
     def text(self) -> tuple[str, ...]:

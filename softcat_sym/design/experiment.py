@@ -31,7 +31,7 @@ from softcat_sym.design.information import (
 )
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.free_parameters import FreeParameter, free_parameters, with_values
-from softcat_sym.fitting.identifiability import LARGEST_ERROR, Information, information
+from softcat_sym.fitting.identifiability import MAX_ERROR, Information, information
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
@@ -50,20 +50,6 @@ def pattern_search(value: Callable[[Point], float], lower: Floats, upper: Floats
 
     Hooke and Jeeves (1961), polled in all directions of the axes and their diagonals, from the best point of a grid.
     The step is halved where nothing is better; bounds are polled themselves.
-
-    Parameters
-    ----------
-    value : callable
-        To be minimised; may be infinite. Called once for each point.
-    lower, upper : ndarray, shape (d,)
-        Logarithms, at most two.
-    most : int
-        Evaluations, at least those of the grid.
-
-    Returns
-    -------
-    tuple of float or None
-        The best point; None if the value is infinite at all of the grid.
     """
     if not lower.size:
         return () if math.isfinite(value(())) else None
@@ -98,40 +84,20 @@ _MARGIN = 0.01
 
 @dataclass(frozen=True)
 class Judge:
-    """Judges experiments.
+    """Judges experiments."""
 
-    Attributes
-    ----------
-    scene : Scene
-        With rough values.
-    names : tuple of str
-        All that is estimated, nuisance included.
-    counted : tuple of bool
-        What of it counts.
-    noise : Noise
-        Of one reading.
-    ranges : dict of str to Range
-        Of every design variable.
-    frames_at_most : int or None
-        That the camera keeps.
-    rough : float
-        Factor by which the rough values may be wrong either way; one: not at all.
-    sag_at_most : Limit or None
-        That no film may show more than, at any of the rough values.
-    """
-
-    scene: Scene
-    names: tuple[str, ...]
-    counted: tuple[bool, ...]
-    noise: Noise
-    ranges: dict[str, Range]
-    frames_at_most: int | None
-    rough: float
-    sag_at_most: Limit | None = None
+    scene: Scene  # With rough values
+    names: tuple[str, ...]  # All that is estimated, nuisance included
+    counted: tuple[bool, ...]  # What of it counts
+    noise: Noise  # Of one reading
+    ranges: dict[str, Range]  # Of every design variable
+    max_frames: int | None  # That the camera keeps
+    rough: float  # Factor by which the rough values may be wrong either way; one: not at all
+    max_sag: Limit | None = None  # That no film may show more than, at any of the rough values
 
     def kept(self, what: str, compute: Callable[[], Trial]) -> Trial:
         """Return a trial of these rough values and demands, from where it is kept if it is."""
-        demands = (self.names, self.counted, self.noise, self.ranges, self.frames_at_most, self.rough, self.sag_at_most)
+        demands = (self.names, self.counted, self.noise, self.ranges, self.max_frames, self.rough, self.max_sag)
         return kept(lambda: ("trial", self.scene.to_toml(), repr(demands), what), compute, _TRIAL)
 
     def best_film(self, span: float, thickness: float) -> Trial:
@@ -163,7 +129,7 @@ class Judge:
         if sag > self._allowed(trial.span):
             return self._nothing(trial.span, trial.thickness, self._too_deep(trial.span)), []
         errors = np.array([relative_errors(film.information, unknowns) for film, unknowns in found])
-        note = next((film.complaint for film, _ in found if film.complaint), "")
+        note = next((film.message for film, _ in found if film.message), "")
         return self._trial(trial.values, trial.frames, errors, sag, note), [film.information for film, _ in found]
 
     def checked(self, trial: Trial) -> Trial:
@@ -179,8 +145,8 @@ class Judge:
         """Frames of films of these durations, shape (m,); NaN where the camera keeps too few for its lowest rate."""
         rate = self.ranges[FRAME_RATE]
         frames = np.floor(rate.high * durations * (1 + _ROUNDING)) + 1
-        if self.frames_at_most is not None:
-            frames = np.minimum(frames, self.frames_at_most)
+        if self.max_frames is not None:
+            frames = np.minimum(frames, self.max_frames)
         # A whole number of frames hits a rate to within one of them.
         enough = (frames >= 2) & (frames + 1 >= rate.low * durations * (1 - _ROUNDING) + 1)
         return np.where(enough, frames, np.nan)
@@ -199,7 +165,7 @@ class Judge:
         number = (
             int(np.argmin(worst)) if np.isfinite(worst).any() else self._last(films, np.where(shallow, frames, np.nan))
         )
-        note = next((one.complaint for one, _ in films if one.complaint), "")
+        note = next((one.message for one, _ in films if one.message), "")
         if number < 0 and not shallow.any():
             return self._nothing(span, thickness, self._too_deep(span))
         if number < 0:
@@ -217,7 +183,7 @@ class Judge:
 
     def _allowed(self, span: float) -> float:
         """Largest sag [m] of a film of this span."""
-        return math.inf if self.sag_at_most is None else self.sag_at_most.at(span)
+        return math.inf if self.max_sag is None else self.max_sag.at(span)
 
     def _too_deep(self, span: float) -> str:
         return f"even the shortest film sags more than {length_text(self._allowed(span))}"
@@ -264,47 +230,26 @@ class Judge:
 
 _MOST = 200
 _CANDIDATES = 8
-_MOST_ROUGH = 4
+_MAX_ROUGH = 4
 
 Told = Callable[[Trial], None]
 
 
 @dataclass(frozen=True, eq=False)
 class Experiment:
-    """The experiment to make.
+    """The experiment to make."""
 
-    Attributes
-    ----------
-    best : Trial
-        Of least worst error, judged by its own frames.
-    as_given : Trial
-        The scene as it is, with as many frames as the camera keeps.
-    at_bounds : dict of str to str
-        Design variables whose bound binds, ``"lower"`` or ``"upper"``.
-    noise : Noise
-        Of one reading.
-    counted : tuple of str
-        The parameters whose worst error counts.
-    rough : float
-        Factor by which the rough values were allowed to be wrong.
-    tried : tuple of Trial
-        In the order of the search, each filament with its best film: what beats all before it is judged by its own
-        frames and by a whole run, the others by the mean information of their film.
-    scene : Scene
-        The best experiment, to be run.
-    sag_at_most : Limit or None
-        That the filament was allowed to sag.
-    """
-
-    best: Trial
-    as_given: Trial
-    at_bounds: Mapping[str, str]
-    noise: Noise
-    counted: tuple[str, ...]
-    rough: float
+    best: Trial  # Of least worst error, judged by its own frames
+    as_given: Trial  # The scene as it is, with as many frames as the camera keeps
+    at_bounds: Mapping[str, str]  # Design variables whose bound binds, ``"lower"`` or ``"upper"``
+    noise: Noise  # Of one reading
+    counted: tuple[str, ...]  # The parameters whose worst error counts
+    rough: float  # Factor by which the rough values were allowed to be wrong
+    # In the order of the search, each filament with its best film: what beats all before it is judged by its own
+    # frames and by a whole run, the others by the mean information of their film.
     tried: tuple[Trial, ...]
-    scene: Scene
-    sag_at_most: Limit | None = None
+    scene: Scene  # The best experiment, to be run
+    max_sag: Limit | None = None  # That the filament was allowed to sag
 
     @property
     def gain(self) -> float:
@@ -314,9 +259,7 @@ class Experiment:
     @property
     def text(self) -> tuple[str, ...]:
         """Plain sentences."""
-        return sentences(
-            self.best, self.as_given, self.at_bounds, self.noise, self.counted, self.rough, self.sag_at_most
-        )
+        return sentences(self.best, self.as_given, self.at_bounds, self.noise, self.counted, self.rough, self.max_sag)
 
 
 def design_experiment(
@@ -326,9 +269,9 @@ def design_experiment(
     within: Within,
     *,
     nuisance: Sequence[str] = (),
-    frames_at_most: int | None = None,
+    max_frames: int | None = None,
     rough: float = 1.0,
-    sag_at_most: object = None,
+    max_sag: object = None,
     told: Told | None = None,
 ) -> Experiment:
     """Choose the experiment whose film determines the free parameters best.
@@ -367,8 +310,8 @@ def design_experiment(
     SoftcatError
         If no experiment within the bounds determines the parameters, with the combination that is determined.
     """
-    judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, frames_at_most, rough, sag_at_most)
-    return _chosen(scene, judge, _searched(judge, told), frames_at_most)
+    judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, max_frames, rough, max_sag)
+    return _chosen(scene, judge, _searched(judge, told), max_frames)
 
 
 def _searched(judge: Judge, told: Told | None) -> list[Trial]:
@@ -392,18 +335,18 @@ def _searched(judge: Judge, told: Told | None) -> list[Trial]:
     return tried
 
 
-def _chosen(scene: Scene, judge: Judge, tried: list[Trial], frames_at_most: int | None) -> Experiment:
+def _chosen(scene: Scene, judge: Judge, tried: list[Trial], max_frames: int | None) -> Experiment:
     """The best film, with what limits it; refuses where none is worth anything."""
     best = min(tried, key=lambda one: one.worst)
-    if not best.worst < LARGEST_ERROR:
+    if not best.worst < MAX_ERROR:
         raise SoftcatError(_nothing_to_see(judge, tried))
     counted = tuple(name for name, counts in zip(judge.names, judge.counted, strict=True) if counts)
     # A whole number of frames: one more would be faster than the camera.
     fastest = judge.ranges[FRAME_RATE].high
     values = best.values | ({FRAME_RATE: fastest} if best.frames > fastest * best.duration * (1 - 1e-9) else {})
     at_bounds = {path: bound for path, one in judge.ranges.items() if (bound := one.bound_at(values[path]))}
-    if frames_at_most is not None and best.frames == frames_at_most:
-        at_bounds["frames_at_most"] = "upper"
+    if max_frames is not None and best.frames == max_frames:
+        at_bounds["max_frames"] = "upper"
     return Experiment(
         best=best,
         as_given=_as_given(judge),
@@ -413,7 +356,7 @@ def _chosen(scene: Scene, judge: Judge, tried: list[Trial], frames_at_most: int 
         rough=judge.rough,
         tried=tuple(tried),
         scene=scene.replace(best.changes),
-        sag_at_most=judge.sag_at_most,
+        max_sag=judge.max_sag,
     )
 
 
@@ -433,9 +376,9 @@ def _judge(
     nuisance: tuple[str, ...],
     noise: object,
     within: Within,
-    frames_at_most: int | None,
+    max_frames: int | None,
     rough: float,
-    sag_at_most: object,
+    max_sag: object,
 ) -> Judge:
     ranges, faults, reading, allowed = read_ranges(scene, within), [], Noise(math.nan), None
     unknowns = free_parameters(scene, [*free, *nuisance])
@@ -448,37 +391,37 @@ def _judge(
     except NotAQuantity as error:
         faults.append(Fault("noise", str(error), 'the error of one reading, such as "10 um", or "1 %" of the sag'))
     try:
-        allowed = None if sag_at_most is None else read_limit(sag_at_most)
+        allowed = None if max_sag is None else read_limit(max_sag)
     except NotAQuantity as error:
-        faults.append(Fault("sag_at_most", str(error), LIMITS))
-    if frames_at_most is not None and frames_at_most < 2:
-        faults.append(Fault("frames_at_most", shown(frames_at_most), "two frames or more"))
+        faults.append(Fault("max_sag", str(error), LIMITS))
+    if max_frames is not None and max_frames < 2:
+        faults.append(Fault("max_frames", shown(max_frames), "two frames or more"))
     if not 1 <= rough < math.inf:
         faults.append(Fault("rough", shown(rough), "a factor of at least one, such as 2"))
     corners = sum(one.logarithmic and not one.of_measurement for one in unknowns)
-    if rough > 1 and corners > _MOST_ROUGH:
+    if rough > 1 and corners > _MAX_ROUGH:
         found = f"{corners} rough values have {2**corners} corners"
-        faults.append(Fault("rough", found, f"1, or at most {_MOST_ROUGH} parameters"))
+        faults.append(Fault("rough", found, f"1, or at most {_MAX_ROUGH} parameters"))
     if faults:
         raise SceneError(faults)
     names = tuple(one.path for one in unknowns)
-    return Judge(scene, names, counted, reading, ranges, frames_at_most, float(rough), allowed)
+    return Judge(scene, names, counted, reading, ranges, max_frames, float(rough), allowed)
 
 
 def _as_given(judge: Judge) -> Trial:
     scene = judge.scene
-    frames = min(scene.run.frames, judge.frames_at_most or scene.run.frames)
+    frames = min(scene.run.frames, judge.max_frames or scene.run.frames)
     values = as_given(scene)
     rate, duration = (frames - 1) / scene.run.duration, scene.run.duration
     errors = dict.fromkeys(judge.names, math.inf)
     start = Trial(values[SPAN], values[THICKNESS], rate, duration, frames, math.inf, errors)
-    return replace(judge, sag_at_most=None).exactly(start)[0]
+    return replace(judge, max_sag=None).exactly(start)[0]
 
 
 def _nothing_to_see(judge: Judge, tried: Sequence[Trial]) -> str:
     """Say that no experiment determines the parameters, and what combination of them is determined."""
     names = " and ".join(name.rpartition(".")[2] for name in judge.names)
-    head = f"no experiment within these bounds determines {names} to better than {100 * LARGEST_ERROR:g} %"
+    head = f"no experiment within these bounds determines {names} to better than {100 * MAX_ERROR:g} %"
     seen = sorted((one for one in tried if one.frames), key=lambda one: one.worst)[:_CANDIDATES]
     if not seen:
         notes = sorted({one.note for one in tried if one.note})

@@ -33,18 +33,10 @@ Within = Mapping[str, object]
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """Bounds of one design variable.
+    """Bounds of one design variable."""
 
-    Attributes
-    ----------
-    path : str
-        One of `VARIABLES`.
-    low, high : float
-        SI; equal if it is fixed.
-    """
-
-    path: str
-    low: float
+    path: str  # One of `VARIABLES`
+    low: float  # SI; equal if it is fixed
     high: float
 
     @property
@@ -74,26 +66,7 @@ def as_given(scene: Scene) -> dict[str, float]:
 
 
 def read_ranges(scene: Scene, within: Within) -> dict[str, Range]:
-    """Read the bounds of an experiment.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is not named keeps its value.
-    within : mapping
-        A pair ``("2 mm", "50 mm")`` by dotted path or leaf name, or one value that it is fixed at; text with a unit, or
-        numbers in SI.
-
-    Returns
-    -------
-    dict of str to Range
-        One for each of `VARIABLES`.
-
-    Raises
-    ------
-    SceneError
-        With every variable that is unknown and every bound that makes no sense.
-    """
+    """Read the bounds of an experiment."""
     leaves = {path.rpartition(".")[2]: path for path in VARIABLES}
     ranges = {path: Range(path, value, value) for path, value in as_given(scene).items()}
     faults = []
@@ -116,13 +89,7 @@ def read_ranges(scene: Scene, within: Within) -> dict[str, Range]:
 
 
 def read_positive(value: object, kind: str, unit: str) -> float:
-    """Read a positive quantity: text with a unit, or a number in SI.
-
-    Raises
-    ------
-    NotAQuantity
-        Its text says what was found.
-    """
+    """Read a positive quantity: text with a unit, or a number in SI."""
     if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
         number = float(value)
         if not math.isfinite(number):
@@ -135,13 +102,7 @@ def read_positive(value: object, kind: str, unit: str) -> float:
 
 
 def read_share(value: object) -> float | None:
-    """Read a percentage such as ``"1 %"`` as a fraction; None if it is none.
-
-    Raises
-    ------
-    NotAQuantity
-        If it is no positive one. Its text says what was found.
-    """
+    """Read a percentage such as ``"1 %"`` as a fraction; None if it is none."""
     found = re.fullmatch(r"\s*([^%]*?)\s*%\s*", value) if isinstance(value, str) else None
     if found is None:
         return None
@@ -174,18 +135,10 @@ def _accepted(path: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Noise:
-    """Standard deviation of one reading.
+    """Standard deviation of one reading."""
 
-    Attributes
-    ----------
-    value : float
-        [m], or a share of the largest sag within the film.
-    of_sag : bool
-        Which of them.
-    """
-
-    value: float
-    of_sag: bool = False
+    value: float  # [m], or a share of the largest sag within the film
+    of_sag: bool = False  # Which of them
 
     def of(self, sag: float) -> float:
         """Standard deviation [m] in a film in which the filament sags so far [m]."""
@@ -197,13 +150,7 @@ class Noise:
 
 
 def read_noise(value: object) -> Noise:
-    """Read a length such as ``"10 um"``, a number in m, or a share of the sag such as ``"1 %"``.
-
-    Raises
-    ------
-    NotAQuantity
-        Its text says what was found.
-    """
+    """Read a length such as ``"10 um"``, a number in m, or a share of the sag such as ``"1 %"``."""
     share = read_share(value)
     return Noise(read_positive(value, "length", "m")) if share is None else Noise(share, of_sag=True)
 
@@ -214,18 +161,10 @@ _TAKES_PART = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Unknowns:
-    """What a film is to tell.
+    """What a film is to tell."""
 
-    Attributes
-    ----------
-    free : tuple of FreeParameter
-        All that is estimated together.
-    counted : ndarray of bool, shape (k,)
-        Which count: not the camera's own, nor other nuisance.
-    """
-
-    free: tuple[FreeParameter, ...]
-    counted: NDArray[np.bool_]
+    free: tuple[FreeParameter, ...]  # All that is estimated together
+    counted: NDArray[np.bool_]  # shape (k,); Which count: not the camera's own, nor other nuisance
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -244,19 +183,7 @@ class Unknowns:
 
 
 def relative_errors(matrices: Floats, unknowns: Unknowns) -> Floats:
-    """Relative standard errors by the Cramer-Rao bound, sqrt((F^-1)_ii).
-
-    Parameters
-    ----------
-    matrices : ndarray, shape (..., k, k)
-        Fisher information F of q; NaN where there is no film.
-
-    Returns
-    -------
-    ndarray, shape (..., k)
-        Infinite for an unknown that takes part in a direction whose singular value is below `DERIVATIVE_ACCURACY` of
-        the largest.
-    """
+    """Relative standard errors by the Cramer-Rao bound, sqrt((F^-1)_ii)."""
     present = np.asarray(np.isfinite(matrices).all(axis=(-1, -2), keepdims=True))
     values, directions = np.linalg.eigh(np.where(present, matrices, 0.0))
     floor = np.maximum(DERIVATIVE_ACCURACY**2 * values[..., -1:], np.finfo(float).tiny)
@@ -275,7 +202,7 @@ def strongest(matrices: Sequence[Floats]) -> int:
 
 
 # Frames that are integrated; more are counted, as what lies between frames is seen by both.
-_MOST_FRAMES = 2001
+_MAX_FRAMES = 2001
 _FIRST, _OCTAVE = 300, 150
 # Of the integrator while many experiments are compared: errors of the information below a percent.
 _ROUGH_RTOL = 1e-3
@@ -285,24 +212,14 @@ _BESIDE = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Films:
-    """All films of one filament from the release on, by their duration.
+    """All films of one filament from the release on, by their duration."""
 
-    Attributes
-    ----------
-    durations : ndarray, shape (m,)
-        Increasing [s].
-    mean : ndarray, shape (m, k, k)
-        Mean of s s^T over each film [m^2], s = d midpoint/dq; NaN where the filament does not hold so long.
-    sag : ndarray, shape (m,)
-        Largest within each film [m]; NaN where there is none.
-    complaint : str
-        Why it does not; empty if it does.
-    """
-
-    durations: Floats
+    durations: Floats  # shape (m,); Increasing [s]
+    # shape (m, k, k); Mean of s s^T over each film [m^2], s = d midpoint/dq; NaN where the filament does not hold so
+    # long.
     mean: Floats
-    sag: Floats
-    complaint: str
+    sag: Floats  # shape (m,); Largest within each film [m]; NaN where there is none
+    message: str  # Why it does not; empty if it does
 
     def information(self, frames: Floats, noise: float | Floats) -> Floats:
         """Fisher information of q, shape (m, k, k), for so many frames, shape (m,), spread evenly over each film.
@@ -331,11 +248,6 @@ def films_of(scene: Scene, free: tuple[FreeParameter, ...], shortest: float, lon
     """Run a filament once, to the longest duration, and judge every shorter film of it.
 
     The sum over n frames spread evenly over [0, T] is n/T times the integral over time, up to terms of order 1/n.
-
-    Raises
-    ------
-    SceneError
-        If there is no such filament, or something free makes no difference to it.
     """
     times, durations = film_times(shortest, longest)
     scene = scene.replace({"run.duration": f"{longest!r} s"})
@@ -347,47 +259,26 @@ def films_of(scene: Scene, free: tuple[FreeParameter, ...], shortest: float, lon
     steps = np.diff(times)[:, None, None]
     area = np.cumsum(0.5 * steps * (density[1:] + density[:-1]), axis=0)
     sag = np.maximum.accumulate(depth)[-len(durations) :]
-    return Films(durations, area[-len(durations) :] / durations[:, None, None], sag, model.complaint)
+    return Films(durations, area[-len(durations) :] / durations[:, None, None], sag, model.message)
 
 
 @dataclass(frozen=True, eq=False)
 class ExactFilm:
-    """One film by its own frames.
+    """One film by its own frames."""
 
-    Attributes
-    ----------
-    information : ndarray, shape (k, k)
-        Fisher's, of q.
-    sag : float
-        Largest within the film [m].
-    complaint : str
-        Why the filament does not hold; empty if it does.
-    """
-
-    information: Floats
-    sag: float
-    complaint: str
+    information: Floats  # shape (k, k); Fisher's, of q
+    sag: float  # Largest within the film [m]
+    message: str  # Why the filament does not hold; empty if it does
 
 
 def exact_film(scene: Scene, free: tuple[FreeParameter, ...], frames: int, noise: Noise) -> ExactFilm:
-    """Follow a filament through the frames of one film.
-
-    Parameters
-    ----------
-    frames : int
-        Spread evenly over the scene's duration, the first at the release; beyond 2001 every so many are integrated.
-
-    Raises
-    ------
-    SceneError
-        If there is no such filament, or something free makes no difference to it.
-    """
-    integrated = min(frames, _MOST_FRAMES)
+    """Follow a filament through the frames of one film."""
+    integrated = min(frames, _MAX_FRAMES)
     model = ForwardModel(scene, free, np.linspace(0.0, scene.run.duration, integrated))
     depth, slopes = _seen(model)
     sag = float(np.max(depth))
     information = slopes.T @ slopes * (frames / integrated / noise.of(sag) ** 2)
-    return ExactFilm(information, sag, model.complaint)
+    return ExactFilm(information, sag, model.message)
 
 
 def _seen(model: ForwardModel) -> tuple[Floats, Floats]:
@@ -405,37 +296,19 @@ def _seen(model: ForwardModel) -> tuple[Floats, Floats]:
 
 @dataclass(frozen=True)
 class Trial:
-    """A design and the errors that it leaves.
+    """A design and the errors that it leaves."""
 
-    Attributes
-    ----------
-    span, thickness : float
-        [m].
-    frame_rate : float
-        [1/s].
-    duration : float
-        [s].
-    frames : int
-        The first at the release, the last at the end.
-    worst : float
-        Largest relative standard error of what counts, over all rough values; infinite if the film leaves it open.
-    errors : mapping of str to float
-        Relative standard error of each unknown, of the camera's own in SI: each the largest over all rough values.
-    sag : float
-        Largest within the film [m], over all rough values; NaN where there is none.
-    note : str
-        Why there is no answer; empty if there is.
-    """
-
-    span: float
+    span: float  # [m]
     thickness: float
-    frame_rate: float
-    duration: float
-    frames: int
+    frame_rate: float  # [1/s]
+    duration: float  # [s]
+    frames: int  # The first at the release, the last at the end
+    # Largest relative standard error of what counts, over all rough values; infinite if the film leaves it open.
     worst: float
+    # Relative standard error of each unknown, of the camera's own in SI: each the largest over all rough values.
     errors: Mapping[str, float]
-    sag: float = math.nan
-    note: str = ""
+    sag: float = math.nan  # Largest within the film [m], over all rough values; NaN where there is none
+    note: str = ""  # Why there is no answer; empty if there is
 
     @property
     def values(self) -> dict[str, float]:

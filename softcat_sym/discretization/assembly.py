@@ -52,21 +52,11 @@ from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
 
 @dataclass(frozen=True)
 class Body:
-    """What of the filament's body and its supports a graph has to know, beyond equations and grid.
+    """What of the filament's body and its supports a graph has to know, beyond equations and grid."""
 
-    Attributes
-    ----------
-    supports : Supports
-        Where they are and how they move.
-    profile : Profile
-        How the section varies along the filament.
-    weighted : bool
-        Whether a mass hangs at midspan.
-    """
-
-    supports: Supports = field(default_factory=Supports)
-    profile: Profile = field(default_factory=Profile)
-    weighted: bool = False
+    supports: Supports = field(default_factory=Supports)  # Where they are and how they move
+    profile: Profile = field(default_factory=Profile)  # How the section varies along the filament
+    weighted: bool = False  # Whether a mass hangs at midspan
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -105,7 +95,7 @@ DEFAULT_FIBRES = 8
 HINGE_FIBRES = 16
 """Where hinges carry much of the load: while they turn the midpoint is 5 % off with 8, 2 % with 12, 0.4 % with 16."""
 
-_MOST_OF_FIRST_YIELD = 4.0
+_MAX_OF_FIRST_YIELD = 4.0
 """Weight, in that of first yield, beyond which tension carries it: a rectangle collapses at 2, a circle at 2.3."""
 
 DEFAULT_PROJECTION = 24
@@ -134,18 +124,12 @@ def choose_fibres(scene: Scene) -> int:
 def _hinges_carry(scene: Scene) -> bool:
     """Whether much of the load is carried by hinges that yield in bending: not far beyond collapse."""
     gravity_number = gravity_number_of(scene)
-    near = gravity_number is not None and gravity_number < _MOST_OF_FIRST_YIELD * first_yield_gravity_number(scene)
+    near = gravity_number is not None and gravity_number < _MAX_OF_FIRST_YIELD * first_yield_gravity_number(scene)
     return near and "clamped" in (scene.ends.left, scene.ends.right) and may_yield(scene)
 
 
 def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
-    """Cells graded towards the clamps, unless the scene says how; half the span when it is symmetric.
-
-    Parameters
-    ----------
-    effects : Effects
-        Those in force; without them, what the scene calls for.
-    """
+    """Cells graded towards the clamps, unless the scene says how; half the span when it is symmetric."""
     cells = choose_cells(scene, effects)
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
     left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
@@ -219,23 +203,7 @@ class When:
 def instant(
     equations: FilamentEquations, theory: Discretisation, setting: Setting, given: Inputs, state: Recall, when: When
 ) -> Instant:
-    """Evaluate the filament.
-
-    Parameters
-    ----------
-    equations : FilamentEquations
-        One cell.
-    theory : Discretisation
-        Which unknowns the grid carries.
-    setting : Setting
-        Parameters and grid.
-    given : Inputs
-        The parameters by name.
-    state : Recall
-        The unknowns.
-    when : When
-        Time and masses.
-    """
+    """Evaluate the filament."""
     values, zeros = setting.values, ca.SX(setting.grid.cells + 1, 1)
     gravity, gravity_rate = gravity_at(equations.terms, values, when.time * given.named[TIME_SCALE])
     turning = ca.SX(0)
@@ -365,27 +333,7 @@ def assemble(
     theory: Discretisation = KIRCHHOFF,
     body: Body | None = None,
 ) -> Graph:
-    """Assemble the filament of one cell's equations on a grid.
-
-    Parameters
-    ----------
-    equations : FilamentEquations
-        One cell, from :func:`softcat_sym.physics.filament.derive`.
-    grid : Grid
-        Half or whole span.
-    effects : tuple of str
-        Names of the effects in force, carried along.
-    theory : Discretisation
-        Which unknowns the grid carries.
-    body : Body
-        Supports, profile and point mass.
-
-    Returns
-    -------
-    Graph
-        An ODE, or an index-1 DAE: without inertia the positions are algebraic, or the velocities where the stress is
-        viscous; section angles likewise without rotary inertia.
-    """
+    """Assemble the filament of one cell's equations on a grid."""
     body = body or Body()
     given = inputs_for(equations, theory, body)
     time, unknowns = ca.SX.sym("t"), theory.unknowns(equations, grid)

@@ -163,20 +163,7 @@ def _common_parts(expressions: tuple[sp.Expr, ...]) -> _Shared:
 
 
 class CellFunction:
-    """Several SymPy expressions of one cell, evaluated together on CasADi values with common parts shared.
-
-    Parameters
-    ----------
-    outputs : mapping of str to sympy.Expr
-        What to compute.
-    inputs : sequence of sympy.Symbol
-        Every symbol that may occur.
-
-    Raises
-    ------
-    PrintingError
-        If an output holds a symbol that is not an input, or a function outside the whitelist (when called).
-    """
+    """Several SymPy expressions of one cell, evaluated together on CasADi values with common parts shared."""
 
     def __init__(self, outputs: Mapping[str, sp.Expr], inputs: Sequence[sp.Symbol]) -> None:
         self.inputs = tuple(inputs)
@@ -187,13 +174,7 @@ class CellFunction:
         self._shared, self._reduced = _common_parts(tuple(sp.sympify(e) for e in outputs.values()))
 
     def __call__(self, values: Mapping[sp.Symbol, Any]) -> dict[str, Any]:
-        """Evaluate on scalars or column vectors.
-
-        Parameters
-        ----------
-        values : mapping of sympy.Symbol to casadi value
-            One value for each input that occurs.
-        """
+        """Evaluate on scalars or column vectors."""
         printer = CasadiPrinter({symbol: values[symbol] for symbol in self.inputs if symbol in values})
         for symbol, expression in self._shared:
             printer.bind(symbol, printer.value(expression))
@@ -204,24 +185,7 @@ Floats = npt.NDArray[np.float64]
 
 
 def evaluate(expression: sp.Expr, values: Mapping[sp.Symbol, float | Floats]) -> Floats:
-    """Value of an expression, elementwise.
-
-    Parameters
-    ----------
-    expression : sympy.Expr
-        What to evaluate.
-    values : mapping of sympy.Symbol to float or ndarray, shape (n,)
-        One value for each symbol that occurs.
-
-    Returns
-    -------
-    ndarray, shape (n,) or (1,)
-
-    Raises
-    ------
-    PrintingError
-        If a symbol has no value, or a function is outside the printer's whitelist.
-    """
+    """Value of an expression, elementwise."""
     function = CellFunction({"value": expression}, tuple(values))
     columns = {symbol: ca.DM(np.atleast_1d(np.asarray(value, dtype=float))) for symbol, value in values.items()}
     return np.asarray(ca.DM(function(columns)["value"]), dtype=float).ravel()

@@ -115,35 +115,15 @@ def gravity_at(terms: Terms, values: Mapping[sy.Symbol, Any], time: ca.SX) -> Pa
 
 @dataclass(frozen=True)
 class Inputs:
-    """The numeric inputs of a graph.
+    """The numeric inputs of a graph."""
 
-    Attributes
-    ----------
-    symbols : dict of sympy.Symbol to casadi.SX
-        Those that occur in expressions.
-    named : dict of str to casadi.SX
-        All of them, by name.
-    vector : casadi.SX
-        All of them, in the order of `named`.
-    """
-
-    symbols: dict[sy.Symbol, ca.SX]
-    named: dict[str, ca.SX]
-    vector: ca.SX
+    symbols: dict[sy.Symbol, ca.SX]  # Those that occur in expressions
+    named: dict[str, ca.SX]  # All of them, by name
+    vector: ca.SX  # All of them, in the order of `named`
 
 
 def parameter_inputs(expressions: Iterable[Any], constants: Iterable[Constant], others: Iterable[str]) -> Inputs:
-    """Only the parameters that occur in these expressions become inputs, besides the scales of length and time.
-
-    Parameters
-    ----------
-    expressions : iterable of sympy.Expr
-        All that is printed.
-    constants : iterable of Constant
-        What the law has of its own.
-    others : iterable of str
-        Parameters that no expression holds, such as the places of the supports.
-    """
+    """Only the parameters that occur in these expressions become inputs, besides the scales of length and time."""
     used = set().union(*(expression.free_symbols for expression in expressions)) | {sy.rho}
     chosen = {p.symbol: p.name for p in CATALOGUE if p.symbol in used or p.name == REST_LENGTH}
     chosen |= {constant.symbol: constant.name for constant in constants if constant.symbol in used}
@@ -214,22 +194,7 @@ class Resultants:
 
 
 class ResolvedPrinter:
-    """One cell's chain, ready to be evaluated on vectors of cells.
-
-    Parameters
-    ----------
-    equations : FilamentEquations
-        With a resolved section.
-    setting : Setting
-        Parameters, grid and profile.
-    rule : SectionRule or OneFibre
-        Points through the thickness.
-
-    Raises
-    ------
-    ValueError
-        If the section of these equations is not resolved.
-    """
+    """One cell's chain, ready to be evaluated on vectors of cells."""
 
     def __init__(self, equations: FilamentEquations, setting: Setting, rule: Sampling) -> None:
         if equations.resolved is None:
@@ -276,15 +241,7 @@ class ResolvedPrinter:
         return out["Lam"], out["Gam"]
 
     def points(self, strains: Strains, plastic: Sequence[Pair]) -> Points:
-        """Stress and flow at every point.
-
-        Parameters
-        ----------
-        strains : Strains
-            Of the cells.
-        plastic : sequence of pairs of casadi.SX, shape (cells, points)
-            Axial and shear plastic strain of every branch.
-        """
+        """Stress and flow at every point."""
         cells, points = strains.Lam.numel(), self._rule.points
         given = self._at_points(strains)
         parts = [self._branch(number, given, plastic[number]) for number in range(self.branches)]

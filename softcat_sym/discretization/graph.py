@@ -96,27 +96,14 @@ def parameter_values(scene: Scene) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Blocks of unknowns.
+    """Blocks of unknowns."""
 
-    Attributes
-    ----------
-    positions : tuple of Block
-        Named ``x``, ``y``: differential with inertia, algebraic without.
-    velocities : tuple of Block
-        Named ``u``, ``v``: only with inertia.
-    plastic : tuple of Block
-        Named as the rates in :class:`Fields`: only where the law flows.
-    profiles : mapping of str to (float, float)
-        What each kind of plastic state is of a plastic strain a_0 + a_1 zeta, the same in every branch.
-    angles, spins : tuple of Block
-        Named ``psi``, ``omega``: section angles where they are independent.
-    """
-
-    positions: tuple[Block, ...]
-    velocities: tuple[Block, ...]
-    plastic: tuple[Block, ...]
+    positions: tuple[Block, ...]  # Named ``x``, ``y``: differential with inertia, algebraic without
+    velocities: tuple[Block, ...]  # Named ``u``, ``v``: only with inertia
+    plastic: tuple[Block, ...]  # Named as the rates in :class:`Fields`: only where the law flows
+    # What each kind of plastic state is of a plastic strain a_0 + a_1 zeta, the same in every branch.
     profiles: Mapping[str, tuple[float, float]]
-    angles: tuple[Block, ...] = ()
+    angles: tuple[Block, ...] = ()  # Named ``psi``, ``omega``: section angles where they are independent
     spins: tuple[Block, ...] = ()
 
 
@@ -143,27 +130,15 @@ def unstaged(name: str, value: ca.SX) -> ca.SX:
 
 
 def without_sums(name: str, value: ca.SX) -> ca.SX:
-    """Sums over fibres stand for themselves only where one fibre stands for all.
-
-    Raises
-    ------
-    ValueError
-        Always.
-    """
+    """Sums over fibres stand for themselves only where one fibre stands for all."""
     raise ValueError(f"{name}: one fibre stands for all, and nothing sums over them")
 
 
 @dataclass(frozen=True)
 class State:
-    """The unknowns by name, wherever they stand.
+    """The unknowns by name, wherever they stand."""
 
-    Attributes
-    ----------
-    moving, still : Layout
-        Differential and algebraic unknowns.
-    """
-
-    moving: Layout
+    moving: Layout  # Differential and algebraic unknowns
     still: Layout
 
     def field(self, name: str, full: ca.SX) -> ca.SX:
@@ -173,36 +148,16 @@ class State:
 
 @dataclass(frozen=True)
 class Setting:
-    """Where a filament is evaluated.
+    """Where a filament is evaluated."""
 
-    Attributes
-    ----------
-    values : mapping of sympy.Symbol to casadi value
-        Parameters.
-    grid : Grid
-        Nodes.
-    profile : Profile
-        How the section varies along the filament.
-    supports : Held
-        Where the supports are.
-    time_scale : casadi.SX
-        Unit of time [s].
-    lengths : Lengths
-        Of the grid.
-    stage : Stage
-        What becomes of the fields that other places read.
-    total : callable
-        What becomes of sums over the fibres, where one stands for all.
-    """
-
-    values: Mapping[symbols.Symbol, Any]
-    grid: Grid
-    profile: Profile
-    supports: Held
-    time_scale: ca.SX
-    lengths: Lengths
-    stage: Stage = unstaged
-    total: Total = without_sums
+    values: Mapping[symbols.Symbol, Any]  # Parameters
+    grid: Grid  # Nodes
+    profile: Profile  # How the section varies along the filament
+    supports: Held  # Where the supports are
+    time_scale: ca.SX  # Unit of time [s]
+    lengths: Lengths  # Of the grid
+    stage: Stage = unstaged  # What becomes of the fields that other places read
+    total: Total = without_sums  # What becomes of sums over the fibres, where one stands for all
 
     def positions(self, state: Recall) -> tuple[ca.SX, ca.SX]:
         """Positions of all nodes, in rest lengths; those that are held are where the supports are."""
@@ -221,88 +176,44 @@ class Setting:
 
 @dataclass(frozen=True)
 class Fields:
-    """Everything the filament is at one instant; positions in rest lengths, the rest in SI per unit undeformed area.
+    """Everything the filament is at one instant; positions in rest lengths, the rest in SI per unit undeformed area."""
 
-    Attributes
-    ----------
-    x, y : casadi.SX, shape (cells + 1,)
-        Positions.
-    stretch : casadi.SX, shape (cells,)
-        Stretch of the centreline.
-    force_x, force_y : casadi.SX, shape (cells,)
-        Internal force.
-    plastic_rates : mapping of str to casadi.SX
-        Rates of the plastic states on all cells or nodes [1/s].
-    elastic_energy : casadi.SX
-        Stored energy per unit span [Pa].
-    dissipation : casadi.SX
-        Plastic power per unit span, place by place, weighted with the length of each place [Pa/s].
-    observables : mapping of str to casadi.SX
-        What a trajectory shows of the section, on cells.
-    torque : casadi.SX or None, shape (cells + 1,)
-        What turns the section angle of each node [Pa m], where it is independent.
-    double_force : casadi.SX or None, shape (cells - 1,)
-        Conjugate of the change of the stretch at inner nodes [Pa], where the necking gradient is in force.
-    surface_energy : casadi.SX or None
-        Energy of the surface per unit span [Pa], where surface tension is in force.
-    """
-
-    x: ca.SX
+    x: ca.SX  # shape (cells + 1,); Positions
     y: ca.SX
-    stretch: ca.SX
-    force_x: ca.SX
+    stretch: ca.SX  # shape (cells,); Stretch of the centreline
+    force_x: ca.SX  # shape (cells,); Internal force
     force_y: ca.SX
-    plastic_rates: Mapping[str, ca.SX]
-    elastic_energy: ca.SX
-    dissipation: ca.SX
-    observables: Mapping[str, ca.SX]
+    plastic_rates: Mapping[str, ca.SX]  # Rates of the plastic states on all cells or nodes [1/s]
+    elastic_energy: ca.SX  # Stored energy per unit span [Pa]
+    dissipation: ca.SX  # Plastic power per unit span, place by place, weighted with the length of each place [Pa/s]
+    observables: Mapping[str, ca.SX]  # What a trajectory shows of the section, on cells
+    # shape (cells + 1,); What turns the section angle of each node [Pa m], where it is independent.
     torque: ca.SX | None = None
+    # shape (cells - 1,); Conjugate of the change of the stretch at inner nodes [Pa], where the necking gradient is in
+    # force.
     double_force: ca.SX | None = None
-    surface_energy: ca.SX | None = None
+    surface_energy: ca.SX | None = None  # Energy of the surface per unit span [Pa], where surface tension is in force
 
 
 @dataclass(frozen=True)
 class Fibres:
-    """A theory in which every fibre has plastic states of its own, and does alike.
+    """A theory in which every fibre has plastic states of its own, and does alike."""
 
-    Attributes
-    ----------
-    rule : SectionRule
-        Where the fibres are.
-    one : OneFibre
-        Symbols of one that stands for all.
-    theory : Discretisation
-        The theory with that one.
-    """
-
-    rule: SectionRule
-    one: OneFibre
-    theory: Discretisation
+    rule: SectionRule  # Where the fibres are
+    one: OneFibre  # Symbols of one that stands for all
+    theory: Discretisation  # The theory with that one
 
 
 @dataclass(frozen=True)
 class Discretisation:
-    """A theory on a grid.
+    """A theory on a grid."""
 
-    Attributes
-    ----------
-    label : str
-        What it is, down to the numbers that its equations hold.
-    unknowns : callable
-        Equations and grid to the unknowns.
-    evaluate : callable
-        Equations, setting and state to the fields.
-    expressions : callable
-        Equations to the expressions that are printed, for the parameters that occur in them.
-    fibres : Fibres or None
-        Where every fibre has plastic states of its own.
-    """
-
-    label: str
-    unknowns: Callable[[FilamentEquations, Grid], Unknowns]
-    evaluate: Callable[[FilamentEquations, Setting, Recall], Fields]
+    label: str  # What it is, down to the numbers that its equations hold
+    unknowns: Callable[[FilamentEquations, Grid], Unknowns]  # Equations and grid to the unknowns
+    evaluate: Callable[[FilamentEquations, Setting, Recall], Fields]  # Equations, setting and state to the fields
+    # Equations to the expressions that are printed, for the parameters that occur in them.
     expressions: Callable[[FilamentEquations], Iterable[Any]]
-    fibres: Fibres | None = None
+    fibres: Fibres | None = None  # Where every fibre has plastic states of its own
 
 
 def tidy(*expressions: ca.SX) -> list[ca.SX]:
@@ -312,21 +223,11 @@ def tidy(*expressions: ca.SX) -> list[ca.SX]:
 
 @dataclass(frozen=True)
 class Expressions:
-    """What a filament is in terms of its unknowns, before common subexpressions are shared.
+    """What a filament is in terms of its unknowns, before common subexpressions are shared."""
 
-    Attributes
-    ----------
-    rates : tuple of casadi.SX
-        `ode` and `alg`.
-    powers : tuple of casadi.SX
-        Plastic power, power of the changing load, power of the necking gradient.
-    observables : mapping of str to casadi.SX
-        What a trajectory shows.
-    """
-
-    rates: tuple[ca.SX, ca.SX]
-    powers: tuple[ca.SX, ca.SX, ca.SX]
-    observables: Mapping[str, ca.SX]
+    rates: tuple[ca.SX, ca.SX]  # `ode` and `alg`
+    powers: tuple[ca.SX, ca.SX, ca.SX]  # Plastic power, power of the changing load, power of the necking gradient
+    observables: Mapping[str, ca.SX]  # What a trajectory shows
 
 
 @dataclass(frozen=True)
@@ -335,57 +236,28 @@ class Graph:
 
     Unknowns are dimensionless: lengths in rest lengths, time in units of the parameter ``time_scale``; parameters
     are SI.
-
-    Attributes
-    ----------
-    grid : Grid
-        Nodes and ends.
-    effects : tuple of str
-        Names of the effects in force.
-    conserves_energy : bool
-        Whether forces and stored energy belong together, so that the energy balance can be judged.
-    parameters : tuple of str
-        Names of the inputs `p`, in order.
-    t, x, z, p : casadi.SX
-        Time, differential states (nx,), algebraic states (nz,), parameters.
-    write : callable
-        Writes the expressions, when they are first asked for.
-    state_names, algebraic_names : tuple of str
-        What each component is, for messages.
-    start : ndarray, shape (nx,)
-        Differential states of the straight, relaxed filament at rest.
-    straight : ndarray, shape (nz,)
-        Algebraic states of the straight filament: where the search for equilibrium begins.
-    x_kinds, z_kinds : tuple of str
-        Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ...
-    x_where, z_where : ndarray
-        X/L_0 of each component.
-    x_places, z_places : tuple of int
-        Number of the node or cell of each component.
-    profiles : mapping of str to (float, float)
-        What each kind of plastic state is of a plastic strain a_0 + a_1 zeta.
     """
 
-    grid: Grid
-    effects: tuple[str, ...]
-    conserves_energy: bool
-    parameters: tuple[str, ...]
-    t: ca.SX
+    grid: Grid  # Nodes and ends
+    effects: tuple[str, ...]  # Names of the effects in force
+    conserves_energy: bool  # Whether forces and stored energy belong together, so that the energy balance can be judged
+    parameters: tuple[str, ...]  # Names of the inputs `p`, in order
+    t: ca.SX  # Time, differential states (nx,), algebraic states (nz,), parameters
     x: ca.SX
     z: ca.SX
     p: ca.SX
-    write: Callable[[], Expressions]
-    state_names: tuple[str, ...]
+    write: Callable[[], Expressions]  # Writes the expressions, when they are first asked for
+    state_names: tuple[str, ...]  # What each component is, for messages
     algebraic_names: tuple[str, ...]
-    start: Floats
-    straight: Floats
-    x_kinds: tuple[str, ...]
+    start: Floats  # shape (nx,); Differential states of the straight, relaxed filament at rest
+    straight: Floats  # shape (nz,); Algebraic states of the straight filament: where the search for equilibrium begins
+    x_kinds: tuple[str, ...]  # Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``,
     z_kinds: tuple[str, ...]
-    x_where: Floats
+    x_where: Floats  # X/L_0 of each component
     z_where: Floats
-    x_places: tuple[int, ...]
+    x_places: tuple[int, ...]  # Number of the node or cell of each component
     z_places: tuple[int, ...]
-    profiles: Mapping[str, tuple[float, float]]
+    profiles: Mapping[str, tuple[float, float]]  # What each kind of plastic state is of a plastic strain a_0 + a_1 zeta
 
     @property
     def is_dae(self) -> bool:
@@ -455,32 +327,11 @@ class Graph:
         return int(ca.Function("rhs", [self.t, self.x, self.z, self.p], [self.ode, self.alg]).n_instructions())
 
     def vector(self, values: dict[str, float]) -> Floats:
-        """Parameter values in the order of `p`.
-
-        Raises
-        ------
-        KeyError
-            If a parameter of the graph has no value.
-        """
+        """Parameter values in the order of `p`."""
         return np.array([values[name] for name in self.parameters], dtype=float)
 
     def observe(self, time: Floats, x: Floats, z: Floats, p: Floats) -> dict[str, Floats]:
-        """Fields and energies at several times.
-
-        Parameters
-        ----------
-        time : ndarray, shape (frames,)
-            Dimensionless times.
-        x, z : ndarray, shapes (nx, frames) and (nz, frames)
-            States.
-        p : ndarray, shape (np,)
-            Parameters.
-
-        Returns
-        -------
-        dict of str to ndarray, shape (frames, size)
-            Whatever `observables` computes, a row for each time.
-        """
+        """Fields and energies at several times."""
         frames = len(time)
         if frames not in self._mapped:
             self._mapped[frames] = self.observables.map(frames)

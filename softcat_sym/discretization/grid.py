@@ -47,18 +47,10 @@ class End(Enum):
 
 @dataclass(frozen=True)
 class Grid:
-    """Nodes in units of the rest length, with what holds the first and the last.
+    """Nodes in units of the rest length, with what holds the first and the last."""
 
-    Attributes
-    ----------
-    nodes : ndarray, shape (cells + 1,)
-        X/L_0, from 0 to 1/2 for half a span, from -1/2 to 1/2 for a whole one.
-    first, last : End
-        The end conditions.
-    """
-
-    nodes: Floats
-    first: End
+    nodes: Floats  # shape (cells + 1,); X/L_0, from 0 to 1/2 for half a span, from -1/2 to 1/2 for a whole one
+    first: End  # The end conditions
     last: End
 
     @property
@@ -91,46 +83,12 @@ class Grid:
 
 
 def half_span(cells: int, support: End, grading: float = 1.0, *, middle: bool = False) -> Grid:
-    """Half a symmetric filament, from the symmetry plane X = 0 to the support at X = L/2.
-
-    Parameters
-    ----------
-    cells : int
-        How many.
-    support : End
-        What holds X = L/2.
-    grading : float
-        Length of the cell at midspan over that of the cell at the support; 1 makes all equal.
-    middle : bool
-        Whether cells at midspan are as short as those at the support, and those between the longest.
-
-    Raises
-    ------
-    SoftcatError
-        If that is no grid.
-    """
+    """Half a symmetric filament, from the symmetry plane X = 0 to the support at X = L/2."""
     return Grid(_graded(cells, grading, middle=middle), End.SYMMETRY, support)
 
 
 def whole_span(cells_per_half: int, left: End, right: End, grading: float = 1.0, *, middle: bool = False) -> Grid:
-    """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal.
-
-    Parameters
-    ----------
-    cells_per_half : int
-        How many cells on either side of X = 0.
-    left, right : End
-        What holds X = -L/2 and X = L/2.
-    grading : float
-        Length of the cells at midspan over that of the cells at the supports; 1 makes all equal.
-    middle : bool
-        As of :func:`half_span`.
-
-    Raises
-    ------
-    SoftcatError
-        If that is no grid.
-    """
+    """A whole filament: the half span and its mirror image, so that X = 0 is a node and neighbours there are equal."""
     half = _graded(cells_per_half, grading, middle=middle)
     return Grid(np.concatenate([-half[:0:-1], half]), left, right)
 
@@ -177,23 +135,7 @@ at h0/L = 0.03 the error of the arrested filament falls from 1 % to 0.1 % as tha
 
 
 def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> float:
-    """Choose the ratio of the longest cell to the shortest; 1 where no end is clamped or nothing bends.
-
-    Parameters
-    ----------
-    scene : Scene
-        Its ends, effects and groups decide.
-    cells : int
-        Cells per half span. Only a hinge depends on them: the more there are, the sooner its cell is short enough. Who
-        compares grids to estimate an error keeps the ratio of the coarsest, so that all lie on one map.
-    effects : Effects
-        Those in force; without them, what the scene calls for.
-
-    Returns
-    -------
-    float
-        Between 1 and 30; what ``grading`` of :func:`softcat_sym.discretization.half_span` takes.
-    """
+    """Choose the ratio of the longest cell to the shortest; 1 where no end is clamped or nothing bends."""
     names = (effects or choose_effects(scene)).names
     if "clamped" not in (scene.ends.left, scene.ends.right) or "bending" not in names:
         return 1.0
@@ -233,21 +175,11 @@ def _ratio_for(shortest: float, cells: int) -> float:
 
 @dataclass(frozen=True)
 class Lengths:
-    """In rest lengths.
+    """In rest lengths."""
 
-    Attributes
-    ----------
-    nodes : casadi value, shape (cells + 1,)
-        X of the nodes.
-    cell : casadi value, shape (cells,)
-        Length of each cell.
-    node : casadi value, shape (cells + 1,)
-        Length that each node answers for.
-    """
-
-    nodes: Any
-    cell: Any
-    node: Any
+    nodes: Any  # shape (cells + 1,); X of the nodes
+    cell: Any  # shape (cells,); Length of each cell
+    node: Any  # shape (cells + 1,); Length that each node answers for
 
 
 def lengths_of(grid: Grid) -> Lengths:
@@ -269,24 +201,12 @@ def to_nodes(lengths: Lengths, on_cells: ca.SX) -> ca.SX:
 
 @dataclass(frozen=True)
 class Block:
-    """One kind of unknown on some nodes or cells.
+    """One kind of unknown on some nodes or cells."""
 
-    Attributes
-    ----------
-    name : str
-        What it is, for messages.
-    places : tuple of int
-        Node or cell numbers that carry it.
-    positions : ndarray
-        X/L of those places.
-    start : ndarray
-        Values in the straight, relaxed filament at rest.
-    """
-
-    name: str
-    places: tuple[int, ...]
-    positions: Floats
-    start: Floats
+    name: str  # What it is, for messages
+    places: tuple[int, ...]  # Node or cell numbers that carry it
+    positions: Floats  # X/L of those places
+    start: Floats  # Values in the straight, relaxed filament at rest
 
 
 def block(name: str, places: Iterable[int], positions: Floats, start: Floats) -> Block:
@@ -297,15 +217,7 @@ def block(name: str, places: Iterable[int], positions: Floats, start: Floats) ->
 
 
 class Layout:
-    """A state vector made of blocks, ordered by position along the filament.
-
-    Parameters
-    ----------
-    symbol : str
-        Name of the CasADi vector.
-    blocks : sequence of Block
-        What it holds.
-    """
+    """A state vector made of blocks, ordered by position along the filament."""
 
     def __init__(self, symbol: str, blocks: Sequence[Block]) -> None:
         self.blocks = tuple(blocks)

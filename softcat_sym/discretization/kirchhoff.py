@@ -23,17 +23,7 @@ _INPUTS = (symbols.T, symbols.s, s_slope, symbols.h0, aspect)
 
 
 def neck_double_force(neck: Neck, setting: Setting, stretch: ca.SX, tension: ca.SX) -> ca.SX:
-    """B s_X at inner nodes, over the rest length [Pa], shape (cells - 1,).
-
-    Parameters
-    ----------
-    neck : Neck
-        The gradient term.
-    setting : Setting
-        Parameters, grid and profile.
-    stretch, tension : casadi.SX, shape (cells,)
-        Stretch of the centreline and tension per unit undeformed area.
-    """
+    """B s_X at inner nodes, over the rest length [Pa], shape (cells - 1,)."""
     lengths, span = setting.lengths, setting.values[symbols.L_0]
     slope = ca.diff(stretch) / lengths.node[1:-1] / span
     at_nodes = {
@@ -55,19 +45,7 @@ def neck_tension(lengths: Lengths, double_force: ca.SX) -> ca.SX:
 
 
 def surface_force(surface: Surface, setting: Setting, outline: Outline, stretch: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Axial force of each cell per unit undeformed area of the scene's section, and the surface energy per unit span.
-
-    Parameters
-    ----------
-    surface : Surface
-        Of the section.
-    setting : Setting
-        Parameters and grid.
-    outline : Outline
-        How the section varies along the filament.
-    stretch : casadi.SX, shape (cells,)
-        Stretch of the centreline.
-    """
+    """Axial force of each cell per unit undeformed area of the section, and the surface energy per unit span."""
     values = setting.values
     # Along a profile the width stays, so that its ratio to the thickness does not.
     given = {symbols.s: stretch, symbols.h0: outline.h_cells, surface_tension: values[surface_tension]}
@@ -86,22 +64,12 @@ def branch_name(kind: str, branch: int) -> str:
 
 @dataclass(frozen=True)
 class Strained:
-    """Deformation of the filament.
+    """Deformation of the filament."""
 
-    Attributes
-    ----------
-    stretch, stretch_node : casadi.SX
-        On cells and on nodes.
-    turning : casadi.SX
-        theta_X on nodes [1/m].
-    stretch_rate, turning_rate : casadi.SX
-        Their rates [1/s], on cells and on nodes; zero where nothing depends on them.
-    """
-
-    stretch: ca.SX
+    stretch: ca.SX  # On cells and on nodes
     stretch_node: ca.SX
-    turning: ca.SX
-    stretch_rate: ca.SX
+    turning: ca.SX  # theta_X on nodes [1/m]
+    stretch_rate: ca.SX  # Their rates [1/s], on cells and on nodes; zero where nothing depends on them
     turning_rate: ca.SX
 
 
@@ -207,15 +175,7 @@ def section_fields(
     section: LinearSection,
     shown: Mapping[str, ca.SX],
 ) -> Fields:
-    """Gather rates, energies and observables from cells (stretching) and nodes (bending).
-
-    Parameters
-    ----------
-    force : tuple of casadi.SX, shape (cells,)
-        Internal force.
-    shown : mapping of str to casadi.SX
-        Observables that the theory has at hand.
-    """
+    """Gather rates, energies and observables from cells (stretching) and nodes (bending)."""
     grid, at, shape = setting.grid, section.strained, section.outline
     cell, node = setting.lengths.cell * shape.area_cells, setting.lengths.node * shape.area_nodes
     dissipated, stored = section.gather("dissipation"), section.gather("elastic")

@@ -19,7 +19,7 @@ from softcat_sym.physics.closures import mean_square, polynomial
 from softcat_sym.physics.sections import Section
 from softcat_sym.physics.symbols import zeta
 
-_FEWEST_IN_HALVES = 6
+_MIN_IN_HALVES = 6
 """Points from which on rules in the two halves are as good as one for what is smooth."""
 
 _MOMENT_POINTS = 200
@@ -32,21 +32,12 @@ Total = Callable[[str, ca.SX], ca.SX]
 
 @dataclass(frozen=True)
 class SectionRule:
-    """Points through the thickness and the states that give them their plastic strain.
+    """Points through the thickness and the states that give them their plastic strain."""
 
-    Attributes
-    ----------
-    zeta, weight : ndarray, shape (points,)
-        Material coordinates and weights; the weights sum to one.
-    recall : ndarray, shape (points, states)
-        Plastic strain at the points of the states.
-    project : ndarray, shape (states, points)
-        Rates of the states of the rates at the points; ``project @ recall`` is the identity.
-    """
-
-    zeta: Floats
+    zeta: Floats  # shape (points,); Material coordinates and weights; the weights sum to one
     weight: Floats
-    recall: Floats
+    recall: Floats  # shape (points, states); Plastic strain at the points of the states
+    # shape (states, points); Rates of the states of the rates at the points; ``project @ recall`` is the identity.
     project: Floats
 
     @property
@@ -95,15 +86,9 @@ EACH = "#"
 
 @dataclass(frozen=True)
 class OneFibre:
-    """One fibre that stands for all of them, for code that loops over fibres.
+    """One fibre that stands for all of them, for code that loops over fibres."""
 
-    Attributes
-    ----------
-    zeta, weight : casadi.SX
-        Symbols of its material coordinate and weight.
-    """
-
-    zeta: ca.SX = field(default_factory=lambda: ca.SX.sym("zeta"))
+    zeta: ca.SX = field(default_factory=lambda: ca.SX.sym("zeta"))  # Symbols of its material coordinate and weight
     weight: ca.SX = field(default_factory=lambda: ca.SX.sym("weight"))
     points: int = 1
     labels: tuple[str, ...] = (EACH,)
@@ -138,7 +123,7 @@ def fibre_rule(section: Section, fibres: int, *, halves: bool = False) -> Sectio
     exactly. What yields in tension from face to face is smooth, and better off with one rule through all of it, as are
     few points, and an odd number of them.
     """
-    split = halves and fibres >= _FEWEST_IN_HALVES and fibres % 2 == 0
+    split = halves and fibres >= _MIN_IN_HALVES and fibres % 2 == 0
     nodes, weights = _in_halves(section, fibres) if split else _gauss(section, fibres)
     return SectionRule(nodes, weights, np.eye(fibres), np.eye(fibres))
 

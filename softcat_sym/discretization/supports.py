@@ -16,15 +16,10 @@ from softcat_sym.physics import symbols
 
 @dataclass(frozen=True)
 class Profile:
-    """Relative thickness, one where it is the scene's.
+    """Relative thickness, one where it is the scene's."""
 
-    Attributes
-    ----------
-    nodes, cells : ndarray, casadi.SX or None
-        At the nodes and in the middle of the cells, as symbols where the grid is an input; None for a filament that is
-        the same everywhere, which then leaves nothing of this in the graph.
-    """
-
+    # At the nodes and in the middle of the cells, as symbols where the grid is an input; None for a filament that is
+    # the same everywhere, which then leaves nothing of this in the graph.
     nodes: Floats | ca.SX | None = None
     cells: Floats | ca.SX | None = None
 
@@ -39,23 +34,13 @@ class Profile:
 
 @dataclass(frozen=True)
 class Outline:
-    """Undeformed thickness [m] and relative area on cells and on nodes; numbers where nothing varies.
+    """Undeformed thickness [m] and relative area on cells and on nodes; numbers where nothing varies."""
 
-    Attributes
-    ----------
-    h_cells, h_nodes : casadi value
-        Thickness.
-    area_cells, area_nodes : casadi value
-        Area over that of the scene's thickness.
-    relative : casadi value
-        Thickness of the cells over the scene's.
-    """
-
-    h_cells: Any
+    h_cells: Any  # Thickness
     h_nodes: Any
-    area_cells: Any
+    area_cells: Any  # Area over that of the scene's thickness
     area_nodes: Any
-    relative: Any
+    relative: Any  # Thickness of the cells over the scene's
 
 
 def outline(profile: Profile, power: int, values: Mapping[symbols.Symbol, Any]) -> Outline:
@@ -87,25 +72,13 @@ SPAN, DROP, LEFT_ANGLE, RIGHT_ANGLE = "span", "drop", "left_angle", "right_angle
 
 @dataclass(frozen=True)
 class Supports:
-    """What of the supports a graph has to know; whatever is plain leaves nothing in it.
+    """What of the supports a graph has to know; whatever is plain leaves nothing in it."""
 
-    Attributes
-    ----------
-    apart : bool
-        Whether their horizontal distance differs from the rest length.
-    lowered : bool
-        Whether the right one is lower.
-    left_turned, right_turned : bool
-        Whether a clamp is not level.
-    rows : int
-        Points of the path of the right one; none if it stays.
-    """
-
-    apart: bool = False
-    lowered: bool = False
-    left_turned: bool = False
+    apart: bool = False  # Whether their horizontal distance differs from the rest length
+    lowered: bool = False  # Whether the right one is lower
+    left_turned: bool = False  # Whether a clamp is not level
     right_turned: bool = False
-    rows: int = 0
+    rows: int = 0  # Points of the path of the right one; none if it stays
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -122,39 +95,19 @@ def path_name(kind: str, row: int) -> str:
 
 @dataclass(frozen=True)
 class Held:
-    """The supports at one instant; lengths in rest lengths, angles in rad, velocities in rest lengths per second.
+    """The supports at one instant; lengths in rest lengths, angles in rad, velocities in rest lengths per second."""
 
-    Attributes
-    ----------
-    left_x, right_x, right_y : casadi.SX
-        Positions; the left one has the height zero.
-    right_u, right_v : casadi.SX
-        Velocity of the right one.
-    left_angle, right_angle : casadi.SX
-        Tangent angles that clamps impose.
-    """
-
-    left_x: ca.SX
+    left_x: ca.SX  # Positions; the left one has the height zero
     right_x: ca.SX
     right_y: ca.SX
-    right_u: ca.SX
+    right_u: ca.SX  # Velocity of the right one
     right_v: ca.SX
-    left_angle: ca.SX
+    left_angle: ca.SX  # Tangent angles that clamps impose
     right_angle: ca.SX
 
 
 def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds: ca.SX) -> Held:
-    """The supports at a time.
-
-    Parameters
-    ----------
-    given : mapping of str to casadi.SX
-        The numbers of :attr:`Supports.parameters`, SI.
-    length : casadi.SX
-        Rest length [m].
-    seconds : casadi.SX
-        Time [s].
-    """
+    """The supports at a time."""
     half = given[SPAN] / (2 * length) if supports.apart else ca.SX(0.5)
     drop = given[DROP] / length if supports.lowered else ca.SX(0)
     moved, speed = _path(supports.rows, given, seconds)

@@ -261,7 +261,7 @@ def _why_not(effect: Effect, scene: Scene, estimate: Estimate) -> str:
         return "not in the paper's list"
     if estimate.value <= SHARE * scene.run.accuracy:
         return "worth less than a third of the accuracy asked"
-    return effect.spared(scene)
+    return effect.saved(scene)
 
 
 def _reasons(scene: Scene, shown: Mapping[str, str]) -> dict[str, str]:
@@ -295,7 +295,7 @@ def _called_for(scene: Scene, among: Iterable[Effect] = REGISTRY) -> dict[str, s
         needed = effect.indispensable(scene)
         if needed:
             reasons[effect.name] = needed
-        elif not effect.spared(scene) and effect.estimate(scene, forecast(scene)).value > SHARE * scene.run.accuracy:
+        elif not effect.saved(scene) and effect.estimate(scene, forecast(scene)).value > SHARE * scene.run.accuracy:
             reasons[effect.name] = BY_ESTIMATE
     return reasons
 
@@ -321,13 +321,7 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
 
 
 def _implied(scene: Scene, asked: Iterable[str]) -> dict[str, str]:
-    """Effects that another key asks for: a number of fibres, or an order beyond the paper's, wants them resolved.
-
-    Raises
-    ------
-    SceneError
-        If they cannot be.
-    """
+    """Effects that another key asks for: a number of fibres, or an order beyond the paper's, wants them resolved."""
     numerics = scene.numerics
     if numerics.fibres is None and (numerics.order or 0) <= 1:
         return {}

@@ -166,7 +166,7 @@ class Effect:
     needs: tuple[str, ...] = ()
     in_paper: bool = True
     eases: Callable[[Scene], str] = dispensable
-    spared: Callable[[Scene], str] = dispensable
+    saved: Callable[[Scene], str] = dispensable
     indispensable: Callable[[Scene], str] = dispensable
 
 

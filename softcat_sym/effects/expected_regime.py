@@ -67,46 +67,26 @@ _FIRST_MODE = {
 
 @dataclass(frozen=True, slots=True)
 class ExpectedRegime:
-    """What a run should show; None where the law has no such number.
+    """What a run should show; None where the law has no such number."""
 
-    Attributes
-    ----------
-    name : str
-        As :data:`softcat_sym.results.motion.Regime`.
-    reason : str
-        In words, with the numbers that decide.
-    gravity_number : float or None
-        G (3.10) of the most stressed section, with a point mass at midspan counted twice; with surface tension
-        rho g L/(sigma_Y + gamma P/(2 A)), and the thresholds below are of this number.
-    first_yield : float or None
-        G from which a fibre yields, (3.11) with stretching, overshoot and initial stress.
-    collapse : float or None
-        G from which the straight beam gives way and only its sag can hold it.
-    arrest_paper, arrest_exact : float or None
-        G above which nothing holds it: sqrt 2 (3.12), and of the exact catenary; 1 with a free end.
-    stopping_depth_paper, stopping_depth_exact : float or None
-        Sag over span at which a catenary of largest stress sigma_Y rests (3.13), and the exact one; None beyond
-        the thresholds, and with a free end.
-    overshoot : float or None
-        Where it first stops, over that depth.
-    rebound : float or None
-        How far it then springs back, over its sag.
-    hinge_pace : float or None
-        Plastic rate left at a clamp at the end of the run, over sigma_Y/eta.
-    """
-
-    name: str
-    reason: str
+    name: str  # As :data:`softcat_sym.results.motion.Regime`
+    reason: str  # In words, with the numbers that decide
+    # G (3.10) of the most stressed section, with a point mass at midspan counted twice; with surface tension rho g
+    # L/(sigma_Y + gamma P/(2 A)), and the thresholds below are of this number.
     gravity_number: float | None = None
+    # G from which a fibre yields, (3.11) with stretching, overshoot and initial stress.
     first_yield: float | None = None
-    collapse: float | None = None
+    collapse: float | None = None  # G from which the straight beam gives way and only its sag can hold it
+    # G above which nothing holds it: sqrt 2 (3.12), and of the exact catenary; 1 with a free end.
     arrest_paper: float | None = None
     arrest_exact: float | None = None
+    # Sag over span at which a catenary of largest stress sigma_Y rests (3.13), and the exact one; None beyond the
+    # thresholds, and with a free end.
     stopping_depth_paper: float | None = None
     stopping_depth_exact: float | None = None
-    overshoot: float | None = None
-    rebound: float | None = None
-    hinge_pace: float | None = None
+    overshoot: float | None = None  # Where it first stops, over that depth
+    rebound: float | None = None  # How far it then springs back, over its sag
+    hinge_pace: float | None = None  # Plastic rate left at a clamp at the end of the run, over sigma_Y/eta
 
 
 def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
@@ -115,13 +95,6 @@ def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
     A filament that yields (G above first yield) descends for ever above the exact threshold of (3.12). Below it, it
     stops: underdamped where it springs back by more than :data:`TURNS_BACK`, otherwise overdamped; unless the hinges
     at its clamps still creep when the run ends (:data:`HINGES_CREEP`).
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    effects : collection of str
-        Names of the effects in force.
     """
     gravity_number = worst_gravity_number(scene)
     if is_solid(scene):

@@ -54,11 +54,6 @@ def shaken_share(scene: Scene) -> float:
     (1 + r)/sqrt((1 - r^2)^2 + (2 zeta r)^2) static deflections (Rayleigh 1877, section 46). In the damping zeta counts
     besides the decay that resonance has the time of the run to build up, by one static deflection in 2/omega. What
     flows has nothing to spring back: r = 0.
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
     """
     return scene.load.shake * (1 + _ratio(scene)) * steady_gain(scene)
 
@@ -91,13 +86,7 @@ def _ratio(scene: Scene) -> float:
 
 
 def outrunning_faults(scene: Scene) -> list[Fault]:
-    """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it.
-
-    Parameters
-    ----------
-    scene : Scene
-        Its support path and material.
-    """
+    """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it."""
     modulus = instant_modulus(scene)
     if modulus is None or not scene.ends.motion:
         return []
@@ -136,15 +125,7 @@ def ringing_share(frequency: float, ramp: float) -> float:
 
 
 def overshoot(gravity_number: float, viscous: float, ramp: float) -> float:
-    """u: where the filament first stops, over the depth at which it could rest.
-
-    Parameters
-    ----------
-    gravity_number, viscous : float
-        G and V (3.10).
-    ramp : float
-        Time over which gravity is switched on, in sqrt(L/g).
-    """
+    """u: where the filament first stops, over the depth at which it could rest."""
     past = float(np.interp(damping(gravity_number, viscous), _DAMPING, _PAST))
     return 1 + past * ringing_share(math.sqrt(10 / gravity_number), ramp)
 
@@ -154,13 +135,6 @@ def rebound(gravity_number: float, yield_strain: float, past: float) -> float:
 
     It swings about the depth at which the elastic stress, 1/G + (16/3) E* h (h - h_stop) less than that of the stop,
     carries the weight; to twice that distance: 2 (1 - 1/u)/(1 + G^2 u^2/(12 eps_Y)).
-
-    Parameters
-    ----------
-    gravity_number, yield_strain : float
-        G and eps_Y (3.9, 3.10).
-    past : float
-        u, of :func:`overshoot`.
     """
     return 2 * (1 - 1 / past) / (1 + (gravity_number * past) ** 2 / (12 * yield_strain))
 
@@ -194,15 +168,6 @@ def missed_inertia(time: Floats, sag: Floats, gravity: float, ramp: float) -> fl
     A filament released at once follows free fall until its balanced sag H(t) ~ t^p is no deeper, at t_i with
     g t_i^2/2 = H(t_i); from then on it is late by about t_i, so that p H t_i/t is missed. Under a slow load what is
     missed is the acceleration over gravity. Ringing is not in it.
-
-    Parameters
-    ----------
-    time, sag : ndarray, shape (n,)
-        Output times [s] and balanced sag [m], from t = 0.
-    gravity : float
-        [m/s^2].
-    ramp : float
-        Duration of the ramp of gravity [s].
     """
     largest = float(np.max(np.abs(sag)))
     if largest == 0 or gravity == 0 or len(time) < 2:
@@ -221,13 +186,6 @@ def missed_from_rest(time: Floats, sag: Floats, gravity: float) -> float:
 
     It springs back about its balance at omega^2 = g/H, so that the speed v with which the flow begins sets it ringing
     with v/omega.
-
-    Parameters
-    ----------
-    time, sag : ndarray, shape (n,)
-        Output times [s] and balanced sag [m], from t = 0.
-    gravity : float
-        [m/s^2].
     """
     largest = float(np.max(np.abs(sag)))
     if largest == 0 or gravity == 0 or len(time) < 2:
@@ -270,17 +228,7 @@ _SHEAR_SAG = {
 
 
 def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
-    """Change of the sag by shear, of it.
-
-    Parameters
-    ----------
-    scene : Scene
-        Section, ends and law.
-    sag : float
-        Over span.
-    tension_share : float
-        Share of the load that is carried in tension, which does not shear.
-    """
+    """Change of the sag by shear, of it."""
     delta, beam = groups_of(scene).delta, beam_of(scene)
     shape, correction = SECTIONS[scene.filament.section], float(SHEAR_CORRECTION[scene.filament.section])
     compliance = float(regimes.gyration(shape)) * 2 * (1 + scene.material.poisson) / correction * delta**2
@@ -292,17 +240,7 @@ def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
 
 
 def lagging(time: npt.NDArray[np.float64], force: npt.NDArray[np.float64], lag: float) -> npt.NDArray[np.float64]:
-    """Force that a spring beside a dashpot has given way to: lag dF/dt + F = force, from 0 at the first frame.
-
-    Parameters
-    ----------
-    time : ndarray, shape (frames,)
-        [s].
-    force : ndarray, shape (frames, cells)
-        Constant from each frame to the next.
-    lag : float
-        Retardation time [s]; with 0 the spring follows at once.
-    """
+    """Force that a spring beside a dashpot has given way to: lag dF/dt + F = force, from 0 at the first frame."""
     if lag <= 0:
         return force
     felt = np.zeros_like(force)
@@ -312,15 +250,7 @@ def lagging(time: npt.NDArray[np.float64], force: npt.NDArray[np.float64], lag: 
 
 
 def compliant_sag(scene: Scene, shear_force: npt.NDArray[np.float64], length: npt.NDArray[np.float64]) -> float:
-    """Sag over span that the transverse force of a finished run would add elastically: its sum times 1/(kappa mu A).
-
-    Parameters
-    ----------
-    shear_force : ndarray, shape (frames, cells)
-        [N].
-    length : ndarray, shape (cells,)
-        Of each cell [m].
-    """
+    """Sag over span that the transverse force of a finished run would add elastically: its sum times 1/(kappa mu A)."""
     modulus = instant_modulus(scene)
     if modulus is None:
         return 0.0
@@ -338,13 +268,7 @@ _KINKED = 0.1
 
 
 def forecast(scene: Scene) -> Motion:
-    """Foresee the motion of a scene: closed forms of beam, cable and string put together (THEORY 5-7, 11).
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
-    """
+    """Foresee the motion of a scene: closed forms of beam, cable and string put together (THEORY 5-7, 11)."""
     return _forecast(scene.without_numerics())
 
 
@@ -438,13 +362,7 @@ def expected_strain(scene: Scene) -> float:
 
 
 def missed_by(scene: Scene, time: Floats, sag: Floats) -> float:
-    """What a filament that is in balance at every instant misses; a slack one hangs in its weight from the start.
-
-    Parameters
-    ----------
-    time, sag : ndarray, shape (n,)
-        Output times [s] and balanced sag [m].
-    """
+    """What a filament that is in balance at every instant misses; a slack one hangs in its weight from the start."""
     if is_slack(scene):
         return missed_from_rest(time, sag, scene.load.gravity)
     return missed_inertia(time, sag, scene.load.gravity, scene.load.ramp)

@@ -44,18 +44,11 @@ Floats = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """The lowest mode that the weight excites, small about the elastic shape under that weight.
+    """The lowest mode that the weight excites, small about the elastic shape under that weight."""
 
-    Attributes
-    ----------
-    frequency : float
-        omega_1, angular [1/s].
-    material_share : float
-        Share of its stiffness that bending and stretching have, and not the tension that is there anyway: only what
-        strains can lose energy, so that a loss tangent damps it by the ratio material_share loss_tangent/2.
-    """
-
-    frequency: float
+    frequency: float  # omega_1, angular [1/s]
+    # Share of its stiffness that bending and stretching have, and not the tension that is there anyway: only what
+    # strains can lose energy, so that a loss tangent damps it by the ratio material_share loss_tangent/2.
     material_share: float
 
 
@@ -66,11 +59,6 @@ def first_vibration(scene: Scene) -> Vibration | None:
     of the weight, and the stretching that a sagging strand undergoes as it vibrates (Irvine 1981). N solves
     N = E A (eps_0 + int y'^2 dX/(2 L)) with the shape y that it gives to the weight; of a strand with a free end it is
     zero.
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
     """
     return _first_vibration(scene.without_numerics())
 
@@ -142,32 +130,16 @@ def _fibre_ratio(scene: Scene) -> float:
 
 @dataclass(frozen=True)
 class _Strand:
-    """Matrices of deflections and slopes at the free nodes, over the distance of the supports [SI].
+    """Matrices of deflections and slopes at the free nodes, over the distance of the supports [SI]."""
 
-    Attributes
-    ----------
-    bending, geometric, mass : ndarray, shape (n, n)
-        Stiffness of bending, stiffness of a unit of tension, mass.
-    push : ndarray, shape (n,)
-        Of a unit of acceleration along the deflection.
-    weight : float
-        Gravity across the line between the supports.
-    axial : float
-        E A over the distance; 0 with a free end.
-    strain : float
-        Elastic strain of the straight strand.
-    length : float
-        Distance of the supports.
-    """
-
-    bending: Floats
+    bending: Floats  # shape (n, n); Stiffness of bending, stiffness of a unit of tension, mass
     geometric: Floats
     mass: Floats
-    push: Floats
-    weight: float
-    axial: float
-    strain: float
-    length: float
+    push: Floats  # shape (n,); Of a unit of acceleration along the deflection
+    weight: float  # Gravity across the line between the supports
+    axial: float  # E A over the distance; 0 with a free end
+    strain: float  # Elastic strain of the straight strand
+    length: float  # Distance of the supports
 
     def at_rest(self) -> tuple[float, Floats]:
         """Tension, and the shape that the weight takes under it."""
@@ -275,21 +247,11 @@ _OVERDAMPED = 5.0  # V above which a filament that yields is stopped without a s
 
 @dataclass(frozen=True, slots=True)
 class Ringing:
-    """Ringing of the lowest mode about the elastic shape.
+    """Ringing of the lowest mode about the elastic shape."""
 
-    Attributes
-    ----------
-    frequency : float
-        Angular [1/s]; infinite where nothing springs back.
-    decay : float
-        Rate at which its amplitude falls [1/s].
-    amplitude : float
-        In spans, at the start.
-    """
-
-    frequency: float
-    decay: float
-    amplitude: float
+    frequency: float  # Angular [1/s]; infinite where nothing springs back
+    decay: float  # Rate at which its amplitude falls [1/s]
+    amplitude: float  # In spans, at the start
 
     def lasting(self, time: float) -> float:
         """Amplitude that is left after a time [s]."""
@@ -303,15 +265,7 @@ class Ringing:
 
 
 def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
-    """Ringing that the load of a scene sets off.
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
-    lossless : bool
-        Without the loss below yield (``material.loss_tangent``, ``material.solid_viscosity``).
-    """
+    """Ringing that the load of a scene sets off."""
     modulus, weight = instant_modulus(scene), weight_stress(scene) * load_factor(scene)
     if modulus is None or weight == 0 or is_slack(scene):
         return Ringing(math.inf, 0.0, 0.0)

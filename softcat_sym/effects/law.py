@@ -19,13 +19,7 @@ def is_solid(scene: Scene) -> bool:
 
 
 def flow_nonlinearity(scene: Scene, overstress: float) -> float:
-    """How far the flow rule is from a proportional one, whose plastic strain stays linear in z: 0 to 1.
-
-    Parameters
-    ----------
-    overstress : float
-        Mean stress of the flowing filament over the yield stress; infinite without one.
-    """
+    """How far the flow rule is from a proportional one, whose plastic strain stays linear in z: 0 to 1."""
     material = scene.material
     if material.law == "custom":
         return 1.0

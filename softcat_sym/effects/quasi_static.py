@@ -26,25 +26,17 @@ from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, stress_
 
 Floats = npt.NDArray[np.float64]
 
-_MOST_TIMES = 201
+_MAX_TIMES = 201
 _CANTILEVER_SAG = 0.5  # of the middle of a filament that hangs straight down
 _SHALLOW, _DEEP, _POINTS = 1e-7, 10.0, 120
 
 
 @dataclass(frozen=True, slots=True)
 class History:
-    """Sag over span at output times.
+    """Sag over span at output times."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (n,)
-        [s].
-    sag : ndarray, shape (n,)
-        Depth below the line between the supports.
-    """
-
-    time: Floats
-    sag: Floats
+    time: Floats  # shape (n,); [s]
+    sag: Floats  # shape (n,); Depth below the line between the supports
 
 
 def smooth_step(share: Floats) -> Floats:
@@ -75,7 +67,7 @@ def mean_of(values: tuple[float, ...]) -> float:
 def quasi_static_history(scene: Scene) -> History:
     """Sag at the output times, under gravity that comes on as the scene says."""
     run, ramp = scene.run, scene.load.ramp
-    time = np.linspace(0.0, run.duration, min(run.frames, _MOST_TIMES))
+    time = np.linspace(0.0, run.duration, min(run.frames, _MAX_TIMES))
     share = smooth_step(time / ramp) if ramp > 0 else np.ones_like(time)
     sag = np.array([_sag(scene, float(t), float(r)) for t, r in zip(time, share, strict=True)])
     return History(time, np.minimum(sag, _CANTILEVER_SAG) if not is_held(scene) else sag)

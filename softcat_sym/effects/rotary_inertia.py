@@ -49,5 +49,5 @@ ROTARY_INERTIA = Effect(
     derivation="09_shearing_filament",
     needs=("inertia", "shear"),
     in_paper=False,
-    spared=_spared,
+    saved=_spared,
 )

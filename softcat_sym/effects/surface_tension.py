@@ -61,13 +61,7 @@ def unstable_faults(scene: Scene) -> list[Fault]:
 
 
 def neglected_surface(scene: Scene, share: float) -> str:
-    """Say that surface tension is left out by name although it matters; an empty text otherwise.
-
-    Parameters
-    ----------
-    share : float
-        Of the sag, that it would take.
-    """
+    """Say that surface tension is left out by name although it matters; an empty text otherwise."""
     if pull_of_surface(scene) or share <= scene.run.accuracy:
         return ""
     key = "run.closure = 'printed'" if scene.run.closure == "printed" else "run.effects"

@@ -32,15 +32,7 @@ COUNTERED = 0.2
 
 
 def theory_limits(scene: Scene, regime: ExpectedRegime) -> tuple[str, ...]:
-    """Warnings in words; none where the theory should hold.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    regime : ExpectedRegime
-        What it should show.
-    """
+    """Warnings in words; none where the theory should hold."""
     surface = (neglected_surface(scene, forecast(scene).capillary), rounded_corners(scene))
     found = (*surface, _thickness(scene), _rupture(scene, regime), _descent(regime), *_reductions(scene))
     return tuple(filter(None, found))

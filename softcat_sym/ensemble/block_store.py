@@ -18,24 +18,7 @@ _MANIFEST, _PATTERN, _CHECK = "manifest.json", "part-*.bin", 32
 
 
 class KeptBlocks:
-    """A folder with a manifest that tells whose it is, and a file for each finished block.
-
-    Parameters
-    ----------
-    directory : pathlib.Path
-        Where the results go; the folder is ``parts`` in it, made when the first block is kept.
-    digest : str
-        Hash of all that decides the results.
-    about : mapping
-        What a reader of the manifest is told beside it.
-    resume : bool
-        Whether to go on from what is there.
-
-    Raises
-    ------
-    SoftcatError
-        If something unfinished is there that is another's, or that is not to be resumed. Nothing is touched.
-    """
+    """A folder with a manifest that tells whose it is, and a file for each finished block."""
 
     def __init__(self, directory: Path, digest: str, about: Mapping[str, Any], *, resume: bool) -> None:
         self.directory, self.folder = directory, directory / FOLDER
@@ -70,13 +53,7 @@ class KeptBlocks:
         return held if check == hashlib.sha256(held).digest() else None
 
     def keep(self, number: int, content: bytes) -> None:
-        """Write a block whole or not at all.
-
-        Raises
-        ------
-        OSError
-            If it cannot be written.
-        """
+        """Write a block whole or not at all."""
         with made(self.folder):
             if not (self.folder / _MANIFEST).exists():
                 manifest = {"plan": self._digest, **self._about}
@@ -84,23 +61,11 @@ class KeptBlocks:
             replace_atomically(self._path(number), hashlib.sha256(content).digest() + content)
 
     def drop(self, number: int) -> None:
-        """Remove a block that is not needed any more.
-
-        Raises
-        ------
-        OSError
-            If it cannot be removed.
-        """
+        """Remove a block that is not needed any more."""
         self._path(number).unlink(missing_ok=True)
 
     def clear(self) -> None:
-        """Remove the folder: the results are there. Files of others in it are let alone.
-
-        Raises
-        ------
-        OSError
-            If a file cannot be removed.
-        """
+        """Remove the folder: the results are there. Files of others in it are let alone."""
         if not self.folder.is_dir():
             return
         # The manifest last: what is left after an interruption still tells whose it is.
@@ -150,20 +115,6 @@ class KeptResults:
     """Results in a folder, from which an interrupted command goes on; many to a file, so that files are few.
 
     A full disk is told, and ends nothing: from then on nothing more is kept.
-
-    Parameters
-    ----------
-    blocks : KeptBlocks
-        The folder.
-    every : float
-        Seconds between two files.
-
-    Attributes
-    ----------
-    found : int
-        How many results were there.
-    trouble : str
-        Why no more could be kept, if so.
     """
 
     def __init__(self, blocks: KeptBlocks, every: float = EVERY) -> None:

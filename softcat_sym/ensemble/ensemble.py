@@ -26,8 +26,8 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.progress import Display
 from softcat_sym.results.fields import (
     energy_residual,
-    least_energy,
     midpoint_heights,
+    min_energy,
     node_positions,
     whole_span_fields,
 )
@@ -49,26 +49,10 @@ if TYPE_CHECKING:
 
 
 def verdict(member: Member, prepared: Prepared, solution: Solution) -> tuple[Outcome, str, float]:
-    """Outcome, complaint and energy residual of a run.
-
-    Parameters
-    ----------
-    member : Member
-        What was asked.
-    prepared : Prepared
-        How it was integrated.
-    solution : Solution
-        Its first and its last frame are enough: the energy balance is closed between these two, where `simulate` looks
-        at every frame, and the last one shows whether strain has gathered in one cell.
-
-    Returns
-    -------
-    Outcome, str, float
-        A neck that the grid decides first, then a failed integration, then an energy balance that does not close.
-    """
+    """Outcome, complaint and energy residual of a run."""
     scene = member.scene
     fields = whole_span_fields(scene, prepared, solution)
-    residual = energy_residual(fields, least_energy(scene))
+    residual = energy_residual(fields, min_energy(scene))
     audited = residual if prepared.graph.conserves_energy and prepared.integration is not None else 0.0
     nodes = node_positions(prepared.graph, rest_length(scene))[0]
     return *trajectory_verdict(scene, member.effects, solution, fields, nodes, audited), residual
@@ -91,20 +75,7 @@ class NobodyListens:
 
 
 class MembersBar(Display):
-    """Tells on standard error how many members are done, and how long the rest takes.
-
-    Parameters
-    ----------
-    description : str
-        What is going on.
-    console : rich.console.Console or None
-        Where to; standard error by default.
-
-    Examples
-    --------
-    >>> with MembersBar() as bar:  # doctest: +SKIP
-    ...     ensemble = simulate_many(scene, table, progress=bar)
-    """
+    """Tells on standard error how many members are done, and how long the rest takes."""
 
     def __init__(self, description: str = "members", *, console: Console | None = None) -> None:
         super().__init__(console=console)
@@ -121,13 +92,7 @@ Key = tuple[object, ...]
 
 
 class Workshop:
-    """Prepares members for integration; what several of them share is made by the first that needs it.
-
-    Parameters
-    ----------
-    most : int, optional
-        How many sorts of filament are remembered: beyond it the one made first is forgotten. All, if not given.
-    """
+    """Prepares members for integration; what several of them share is made by the first that needs it."""
 
     def __init__(self, most: int | None = None) -> None:
         self._filaments: dict[Key, SharedFilament] = {}
@@ -139,15 +104,7 @@ class Workshop:
         return self._lock
 
     def prepare(self, member: Member) -> Prepared:
-        """A member with its parameters, start and integrator, as :func:`softcat_sym.simulate.build` makes it.
-
-        Raises
-        ------
-        SceneError
-            If the scene asks for an integrator or a backend that it cannot have.
-        SoftcatError
-            If the compiler refuses; with its message.
-        """
+        """A member with its parameters, start and integrator, as :func:`softcat_sym.simulate.build` makes it."""
         scene, effects, backend = member.scene, member.effects, member.backend
         settings = tolerances(member)
         grid = choose_grid(scene, effects)
@@ -176,18 +133,10 @@ def tolerances(member: Member) -> Settings:
 
 @dataclass(frozen=True)
 class SharedFilament:
-    """Filaments that differ in numbers only.
+    """Filaments that differ in numbers only."""
 
-    Attributes
-    ----------
-    first : Assembled
-        One of them, with the graph of all.
-    code : CompiledFilament, External or None
-        None if interpreted.
-    """
-
-    first: Assembled
-    code: CompiledFilament | External | None
+    first: Assembled  # One of them, with the graph of all
+    code: CompiledFilament | External | None  # None if interpreted
 
     def statics(self) -> Graph:
         """The filament without inertia and viscous stress, for a start that is not straight."""
@@ -213,43 +162,19 @@ Done = TypeVar("Done")
 
 @dataclass(frozen=True)
 class Record:
-    """What is kept of a member's run.
+    """What is kept of a member's run."""
 
-    Attributes
-    ----------
-    midpoint : ndarray, shape (frames,)
-        [m]; NaN after the time that was reached.
-    outcome : Outcome
-        How it ended.
-    complaint : str
-        Why, if that was no success.
-    reached : float
-        Last frame [s].
-    energy_residual : float
-        Between the first and the last frame, relative to the largest energy in them.
-    steps : int
-        Of the integrator.
-    wall : float
-        Seconds, waiting for other threads included.
-    """
-
-    midpoint: Floats
-    outcome: Outcome
-    complaint: str
-    reached: float
-    energy_residual: float
-    steps: int
-    wall: float
+    midpoint: Floats  # shape (frames,); [m]; NaN after the time that was reached
+    outcome: Outcome  # How it ended
+    message: str  # Why, if that was no success
+    reached: float  # Last frame [s]
+    energy_residual: float  # Between the first and the last frame, relative to the largest energy in them
+    steps: int  # Of the integrator
+    wall: float  # Seconds, waiting for other threads included
 
 
 class Stop(Silence):
-    """Ends integrations from outside: as their listener, it raises when told to.
-
-    Attributes
-    ----------
-    flag : ctypes.c_int
-        Not zero from then on.
-    """
+    """Ends integrations from outside: as their listener, it raises when told to."""
 
     def __init__(self) -> None:
         self.flag = ctypes.c_int(0)
@@ -259,26 +184,14 @@ class Stop(Silence):
         self.flag.value = 1
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
-        """Look whether to stop.
-
-        Raises
-        ------
-        KeyboardInterrupt
-            If so.
-        """
+        """Look whether to stop."""
         del simulated_time, step_size
         if self.flag.value:
             raise KeyboardInterrupt
 
 
 def workers_of(workers: int | None) -> int:
-    """As many as asked, otherwise one for each core that this process may use.
-
-    Raises
-    ------
-    SoftcatError
-        If less than one is asked for.
-    """
+    """As many as asked, otherwise one for each core that this process may use."""
     if workers is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
@@ -287,20 +200,7 @@ def workers_of(workers: int | None) -> int:
 
 
 def run_all(members: Sequence[Member], workshop: Workshop, workers: int, progress: MembersProgress) -> list[Record]:
-    """Run the members, `workers` at a time.
-
-    Returns
-    -------
-    list of Record
-        In the order of the members.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If the user stops it: no thread goes on.
-    SoftcatError
-        If the compiler refuses or memory is short.
-    """
+    """Run the members, `workers` at a time."""
     begun, stop = time.monotonic(), Stop()
 
     def told(done: int) -> None:
@@ -312,31 +212,7 @@ def run_all(members: Sequence[Member], workshop: Workshop, workers: int, progres
 def side_by_side(
     work: Callable[[Item], Done], items: Sequence[Item], workers: int, stop: Stop, told: Callable[[int], None]
 ) -> list[Done]:
-    """Work on items in threads.
-
-    Parameters
-    ----------
-    work : callable
-        Its integrations listen to `stop`.
-    items : sequence
-        What is worked on.
-    workers : int
-        How many at a time.
-    stop : Stop
-        Told if this ends before all are done.
-    told : callable
-        Given the number of items done, after each.
-
-    Returns
-    -------
-    list
-        What `work` returns, in the order of the items.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If the user stops it: no thread goes on. What `work` raises is raised too.
-    """
+    """Work on items in threads."""
     with ThreadPoolExecutor(workers, thread_name_prefix="softcat-member") as pool:
         try:
             futures = [pool.submit(work, item) for item in items]
@@ -357,13 +233,13 @@ def _run(member: Member, workshop: Workshop, stop: Stop) -> Record:
     solution = prepared.solve(stop)
     # Without velocities the work against the necking gradient is summed over frames.
     judged = _first_and_last(solution) if prepared.graph.has_velocities else solution
-    outcome, complaint, residual = verdict(member, prepared, judged)
+    outcome, message, residual = verdict(member, prepared, judged)
     midpoint = np.full(scene.run.frames, np.nan)
     heights = midpoint_heights(prepared.graph, solution) * rest_length(scene)
     midpoint[: len(solution.time)] = heights + 0.0  # no minus zero
     reached = float(solution.time[-1]) * prepared.scale
     wall = time.perf_counter() - begun
-    return Record(midpoint, outcome, complaint, reached, residual, solution.steps, wall)
+    return Record(midpoint, outcome, message, reached, residual, solution.steps, wall)
 
 
 def _first_and_last(solution: Solution) -> Solution:
@@ -431,19 +307,7 @@ class Ensemble:
 def collect(
     scene: Scene, rows: Sequence[Row], members: Sequence[Member], records: Sequence[Record], notes: dict[str, str]
 ) -> Ensemble:
-    """Records become a Dataset.
-
-    Parameters
-    ----------
-    scene : Scene
-        The base.
-    rows : sequence of dict
-        The table as it was given.
-    members, records
-        A member and a record for each row.
-    notes : dict of str to str
-        Attributes of the Dataset, beside scene and versions.
-    """
+    """Records become a Dataset."""
     import xarray as xr
 
     scenes = tuple(member.scene for member in members)
@@ -478,7 +342,7 @@ def _variables(members: Sequence[Member], records: Sequence[Record]) -> dict[str
         ),
         "time_final": ([r.reached for r in records], {"units": "s", "long_name": "time of the last frame reached"}),
         "outcome": ([r.outcome.name for r in records], {"long_name": "how the run ended"}),
-        "complaint": ([r.complaint for r in records], {"long_name": "why, if that is no success"}),
+        "message": ([r.message for r in records], {"long_name": "why, if that is no success"}),
         "energy_residual": (
             [r.energy_residual for r in records],
             {"units": "1", "long_name": "energy imbalance of the last frame against the first, of the largest energy"},

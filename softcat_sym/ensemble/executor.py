@@ -25,18 +25,10 @@ Told = Callable[[int], None]
 
 @dataclass(frozen=True)
 class Block(Generic[Item]):
-    """Items that are run, kept and lost together.
+    """Items that are run, kept and lost together."""
 
-    Attributes
-    ----------
-    number : int
-        Its place among the blocks, from 0.
-    items : tuple
-        What is run.
-    """
-
-    number: int
-    items: tuple[Item, ...]
+    number: int  # Its place among the blocks, from 0
+    items: tuple[Item, ...]  # What is run
 
 
 class Work(Protocol[ItemIn, DoneOut]):
@@ -77,26 +69,14 @@ def blocks_of(items: Sequence[Item], size: int) -> list[Block[Item]]:
 
 @dataclass(frozen=True)
 class Embedded:
-    """Threads of this process.
+    """Threads of this process."""
 
-    Attributes
-    ----------
-    threads : int
-        Members at a time.
-    """
-
-    threads: int
+    threads: int  # Members at a time
 
     def run(
         self, work: Work[Item, Done], blocks: Iterable[Block[Item]], told: Told
     ) -> Iterator[tuple[int, Sequence[Done]]]:
-        """The number and the results of each block, in order.
-
-        Raises
-        ------
-        KeyboardInterrupt
-            If the user stops it: no thread goes on.
-        """
+        """The number and the results of each block, in order."""
         for block in blocks:
             yield block.number, work.run(block.items, self.threads, told)
 
@@ -134,15 +114,7 @@ _DIES = "every worker that ran this member died (killed, or out of memory)"
 
 
 class Cluster:
-    """A Dask cluster.
-
-    Parameters
-    ----------
-    client : distributed.Client
-        Connected to its scheduler.
-    what : str
-        What it is, for the record.
-    """
+    """A Dask cluster."""
 
     def __init__(self, client: Client, what: str) -> None:
         self._client, self._what = client, what
@@ -162,13 +134,6 @@ class Cluster:
 
         A block whose workers die, again and again, is run once more, a member at a time and with nothing else on the
         cluster: only the member at fault is lost.
-
-        Raises
-        ------
-        SoftcatError
-            If no worker is left, or none can do the work.
-        KeyboardInterrupt
-            If the user stops it; what the workers still do is cancelled.
         """
         waiting, sent, suspects = iter(blocks), dict[Any, Block[Item]](), list[Block[Item]]()
         try:
@@ -208,13 +173,7 @@ class Cluster:
             sent[self._client.submit(_run, work, block.items, pure=False, retries=0)] = block
 
     def _next(self, futures: Sequence[Future]) -> Future:
-        """The next that is finished.
-
-        Raises
-        ------
-        SoftcatError
-            If there is no worker for a minute.
-        """
+        """The next that is finished."""
         from distributed import wait
 
         lonely = 0.0
@@ -240,13 +199,7 @@ def _run(work: Work[Item, Done], items: Sequence[Item]) -> Sequence[Done]:
 
 
 def _results(future: Future) -> Any:
-    """The results of a block; None if its workers died.
-
-    Raises
-    ------
-    SoftcatError
-        If it failed in another way, as where a worker lacks the package.
-    """
+    """The results of a block; None if its workers died."""
     from distributed import KilledWorker
 
     error = future.exception()
@@ -259,13 +212,7 @@ def _results(future: Future) -> Any:
 
 @contextmanager
 def cluster_at(address: str) -> Iterator[Cluster]:
-    """The cluster of a scheduler that runs already.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no Dask here, no scheduler there, no worker, or workers with another version of this package.
-    """
+    """The cluster of a scheduler that runs already."""
     distributed = _distributed()
     if not _ADDRESS.fullmatch(address):
         raise SoftcatError(f"{address!r} is no address of a Dask scheduler; accepted: tcp://host:port, tls://host:port")
@@ -285,13 +232,7 @@ def cluster_at(address: str) -> Iterator[Cluster]:
 
 @contextmanager
 def own_cluster(processes: int) -> Iterator[Cluster]:
-    """A cluster of worker processes on this machine, each with one thread, which ends with the context.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no Dask here.
-    """
+    """A cluster of worker processes on this machine, each with one thread, which ends with the context."""
     distributed = _distributed()
     with (
         _quiet(),
@@ -321,13 +262,7 @@ def _distributed() -> Any:
 
 
 def _check_workers(client: Client, address: str) -> None:
-    """Refuse a cluster without workers, or with others than ours.
-
-    Raises
-    ------
-    SoftcatError
-        If it is one.
-    """
+    """Refuse a cluster without workers, or with others than ours."""
     if not client.nthreads():
         raise SoftcatError(f"the Dask scheduler at {address} has no workers; start some with `dask worker {address}`")
     ours = _version()
@@ -357,13 +292,7 @@ def _quiet() -> Iterator[None]:
 
 
 def check_workplace(workers: int | None, scheduler: str | None, local_cluster: int | None) -> None:
-    """Refuse what cannot be had, before anything is computed.
-
-    Raises
-    ------
-    SoftcatError
-        If two places are named, or a number of workers is none.
-    """
+    """Refuse what cannot be had, before anything is computed."""
     if scheduler is not None and local_cluster is not None:
         raise SoftcatError("name a scheduler or a local cluster, not both")
     if workers is not None and (scheduler is not None or local_cluster is not None):
@@ -379,22 +308,7 @@ def check_workplace(workers: int | None, scheduler: str | None, local_cluster: i
 def workplace(
     workers: int | None = None, scheduler: str | None = None, local_cluster: int | None = None
 ) -> Iterator[Workplace]:
-    """The place that is asked for, ready to work; a cluster that was started for it ends with it.
-
-    Parameters
-    ----------
-    workers : int, optional
-        Threads of this process; as many as there are cores by default.
-    scheduler : str, optional
-        Address of a Dask scheduler, ``tcp://host:port``.
-    local_cluster : int, optional
-        Worker processes of a Dask cluster on this machine.
-
-    Raises
-    ------
-    SoftcatError
-        As :func:`check_workplace`; if there is no Dask; if the scheduler does not answer or has no workers.
-    """
+    """The place that is asked for, ready to work; a cluster that was started for it ends with it."""
     check_workplace(workers, scheduler, local_cluster)
     if scheduler is None and local_cluster is None:
         yield Embedded(workers_of(workers))
@@ -408,17 +322,7 @@ Keep = Callable[[int, Sequence[Done]], object]
 
 
 class Count:
-    """Items done, told on with the time that the others will take.
-
-    Parameters
-    ----------
-    members : int
-        How many there are.
-    done : int
-        How many were done before.
-    listener : MembersProgress
-        Whom to tell.
-    """
+    """Items done, told on with the time that the others will take."""
 
     def __init__(self, members: int, done: int, listener: MembersProgress) -> None:
         self._members, self._before, self._done, self._listener = members, done, done, listener
@@ -435,25 +339,6 @@ class Count:
 def run_blocks(
     work: Work[Item, Done], blocks: Iterable[Block[Item]], place: Workplace, told: Count, keep: Keep[Done]
 ) -> None:
-    """Run blocks, and hand each to `keep` as soon as it is finished.
-
-    Parameters
-    ----------
-    work : Work
-        What is done with each item.
-    blocks : iterable of Block
-        Taken one by one, as there is room for them.
-    place : Workplace
-        Where.
-    told : Count
-        Told of items done.
-    keep : callable
-        Given the number of a block and its results.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If the user stops it: what was handed to `keep` stays.
-    """
+    """Run blocks, and hand each to `keep` as soon as it is finished."""
     for number, results in place.run(work, blocks, told):
         keep(number, results)

@@ -32,18 +32,7 @@ Row = dict[str, object]
 
 
 def rows_of(parameters: object) -> list[Row]:
-    """The rows of a table.
-
-    Parameters
-    ----------
-    parameters : mapping of str to sequence, sequence of mappings, or structured array
-        By dotted keys of the scene. What has ``keys()``, such as a data frame, is a mapping.
-
-    Raises
-    ------
-    SceneError
-        If it is no table: columns of unequal lengths, rows of other keys, nothing in it.
-    """
+    """The rows of a table."""
     columns = _columns(parameters)
     lengths = {key: len(column) for key, column in columns.items()}
     if len(set(lengths.values())) > 1:
@@ -124,13 +113,7 @@ def _columns(parameters: object) -> dict[str, list[Any]]:
 
 
 def _plain(key: object, column: Any) -> list[Any]:
-    """A column of plain Python values.
-
-    Raises
-    ------
-    SceneError
-        If it is a single value.
-    """
+    """A column of plain Python values."""
     if isinstance(column, (str, bytes, Mapping)) or not hasattr(column, "__len__") or np.ndim(column) == 0:
         raise _refusal(str(key), f"{shown(column)} is not a column", _FORM)
     return [_item(value) for value in column]
@@ -156,20 +139,7 @@ def is_group(key: str) -> bool:
 
 
 def constants_of(scene: Scene, row: Row) -> Row:
-    """What the groups of a row set in a scene, as a scene file would give it.
-
-    Parameters
-    ----------
-    scene : Scene
-        With the other values of the row.
-    row : dict
-        The row, its other keys included: what they set is not set again.
-
-    Raises
-    ------
-    SceneError
-        If a group is unknown, no positive number, says something twice, or belongs to another law.
-    """
+    """What the groups of a row set in a scene, as a scene file would give it."""
     groups = {key.removeprefix(TABLE): value for key, value in row.items() if is_group(key)}
     faults = [fault for key, value in groups.items() if (fault := _fault(key, value)) is not None]
     if scene.load.gravity == 0 and not faults:
@@ -246,47 +216,17 @@ Pattern = tuple[object, ...]
 
 @dataclass(frozen=True)
 class Member:
-    """One row.
+    """One row."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What is asked.
-    effects : Effects
-        The physics in force.
-    backend : Backend
-        What evaluates its right-hand side.
-    parallel : bool
-        Whether it is integrated outside Python, so that threads do not wait for each other.
-    pattern : tuple
-        Equal for members whose equations are the same if their effects are.
-    """
-
-    scene: Scene
-    effects: Effects
-    backend: Backend
-    parallel: bool
-    pattern: Pattern
+    scene: Scene  # What is asked
+    effects: Effects  # The physics in force
+    backend: Backend  # What evaluates its right-hand side
+    parallel: bool  # Whether it is integrated outside Python, so that threads do not wait for each other
+    pattern: Pattern  # Equal for members whose equations are the same if their effects are
 
 
 def members_of(scene: Scene, rows: Sequence[Row], choosing: Choosing) -> list[Member]:
-    """Validate every row, and choose its effects.
-
-    Parameters
-    ----------
-    scene : Scene
-        What the rows change.
-    rows : sequence of dict
-        Raw values by dotted key.
-    choosing : str
-        ``"once"``: effects of the base scene, but anew for the first row of another pattern (another law, another end,
-        a number that is zero or no longer); ``"each"``: effects of every row.
-
-    Raises
-    ------
-    SceneError
-        With every fault at once, and the rows that have it.
-    """
+    """Validate every row, and choose its effects."""
     refuse_settled(scene, "members share their output times")
     faults = _Faults()
     base = _Rows(scene)
@@ -372,13 +312,7 @@ def pattern_of(scene: Scene, row: Row) -> Pattern:
 
 
 def _admit(scene: Scene, effects: Effects) -> None:
-    """Refuse a scene that cannot have effects that were chosen for another one.
-
-    Raises
-    ------
-    SceneError
-        If it cannot have one of them, cannot do without another one, or outruns them.
-    """
+    """Refuse a scene that cannot have effects that were chosen for another one."""
     chosen = effects.in_force
     barred = [effect for effect in chosen if not effect.applies(scene)]
     if barred:
@@ -413,13 +347,7 @@ class _Faults:
             return None
 
     def refuse(self) -> None:
-        """Raise what was gathered.
-
-        Raises
-        ------
-        SceneError
-            If that is anything.
-        """
+        """Raise what was gathered."""
         if not self.rows:
             return
         told = [

@@ -25,7 +25,7 @@ from softcat_sym.error_control.estimate import (
 )
 from softcat_sym.error_control.resolution import Resolution, resolution_of
 from softcat_sym.results.fields import midpoint_heights
-from softcat_sym.results.motion import FEWEST_PERIODS
+from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.results.verdict import shortest_hinge_cell
 from softcat_sym.scene.scene import Scene, rest_length
@@ -40,9 +40,9 @@ AIM = 0.8
 WORTH = 0.9
 """Share of the error that must be left at most, where the accuracy is out of reach, for another run to be worth it."""
 
-MOST_CELLS, MOST_FIBRES, LEAST_RTOL = 1280, 64, 1e-11
+MAX_CELLS, MAX_FIBRES, MIN_RTOL = 1280, 64, 1e-11
 
-MOST_POINTS = 32_000
+MAX_POINTS = 32_000
 """Cells times fibres: what a filament of so many points takes is a matter of minutes, and is not begun unasked."""
 
 _FORETOLD_ORDER = 1.6
@@ -68,24 +68,12 @@ def refined(at: Resolution, found: Differences, scene: Scene, grading: Callable[
     """What to run next: of all that should be accurate enough, by the order of each error, the cheapest.
 
     The same resolution where nothing that the program may choose would help.
-
-    Parameters
-    ----------
-    at : Resolution
-        Of the run that was not accurate enough.
-    found : Differences
-        Its errors.
-    scene : Scene
-        What it fixes (``numerics.cells``, ``numerics.fibres``, ``numerics.order``, ``numerics.rtol``) stays.
-    grading : callable
-        Ratio of the longest cell to the shortest for so many cells: at a hinge no cell may become much shorter than the
-        thickness, below which a sheared section has no resistance left to necking.
     """
     aim = AIM * scene.run.accuracy
     tried = [
         replace(at, cells=cells, fibres=fibres, rtol=rtol)
         for cells, fibres, rtol in itertools.product(_cells(at, scene), _fibres(at, scene), _tolerances(at, scene))
-        if fibres is None or cells == at.cells or cells * fibres <= MOST_POINTS
+        if fibres is None or cells == at.cells or cells * fibres <= MAX_POINTS
     ]
     best = min(_foretold(one, at, found) for one in tried)
     if best > WORTH * found.total:
@@ -100,7 +88,7 @@ def _cells(at: Resolution, scene: Scene) -> Iterable[int]:
     if scene.numerics.cells is not None:
         return (at.cells,)
     eighths = range(1, round(8 * math.log2(_LEAP)) + 1)
-    more = {min(MOST_CELLS, math.ceil(at.cells * 2 ** (k / 8))) for k in eighths}
+    more = {min(MAX_CELLS, math.ceil(at.cells * 2 ** (k / 8))) for k in eighths}
     return (at.cells, *sorted(n for n in more if n > at.cells))
 
 
@@ -108,14 +96,14 @@ def _fibres(at: Resolution, scene: Scene) -> Iterable[int | None]:
     numerics = scene.numerics
     if at.fibres is None or numerics.fibres is not None or numerics.order is not None:
         return (at.fibres,)
-    return (at.fibres, *(n for n in FIBRE_NUMBERS if at.fibres < n <= MOST_FIBRES))
+    return (at.fibres, *(n for n in FIBRE_NUMBERS if at.fibres < n <= MAX_FIBRES))
 
 
 def _tolerances(at: Resolution, scene: Scene) -> Iterable[float]:
     if scene.numerics.rtol is not None:
         return (at.rtol,)
     tighter = (at.rtol / 2**k for k in range(1, round(math.log2(_TIGHTEST)) + 1))
-    return (at.rtol, *(rtol for rtol in tighter if rtol >= LEAST_RTOL))
+    return (at.rtol, *(rtol for rtol in tighter if rtol >= MIN_RTOL))
 
 
 def _foretold(one: Resolution, at: Resolution, found: Differences) -> float:
@@ -139,21 +127,11 @@ ROUNDS = 4
 
 @dataclass(frozen=True)
 class Controlled:
-    """How the loop ended.
+    """How the loop ended."""
 
-    Attributes
-    ----------
-    resolution : Resolution
-        Of the answer.
-    found : Differences or None
-        Its estimated errors; None if the answer itself is not to be trusted.
-    refinements : tuple of str
-        What was made finer, and why, run by run.
-    """
-
-    resolution: Resolution
-    found: Differences | None
-    refinements: tuple[str, ...]
+    resolution: Resolution  # Of the answer
+    found: Differences | None  # Its estimated errors; None if the answer itself is not to be trusted
+    refinements: tuple[str, ...]  # What was made finer, and why, run by run
 
 
 def controlled(
@@ -164,23 +142,7 @@ def controlled(
     grading: Callable[[int], float],
     periods: float = 0.0,
 ) -> Controlled:
-    """Run until the estimated error is below the accuracy asked, or nothing that may be chosen would help.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    first : Resolution
-        Where to begin.
-    answer : Runner
-        Runs for good; the last call is the answer. None if a run is not to be trusted for another reason.
-    companion : Runner
-        Runs for the estimate.
-    grading : callable
-        Of grids of so many cells.
-    periods : float
-        Of the lowest mode in the run; zero where nothing rings.
-    """
+    """Run until the estimated error is below the accuracy asked, or nothing that may be chosen would help."""
     at, said, before = first, list[str](), None
     for left in reversed(range(ROUNDS)):
         midpoint = answer(at)
@@ -213,7 +175,7 @@ FRAMES_PER_PERIOD = 20
 """Of a ringing that is looked at by its height and amplitude. A string's odd modes are multiples of the first, with
 amplitudes that fall as the cube: at eight frames a period the seventh and ninth, 1/400 of it, pass for the first."""
 
-MOST_NUMBERS = 20_000_000
+MAX_NUMBERS = 20_000_000
 """Of all output times together: what a run that is looked at closely may hold in memory."""
 
 _STATES_PER_CELL = 10
@@ -228,24 +190,7 @@ _MIDPOINT: Form[Floats] = Form(lambda heights: packed({"heights": heights}), lam
 def as_accurate_as_asked(
     first: Trajectory, effects: Effects, clock: Clock, progress: Progress | None = None
 ) -> Trajectory:
-    """Estimate the error of a run, and run it on a finer grid, more fibres or shorter steps until it is small enough.
-
-    Parameters
-    ----------
-    first : Trajectory
-        With these effects, at the program's first guess. Returned as it is where it is not to be trusted anyway.
-    effects : Effects
-        In force.
-    clock : Clock
-        Told of every stage; whatever is not the answer's own integration counts as ``estimate``.
-    progress : Progress
-        Told about simulated time.
-
-    Returns
-    -------
-    Trajectory
-        With ``error_estimate``, and with the outcome ``inaccurate`` where the accuracy could not be reached.
-    """
+    """Estimate the error of a run, and refine grid, fibres or steps until it is small enough."""
     guess = resolution_of(first.scene, effects, compiled=first.summary["backend"] == "compiled")
     start = replace(guess, rtol=first.summary["rtol"])
     scene, periods = first.scene, periods_of(first)
@@ -354,13 +299,7 @@ def _missed(scene: Scene, parts: Differences, *, undecided: bool) -> tuple[str, 
 
 
 def periods_of(run: Trajectory) -> float:
-    """Periods of the lowest mode in a run whose load sets it ringing; zero where none does.
-
-    Parameters
-    ----------
-    run : Trajectory
-        Any.
-    """
+    """Periods of the lowest mode in a run whose load sets it ringing; zero where none does."""
     return _periods_in(run.scene, run.summary["effects"], run.summary["time_final_s"])
 
 
@@ -375,9 +314,9 @@ def frames_of_first(scene: Scene, effects: Effects) -> int:
 def frames_to_see(scene: Scene, at: Resolution, periods: float) -> int:
     """Output times that show a long ringing, which is not told frame by frame; the frames asked for are among them."""
     asked = scene.run.frames
-    if periods < FEWEST_PERIODS:
+    if periods < MIN_PERIODS:
         return asked
-    fits = MOST_NUMBERS // (at.cells * (_STATES_PER_CELL + 2 * (at.fibres or 0)))
+    fits = MAX_NUMBERS // (at.cells * (_STATES_PER_CELL + 2 * (at.fibres or 0)))
     wanted = min(math.ceil(FRAMES_PER_PERIOD * periods), fits - 1)
     return max(1, math.ceil(wanted / (asked - 1))) * (asked - 1) + 1
 

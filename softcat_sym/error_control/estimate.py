@@ -10,7 +10,7 @@ import numpy as np
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.error_control.resolution import Resolution
-from softcat_sym.results.motion import FEWEST_PERIODS
+from softcat_sym.results.motion import MIN_PERIODS
 
 WINDOW_PERIODS, WINDOW_FRAMES = 5.0, 20
 """Least length of a window."""
@@ -21,50 +21,26 @@ _FINER = 16
 
 @dataclass(frozen=True, slots=True)
 class Deviation:
-    """Of one midpoint from another.
+    """Of one midpoint from another."""
 
-    Attributes
-    ----------
-    size : float
-        Largest difference over the run, relative to the largest midpoint.
-    phase : float or None
-        Periods by which the one is ahead of the other at the end; None where midpoints are compared instant by instant.
-    """
-
-    size: float
+    size: float  # Largest difference over the run, relative to the largest midpoint
+    # Periods by which the one is ahead of the other at the end; None where midpoints are compared instant by instant.
     phase: float | None
 
 
 @dataclass(frozen=True)
 class Judge:
-    """Compares midpoints with those of an answer.
+    """Compares midpoints with those of an answer."""
 
-    Attributes
-    ----------
-    answer : ndarray, shape (frames,)
-        Midpoint that the others are compared with.
-    windows : tuple of slice
-        Stretches over which height and amplitude are taken; none where it is compared instant by instant.
-    """
-
-    answer: Floats
+    answer: Floats  # shape (frames,); Midpoint that the others are compared with
+    # Stretches over which height and amplitude are taken; none where it is compared instant by instant.
     windows: tuple[slice, ...]
 
     @classmethod
     def of(cls, answer: Floats, periods: float, accuracy: float) -> Judge:
-        """Judge by an answer.
-
-        Parameters
-        ----------
-        answer : ndarray, shape (frames,)
-            Its midpoint.
-        periods : float
-            Periods of the lowest mode in the run; zero of a filament that does not ring.
-        accuracy : float
-            Asked: what swings by less at the end has come to rest.
-        """
+        """Judge by an answer."""
         frames, scale = len(answer), float(np.max(np.abs(answer)))
-        if periods < FEWEST_PERIODS or scale == 0:
+        if periods < MIN_PERIODS or scale == 0:
             return cls(answer, ())
         number = int(min(periods / WINDOW_PERIODS, frames / WINDOW_FRAMES))
         if number < 2:
@@ -144,28 +120,18 @@ SECTION_ORDER = 2
 SMALL = 0.2
 """Share of the accuracy below which an error of the time steps is not looked at again when they have become shorter."""
 
-_FEWEST_CELLS = 4
+_MIN_CELLS = 4
 
 
 @dataclass(frozen=True)
 class Differences:
-    """Estimated errors of one run, as in :class:`softcat_sym.error_control.ErrorEstimate`, and what could not be had.
+    """Estimated errors of one run, as in `ErrorEstimate`, and what could not be had."""
 
-    Attributes
-    ----------
-    space, time, section : float or None
-        Relative to the largest midpoint.
-    phase : float or None
-        Periods by which a ringing may be ahead or late at its end.
-    failed : tuple of str
-        Companions that have no answer.
-    """
-
-    space: float | None
+    space: float | None  # Relative to the largest midpoint
     time: float | None
     section: float | None
-    phase: float | None
-    failed: tuple[str, ...]
+    phase: float | None  # Periods by which a ringing may be ahead or late at its end
+    failed: tuple[str, ...]  # Companions that have no answer
 
     @property
     def total(self) -> float:
@@ -184,24 +150,8 @@ class Before:
 def differences(
     answer: Floats, at: Resolution, run: Runner, judge: Judge, accuracy: float, before: Before | None = None
 ) -> Differences:
-    """Estimate the errors of an answer from its companions.
-
-    Parameters
-    ----------
-    answer : ndarray, shape (frames,)
-        Midpoint at the resolution `at`.
-    at : Resolution
-        Of the answer.
-    run : Runner
-        Runs a companion.
-    judge : Judge
-        Compares them.
-    accuracy : float
-        Asked.
-    before : Before
-        What is known already.
-    """
-    coarser = replace(at, cells=max(_FEWEST_CELLS, at.cells // 2))
+    """Estimate the errors of an answer from its companions."""
+    coarser = replace(at, cells=max(_MIN_CELLS, at.cells // 2))
     beside = run(coarser)
     if beside is None or not np.any(answer) or coarser.cells == at.cells:
         return Differences(None, None, None, None, (f"{coarser.cells} cells",))
@@ -273,28 +223,19 @@ class ErrorEstimate:
 
     Of a filament that rings on to the end for ten periods or more it is that of the height about which it rings and of
     the amplitude, over every five periods: see :mod:`softcat_sym.error_control.estimate`.
-
-    Attributes
-    ----------
-    space : float or None
-        Of the grid, by Richardson's extrapolation from a coarser one.
-    time : float or None
-        Of the time steps, from a run at a looser tolerance, or at a tighter one of a filament that rings on.
-    section : float or None
-        Of the fibres (or of the order k) through the thickness, from a run with more of them; None also where a
-        section has nothing to resolve.
-    effects : float
-        What the effects that were left out would change, as the finished run measures them. It is no part of the
-        total: the answer is held to the accuracy asked with the effects in force.
-    phase : float or None
-        Of a filament that rings on: periods by which its ringing may be ahead or late at the end of the run, which is
-        no part of the total either. None where the midpoint is compared instant by instant.
     """
 
-    space: float | None
+    space: float | None  # Of the grid, by Richardson's extrapolation from a coarser one
+    # Of the time steps, from a run at a looser tolerance, or at a tighter one of a filament that rings on.
     time: float | None
+    # Of the fibres (or of the order k) through the thickness, from a run with more of them; None also where a section
+    # has nothing to resolve.
     section: float | None
+    # What the effects that were left out would change, as the finished run measures them. It is no part of the total:
+    # the answer is held to the accuracy asked with the effects in force.
     effects: float
+    # Of a filament that rings on: periods by which its ringing may be ahead or late at the end of the run, which is
+    # no part of the total either. None where the midpoint is compared instant by instant.
     phase: float | None = None
 
     @property

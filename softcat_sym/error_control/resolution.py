@@ -14,27 +14,14 @@ from softcat_sym.solvers.settings import settings_for
 
 @dataclass(frozen=True, slots=True)
 class Resolution:
-    """Numerical parameters of one run.
+    """Numerical parameters of one run."""
 
-    Attributes
-    ----------
-    cells : int
-        N, cells per half span.
-    grading : float
-        Ratio of the longest cell to the shortest; the same on both grids of an estimate, so that they lie on one map.
-    fibres : int or None
-        Fibres through the thickness; None where no fibre yields by itself.
-    order : int or None
-        k of the appendix, in the place of fibres.
-    rtol : float
-        Relative tolerance of the integrator.
-    """
-
-    cells: int
+    cells: int  # N, cells per half span
+    # Ratio of the longest cell to the shortest; the same on both grids of an estimate, so that they lie on one map.
     grading: float
-    fibres: int | None
-    order: int | None
-    rtol: float
+    fibres: int | None  # Fibres through the thickness; None where no fibre yields by itself
+    order: int | None  # k of the appendix, in the place of fibres
+    rtol: float  # Relative tolerance of the integrator
 
     def of(self, scene: Scene) -> Scene:
         """The scene at this resolution."""
@@ -51,17 +38,7 @@ class Resolution:
 
 
 def resolution_of(scene: Scene, effects: Effects, *, compiled: bool) -> Resolution:
-    """What the scene says, and otherwise the program's first guess.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    effects : Effects
-        Those in force.
-    compiled : bool
-        Whether the compiled integrator runs: tolerances are its own.
-    """
+    """What the scene says, and otherwise the program's first guess."""
     cells, numerics = choose_cells(scene, effects), scene.numerics
     resolved = FIBRES.name in effects.names
     return Resolution(

@@ -26,25 +26,15 @@ PAPER, SAG_BASED, CABLE = "(2.22)", "frequency, decay and sag", "cable"
 
 @dataclass(frozen=True, eq=False)
 class Constants:
-    """Modulus and viscosity by one formula.
+    """Modulus and viscosity by one formula."""
 
-    Attributes
-    ----------
-    formula : str
-        Where they come from.
-    youngs_modulus, viscosity : float
-        E [Pa] and the extensional eta [Pa s].
-    covariance : ndarray, shape (2, 2)
-        Of log E and log eta, from the errors of reading only, to first order; infinite or NaN at the double root.
-    condition : float or None
-        Condition number of the map from (R, t, B), where it is one.
-    """
-
-    formula: str
-    youngs_modulus: float
+    formula: str  # Where they come from
+    youngs_modulus: float  # E [Pa] and the extensional eta [Pa s]
     viscosity: float
+    # shape (2, 2); Of log E and log eta, from the errors of reading only, to first order; infinite or NaN at the
+    # double root.
     covariance: Floats
-    condition: float | None = None
+    condition: float | None = None  # Condition number of the map from (R, t, B), where it is one
 
     @property
     def relaxation_time(self) -> float:
@@ -60,31 +50,17 @@ class Constants:
 
 @dataclass(frozen=True, eq=False)
 class ClosedForm:
-    """What every formula makes of one film.
+    """What every formula makes of one film."""
 
-    Attributes
-    ----------
-    ringing, fading : Constants or None
-        Both roots of (2.22), squared: the longer and the shorter relaxation time.
-    picked : {"ringing", "fading"} or None
-        The root whose decay rate 1/(2 tau) is nearer to the one measured; None where that is unknown: then either.
-    from_sag : Constants or None
-        E by R^2 + d^2 and the sag about which it rings, the shape held.
-    from_cable : Constants or None
-        E by the lowest mode of a cable, whose shape changes with its stiffness (Irvine and Caughey 1974).
-    onset_misfit : float or None
-        Chi-squared, one degree of freedom, of B against t_high where the film shows both.
-    refused : dict of str to str
-        Why a formula gives nothing.
-    """
-
-    ringing: Constants | None
+    ringing: Constants | None  # Both roots of (2.22), squared: the longer and the shorter relaxation time
     fading: Constants | None
+    # The root whose decay rate 1/(2 tau) is nearer to the one measured; None where that is unknown: then either.
     picked: Root | None
-    from_sag: Constants | None
+    from_sag: Constants | None  # E by R^2 + d^2 and the sag about which it rings, the shape held
+    # E by the lowest mode of a cable, whose shape changes with its stiffness (Irvine and Caughey 1974).
     from_cable: Constants | None
-    onset_misfit: float | None
-    refused: dict[str, str] = field(default_factory=dict)
+    onset_misfit: float | None  # Chi-squared, one degree of freedom, of B against t_high where the film shows both
+    refused: dict[str, str] = field(default_factory=dict)  # Why a formula gives nothing
 
     @property
     def paper(self) -> Constants | None:
@@ -98,24 +74,7 @@ class ClosedForm:
 
 
 def closed_form(features: Features, density: float) -> ClosedForm:
-    """Invert the features of one film.
-
-    Parameters
-    ----------
-    features : Features
-        As from :func:`softcat_sym.fitting.features.read_features`; they hold gravity and span.
-    density : float
-        [kg/m^3].
-
-    Returns
-    -------
-    ClosedForm
-
-    Raises
-    ------
-    SoftcatError
-        If the density is not a positive number.
-    """
+    """Invert the features of one film."""
     if not (math.isfinite(density) and density > 0):
         raise SoftcatError(f"closed form:\n  {Fault('density', f'{density:g}', 'a positive number')}")
     refused: dict[str, str] = {}
@@ -293,48 +252,18 @@ _WIDEST = math.log(1e8)
 
 @dataclass(frozen=True, eq=False)
 class CombinedEstimate:
-    """The features' common answer.
+    """The features' common answer."""
 
-    Attributes
-    ----------
-    constants : Constants
-        E, eta and their covariance, from the errors of reading and the tolerance for the theory.
-    misfit : float
-        Sum of squares: chi-squared of `freedom` degrees if the theory held within its tolerance.
-    freedom : int
-        Features used less two.
-    residuals : dict of str to float
-        (theory - measured)/measured of every feature used, as logarithms.
-    """
-
-    constants: Constants
-    misfit: float
-    freedom: int
-    residuals: dict[str, float]
+    constants: Constants  # E, eta and their covariance, from the errors of reading and the tolerance for the theory
+    misfit: float  # Sum of squares: chi-squared of `freedom` degrees if the theory held within its tolerance
+    freedom: int  # Features used less two
+    residuals: dict[str, float]  # (theory - measured)/measured of every feature used, as logarithms
 
 
 def combined_estimate(features: Features, density: float, theory_error: float = 0.05) -> CombinedEstimate:
     """Weigh frequency, decay, sag, B and t_high by their errors, under the theory of one held shape.
 
     Ties: R^2 + d^2 by the sag, d = 1/(2 tau), B = 1/(2 V), t_high by B. Those that the film does not show are left out.
-
-    Parameters
-    ----------
-    features : Features
-        As from :func:`softcat_sym.fitting.features.read_features`.
-    density : float
-        [kg/m^3].
-    theory_error : float
-        Relative error allowed to the theory of every feature, beside the error of reading it.
-
-    Returns
-    -------
-    CombinedEstimate
-
-    Raises
-    ------
-    SoftcatError
-        If no oscillation is seen, if that gives no modulus, or if IPOPT finds no solution.
     """
     start = closed_form(features, density)
     first = start.from_sag

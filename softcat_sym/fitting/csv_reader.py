@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SoftcatError
-from softcat_sym.files import read_at_most
+from softcat_sym.files import read_limited
 from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown, to_si
 
 _LONGEST = 1 << 24
@@ -22,33 +22,13 @@ _FAULTS_SHOWN = 8
 
 
 def text_of(file: Path, kind: str, accepted: str) -> str:
-    """Read a file of UTF-8 text, with or without a byte order mark.
-
-    Parameters
-    ----------
-    file : pathlib.Path
-        Where it is.
-    kind : str
-        What it should be, with which a refusal starts: ``"flow curve"``.
-    accepted : str
-        What would be accepted.
-
-    Returns
-    -------
-    str
-        The whole text.
-
-    Raises
-    ------
-    SoftcatError
-        If it is not there, cannot be read, is longer than 16 MiB, or is not text.
-    """
+    """Read a file of UTF-8 text, with or without a byte order mark."""
 
     def refused(found: str, where: str = "", instead: str = accepted) -> SoftcatError:
         return refusal(kind, file, [Fault(where, found, instead)])
 
     try:
-        content = read_at_most(file, _LONGEST + 1)
+        content = read_limited(file, _LONGEST + 1)
     except FileNotFoundError:
         raise refused("no such file") from None
     except IsADirectoryError:
@@ -129,46 +109,22 @@ _NAMES_SHOWN, _ROWS_SHOWN = 8, 5
 
 @dataclass(frozen=True, slots=True)
 class CsvTable:
-    """Header and rows as cells, with the numbers of their lines.
+    """Header and rows as cells, with the numbers of their lines."""
 
-    Attributes
-    ----------
-    line : int
-        Of the header.
-    header : list of str
-        Names of the columns.
-    rows : list of (int, list of str)
-        Line and cells.
-    decimal_comma : bool
-        Whether a comma separates no cells, so that it may stand in a number.
-    """
-
-    line: int
-    header: list[str]
-    rows: list[tuple[int, list[str]]]
-    decimal_comma: bool
+    line: int  # Of the header
+    header: list[str]  # Names of the columns
+    rows: list[tuple[int, list[str]]]  # Line and cells
+    decimal_comma: bool  # Whether a comma separates no cells, so that it may stand in a number
 
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """One column that is read.
+    """One column that is read."""
 
-    Attributes
-    ----------
-    name : str
-        As the header writes it.
-    place : int
-        Counted from 0.
-    unit : float
-        SI value of its unit.
-    down : bool
-        Whether its name says that it counts downwards.
-    """
-
-    name: str
-    place: int
-    unit: float
-    down: bool = False
+    name: str  # As the header writes it
+    place: int  # Counted from 0
+    unit: float  # SI value of its unit
+    down: bool = False  # Whether its name says that it counts downwards
 
     def to_si(self, value: float) -> float:
         """Return the SI value of a finite number; in decimal, so that 6 mm is the same float as 0.006 m."""
@@ -214,13 +170,7 @@ def is_pixels(unit: str) -> bool:
 
 
 def unit_of(unit: str, dimension: str, si: str) -> float:
-    """Return the SI value of a column's unit.
-
-    Raises
-    ------
-    NotAQuantity
-        If there is none, nobody knows it, or it is of another dimension.
-    """
+    """Return the SI value of a column's unit."""
     if not unit:
         raise NotAQuantity("no unit in its name")
     # Pint knows a px of 1/96 inch, which is no camera's.
@@ -242,22 +192,7 @@ def absent(what: str, wanted: str, accepted: str, table: CsvTable, pattern: re.P
 def numbers_in(
     table: CsvTable, columns: Mapping[str, Column], wrong: Callable[[str, float], tuple[str, str] | None]
 ) -> tuple[Table, list[Fault]]:
-    """Read the cells of some columns in SI units.
-
-    Parameters
-    ----------
-    table : CsvTable
-        All cells.
-    columns : mapping of str to Column
-        By what they hold.
-    wrong : callable
-        What was found and what would be accepted, given what a number is to be and its value, if it cannot be that.
-
-    Returns
-    -------
-    dict of str to ndarray, list of Fault
-        NaN where a cell is empty.
-    """
+    """Read the cells of some columns in SI units."""
     faults: list[Fault] = []
     values: dict[str, list[float]] = {quantity: [] for quantity in columns}
     width = len(table.header)

@@ -5,5 +5,5 @@ from __future__ import annotations
 STARTS = 4
 """Starts beside the scene's own values and the closed form."""
 
-MOST_STARTS = 10_000
+MAX_STARTS = 10_000
 """As many as anybody has waited for: a start takes a tenth of a second at the least."""

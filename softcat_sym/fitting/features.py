@@ -26,18 +26,10 @@ TAUTEST = math.pi
 
 
 class CableModulus(NamedTuple):
-    """What the ringing of a Maxwell cable says.
+    """What the ringing of a Maxwell cable says."""
 
-    Attributes
-    ----------
-    modulus : float
-        E/(rho g L).
-    relaxation_time : float
-        tau [s]; infinite or negative where the decay is less than none.
-    """
-
-    modulus: float
-    relaxation_time: float
+    modulus: float  # E/(rho g L)
+    relaxation_time: float  # tau [s]; infinite or negative where the decay is less than none
 
 
 def mode_number(frequency: float, sag: float, gravity: float) -> float:
@@ -60,20 +52,7 @@ def sensitivity(mode: float) -> float:
 
 
 def modulus_of(frequency: float, decay: float, sag: float, gravity: float, span: float) -> CableModulus | None:
-    """Modulus and relaxation time of a cable that rings at R with a decay rate d about a sag H.
-
-    Parameters
-    ----------
-    frequency, decay : float
-        R [rad/s], d [1/s].
-    sag, gravity, span : float
-        H [m], g [m/s^2], L [m].
-
-    Returns
-    -------
-    CableModulus or None
-        None if no cable rings so fast or so slowly about this sag in its lowest symmetric mode.
-    """
+    """Modulus and relaxation time of a cable that rings at R with a decay rate d about a sag H."""
     if not TAUTEST < mode_number(frequency, sag, gravity) < SLACKEST:
         return None
     # K s/(s + 1/tau) = l^2 for a complex s = -d + i R: its imaginary part gives tau, then its real part K.
@@ -91,21 +70,11 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Reading:
-    """A number with its standard error, or none with the reason.
+    """A number with its standard error, or none with the reason."""
 
-    Attributes
-    ----------
-    value : float or None
-        In SI units, None if it cannot be read.
-    error : float or None
-        Standard error, in the same unit; None with the value.
-    reason : str
-        Why there is no value; empty if there is one.
-    """
-
-    value: float | None
-    error: float | None
-    reason: str = ""
+    value: float | None  # In SI units, None if it cannot be read
+    error: float | None  # Standard error, in the same unit; None with the value
+    reason: str = ""  # Why there is no value; empty if there is one
 
     @property
     def log_variance(self) -> float:
@@ -128,19 +97,11 @@ _BLOCK = 7
 
 @dataclass(frozen=True, eq=False)
 class LogPolynomial:
-    """Chebyshev polynomials of log t, scaled to [-1, 1] on a stretch of time.
+    """Chebyshev polynomials of log t, scaled to [-1, 1] on a stretch of time."""
 
-    Attributes
-    ----------
-    first, last : float
-        Ends of the stretch [s], positive.
-    degree : int
-        Highest degree.
-    """
-
-    first: float
+    first: float  # Ends of the stretch [s], positive
     last: float
-    degree: int
+    degree: int  # Highest degree
 
     def columns(self, time: Floats) -> Floats:
         """Values of the basis at times [s], shape (n, degree + 1)."""
@@ -171,11 +132,6 @@ def noise_of(time: Floats, sag: Floats) -> float:
 
     Blocks of seven neighbouring frames each have a parabola of their own; an oscillation that is filmed with fewer
     frames a period counts as scatter.
-
-    Parameters
-    ----------
-    time, sag : ndarray, shape (n,)
-        Of the frames, n >= 4.
     """
     half = max(len(time) // 2, min(len(time), _BLOCK))
     late_time, late_sag = time[-half:], sag[-half:]
@@ -199,20 +155,14 @@ _STEPS = 40
 
 @dataclass(frozen=True, eq=False)
 class Stretch:
-    """Part of a film.
+    """Part of a film."""
 
-    Attributes
-    ----------
-    time, sag, std : ndarray, shape (n,)
-        Times [s], positive; sag [m]; standard errors [m], from the scatter of the whole film where they are unknown.
-    noise_known : bool
-        Whether `std` was given.
-    """
-
+    # shape (n,); Times [s], positive; sag [m]; standard errors [m], from the scatter of the whole film where they are
+    # unknown.
     time: Floats
     sag: Floats
     std: Floats
-    noise_known: bool
+    noise_known: bool  # Whether `std` was given
 
     @property
     def basis(self) -> LogPolynomial:
@@ -229,32 +179,16 @@ class Stretch:
 
 @dataclass(frozen=True, eq=False)
 class Oscillation:
-    """trend(t) + exp(-d (t - t_0)) (a cos p + b sin p) with the phase p of the frequency R (t/t_0)^g.
+    """trend(t) + exp(-d (t - t_0)) (a cos p + b sin p) with the phase p of the frequency R (t/t_0)^g."""
 
-    Attributes
-    ----------
-    stretch : Stretch
-        The frames it was fitted to.
-    middle : float
-        t_0 [s], where the amplitude has its centre of gravity; R, d and the sag are told there.
-    frequency, decay, stiffening : float
-        R [rad/s], d [1/s] and g.
-    linear : ndarray, shape (DEGREE + 3,)
-        Coefficients of the trend, then a and b [m].
-    squares : float
-        Sum of the squared residuals over their standard errors.
-    covariance : ndarray, shape (3, 3)
-        Of R, d and the sag of the trend at t_0, to first order.
-    """
-
-    stretch: Stretch
-    middle: float
-    frequency: float
+    stretch: Stretch  # The frames it was fitted to
+    middle: float  # t_0 [s], where the amplitude has its centre of gravity; R, d and the sag are told there
+    frequency: float  # R [rad/s], d [1/s] and g
     decay: float
     stiffening: float
-    linear: Floats
-    squares: float
-    covariance: Floats
+    linear: Floats  # shape (DEGREE + 3,); Coefficients of the trend, then a and b [m]
+    squares: float  # Sum of the squared residuals over their standard errors
+    covariance: Floats  # shape (3, 3); Of R, d and the sag of the trend at t_0, to first order
 
     @property
     def sag(self) -> float:
@@ -284,20 +218,7 @@ def phase(time: Floats, middle: float, frequency: float, stiffening: float) -> F
 
 
 def fitted(stretch: Stretch, frequency: float, decay: float, stiffening: float) -> Oscillation | None:
-    """Fit an oscillation, from a guess that is right to half a cycle over the stretch.
-
-    Parameters
-    ----------
-    stretch : Stretch
-        The frames.
-    frequency, decay, stiffening : float
-        Where to start; the frequency is told at the geometric middle of the stretch.
-
-    Returns
-    -------
-    Oscillation or None
-        None if the search does not end, or ends where the errors are infinite.
-    """
+    """Fit an oscillation, from a guess that is right to half a cycle over the stretch."""
     middle = math.sqrt(stretch.time[0] * stretch.time[-1])
     nonlinear = np.array([frequency, decay, stiffening])
     for _ in range(2):
@@ -405,7 +326,7 @@ def beats_polynomial(one: Oscillation) -> bool:
     return one.squares < float(rest @ rest)
 
 
-FEWEST_LATE_FRAMES = 8
+MIN_LATE_FRAMES = 8
 """Frames that are needed."""
 
 EXPONENT_MARGIN = 0.06
@@ -417,28 +338,14 @@ _QUIET = 0.02
 
 @dataclass(frozen=True, eq=False)
 class LateLaw:
-    """sag = (k (t - t_0))^(1/3).
+    """sag = (k (t - t_0))^(1/3)."""
 
-    Attributes
-    ----------
-    slope : float
-        k [m^3/s].
-    slope_error : float
-        Its standard error.
-    shift : float
-        t_0 [s]; it stands for the past: elastic sag, bending, a clock that was started late.
-    exponent, exponent_error : float
-        Of the bare power law over the same frames.
-    first, last : float
-        Times of the frames that are fitted [s].
-    """
-
-    slope: float
-    slope_error: float
-    shift: float
-    exponent: float
+    slope: float  # k [m^3/s]
+    slope_error: float  # Its standard error
+    shift: float  # t_0 [s]; it stands for the past: elastic sag, bending, a clock that was started late
+    exponent: float  # Of the bare power law over the same frames
     exponent_error: float
-    first: float
+    first: float  # Times of the frames that are fitted [s]
     last: float
 
     def sag(self, time: Floats) -> Floats:
@@ -448,28 +355,15 @@ class LateLaw:
 
 
 def late_law_of(film: Stretch, ringing: Oscillation | None) -> LateLaw | str:
-    """Fit the law to the last three quarters of the film, from when the ringing has died away, if it does.
-
-    Parameters
-    ----------
-    film : Stretch
-        All frames at positive times.
-    ringing : Oscillation or None
-        As found; its frames count where it is less than 2 % of the sag.
-
-    Returns
-    -------
-    LateLaw or str
-        The law, or why the film does not show it.
-    """
+    """Fit the law to the last three quarters of the film, from when the ringing has died away, if it does."""
     start = float(film.time[-1]) / _SHARE
     if ringing is not None and ringing.decay > 0:
         quiet = ringing.middle + math.log(ringing.amplitude(ringing.middle) / (_QUIET * ringing.sag)) / ringing.decay
         start = min(max(start, quiet), float(film.time[-1]) / 2)
     part = film.time >= start
     time, sag, std = film.time[part], film.sag[part], film.std[part]
-    if len(time) < FEWEST_LATE_FRAMES:
-        return f"fewer than {FEWEST_LATE_FRAMES} frames in the late part of the film"
+    if len(time) < MIN_LATE_FRAMES:
+        return f"fewer than {MIN_LATE_FRAMES} frames in the late part of the film"
     if np.any(sag <= 0):
         return "the midpoint is not below the supports throughout the late part of the film"
     exponent, exponent_error = _exponent(film, time, sag, std)
@@ -523,17 +417,7 @@ _CAUGHT, _FREE = 0.5, 0.9
 
 
 def caught_after(film: Stretch, gravity: float, noise: float) -> float:
-    """First time [s] at which the midpoint has fallen less than half of g t^2/2, beyond doubt.
-
-    Parameters
-    ----------
-    film : Stretch
-        All frames at positive times.
-    gravity : float
-        [m/s^2].
-    noise : float
-        Standard error of a frame [m].
-    """
+    """First time [s] at which the midpoint has fallen less than half of g t^2/2, beyond doubt."""
     free = 0.5 * gravity * film.time**2
     caught = np.flatnonzero(_CAUGHT * free > np.maximum.accumulate(film.sag) + _CLEAR * noise)
     return float(film.time[caught[0]]) if len(caught) else math.inf
@@ -544,15 +428,6 @@ def end_of_free_fall(film: Stretch, gravity: float, tolerance: float) -> Reading
 
     The first frames are fitted by g t^2/2 (1 - c t^n): n = 5 where the filament has relaxed, 6 where it is elastic
     still, so that with 5.5 t_low is known to 5 % at best.
-
-    Parameters
-    ----------
-    film : Stretch
-        All frames at positive times.
-    gravity : float
-        [m/s^2].
-    tolerance : float
-        alpha.
     """
     free = 0.5 * gravity * film.time**2
     power = 5.5
@@ -586,19 +461,6 @@ def start_of_third_law(
 
     On the 1/3 law that is only 1.4 times the time at which the law leaves g t^2/2: it is seen where the filament does
     not ring and is filmed closely enough.
-
-    Parameters
-    ----------
-    film : Stretch
-        All frames at positive times.
-    gravity : float
-        [m/s^2].
-    noise : float
-        Standard error of a frame [m].
-    tolerance : float
-        alpha.
-    ringing : Oscillation or None
-        The acceleration of an oscillation must have died away first.
     """
     wanted = tolerance * gravity
     free = 0.5 * gravity * film.time**2
@@ -650,10 +512,10 @@ def _decelerations(film: Stretch, begin: float) -> tuple[Floats, Floats, Floats]
 FALSE_ALARMS = 1e-3
 """Share of films of mere noise in which an oscillation may be seen."""
 
-FEWEST_RINGING_FRAMES = 14
+MIN_RINGING_FRAMES = 14
 """Frames in a stretch: a cubic, five constants of an oscillation, and some to spare."""
 
-FEWEST_PER_PERIOD = 2.5
+MIN_PER_PERIOD = 2.5
 """Frames a period; below, it may be another frequency's alias."""
 
 _STARTS, _LENGTHS = 1.35, (1.7, 3.0, 5.0)
@@ -671,24 +533,12 @@ _SOFTENING = 0.4
 
 @dataclass(frozen=True)
 class _Peak:
-    """The likeliest oscillation in one stretch.
+    """The likeliest oscillation in one stretch."""
 
-    Attributes
-    ----------
-    odds : float
-        Logarithm of the chance that noise does as well at this place of the search.
-    energy : float
-        By how much it lowers the sum of squares over the variances of the frames.
-    stretch : Stretch
-        The frames.
-    frequency, decay, stiffening : float
-        As :func:`softcat_sym.fitting.features.fitted` takes them.
-    """
-
-    odds: float
-    energy: float
-    stretch: Stretch
-    frequency: float
+    odds: float  # Logarithm of the chance that noise does as well at this place of the search
+    energy: float  # By how much it lowers the sum of squares over the variances of the frames
+    stretch: Stretch  # The frames
+    frequency: float  # As :func:`softcat_sym.fitting.features.fitted` takes them
     decay: float
     stiffening: float
 
@@ -699,24 +549,10 @@ def find_oscillation(film: Stretch, caught: float, gravity: float) -> Oscillatio
     Every stretch is searched by a periodogram of damped cosines beside a cubic trend in log t. The chance that noise
     lowers the sum of squares as much is (RSS_1/RSS_0)^(freedom/2) (the F test with two degrees of freedom), times the
     places looked at (Bonferroni).
-
-    Parameters
-    ----------
-    film : Stretch
-        All frames at positive times.
-    caught : float
-        Time [s] from which the filament no longer falls freely.
-    gravity : float
-        [m/s^2].
-
-    Returns
-    -------
-    Oscillation or str
-        The best determined one, or why there is none.
     """
     stretches = _stretches(film, caught)
     if not stretches:
-        return f"fewer than {FEWEST_RINGING_FRAMES} frames in any part of the film after free fall"
+        return f"fewer than {MIN_RINGING_FRAMES} frames in any part of the film after free fall"
     searched = [_search(stretch) for stretch in stretches]
     places = sum(count for _, count in searched)
     limit = math.log(FALSE_ALARMS / max(places, 1))
@@ -747,7 +583,7 @@ def _stretches(film: Stretch, caught: float) -> list[Stretch]:
     while start < last / _LENGTHS[0] * 1.0001:
         for length in _LENGTHS:
             low, high = np.searchsorted(film.time, [start, start * length * 1.0001]).tolist()
-            if high - low >= FEWEST_RINGING_FRAMES:
+            if high - low >= MIN_RINGING_FRAMES:
                 part = slice(low, high)
                 found[low, high] = Stretch(film.time[part], film.sag[part], film.std[part], film.noise_known)
         start *= _STARTS
@@ -758,7 +594,7 @@ def _search(stretch: Stretch) -> tuple[_Peak | None, int]:
     """Likeliest frequency, decay and stiffening of a stretch, and how many were looked at."""
     time, weight = stretch.time, 1 / stretch.std
     middle, long = math.sqrt(time[0] * time[-1]), time[-1] - time[0]
-    fastest = 2 * math.pi / (FEWEST_PER_PERIOD * float(np.median(np.diff(time))))
+    fastest = 2 * math.pi / (MIN_PER_PERIOD * float(np.median(np.diff(time))))
     cycles = min(_CYCLES[1], fastest * long / (2 * math.pi))
     if cycles <= _CYCLES[0]:
         return None, 0
@@ -805,7 +641,7 @@ def _is_ringing(one: Oscillation) -> bool:
     cycles = abs(float(np.ptp(phase(time, one.middle, one.frequency, one.stiffening)))) / (2 * math.pi)
     error = math.sqrt(one.covariance[0, 0])
     inside = float(time[0]) <= one.middle <= float(time[-1])
-    repeats = frames >= FEWEST_PER_PERIOD and cycles >= 1.0 and one.decay < one.frequency
+    repeats = frames >= MIN_PER_PERIOD and cycles >= 1.0 and one.decay < one.frequency
     return inside and repeats and error < 0.2 * one.frequency and one.amplitude(float(time[0])) < one.sag
 
 
@@ -826,65 +662,24 @@ FEWEST = 8
 
 @dataclass(frozen=True, eq=False)
 class Features:
-    """What was read, in SI, each number with its error or the reason why there is none.
+    """What was read, in SI, each number with its error or the reason why there is none."""
 
-    Attributes
-    ----------
-    gravity, span : float
-        g [m/s^2] and L [m], as given.
-    t_low, t_high : Reading
-        End of free fall and start of the 1/3 law [s]; a filament that rings hides the latter.
-    frequency, decay, sag : Reading
-        R [rad/s], d [1/s] and the sag H [m] about which it rings, all at `ringing.middle`.
-    prefactor : Reading
-        B of the late 1/3 law, dimensionless.
-    ringing_covariance : ndarray, shape (3, 3)
-        Of log R, log d and log H; NaN where one of them cannot be read.
-    ringing : Oscillation or None
-        The fit that they come from.
-    late : LateLaw or None
-        The fit that B comes from.
-    noise : float
-        Scatter of the frames [m].
-    """
-
-    gravity: float
+    gravity: float  # g [m/s^2] and L [m], as given
     span: float
-    t_low: Reading
+    t_low: Reading  # End of free fall and start of the 1/3 law [s]; a filament that rings hides the latter
     t_high: Reading
-    frequency: Reading
+    frequency: Reading  # R [rad/s], d [1/s] and the sag H [m] about which it rings, all at `ringing.middle`
     decay: Reading
     sag: Reading
-    prefactor: Reading
-    ringing_covariance: Floats
-    ringing: Oscillation | None
-    late: LateLaw | None
-    noise: float
+    prefactor: Reading  # B of the late 1/3 law, dimensionless
+    ringing_covariance: Floats  # shape (3, 3); Of log R, log d and log H; NaN where one of them cannot be read
+    ringing: Oscillation | None  # The fit that they come from
+    late: LateLaw | None  # The fit that B comes from
+    noise: float  # Scatter of the frames [m]
 
 
 def read_features(time: Floats, midpoint: Floats, std: Floats | None, gravity: float, span: float) -> Features:
-    """Read all features from a film of the midpoint.
-
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        [s], increasing, zero when the filament is let go; frames before that are not used.
-    midpoint : ndarray, shape (n,)
-        [m], relative to the supports, negative down.
-    std : ndarray, shape (n,), or None
-        Standard errors of the midpoint [m], independent of one another; without them they follow from the scatter.
-    gravity, span : float
-        g [m/s^2] and L [m].
-
-    Returns
-    -------
-    Features
-
-    Raises
-    ------
-    SoftcatError
-        If the arrays do not belong together, hold anything but finite numbers, or fewer than eight frames.
-    """
+    """Read all features from a film of the midpoint."""
     _refuse(time, midpoint, std, gravity, span)
     film, noise = _film(time, midpoint, std, span)
     tolerance = float(closed_forms.TOLERANCE)

@@ -16,7 +16,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.closed_form import closed_form
-from softcat_sym.fitting.defaults import MOST_STARTS, STARTS
+from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
 from softcat_sym.fitting.features import FEWEST, Features, read_features
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import TIME_OFFSET, FreeParameter, Unknowns, free_parameters, with_values
@@ -33,33 +33,15 @@ from softcat_sym.solvers.outcome import Outcome
 
 @dataclass(frozen=True, eq=False)
 class Filmed:
-    """One series, the model of its filament, and which unknowns of the problem that model has.
+    """One series, the model of its filament, and which unknowns of the problem that model has."""
 
-    Attributes
-    ----------
-    series : Series
-        What was measured.
-    model : ForwardModel
-        What it is compared with.
-    columns : tuple of int
-        For each unknown of the model its number in the problem.
-    time : ndarray, shape (n,)
-        Of every reading [s]: those of the midpoint, then the points of whole shapes.
-    place : ndarray, shape (n,)
-        Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint.
-    data : ndarray, shape (n,)
-        Heights [m].
-    std : ndarray, shape (n,)
-        By which residuals are divided [m].
-    """
-
-    series: Series
-    model: ForwardModel
-    columns: tuple[int, ...]
-    time: Floats
-    place: Floats
-    data: Floats
-    std: Floats
+    series: Series  # What was measured
+    model: ForwardModel  # What it is compared with
+    columns: tuple[int, ...]  # For each unknown of the model its number in the problem
+    time: Floats  # shape (n,); Of every reading [s]: those of the midpoint, then the points of whole shapes
+    place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
+    data: Floats  # shape (n,); Heights [m]
+    std: Floats  # shape (n,); By which residuals are divided [m]
 
     def heights(self, q: Floats) -> Floats:
         """What the model says at every reading [m], shape (n,), of the unknowns of the whole problem."""
@@ -85,35 +67,6 @@ class FilamentProblem(Unknowns):
 
     Every filament shares the unknowns of the material; each camera has its own `time_offset` and `initial_sag`, with
     the number of the film behind their names where there are several.
-
-    Parameters
-    ----------
-    scene : Scene
-        Common to all filaments.
-    measurements : Measurements
-        One series for each filament.
-    names : sequence of str
-        What is free, as :func:`softcat_sym.fitting.free_parameters.free_parameters` takes it.
-    bounds : mapping, optional
-        Likewise.
-    backend : str
-        Of the forward model.
-    rtol : float, optional
-        Likewise.
-
-    Attributes
-    ----------
-    free : tuple of FreeParameter
-        The k unknowns.
-    films : tuple of Filmed
-        The series with their models.
-    noise_known : bool
-        Whether every series states its standard errors; otherwise residuals are in units of the largest height.
-
-    Raises
-    ------
-    SceneError
-        If a name cannot be free, or a film sets what is free.
     """
 
     def __init__(
@@ -156,9 +109,9 @@ class FilamentProblem(Unknowns):
         return float(np.mean(np.concatenate([film.std for film in self.films])))
 
     @property
-    def complaint(self) -> str:
+    def message(self) -> str:
         """Why the last evaluation has no answer; empty if it has."""
-        return "; ".join(film.model.complaint for film in self.films if film.model.complaint)
+        return "; ".join(film.model.message for film in self.films if film.model.message)
 
     def residuals(self, q: Floats) -> Floats:
         """(model - datum)/standard error of all films, shape (m,); NaN where the model has no answer."""
@@ -227,26 +180,14 @@ def judged_runs(problem: FilamentProblem, q: Floats) -> tuple[Outcome, str]:
     """Run every film's filament for as long as it was filmed, and judge it.
 
     Residuals show neither a neck that the grid decides nor lost energy.
-
-    Parameters
-    ----------
-    problem : FilamentProblem
-        What was fitted.
-    q : ndarray, shape (k,)
-        Its optimum.
-
-    Returns
-    -------
-    Outcome, str
-        The worst of the films, a localised one before all others, and what speaks against it; empty if nothing does.
     """
     worst, told = Outcome.solved, []
     for number, film in enumerate(problem.films, start=1):
-        outcome, complaint = _judged(film, _run_scene(problem, film, q))
+        outcome, message = _judged(film, _run_scene(problem, film, q))
         if outcome.is_success:
             continue
         name = film.series.path.name if film.series.path else f"film {number}"
-        told.append(f"{name}: {complaint}" if len(problem.films) > 1 else complaint)
+        told.append(f"{name}: {message}" if len(problem.films) > 1 else message)
         worst = worst if worst is Outcome.localised else outcome
     return worst, "; ".join(told)
 
@@ -258,7 +199,7 @@ def _judged(film: Filmed, scene: Scene | None) -> tuple[Outcome, str]:
         run = simulated(without_estimate(scene))
     except SceneError as refusal:
         return Outcome.no_equilibrium, str(refusal)
-    return run.outcome, str(run.summary["complaint"])
+    return run.outcome, str(run.summary["message"])
 
 
 def _run_scene(problem: FilamentProblem, film: Filmed, q: Floats) -> Scene | None:
@@ -364,29 +305,16 @@ def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict) -> FittedPa
 
 @dataclass(frozen=True, eq=False)
 class FittedFilm:
-    """One film beside its model.
+    """One film beside its model."""
 
-    Attributes
-    ----------
-    time, measured, model : ndarray, shape (n,)
-        [s], [m], [m]: of the midpoint, then of points of whole shapes.
-    place : ndarray, shape (n,)
-        Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint.
-    residuals : ndarray, shape (n,)
-        (model - measured) over the noise.
-    features : Features or None
-        What it shows without a model; None of a film that is too short, or under shaken gravity.
-    name : str
-        File or number.
-    """
-
-    time: Floats
-    place: Floats
+    time: Floats  # shape (n,); [s], [m], [m]: of the midpoint, then of points of whole shapes
+    place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
     measured: Floats
     model: Floats
-    residuals: Floats
+    residuals: Floats  # shape (n,); (model - measured) over the noise
+    # What it shows without a model; None of a film that is too short, or under shaken gravity.
     features: Features | None
-    name: str
+    name: str  # File or number
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """Some of its readings."""
@@ -467,7 +395,7 @@ class Fit:
     backend: str
     repeats: tuple[str, ...]
     seconds: float
-    complaint: str = ""
+    message: str = ""
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -498,7 +426,7 @@ ASIDE = "rotary-inertia"
 """What "everything" leaves aside: followed through hinges it takes many times as long."""
 
 # Of a normal distribution, over the median of magnitudes; the floor is for data that are met exactly.
-_MEDIAN_TO_DEVIATION, _LEAST_NOISE = 1.4826, 1e-9
+_MEDIAN_TO_DEVIATION, _MIN_NOISE = 1.4826, 1e-9
 
 _RESTARTED = "a profile met a better optimum on the way, and the fit began again from there"
 
@@ -579,8 +507,8 @@ def fit(
     SoftcatError
         If the measurements cannot be used, the scene has no such parameter, or the model no answer at any start.
     """
-    if not 0 <= starts <= MOST_STARTS:
-        raise SoftcatError(f"{starts} starts; accepted: 0 to {MOST_STARTS}")
+    if not 0 <= starts <= MAX_STARTS:
+        raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
     scene = as_scene(scene)
     seen = taken(measurements, scene)
     asked = _Asked(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, progress or NoProgress())
@@ -604,14 +532,14 @@ def _trusted(found: Fit) -> Fit:
     """The fit, with another outcome where the run of what fits best is no answer."""
     if not found.outcome.converged:
         return found
-    ended, complaint = judged_runs(found.problem, found.starts.best.q)
+    ended, message = judged_runs(found.problem, found.starts.best.q)
     if ended.is_success:
         return found
     outcome = FitOutcome.localised if ended is Outcome.localised else FitOutcome.run_in_doubt
     if ended is Outcome.energy_drift and found.outcome is not FitOutcome.solved:
         # The lesser doubt: of one run's arithmetic, not of the filament.
         outcome = found.outcome
-    return replace(found, outcome=outcome, complaint=f"{ended.name.replace('_', ' ')}: {complaint or ended.value}")
+    return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message or ended.value}")
 
 
 def _fit(scene: Scene, given: Scene, seen: Measurements, features: Sequence[Features | None], asked: _Asked) -> Fit:
@@ -687,7 +615,7 @@ def _scaled(loss: Loss, problem: FilamentProblem, given: Sequence[Floats]) -> Lo
     for _ in range(2):
         best = multi_start(problem, at, loss=wanted).best
         deviation = _MEDIAN_TO_DEVIATION * float(np.median(np.abs(best.residuals)))
-        wanted, at = Loss(loss.kind, loss.scale * max(deviation, _LEAST_NOISE)), [best.q]
+        wanted, at = Loss(loss.kind, loss.scale * max(deviation, _MIN_NOISE)), [best.q]
     return wanted
 
 

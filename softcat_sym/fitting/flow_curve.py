@@ -54,30 +54,12 @@ _LEAST, _MOST = 1e-12, 1e12
 
 @dataclass(frozen=True, eq=False)
 class FlowCurve:
-    """Steady shear stresses at imposed shear rates, in any order; a rate may be repeated.
+    """Steady shear stresses at imposed shear rates, in any order; a rate may be repeated."""
 
-    Attributes
-    ----------
-    shear_rate : ndarray, shape (points,)
-        [1/s], positive; kept as a copy that cannot be written to.
-    shear_stress : ndarray, shape (points,)
-        [Pa], positive; likewise.
-    path : pathlib.Path or None
-        The file they come from.
-    notes : tuple of str
-        What was corrected while it was read, a sentence each.
-
-    Raises
-    ------
-    SoftcatError
-        If the two are not lists of the same length, hold a number that is not positive and finite, or fewer than
-        `FEWEST` distinct rates.
-    """
-
-    shear_rate: Floats
-    shear_stress: Floats
-    path: Path | None = None
-    notes: tuple[str, ...] = ()
+    shear_rate: Floats  # shape (points,); [1/s], positive; kept as a copy that cannot be written to
+    shear_stress: Floats  # shape (points,); [Pa], positive; likewise
+    path: Path | None = None  # The file they come from
+    notes: tuple[str, ...] = ()  # What was corrected while it was read, a sentence each
 
     def __post_init__(self) -> None:
         faults = []
@@ -221,52 +203,26 @@ LAWS = (ShearLaw("bingham", True, False), ShearLaw("power-law", False, True), Sh
 
 @dataclass(frozen=True)
 class Tensile:
-    """The same law in tension, by von Mises' equivalence; SI.
+    """The same law in tension, by von Mises' equivalence; SI."""
 
-    Attributes
-    ----------
-    yield_stress : float or None
-        sqrt(3) tau_Y [Pa].
-    viscosity : float
-        3^((n+1)/2) k [Pa s^n]; with n = 1 Trouton's 3 k.
-    index : float or None
-        n.
-    """
-
-    yield_stress: float | None
-    viscosity: float
-    index: float | None
+    yield_stress: float | None  # sqrt(3) tau_Y [Pa]
+    viscosity: float  # 3^((n+1)/2) k [Pa s^n]; with n = 1 Trouton's 3 k
+    index: float | None  # n
 
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """One law, fitted.
+    """One law, fitted."""
 
-    Attributes
-    ----------
-    law : str
-        ``"bingham"``, ``"power-law"`` or ``"herschel-bulkley"``, as in a scene.
-    tau_Y, k, n : Estimate or None
-        Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none.
-    relative_rms : float
-        Root mean square of the relative residuals.
-    aic, aicc : float
-        Akaike's criterion, and corrected for few points; the latter is infinite with too few points for it.
-    fitted : ndarray, shape (points,)
-        Stress of the law [Pa].
-    residuals : ndarray, shape (points,)
-        (fitted - measured)/measured.
-    """
-
-    law: str
-    tau_Y: Estimate | None
+    law: str  # ``"bingham"``, ``"power-law"`` or ``"herschel-bulkley"``, as in a scene
+    tau_Y: Estimate | None  # Shear yield stress [Pa], consistency [Pa s^n], flow index; None where the law has none
     k: Estimate
     n: Estimate | None
-    relative_rms: float
-    aic: float
+    relative_rms: float  # Root mean square of the relative residuals
+    aic: float  # Akaike's criterion, and corrected for few points; the latter is infinite with too few points for it
     aicc: float
-    fitted: Floats
-    residuals: Floats
+    fitted: Floats  # shape (points,); Stress of the law [Pa]
+    residuals: Floats  # shape (points,); (fitted - measured)/measured
 
     def stress(self, shear_rate: Floats) -> Floats:
         """Shear stress [Pa] at shear rates [1/s], any shape."""
@@ -324,21 +280,11 @@ _GOLDEN = (math.sqrt(5) - 1) / 2
 
 @dataclass(frozen=True)
 class LinearPart:
-    """The best tau_Y >= 0 and k >= 0 for given n.
+    """The best tau_Y >= 0 and k >= 0 for given n."""
 
-    Attributes
-    ----------
-    tau_Y : ndarray, shape (indices,)
-        Yield stress [Pa].
-    k : ndarray, shape (indices,)
-        Stress tau - tau_Y at the reference rate [Pa].
-    squares : ndarray, shape (indices,)
-        Sum over the points of ((tau_Y + k g^n)/tau - 1)^2.
-    """
-
-    tau_Y: Floats
-    k: Floats
-    squares: Floats
+    tau_Y: Floats  # shape (indices,); Yield stress [Pa]
+    k: Floats  # shape (indices,); Stress tau - tau_Y at the reference rate [Pa]
+    squares: Floats  # shape (indices,); Sum over the points of ((tau_Y + k g^n)/tau - 1)^2
 
 
 def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -> LinearPart:
@@ -346,17 +292,6 @@ def linear_part(ratio: Floats, stress: Floats, index: Floats, *, yields: bool) -
 
     A quadratic in the quadrant has its least value at its own minimum, or on the axis that the way there crosses; all
     entries are positive, so that each column alone has a positive coefficient.
-
-    Parameters
-    ----------
-    ratio : ndarray, shape (points,)
-        Shear rate over the reference rate.
-    stress : ndarray, shape (points,)
-        Shear stress [Pa].
-    index : ndarray, shape (indices,)
-        Flow indices n.
-    yields : bool
-        Whether there is a tau_Y.
     """
     flow = ratio ** index[:, None] / stress
     power = np.einsum("ij,ij->i", flow, flow)
@@ -380,13 +315,6 @@ def best_index(ratio: Floats, stress: Floats, *, yields: bool) -> float:
     """Find the flow index of the least sum of squares within `INDEX_BOUNDS`.
 
     Every minimum of a fine grid is refined by golden section, and the least one wins; no starting value is needed.
-
-    Parameters
-    ----------
-    ratio, stress : ndarray, shape (points,)
-        As in :func:`linear_part`.
-    yields : bool
-        Likewise.
     """
 
     def squares(index: Floats) -> Floats:
@@ -435,30 +363,7 @@ REPLACED = (
 
 
 def fitted_scene(fit: FlowCurveFit, scene: str | Scene, law: str | None = None, overrides: Sequence[str] = ()) -> Scene:
-    """Give a scene the material of a fit.
-
-    Parameters
-    ----------
-    fit : FlowCurveFit
-        As from :func:`softcat_sym.fitting.fit_flow_curve`.
-    scene : str or Scene
-        Name of a bundled scene, path of a TOML file, or a scene. Its law and flow constants are replaced; Young's
-        modulus and Poisson's ratio stay.
-    law : str or None
-        The law to hand on, by default the best.
-    overrides : sequence of str
-        ``"material.youngs_modulus=40 kPa"``; these win over the fit.
-
-    Returns
-    -------
-    Scene
-        With the shear data stated among its material's notes.
-
-    Raises
-    ------
-    SoftcatError
-        If the law was not fitted or cannot be handed on; as SceneError, if the scene makes no sense with it.
-    """
+    """Give a scene the material of a fit."""
     from softcat_sym.scene.reading import load_scene
     from softcat_sym.scene.scene import Scene
     from softcat_sym.scene.toml import read_overrides

@@ -30,24 +30,14 @@ _STENCIL = 4
 
 
 class ForwardShapes:
-    """Heights at points of the centre line, for any values of what is free.
-
-    Parameters
-    ----------
-    filament : FrozenFilament
-        What moves.
-    free : sequence of FreeParameter
-        All of them, those of the camera too.
-    times, x : ndarray, shape (m,)
-        Where and when: on the camera's clock [s], and [m] from halfway between the supports.
-    """
+    """Heights at points of the centre line, for any values of what is free."""
 
     def __init__(
-        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, x: Floats, most_steps: int
+        self, filament: FrozenFilament, free: tuple[FreeParameter, ...], times: Floats, x: Floats, max_steps: int
     ) -> None:
         if times.shape != x.shape or times.ndim != 1 or not np.all(np.isfinite(times) & np.isfinite(x)):
             raise SoftcatError("shapes: give as many finite times [s] as places [m], in one row each")
-        self._filament, self._free, self._most_steps = filament, free, most_steps
+        self._filament, self._free, self._max_steps = filament, free, max_steps
         self._times, self._x = times, x
         self._shifts = any(one.path == TIME_OFFSET for one in free)
         graph = filament.graph
@@ -59,15 +49,7 @@ class ForwardShapes:
         }
 
     def heights(self, q: Floats) -> tuple[Floats, Floats]:
-        """Heights and their derivatives.
-
-        Returns
-        -------
-        height : ndarray, shape (m,)
-            [m], in the camera's frame; NaN beyond the filament, where it hangs over itself, and without an answer.
-        derivatives : ndarray, shape (m, k)
-            d height/dq [m].
-        """
+        """Heights and their derivatives."""
         q = np.asarray(q, dtype=float)
         ours = np.array([x for one, x in zip(self._free, q, strict=True) if not one.of_measurement])
         offset, zero = (self._value(q, path) for path in (TIME_OFFSET, INITIAL_SAG))
@@ -81,7 +63,7 @@ class ForwardShapes:
         values, slopes = np.tile(begin, (m, 1)), np.tile(d_begin[:, None, :], (1, m, 1))
         clock = np.zeros(m)
         if len(timing.model):
-            path = self._filament.integrator.run_with_slopes(point.begin(timing.model), self._seen, self._most_steps)
+            path = self._filament.integrator.run_with_slopes(point.begin(timing.model), self._seen, self._max_steps)
             values[timing.after] = path.values[timing.row]
             slopes[:, timing.after] = path.slopes[:, timing.row] if path.slopes is not None else np.nan
             if self._shifts:
@@ -163,30 +145,14 @@ _X, _Z = "start x", "start z"
 
 
 class KeptEvaluations:
-    """Each evaluation with where it left the filament: the start of the next is followed from there.
-
-    Parameters
-    ----------
-    filament : FrozenFilament
-        That is evaluated.
-    texts : tuple of str
-        All that decides its numbers but the unknowns.
-    """
+    """Each evaluation with where it left the filament: the start of the next is followed from there."""
 
     def __init__(self, filament: FrozenFilament, texts: tuple[str, ...]) -> None:
         self._filament, self._texts = filament, texts
         self._first = filament.near
 
     def of(self, what: tuple[str | bytes, ...], compute: Callable[[], Arrays]) -> Arrays:
-        """Return an evaluation, from where it is kept if it is.
-
-        Parameters
-        ----------
-        what : tuple of str or bytes
-            Which evaluation.
-        compute : callable
-            What makes it.
-        """
+        """Return an evaluation, from where it is kept if it is."""
 
         def evaluated() -> Arrays:
             arrays, near = compute(), self._filament.near
@@ -205,7 +171,7 @@ class KeptEvaluations:
             self._filament.near = near
 
 
-_MOST_STEPS, _LEAST_STEPS, _TIMES_TYPICAL = 20_000, 2_000, 10
+_MAX_STEPS, _MIN_STEPS, _TIMES_TYPICAL = 20_000, 2_000, 10
 
 
 _NO_START = "no shape in balance was found to start from, or the filament would be slack where the scene's is taut"
@@ -217,7 +183,7 @@ class _Answer:
 
     midpoint: Floats
     derivatives: Floats | None
-    complaint: str
+    message: str
 
 
 class ForwardModel(Unknowns):
@@ -226,31 +192,6 @@ class ForwardModel(Unknowns):
     Effects, grid, tolerances and the unit of time are chosen once, for the scene's own values, so that the model is
     smooth in its unknowns q (:class:`softcat_sym.fitting.free_parameters.FreeParameter`). Before the filament begins to
     move the midpoint is where it begins.
-
-    Parameters
-    ----------
-    scene : Scene
-        With typical values.
-    free : sequence of FreeParameter
-        From :func:`softcat_sym.fitting.free_parameters.free_parameters`.
-    times : ndarray, shape (n,)
-        Of the data [s], in any order; none if only shapes were filmed.
-    backend : str
-        ``"auto"`` (what the scene says), ``"compiled"`` or ``"interpreted"``: CasADi's Rosenbrock method.
-    rtol : float, optional
-        Relative tolerance of either integrator. By default one with which the time error is at most 1e-4 of the largest
-        sag, mostly a tenth of that: from 5e-5 where a filament rings to 1e-3 where it creeps to rest. Derivatives are
-        exact for the discrete solution, and differ by some 1e-3 from those of a vanishing tolerance.
-
-    Attributes
-    ----------
-    complaint : str
-        Why the last evaluation has no answer at some times; empty if it has.
-
-    Raises
-    ------
-    SceneError
-        If something free makes no difference with the effects in force, or the filament cannot be integrated.
     """
 
     def __init__(
@@ -269,7 +210,7 @@ class ForwardModel(Unknowns):
         self._seen = _seen_of(self._filament.graph)
         self._shifts = any(one.path == TIME_OFFSET for one in self.free)
         self._last: tuple[bytes, _Answer] | None = None
-        self.complaint = ""
+        self.message = ""
 
     @property
     def effects(self) -> tuple[str, ...]:
@@ -286,29 +227,11 @@ class ForwardModel(Unknowns):
         return self._filament.scene_of(self._of_scene(q))
 
     def midpoints(self, q: Floats) -> Floats:
-        """Heights of the midpoint at the times of the data.
-
-        Parameters
-        ----------
-        q : ndarray, shape (k,)
-
-        Returns
-        -------
-        ndarray, shape (n,)
-            [m], in the camera's frame; NaN where there is no answer, see `complaint`.
-        """
+        """Heights of the midpoint at the times of the data."""
         return self._answer(q, slopes=False).midpoint.copy()
 
     def with_derivatives(self, q: Floats) -> tuple[Floats, Floats]:
-        """The same, with derivatives of the discrete solution.
-
-        Returns
-        -------
-        midpoint : ndarray, shape (n,)
-            [m].
-        derivatives : ndarray, shape (n, k)
-            d midpoint/dq [m].
-        """
+        """The same, with derivatives of the discrete solution."""
         answer = self._answer(q, slopes=True)
         if answer.derivatives is None:
             raise SoftcatError("the forward model kept no derivatives")
@@ -318,14 +241,6 @@ class ForwardModel(Unknowns):
         """Derivatives of the weighted sum of the midpoints.
 
         By the adjoint of the discrete solution where it is interpreted, otherwise from :meth:`with_derivatives`.
-
-        Parameters
-        ----------
-        weights : ndarray, shape (n,)
-
-        Returns
-        -------
-        ndarray, shape (k,)
         """
         integrator, weights = self._filament.integrator, np.asarray(weights, dtype=float)
         timing, point = self._timing(q), self._filament.point(self._of_scene(q), slopes=True)
@@ -334,8 +249,8 @@ class ForwardModel(Unknowns):
         begin = point.begin(timing.model)
         summed = np.zeros((len(timing.model), len(self._seen)))
         np.add.at(summed[:, 0], timing.row, weights[timing.after] * point.length)
-        path = integrator.run(begin, self._seen, self._most_steps)
-        by_scene = integrator.pull_back(begin, self._seen, self._most_steps, summed)
+        path = integrator.run(begin, self._seen, self._max_steps)
+        by_scene = integrator.pull_back(begin, self._seen, self._max_steps, summed)
         by_scene += point.length * float(weights[~timing.after].sum()) * self._at_start(point)[1]
         by_scene += point.d_length * float(weights @ self._heights(path, point, timing))
         by_clock = weights @ self._by_clock(path, point, timing)
@@ -343,25 +258,12 @@ class ForwardModel(Unknowns):
         return np.asarray(row[0], dtype=float)
 
     def shapes(self, q: Floats, times: Floats, x: Floats) -> tuple[Floats, Floats]:
-        """Heights of the centre line, interpolated between nodes by a cubic.
-
-        Parameters
-        ----------
-        times, x : ndarray, shape (m,)
-            Of the data [s], and places [m] from halfway between the supports; in any order.
-
-        Returns
-        -------
-        height : ndarray, shape (m,)
-            [m], in the camera's frame; NaN beyond the filament, where it hangs over itself, and without an answer.
-        derivatives : ndarray, shape (m, k)
-            d height/dq [m].
-        """
+        """Heights of the centre line, interpolated between nodes by a cubic."""
         times, x = np.asarray(times, dtype=float), np.asarray(x, dtype=float)
         q = np.asarray(q, dtype=float)
 
         def heights() -> Arrays:
-            found = ForwardShapes(self._filament, self.free, times, x, self._most_steps).heights(q)
+            found = ForwardShapes(self._filament, self.free, times, x, self._max_steps).heights(q)
             return {"height": found[0], "derivatives": found[1]}
 
         found = self._kept.of(("shapes", q.tobytes(), times.tobytes(), x.tobytes()), heights)
@@ -372,17 +274,17 @@ class ForwardModel(Unknowns):
         key = q.tobytes()
         if self._last is None or self._last[0] != key or (slopes and self._last[1].derivatives is None):
             self._last = (key, self._evaluated(q, slopes=slopes))
-        self.complaint = self._last[1].complaint
+        self.message = self._last[1].message
         return self._last[1]
 
     def _evaluated(self, q: Floats, *, slopes: bool) -> _Answer:
         def midpoint() -> Arrays:
             answer = self._integrated(q, slopes=slopes)
-            arrays = {"midpoint": answer.midpoint, "complaint": np.array(answer.complaint)}
+            arrays = {"midpoint": answer.midpoint, "message": np.array(answer.message)}
             return arrays if answer.derivatives is None else {**arrays, "derivatives": answer.derivatives}
 
         found = self._kept.of(("midpoint", str(slopes), q.tobytes(), self.times.tobytes()), midpoint)
-        return _Answer(found["midpoint"], found.get("derivatives"), str(found["complaint"]))
+        return _Answer(found["midpoint"], found.get("derivatives"), str(found["message"]))
 
     def _integrated(self, q: Floats, *, slopes: bool) -> _Answer:
         n, k = len(self.times), len(self.free)
@@ -392,29 +294,29 @@ class ForwardModel(Unknowns):
         timing, path = self._timing(q), Path(np.zeros((0, len(self._seen))), None, 0)
         if len(timing.model):
             run = self._filament.integrator.run_with_slopes if slopes else self._filament.integrator.run
-            path = run(point.begin(timing.model), self._seen, self._most_steps)
+            path = run(point.begin(timing.model), self._seen, self._max_steps)
         height = self._heights(path, point, timing)
         midpoint = point.length * height + self._value(q, INITIAL_SAG)
         if not slopes:
-            return _Answer(midpoint, None, path.complaint)
+            return _Answer(midpoint, None, path.message)
         by_scene = np.repeat(self._at_start(point)[1][None, :], n, axis=0)
         if path.slopes is not None:
             by_scene[timing.after] = path.slopes[:, timing.row, 0].T
         by_scene = point.length * by_scene + height[:, None] * point.d_length
         derivatives = self._gathered(by_scene, self._by_clock(path, point, timing), np.ones(n))
-        return _Answer(midpoint, derivatives, path.complaint)
+        return _Answer(midpoint, derivatives, path.message)
 
     @cached_property
-    def _most_steps(self) -> int:
+    def _max_steps(self) -> int:
         """A multiple of what the typical filament takes: absurd values are to fail within a second or so."""
         q = self.typical
 
         def counted() -> int:
             point, timing = self._filament.point(self._of_scene(q), slopes=False), self._timing(q)
             if point is None or not len(timing.model):
-                return _MOST_STEPS
-            path = self._filament.integrator.run(point.begin(timing.model), self._seen, _MOST_STEPS)
-            return _MOST_STEPS if path.complaint or not path.steps else max(_LEAST_STEPS, _TIMES_TYPICAL * path.steps)
+                return _MAX_STEPS
+            path = self._filament.integrator.run(point.begin(timing.model), self._seen, _MAX_STEPS)
+            return _MAX_STEPS if path.message or not path.steps else max(_MIN_STEPS, _TIMES_TYPICAL * path.steps)
 
         return self._kept.aside(counted)
 

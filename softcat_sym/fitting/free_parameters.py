@@ -46,44 +46,22 @@ _SIGNED = (("filament", "curvature"), ("ends", "drop"), ("ends", "left_angle"), 
 
 @dataclass(frozen=True)
 class Candidate:
-    """A number that may be free, or would be if it were not for the `trouble`.
+    """A number that may be free, or would be if it were not for the `trouble`."""
 
-    Attributes
-    ----------
-    name, path, unit : str
-        Leaf, dotted path, SI unit.
-    typical, scale : float
-        SI.
-    logarithmic : bool
-        Whether it is positive by nature.
-    bounds, limits : (float, float)
-        By default, and the widest that make sense; SI.
-    constant : str
-        What it determines: shear data and the tensile constant that follows from them are the same.
-    trouble, remedy : str
-        Why it cannot be free in this scene, and what would help; empty if it can.
-    """
-
-    name: str
+    name: str  # Leaf, dotted path, SI unit
     path: str
     unit: str
-    typical: float
+    typical: float  # SI
     scale: float
-    logarithmic: bool
-    bounds: tuple[float, float]
+    logarithmic: bool  # Whether it is positive by nature
+    bounds: tuple[float, float]  # By default, and the widest that make sense; SI
     limits: tuple[float, float]
-    constant: str = ""
-    trouble: str = ""
+    constant: str = ""  # What it determines: shear data and the tensile constant that follows from them are the same
+    trouble: str = ""  # Why it cannot be free in this scene, and what would help; empty if it can
     remedy: str = ""
 
     def read(self, value: object) -> float:
-        """Read a bound: a number in SI, or text with a unit.
-
-        Raises
-        ------
-        PydanticCustomError
-            A `refusal`.
-        """
+        """Read a bound: a number in SI, or text with a unit."""
         if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
             number = float(value)
             if not math.isfinite(number):
@@ -271,33 +249,15 @@ Bounds = Mapping[str, tuple[object, object]]
 
 @dataclass(frozen=True, slots=True)
 class FreeParameter:
-    """One unknown of a fit.
+    """One unknown of a fit."""
 
-    Attributes
-    ----------
-    name : str
-        Leaf name, as in tables and reports.
-    path : str
-        Dotted path in the scene; of the measurement the name itself.
-    unit : str
-        SI; ``"1"`` of a pure number.
-    typical : float
-        What the scene says; zero of the measurement.
-    logarithmic : bool
-        Whether q = log(value/typical); otherwise q = value/scale.
-    scale : float
-        Positive, SI.
-    bounds : (float, float)
-        Of the value, SI.
-    """
-
-    name: str
-    path: str
-    unit: str
-    typical: float
-    logarithmic: bool
-    scale: float
-    bounds: tuple[float, float]
+    name: str  # Leaf name, as in tables and reports
+    path: str  # Dotted path in the scene; of the measurement the name itself
+    unit: str  # SI; ``"1"`` of a pure number
+    typical: float  # What the scene says; zero of the measurement
+    logarithmic: bool  # Whether q = log(value/typical); otherwise q = value/scale
+    scale: float  # Positive, SI
+    bounds: tuple[float, float]  # Of the value, SI
 
     @property
     def of_measurement(self) -> bool:
@@ -333,40 +293,7 @@ class FreeParameter:
 
 
 def free_parameters(scene: Scene, names: Sequence[str], bounds: Bounds | None = None) -> tuple[FreeParameter, ...]:
-    """Find what is free in a scene.
-
-    Parameters
-    ----------
-    scene : Scene
-        Its values are the typical ones.
-    names : sequence of str
-        Leaf names (``youngs_modulus``, ``viscosity``, ``yield_stress``, ``index``, ``second_modulus``,
-        ``mode_1_viscosity``, ``density``, ``thickness``, ``width``, ``span``, ``rest_length``, ``gravity``, ``ramp``,
-        ``shake``, ``shake_frequency``, ``surface_tension``, a constant of the user's own law, ...) or dotted paths;
-        shear data by their names (``shear_viscosity``, ``shear_consistency``, ``shear_yield_stress``), whose value is
-        then the one in shear. And two that are the camera's:
-
-        ``time_offset`` [s]
-            The camera's clock minus the filament's: time in the data = time since the load came on + offset.
-        ``initial_sag`` [m]
-            How far below the level of the supports the camera has its zero: height in the data = height of the
-            midpoint above the supports' level + initial_sag. It shifts every height alike and is no property of the
-            filament. That a *filament* hangs slack from the start is its length: free ``rest_length`` instead, which
-            also changes how it moves.
-    bounds : mapping of str to (low, high)
-        Overrule the default bounds: numbers in SI, or text with units.
-
-    Returns
-    -------
-    tuple of FreeParameter
-        In the order of the names. By default positive numbers may be a thousand times smaller or larger, as far as
-        they then still make sense.
-
-    Raises
-    ------
-    SceneError
-        With every name that is unknown, given twice, or no number of this scene, and every bound that makes no sense.
-    """
+    """Find what is free in a scene."""
     refuse_settled(scene, "the filament is compared at the times of its measurements")
     found, faults = _found(scene, names)
     chosen, wrong = _with_bounds([_free(candidate) for candidate in found], found, bounds or {})
@@ -462,15 +389,9 @@ def _of_bounds(one: FreeParameter, low: float, high: float, limits: tuple[float,
 
 
 class Unknowns:
-    """Names, bounds and typical values of q.
+    """Names, bounds and typical values of q."""
 
-    Attributes
-    ----------
-    free : tuple of FreeParameter
-        The k unknowns.
-    """
-
-    free: tuple[FreeParameter, ...]
+    free: tuple[FreeParameter, ...]  # The k unknowns
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -501,15 +422,6 @@ def with_values(scene: Scene, free: Sequence[FreeParameter], values: Sequence[fl
 
     What follows from a value follows again, as in :meth:`softcat_sym.Scene.replace`: a width that was not given is the
     thickness, tensile constants follow from shear data and the index. What belongs to the measurement is not in it.
-
-    Parameters
-    ----------
-    scene : Scene
-        Any.
-    free : sequence of FreeParameter
-        Of this scene.
-    values : sequence of float
-        SI.
     """
     tables: dict[str, dict[str, float]] = {}
     for one, value in zip(free, values, strict=True):

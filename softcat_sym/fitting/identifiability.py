@@ -22,42 +22,21 @@ LEVEL = 0.95
 
 @dataclass(frozen=True)
 class Estimate:
-    """A fitted constant.
+    """A fitted constant."""
 
-    Attributes
-    ----------
-    value : float
-        In SI units.
-    half_width : float or None
-        Of the 95 % interval before it is cut at the bounds; None with the standard error.
-    standard_error : float or None
-        Linearised, from the Jacobian at the optimum; None where it means nothing: on a bound, or with a singular
-        Jacobian.
-    interval : (float, float) or None
-        95 % interval of Student's distribution, within the bounds of the constant; None with the standard error.
-    verdict : str
-        ``"undetermined"`` if the interval leaves the bounds of the constant (a yield stress that may be zero, say).
-    """
-
-    value: float
+    value: float  # In SI units
+    # Linearised, from the Jacobian at the optimum; None where it means nothing: on a bound, or with a singular
+    # Jacobian.
     standard_error: float | None
+    # 95 % interval of Student's distribution, within the bounds of the constant; None with the standard error.
     interval: tuple[float, float] | None
-    half_width: float | None
+    half_width: float | None  # Of the 95 % interval before it is cut at the bounds; None with the standard error
+    # ``"undetermined"`` if the interval leaves the bounds of the constant (a yield stress that may be zero, say).
     verdict: Determination
 
 
 def estimate(value: float, error: float, quantile: float, bounds: tuple[float, float]) -> Estimate:
-    """Judge a constant that stands between its bounds.
-
-    Parameters
-    ----------
-    value, error : float
-        The constant and its standard error, which may be infinite.
-    quantile : float
-        As from :func:`student_quantile`.
-    bounds : (float, float)
-        Least and largest possible value.
-    """
+    """Judge a constant that stands between its bounds."""
     if not math.isfinite(error):
         return Estimate(value, None, None, None, "undetermined")
     half = quantile * error
@@ -67,20 +46,7 @@ def estimate(value: float, error: float, quantile: float, bounds: tuple[float, f
 
 
 def standard_errors(jacobian: NDArray[np.float64], squares: float) -> NDArray[np.float64]:
-    """Standard errors of a least-squares fit, sqrt(diag(s^2 (J^T J)^-1)) with s^2 = squares/(points - constants).
-
-    Parameters
-    ----------
-    jacobian : ndarray, shape (points, constants)
-        Derivatives of the residuals; more points than constants.
-    squares : float
-        Sum of the squared residuals.
-
-    Returns
-    -------
-    ndarray, shape (constants,)
-        Infinite where the columns depend on one another.
-    """
+    """Standard errors of a least-squares fit, sqrt(diag(s^2 (J^T J)^-1)) with s^2 = squares/(points - constants)."""
     points, constants = jacobian.shape
     scale = np.linalg.norm(jacobian, axis=0)
     if not np.all(scale > 0):
@@ -94,13 +60,7 @@ def standard_errors(jacobian: NDArray[np.float64], squares: float) -> NDArray[np
 
 
 def student_quantile(freedom: int) -> float:
-    """The number of standard errors within which Student's t lies with probability 95 %.
-
-    Parameters
-    ----------
-    freedom : int
-        Degrees of freedom, at least 1.
-    """
+    """The number of standard errors within which Student's t lies with probability 95 %."""
     low, high = 0.0, 13.0
     # The interval is halved until the midpoint of two neighbouring floats is one of them.
     while low < (middle := 0.5 * (low + high)) < high:
@@ -128,11 +88,6 @@ def two_sided_quantile(freedom: int | None) -> float:
     """Of Student's t, or of the normal distribution where the noise is known.
 
     Its square is the 95 % quantile of F with one degree of freedom above `freedom`, or of chi^2 with one.
-
-    Parameters
-    ----------
-    freedom : int or None
-        Degrees of freedom of the estimated noise, at least 1; None: known noise.
     """
     return NORMAL_QUANTILE if freedom is None else student_quantile(freedom)
 
@@ -143,15 +98,7 @@ def normal_tail(z: float) -> float:
 
 
 def chi_square_tail(x: float, freedom: int) -> float:
-    """Probability that chi^2 exceeds x: the finite series of Abramowitz and Stegun (1964), 26.4.4 and 26.4.5.
-
-    Parameters
-    ----------
-    x : float
-        Not negative.
-    freedom : int
-        Degrees of freedom, at least 1.
-    """
+    """Probability that chi^2 exceeds x: the finite series of Abramowitz and Stegun (1964), 26.4.4 and 26.4.5."""
     if x <= 0:
         return 1.0
     half, odd = 0.5 * x, freedom % 2
@@ -165,34 +112,22 @@ def chi_square_tail(x: float, freedom: int) -> float:
 # To which the model is evaluated, relative to what a unit of q changes: less cannot be the noise of data.
 _MODEL_ACCURACY = 1e-7
 # Of the mean slope of psi: a loss with less charges nothing but outliers, and tells next to nothing.
-_LEAST_SLOPE = 1e-3
+_MIN_SLOPE = 1e-3
 # Of a normal distribution, over the median of magnitudes.
 _MEDIAN_TO_DEVIATION = 1.4826
 
 
 @dataclass(frozen=True)
 class Noise:
-    """The noise of a fit, in the unit of its residuals r.
+    """The noise of a fit, in the unit of its residuals r."""
 
-    Attributes
-    ----------
-    deviation : float
-        tau: the covariance of the unknowns is tau^2 (J^T J)^-1. Of least squares the standard deviation of r.
-    score : float
-        Standard deviation of psi(r), by which each residual pulls; of least squares again that of r.
-    per_chi_square : float
-        What twice the minimised value rises by for each unit of chi^2: tau^2 times the mean of psi'.
-    reading : float
-        Standard deviation of r without outliers: one if it is known.
-    freedom : int or None
-        m - k; None where the noise is known.
-    """
-
+    # tau: the covariance of the unknowns is tau^2 (J^T J)^-1. Of least squares the standard deviation of r.
     deviation: float
-    score: float
+    score: float  # Standard deviation of psi(r), by which each residual pulls; of least squares again that of r
+    # What twice the minimised value rises by for each unit of chi^2: tau^2 times the mean of psi'.
     per_chi_square: float
-    reading: float
-    freedom: int | None
+    reading: float  # Standard deviation of r without outliers: one if it is known
+    freedom: int | None  # m - k; None where the noise is known
 
 
 def noise_of(residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Loss = LINEAR) -> Noise:
@@ -201,20 +136,6 @@ def noise_of(residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Lo
     Of a robust loss, psi = rho'(r^2) r, the covariance is the sandwich of an M-estimator with residuals that are alike
     (Huber 1981, section 7.6): tau^2 = K^2 sum psi^2/(m - k) / mean(psi')^2, K = 1 + k/m var(psi')/mean(psi')^2. It is
     taken from the data even where their errors are stated, for outliers are part of it.
-
-    Parameters
-    ----------
-    residuals, jacobian : ndarray, shape (m,), (m, k)
-        At the optimum, before the loss.
-    noise_known : bool
-        Whether the residuals are in standard errors that were measured.
-    loss : Loss
-        What was minimised.
-
-    Raises
-    ------
-    SoftcatError
-        If the noise is to be estimated from no more residuals than unknowns.
     """
     unknowns = jacobian.shape[1]
     freedom = residuals.size - unknowns
@@ -232,7 +153,7 @@ def noise_of(residuals: Floats, jacobian: Floats, *, noise_known: bool, loss: Lo
     if loss.kind == "linear":
         return Noise(score, score, score**2, score, freedom)
     slopes = loss.slopes(residuals)
-    slope = max(float(slopes.mean()), _LEAST_SLOPE)
+    slope = max(float(slopes.mean()), _MIN_SLOPE)
     few = 1 + unknowns / residuals.size * float(slopes.var()) / slope**2
     tau = few * score / slope
     middle = _MEDIAN_TO_DEVIATION * float(np.median(np.abs(residuals))) * math.sqrt(residuals.size / freedom)
@@ -250,40 +171,19 @@ _DIGITS = 3
 
 @dataclass(frozen=True, eq=False)
 class Combination:
-    """A weighted sum of unknowns; of logarithmic ones, the logarithm of a product of powers.
+    """A weighted sum of unknowns; of logarithmic ones, the logarithm of a product of powers."""
 
-    Attributes
-    ----------
-    names : tuple of str
-        The unknowns that take part.
-    exponents : tuple of float
-        Their weights, the largest in magnitude being one.
-    text : str
-        ``"youngs_modulus^1 * viscosity^-1"``, or ``"1 * log(youngs_modulus) - 2 * offset"`` where an unknown is none of
-        a logarithm.
-    value : float
-        The sum of exponent times q: the logarithm of the product over that of the typical values.
-    standard_error : float
-        Of `value`: the relative one of the product, where it is small.
-    interval : (float, float)
-        95 % interval of `value`.
-    """
-
-    names: tuple[str, ...]
-    exponents: tuple[float, ...]
+    names: tuple[str, ...]  # The unknowns that take part
+    exponents: tuple[float, ...]  # Their weights, the largest in magnitude being one
+    # ``"youngs_modulus^1 * viscosity^-1"``, or ``"1 * log(youngs_modulus) - 2 * offset"`` where an unknown is none of
+    # a logarithm.
     text: str
-    value: float
-    standard_error: float
-    interval: tuple[float, float]
+    value: float  # The sum of exponent times q: the logarithm of the product over that of the typical values
+    standard_error: float  # Of `value`: the relative one of the product, where it is small
+    interval: tuple[float, float]  # 95 % interval of `value`
 
     def product(self, typical: Sequence[float]) -> tuple[float, float, float]:
-        """Value and 95 % interval of the product of powers, in the parameters' own units.
-
-        Parameters
-        ----------
-        typical : sequence of float
-            Typical value of each unknown in `names`.
-        """
+        """Value and 95 % interval of the product of powers, in the parameters' own units."""
         unit = math.prod(value**exponent for value, exponent in zip(typical, self.exponents, strict=True))
         low, high = self.interval
         return unit * math.exp(self.value), unit * math.exp(low), unit * math.exp(high)
@@ -301,26 +201,6 @@ def combinations(
 
     The directions' span is brought to reduced echelon form, which gives as many combinations as there are directions,
     each with an unknown of its own; exponents are then rounded as far as their errors allow.
-
-    Parameters
-    ----------
-    names : sequence of str
-        The k unknowns.
-    q : ndarray, shape (k,)
-        The optimum.
-    root : ndarray, shape (k, k)
-        Root of the covariance of q, R R^T, which keeps a small error of a combination of large ones.
-    determined : ndarray, shape (k, directions)
-        Orthonormal columns.
-    quantile : float
-        Standard errors in half an interval.
-    logarithmic : sequence of bool, length k
-        Which unknowns are logarithms.
-
-    Returns
-    -------
-    tuple of Combination
-        Those of two unknowns or more, the best known first.
     """
     found = []
     for row in _echelon(determined.T):
@@ -397,7 +277,7 @@ def _sum_text(names: Sequence[str], exponents: Sequence[float], logarithmic: Seq
     return text
 
 
-LARGEST_ERROR = 1.0
+MAX_ERROR = 1.0
 """Standard error of q from which on the data do not determine it: a factor e, or the whole of a typical value."""
 
 DERIVATIVE_ACCURACY = 1e-6
@@ -411,37 +291,17 @@ class Information:
     A direction of the unknowns is determined if its standard error is less than `LARGEST_ERROR` and its singular value
     is more than `DERIVATIVE_ACCURACY` of the largest. Along the others the linear theory has no meaning beyond the
     bounds: their standard error is at most the half-length of the box.
-
-    Attributes
-    ----------
-    names : tuple of str
-        The k unknowns.
-    spread : Noise
-        Of the residuals.
-    matrix : ndarray, shape (k, k)
-        J^T J/s^2, s being `noise`.
-    covariance : ndarray, shape (k, k)
-        Its inverse, with the errors of undetermined directions cut as above.
-    standard_errors : ndarray, shape (k,)
-        Square roots of its diagonal, of q.
-    singular_values : ndarray, shape (k,)
-        Of J/s, the largest first: reciprocal standard errors of the directions.
-    directions : ndarray, shape (k, k)
-        In columns.
-    determined : ndarray of bool, shape (k,)
-        Which directions are.
-    combinations : tuple of Combination
-        What is determined of the others; empty if every unknown and every direction is identified.
     """
 
-    names: tuple[str, ...]
-    spread: Noise
-    matrix: Floats
-    covariance: Floats
-    standard_errors: Floats
-    singular_values: Floats
-    directions: Floats
-    determined: NDArray[np.bool_]
+    names: tuple[str, ...]  # The k unknowns
+    spread: Noise  # Of the residuals
+    matrix: Floats  # shape (k, k); J^T J/s^2, s being `noise`
+    covariance: Floats  # shape (k, k); Its inverse, with the errors of undetermined directions cut as above
+    standard_errors: Floats  # shape (k,); Square roots of its diagonal, of q
+    singular_values: Floats  # shape (k,); Of J/s, the largest first: reciprocal standard errors of the directions
+    directions: Floats  # shape (k, k); In columns
+    determined: NDArray[np.bool_]  # shape (k,); Which directions are
+    # What is determined of the others; empty if every unknown and every direction is identified.
     combinations: tuple[Combination, ...]
 
     @property
@@ -463,7 +323,7 @@ class Information:
     @property
     def identified(self) -> NDArray[np.bool_]:
         """Which single unknowns are determined, shape (k,): those with a standard error below `LARGEST_ERROR`."""
-        below: NDArray[np.bool_] = self.standard_errors < LARGEST_ERROR
+        below: NDArray[np.bool_] = self.standard_errors < MAX_ERROR
         return below
 
     @property
@@ -488,28 +348,7 @@ def information(
     logarithmic: tuple[bool, ...] | None = None,
     loss: Loss = LINEAR,
 ) -> Information:
-    """Judge an optimum by its Jacobian.
-
-    Parameters
-    ----------
-    names : tuple of str
-        The k unknowns.
-    q, residuals, jacobian : ndarray, shape (k,), (m,), (m, k)
-        At the optimum.
-    box : (ndarray, ndarray)
-        Bounds of q.
-    noise_known : bool
-        Whether the residuals are in standard errors that were measured.
-    logarithmic : tuple of bool or None
-        Which unknowns are logarithms; None: all.
-    loss : Loss
-        What was minimised.
-
-    Raises
-    ------
-    SoftcatError
-        If the noise has to be estimated and there are no more data than unknowns.
-    """
+    """Judge an optimum by its Jacobian."""
     spread = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss)
     noise, freedom = spread.deviation, spread.freedom
     directions, singular, errors, determined = _spectrum(jacobian / noise, box)
@@ -525,7 +364,7 @@ def information(
         singular_values=singular,
         directions=directions,
         determined=determined,
-        combinations=() if determined.all() and np.all(standard < LARGEST_ERROR) else found,
+        combinations=() if determined.all() and np.all(standard < MAX_ERROR) else found,
     )
 
 
@@ -538,7 +377,7 @@ def _spectrum(scaled: Floats, box: tuple[Floats, Floats]) -> tuple[Floats, Float
     half_lengths = _half_lengths(rows.T, box)
     raw = 1 / np.where(significant, singular, np.nan)
     errors = np.where(significant, np.fmin(raw, half_lengths), half_lengths)
-    return rows.T, singular, errors, significant & (raw < LARGEST_ERROR)
+    return rows.T, singular, errors, significant & (raw < MAX_ERROR)
 
 
 def _half_lengths(directions: Floats, box: tuple[Floats, Floats]) -> Floats:
@@ -560,62 +399,32 @@ _LAGS = 10
 
 @dataclass(frozen=True)
 class Statistic:
-    """What one test of the hypothesis that residuals are white finds.
+    """What one test of the hypothesis that residuals are white finds."""
 
-    Attributes
-    ----------
-    name : str
-        Whose test it is.
-    value : float
-        Standard normal, or chi^2.
-    p_value : float
-        Probability of a statistic at least as extreme from white residuals.
-    """
-
-    name: str
-    value: float
-    p_value: float
+    name: str  # Whose test it is
+    value: float  # Standard normal, or chi^2
+    p_value: float  # Probability of a statistic at least as extreme from white residuals
 
 
 @dataclass(frozen=True)
 class ResidualChecks:
-    """What the residuals of a fit say about its model.
+    """What the residuals of a fit say about its model."""
 
-    Attributes
-    ----------
-    verdict : str
-        ``"white"``; ``"not white"``: the model misses something that the data show, and intervals are too narrow; or
-        ``"cannot tell"``: fewer than `FEWEST` in every series.
-    tests : tuple of Statistic
-        Runs of signs (Wald and Wolfowitz 1940), correlation of neighbours, the first lags together (Ljung and Box
-        1978). The verdict is "not white" if the least of their p-values is below `SIGNIFICANCE` over their number
-        (Bonferroni).
-    autocorrelation : float or None
-        Of neighbours, the mean over the series.
-    size : Statistic or None
-        RSS against chi^2 with m - k degrees of freedom, where the noise is known: a small p-value says that the model
-        misses more than the stated errors, whatever the order. None where the noise is estimated.
-    """
-
+    # ``"white"``; ``"not white"``: the model misses something that the data show, and intervals are too narrow; or
+    # ``"cannot tell"``: fewer than `FEWEST` in every series.
     verdict: Literal["white", "not white", "cannot tell"]
+    # Runs of signs (Wald and Wolfowitz 1940), correlation of neighbours, the first lags together (Ljung and Box
+    # 1978). The verdict is "not white" if the least of their p-values is below `SIGNIFICANCE` over their number
+    # (Bonferroni).
     tests: tuple[Statistic, ...]
-    autocorrelation: float | None
+    autocorrelation: float | None  # Of neighbours, the mean over the series
+    # RSS against chi^2 with m - k degrees of freedom, where the noise is known: a small p-value says that the model
+    # misses more than the stated errors, whatever the order. None where the noise is estimated.
     size: Statistic | None
 
 
 def check_residuals(series: Sequence[Floats], unknowns: int, *, noise_known: bool) -> ResidualChecks:
-    """Test the residuals of a fit.
-
-    Parameters
-    ----------
-    series : sequence of ndarray, shape (m_i,)
-        Residuals in the order of time, one array for every filmed filament: the end of one and the beginning of the
-        next are no neighbours.
-    unknowns : int
-        That were fitted to all of them.
-    noise_known : bool
-        Whether they are in standard errors that were measured.
-    """
+    """Test the residuals of a fit."""
     total = sum(one.size for one in series)
     squares = float(sum(one @ one for one in series))
     size = None

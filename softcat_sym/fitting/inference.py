@@ -9,7 +9,7 @@ from typing import Literal, Protocol
 
 import numpy as np
 
-from softcat_sym.fitting.identifiability import LARGEST_ERROR, Information, information, noise_of, two_sided_quantile
+from softcat_sym.fitting.identifiability import MAX_ERROR, Information, information, noise_of, two_sided_quantile
 from softcat_sym.fitting.least_squares import (
     LINEAR,
     Fall,
@@ -36,9 +36,9 @@ _AIMS = (0.5, 1.05)
 _FIRST_AIM_UNTIL = 0.3
 # A step is at most this share of the box, and this many times the one before.
 _WIDEST, _GROWTH = 1 / 8, 3.0
-_MOST_STEPS = 30
+_MAX_STEPS = 30
 # Of the model for each point: a warm start needs five, and where nothing is identified it may go on for ever.
-_MOST_EVALUATIONS = 30
+_MAX_EVALUATIONS = 30
 _HALVINGS = 4
 # A crossing is found when the root of the increase is the threshold's to this share: a two-hundredth of the interval.
 _ACCURACY = 0.005
@@ -53,63 +53,34 @@ _BETTER = 0.01
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """One branch of a profile.
+    """One branch of a profile."""
 
-    Attributes
-    ----------
-    crossing : float or None
-        q at the threshold.
-    flag : str
-        How the branch ends.
-    held_back : tuple of str
-        Other unknowns that lie on a bound at the crossing though not at the optimum: with wider bounds for them, this
-        one's interval would be wider.
-    certain : bool
-        Whether counted evaluations sufficed to settle the others there: otherwise it may lie further out.
-    """
-
-    crossing: float | None
-    flag: Flag
+    crossing: float | None  # q at the threshold
+    flag: Flag  # How the branch ends
+    # Other unknowns that lie on a bound at the crossing though not at the optimum: with wider bounds for them, this
+    # one's interval would be wider.
     held_back: tuple[str, ...] = ()
+    # Whether counted evaluations sufficed to settle the others there: otherwise it may lie further out.
     certain: bool = True
 
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """The profile of one unknown.
+    """The profile of one unknown."""
 
-    Attributes
-    ----------
-    name : str
-        The unknown.
-    optimum : float
-        Its q in the best fit.
-    q : ndarray, shape (points,)
-        Where it was held, increasing, with the optimum among them.
-    increase : ndarray, shape (points,)
-        (RSS(q) - RSS)/s^2, the others re-optimised; s = 1 if the noise is known, sqrt(RSS/(m - k)) otherwise. Of a
-        robust loss the rise of sum rho over :attr:`softcat_sym.fitting.identifiability.Noise.per_chi_square`.
-    others : ndarray, shape (points, k - 1)
-        The other unknowns there.
-    threshold : float
-        Of `increase`: the 95 % quantile of chi^2 with one degree of freedom, 3.84, or of F(1, m - k).
-    lower, upper : Side
-        The branches.
-    unconverged : int
-        Points at which the others were not found with certainty: the profile may be lower there.
-    better : ndarray, shape (k,), or None
-        A fit better than the optimum that was met on the way: the optimum was a local one.
-    """
-
-    name: str
-    optimum: float
-    q: Floats
+    name: str  # The unknown
+    optimum: float  # Its q in the best fit
+    q: Floats  # shape (points,); Where it was held, increasing, with the optimum among them
+    # shape (points,); (RSS(q) - RSS)/s^2, the others re-optimised; s = 1 if the noise is known, sqrt(RSS/(m - k))
+    # otherwise. Of a robust loss the rise of sum rho over
+    # :attr:`softcat_sym.fitting.identifiability.Noise.per_chi_square`.
     increase: Floats
-    others: Floats
-    threshold: float
-    lower: Side
+    others: Floats  # shape (points, k - 1); The other unknowns there
+    threshold: float  # Of `increase`: the 95 % quantile of chi^2 with one degree of freedom, 3.84, or of F(1, m - k)
+    lower: Side  # The branches
     upper: Side
-    unconverged: int
+    unconverged: int  # Points at which the others were not found with certainty: the profile may be lower there
+    # shape (k,); A fit better than the optimum that was met on the way: the optimum was a local one.
     better: Floats | None
 
 
@@ -132,34 +103,7 @@ class _Held:
 def profile(
     problem: LeastSquares, q: Floats, index: int, *, noise_known: bool, loss: Loss = LINEAR, most: int | None = None
 ) -> Profile:
-    """Follow the profile of one unknown from the optimum outwards, to the threshold or the bounds.
-
-    Parameters
-    ----------
-    problem : LeastSquares
-        The problem.
-    q : ndarray, shape (k,)
-        Its optimum.
-    index : int
-        Which unknown.
-    noise_known, loss : bool, Loss
-        Whether the residuals are in standard errors that were measured; what was minimised.
-    most : int, optional
-        Evaluations of the model, for problems with undetermined directions, along which there is no end to minimising:
-        then points that fit about as well as the optimum are taken as they are, which the profile is at most, and a
-        branch whose half of them is spent ends with "too many steps".
-
-    Returns
-    -------
-    Profile
-        Raue et al. (2009); with estimated noise, Bates and Watts (1988), section 6.1; of a robust loss the test of
-        Schrader and Hettmansperger (1980).
-
-    Raises
-    ------
-    SoftcatError
-        If the noise has to be estimated and there are no more data than unknowns.
-    """
+    """Follow the profile of one unknown from the optimum outwards, to the threshold or the bounds."""
     path = _Path(problem, np.array(q, dtype=np.float64), index, noise_known=noise_known, loss=loss, most=most)
     branches = [path.branch(bound) for bound in (problem.lower[index], problem.upper[index])]
     points = sorted([*branches[0][0], path.start, *branches[1][0]], key=lambda one: one.q)
@@ -207,7 +151,7 @@ class _Path:
         here, points, self.spent = self.start, list[_Held](), 0
         length = min(_AIMS[0] * self.distance, _WIDEST * box)
         while abs(bound - here.q) > 1e-9 * box:
-            if len(points) == _MOST_STEPS or (self.most is not None and self.spent >= self.most):
+            if len(points) == _MAX_STEPS or (self.most is not None and self.spent >= self.most):
                 return points, Side(None, TOO_MANY)
             ahead = self._step(here, sign, min(length, abs(bound - here.q)))
             if ahead is None:
@@ -244,7 +188,7 @@ class _Path:
         at_inside, at_outside = inside.root - 1, outside.root - 1
         nearest = outside
         accuracy = _ACCURACY if self.most is None else _ROUGH
-        while abs(nearest.root - 1) > accuracy and len(found) < _MOST_STEPS:
+        while abs(nearest.root - 1) > accuracy and len(found) < _MAX_STEPS:
             if self.most is not None and self.spent >= self.most:
                 return found, outside.q
             q = (inside.q * at_outside - outside.q * at_inside) / (at_outside - at_inside)
@@ -291,7 +235,7 @@ class _Path:
         if not has_answer(fixed, start):
             return None
         optimum = minimise(
-            fixed, start, loss=self.loss, warm=True, tolerance=_TOLERANCE, max_evaluations=_MOST_EVALUATIONS
+            fixed, start, loss=self.loss, warm=True, tolerance=_TOLERANCE, max_evaluations=_MAX_EVALUATIONS
         )
         return optimum.q, 2 * self.loss.value(optimum.residuals), optimum.converged
 
@@ -315,38 +259,21 @@ Word = Literal["identified", "one-sided", "not identified", "at a bound"]
 
 @dataclass(frozen=True)
 class ParameterVerdict:
-    """What is known of one unknown, in q.
+    """What is known of one unknown, in q."""
 
-    Attributes
-    ----------
-    name : str
-        The unknown.
-    word : str
-        ``"identified"``: the 95 % interval ends on both sides, within its own bounds and with less than a factor e for
-        a standard error. ``"one-sided"``: it ends on one side. ``"not identified"``: it ends on no side, or says next
-        to nothing. ``"at a bound"``: the best value lies on a bound and the data pull it beyond: the bound or the model
-        is wrong.
-    value : float or None
-        The best q; None where a number would mislead: not identified, or one-sided.
-    best : float
-        The q of the best fit, whatever it is worth.
-    standard_error : float or None
-        Of q from the Fisher information; None unless identified.
-    lower, upper : float or None
-        Ends of the 95 % interval of q; None where it has no end within the bounds. A single end is exceeded with a
-        probability of at most 5 %.
-    reason : str
-        One sentence why; empty for an identified unknown.
-    """
-
-    name: str
+    name: str  # The unknown
+    # ``"identified"``: the 95 % interval ends on both sides, within its own bounds and with less than a factor e for
+    # a standard error. ``"one-sided"``: it ends on one side. ``"not identified"``: it ends on no side, or says next
+    # to nothing. ``"at a bound"``: the best value lies on a bound and the data pull it beyond: the bound or the model
     word: Word
-    value: float | None
-    best: float
-    standard_error: float | None
+    value: float | None  # The best q; None where a number would mislead: not identified, or one-sided
+    best: float  # The q of the best fit, whatever it is worth
+    standard_error: float | None  # Of q from the Fisher information; None unless identified
+    # Ends of the 95 % interval of q; None where it has no end within the bounds. A single end is exceeded with a
+    # probability of at most 5 %.
     lower: float | None
     upper: float | None
-    reason: str
+    reason: str  # One sentence why; empty for an identified unknown
 
 
 def verdicts(
@@ -356,25 +283,7 @@ def verdicts(
     profiles: Sequence[Profile] | None = None,
     loss: Loss = LINEAR,
 ) -> tuple[ParameterVerdict, ...]:
-    """Judge every unknown.
-
-    Parameters
-    ----------
-    problem : LeastSquares
-        The problem.
-    optimum : Optimum
-        Its best fit.
-    information : Information
-        There.
-    profiles : sequence of Profile or None
-        Of the unknowns in their order; without them the intervals are those of the linear theory.
-    loss : Loss
-        What was minimised.
-
-    Returns
-    -------
-    tuple of Verdict, length k
-    """
+    """Judge every unknown."""
     if not optimum.converged:
         reason = "the fit did not converge, so that nothing follows from where it ended"
         last = zip(information.names, optimum.q.tolist(), strict=True)
@@ -425,7 +334,7 @@ def _judged(
         side = "largest" if lower is None else "least"
         reason = f"the data tell only the {side} possible value" + _in_combination(name, information)
         return ParameterVerdict(name, "one-sided", None, best, None, lower, upper, reason)
-    if upper - lower > 2 * information.quantile * LARGEST_ERROR:
+    if upper - lower > 2 * information.quantile * MAX_ERROR:
         reason = "its 95 % interval is wider than a standard error of a factor e would make it"
         return ParameterVerdict(
             name, "not identified", None, best, None, lower, upper, reason + _in_combination(name, information)
@@ -468,16 +377,16 @@ def _pulls(optimum: Optimum, information: Information, loss: Loss) -> Floats:
         alone = column - others @ np.linalg.lstsq(others, column, rcond=1e-8)[0]
         length = float(np.linalg.norm(alone))
         # Where the data hardly see the unknown, a pull is that of a single datum and moves nothing.
-        if length * LARGEST_ERROR > information.noise:
+        if length * MAX_ERROR > information.noise:
             pulls[k] = abs(float(alone @ charged)) / (length * information.spread.score)
     return pulls
 
 
-MOST_RESTARTS = 2
+MAX_RESTARTS = 2
 """Better optima that are followed; beyond them the waterfall tells how rugged the problem is."""
 
 # Where directions are undetermined: a profile may take as many evaluations as the starts did together, at least these.
-_FEWEST_EVALUATIONS = 100
+_MIN_EVALUATIONS = 100
 
 # Of the residuals' root mean square, as the waterfall tells fits apart.
 _SAME = 0.1
@@ -497,27 +406,13 @@ class Judged(LeastSquares, Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Inference:
-    """What is known of the unknowns.
+    """What is known of the unknowns."""
 
-    Attributes
-    ----------
-    starts : Waterfall
-        As it was, or with the better optima in front.
-    information : Information
-        At the best of them.
-    profiles : tuple of Profile
-        From there; empty if they were not asked for.
-    verdicts : tuple of Verdict
-        On every unknown.
-    restarts : int
-        How many better optima the profiles led to.
-    """
-
-    starts: Waterfall
-    information: Information
-    profiles: tuple[Profile, ...]
-    verdicts: tuple[ParameterVerdict, ...]
-    restarts: int
+    starts: Waterfall  # As it was, or with the better optima in front
+    information: Information  # At the best of them
+    profiles: tuple[Profile, ...]  # From there; empty if they were not asked for
+    verdicts: tuple[ParameterVerdict, ...]  # On every unknown
+    restarts: int  # How many better optima the profiles led to
 
 
 def infer(
@@ -528,26 +423,7 @@ def infer(
     profiles: bool = True,
     told: Callable[[int, int], None] = lambda done, total: None,
 ) -> Inference:
-    """Judge the best of several optima, and whichever better one its profiles come upon.
-
-    Parameters
-    ----------
-    problem : Judged
-        What was minimised.
-    starts : Waterfall
-        With this loss.
-    loss : Loss
-        What was minimised, and what profiles minimise.
-    profiles : bool
-        Whether intervals come from profiles; otherwise from the curvature.
-    told : callable
-        Hears of each profile: how many are done, of how many.
-
-    Raises
-    ------
-    SoftcatError
-        If the noise has to be estimated and there are no more data than unknowns.
-    """
+    """Judge the best of several optima, and whichever better one its profiles come upon."""
     restarts = 0
     while True:
         best = starts.best
@@ -556,7 +432,7 @@ def infer(
         for k in range(len(problem.names) if profiles and best.converged else 0):
             told(k, len(problem.names))
             traced.append(profile(problem, best.q, k, noise_known=problem.noise_known, loss=loss, most=most))
-        better = _improved(problem, starts, traced, loss) if restarts < MOST_RESTARTS else None
+        better = _improved(problem, starts, traced, loss) if restarts < MAX_RESTARTS else None
         if better is None:
             judged = verdicts(problem, best, known, traced or None, loss)
             return Inference(starts, known, tuple(traced), judged, restarts)
@@ -567,7 +443,7 @@ def _most(starts: Waterfall, known: Information) -> int | None:
     """Evaluations for a profile; no limit where every direction and unknown is determined, where few are needed."""
     if known.determined.all() and known.identified.all():
         return None
-    return max(_FEWEST_EVALUATIONS, sum(fall.optimum.evaluations for fall in starts.falls))
+    return max(_MIN_EVALUATIONS, sum(fall.optimum.evaluations for fall in starts.falls))
 
 
 def _information(problem: Judged, best: Optimum, loss: Loss) -> Information:

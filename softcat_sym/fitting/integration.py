@@ -35,20 +35,7 @@ _Unknown = tuple[str, int]
 
 
 class Starts:
-    """Starting states of a filament whose numbers change.
-
-    Parameters
-    ----------
-    assembled : Assembled
-        The filament with its typical numbers.
-    follow : bool
-        Whether plastic strains at the start are the same for all values, so that only shapes need to be followed.
-
-    Attributes
-    ----------
-    last : Start or None
-        The last one found, from which the next is followed.
-    """
+    """Starting states of a filament whose numbers change."""
 
     def __init__(self, assembled: Assembled, *, follow: bool = True) -> None:
         self._follow = follow
@@ -67,17 +54,7 @@ class Starts:
         return not self._straight and not self._graph.positions_are_algebraic
 
     def at(self, scene: Scene, p: Floats, near: Start | None = None, *, settle: bool = True) -> Start | None:
-        """Where the filament begins; None if no shape in balance is found, or it is of another kind.
-
-        Parameters
-        ----------
-        scene, p
-            With the values asked for.
-        near : Start
-            That of neighbouring values; by default the last one found.
-        settle : bool
-            Whether algebraic unknowns must be consistent; otherwise they are about those of `near`.
-        """
+        """Where the filament begins; None if no shape in balance is found, or it is of another kind."""
         if is_slack(scene) != self._slack or is_straight(scene) != self._straight:
             return None
         near = near or self.last
@@ -158,27 +135,13 @@ def _pairs(
 
 @dataclass(frozen=True)
 class Begin:
-    """Where a run begins and with which numbers, and how these move with the unknowns of a fit.
+    """Where a run begins and with which numbers, and how these move with the unknowns of a fit."""
 
-    Attributes
-    ----------
-    start : Start
-        Differential and algebraic states.
-    parameters : ndarray, shape (p,)
-        In the order of the graph.
-    times : ndarray, shape (n,)
-        Increasing and positive, in units of the time scale.
-    d_parameters : ndarray, shape (k, p)
-        By each unknown.
-    d_x, d_z : ndarray, shapes (k, nx) and (k, nz)
-        Of the start.
-    """
-
-    start: Start
-    parameters: Floats
-    times: Floats
-    d_parameters: Floats
-    d_x: Floats
+    start: Start  # Differential and algebraic states
+    parameters: Floats  # shape (p,); In the order of the graph
+    times: Floats  # shape (n,); Increasing and positive, in units of the time scale
+    d_parameters: Floats  # shape (k, p); By each unknown
+    d_x: Floats  # Of the start
     d_z: Floats
 
     def moved(self, unknown: int, step: float) -> Begin:
@@ -189,24 +152,12 @@ class Begin:
 
 @dataclass(frozen=True)
 class Path:
-    """Some unknowns at the times asked for; NaN where the integration did not get.
+    """Some unknowns at the times asked for; NaN where the integration did not get."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (n, seen)
-        The unknowns that are seen.
-    slopes : ndarray, shape (k, n, seen) or None
-        Their derivatives.
-    steps : int
-        Taken.
-    complaint : str
-        What went wrong; empty if nothing did.
-    """
-
-    values: Floats
-    slopes: Floats | None
-    steps: int
-    complaint: str = ""
+    values: Floats  # shape (n, seen); The unknowns that are seen
+    slopes: Floats | None  # shape (k, n, seen); Their derivatives
+    steps: int  # Taken
+    message: str = ""  # What went wrong; empty if nothing did
 
 
 class Integrator(Protocol):
@@ -215,11 +166,11 @@ class Integrator(Protocol):
     Unknowns that are seen are numbered: differential ones first, algebraic ones behind them.
     """
 
-    def run(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+    def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate."""
         ...
 
-    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate, with derivatives of the discrete solution."""
         ...
 
@@ -230,37 +181,18 @@ _BESIDE = 1e-6  # of the longest time, to either side, where no unknown is the v
 
 @dataclass(frozen=True)
 class Timing:
-    """Where the times of the data are among those of the integrator.
+    """Where the times of the data are among those of the integrator."""
 
-    Attributes
-    ----------
-    model : ndarray, shape (m,)
-        Increasing and positive, in units of the time scale.
-    after : ndarray of bool, shape (n,)
-        Which data were taken after the filament began to move.
-    row : ndarray of int, shape (sum(after),)
-        Number of their time in `model`.
-    sooner, later : ndarray of int, shape (sum(after),)
-        Numbers of the times beside them, for the velocity; the same as `row` where it is an unknown.
-    """
-
-    model: Floats
-    after: NDArray[np.bool_]
-    row: NDArray[np.int64]
+    model: Floats  # shape (m,); Increasing and positive, in units of the time scale
+    after: NDArray[np.bool_]  # shape (n,); Which data were taken after the filament began to move
+    row: NDArray[np.int64]  # shape (sum(after); Number of their time in `model`
+    # shape (sum(after); Numbers of the times beside them, for the velocity; the same as `row` where it is an unknown.
     sooner: NDArray[np.int64]
     later: NDArray[np.int64]
 
 
 def timing_of(times: Floats, *, beside: bool) -> Timing:
-    """Sort the times of the data.
-
-    Parameters
-    ----------
-    times : ndarray, shape (n,)
-        On the filament's clock, in units of the time scale; in any order, also twice.
-    beside : bool
-        Whether times beside them are wanted too.
-    """
+    """Sort the times of the data."""
     longest = float(np.max(np.abs(times), initial=0.0))
     after = times > _AT_START * longest
     asked = times[after]
@@ -277,15 +209,7 @@ _FAILED = "the integrator gave up: its steps ran out, or the state became infini
 
 
 class InterpretedForward:
-    """CasADi's `rosenbrock` on the graph, from t = 0 to the first time and from there through the others.
-
-    Parameters
-    ----------
-    graph : Graph
-        The filament.
-    settings : Settings
-        Tolerances.
-    """
+    """CasADi's `rosenbrock` on the graph, from t = 0 to the first time and from there through the others."""
 
     def __init__(self, graph: Graph, settings: Settings) -> None:
         self._graph, self._settings = graph, settings
@@ -294,15 +218,15 @@ class InterpretedForward:
         self._forward = lru_cache(maxsize=8)(lambda key, count: self._function(*key).forward(count))
         self._reverse = lru_cache(maxsize=8)(lambda key: self._function(*key).reverse(1))
 
-    def run(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+    def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate; parameters as :class:`softcat_sym.fitting.integration.Integrator`."""
-        key = self._key(begin, seen, most_steps)
+        key = self._key(begin, seen, max_steps)
         values = _called(self._function(*key), *_inputs(begin))
         return self._path(values, None, begin, seen)
 
-    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate with exact forward derivatives."""
-        key, count = self._key(begin, seen, most_steps), len(begin.d_parameters)
+        key, count = self._key(begin, seen, max_steps), len(begin.d_parameters)
         inputs = _inputs(begin)
         values = _called(self._function(*key), *inputs)
         slopes = None
@@ -311,19 +235,9 @@ class InterpretedForward:
             slopes = _called(self._forward(key, count), *inputs, values, *seeds)
         return self._path(values, slopes, begin, seen)
 
-    def pull_back(self, begin: Begin, seen: tuple[int, ...], most_steps: int, weights: Floats) -> Floats:
-        """Derivatives of a weighted sum of what is seen, by the adjoint of the discrete solution.
-
-        Parameters
-        ----------
-        weights : ndarray, shape (n, seen)
-
-        Returns
-        -------
-        ndarray, shape (k,)
-            NaN if the integration fails.
-        """
-        key, inputs = self._key(begin, seen, most_steps), _inputs(begin)
+    def pull_back(self, begin: Begin, seen: tuple[int, ...], max_steps: int, weights: Floats) -> Floats:
+        """Derivatives of a weighted sum of what is seen, by the adjoint of the discrete solution."""
+        key, inputs = self._key(begin, seen, max_steps), _inputs(begin)
         values = _called(self._function(*key), *inputs)
         if values is None:
             return np.full(len(begin.d_parameters), np.nan)
@@ -335,25 +249,25 @@ class InterpretedForward:
         x, z, p = (np.asarray(part, dtype=float).ravel() for part in pulled[:3])
         return np.asarray(begin.d_x @ x + begin.d_z @ z + begin.d_parameters @ p, dtype=float)
 
-    def _key(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> tuple[tuple[float, ...], Any, int]:
+    def _key(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> tuple[tuple[float, ...], Any, int]:
         # Later times as distances from the first, so that a shift of the clock asks for no other integrator.
         later = tuple(round(float(time), 12) for time in begin.times[1:] - begin.times[0])
-        return later, seen, most_steps
+        return later, seen, max_steps
 
-    def _make(self, later: tuple[float, ...], seen: tuple[int, ...], most_steps: int) -> ca.Function:
+    def _make(self, later: tuple[float, ...], seen: tuple[int, ...], max_steps: int) -> ca.Function:
         graph = self._graph
         x, z, p = (ca.MX.sym(name, part.numel()) for name, part in (("x", graph.x), ("z", graph.z), ("p", graph.p)))
         first = ca.MX.sym("first")
-        states, algebraic = self._step(x, z, p, ca.MX(0), first, (1.0,), most_steps)
+        states, algebraic = self._step(x, z, p, ca.MX(0), first, (1.0,), max_steps)
         if later:
             inner = np.append(0.0, later)
-            more = self._step(states, algebraic, p, first, ca.MX(1), tuple(inner[1:]), most_steps)
+            more = self._step(states, algebraic, p, first, ca.MX(1), tuple(inner[1:]), max_steps)
             states, algebraic = ca.horzcat(states, more[0]), ca.horzcat(algebraic, more[1])
         rows = ca.vertcat(states, algebraic) if graph.is_dae else states
         return ca.Function("path", [x, z, p, first], [rows[list(seen), :]])
 
     def _step(
-        self, x: ca.MX, z: ca.MX, p: ca.MX, start: ca.MX, unit: ca.MX, taus: tuple[float, ...], most_steps: int
+        self, x: ca.MX, z: ca.MX, p: ca.MX, start: ca.MX, unit: ca.MX, taus: tuple[float, ...], max_steps: int
     ) -> tuple[ca.MX, ca.MX]:
         """States at start + unit * taus."""
         graph = self._graph
@@ -363,7 +277,7 @@ class InterpretedForward:
         dae |= {"ode": ode * interval}
         if graph.is_dae:
             dae |= {"z": graph.z, "alg": alg}
-        options = {"reltol": self._settings.rtol, "abstol": self._settings.atol, "max_num_steps": most_steps}
+        options = {"reltol": self._settings.rtol, "abstol": self._settings.atol, "max_num_steps": max_steps}
         call = ca.integrator("filament", "rosenbrock", dae, 0.0, list(taus), options)
         found = (
             call(x0=x, z0=z, p=ca.vertcat(p, start, unit)) if graph.is_dae else call(x0=x, p=ca.vertcat(p, start, unit))
@@ -394,13 +308,7 @@ def _silent() -> Any:
 
 
 def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
-    """The only output; None where it fails.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If the user stops it, which CasADi turns into an error of its own.
-    """
+    """The only output; None where it fails."""
     with watched() as interrupts, _silent():
         try:
             found = function(*inputs)
@@ -414,7 +322,7 @@ def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
 _LOOK = 0.1  # s between two looks whether somebody wants it to stop
 _SIZE = 1e-5  # in unknowns of order one: what bends in them errs by 1e-10, and rounding by 1e-11 of a step's condition
 _TIGHTENINGS = (1.0, 0.1, 0.01)
-_APART, _LEAST_APART = 0.5, 1e-4
+_APART, _MIN_APART = 0.5, 1e-4
 """Steps of differences between runs of their own: this times the root of the relative tolerance, and at least that."""
 
 Result = TypeVar("Result")
@@ -422,36 +330,23 @@ Result = TypeVar("Result")
 
 @dataclass(frozen=True)
 class CompiledForward:
-    """The C runtime with some unknowns picked out.
+    """The C runtime with some unknowns picked out."""
 
-    Attributes
-    ----------
-    filament : CompiledFilament
-        What is integrated.
-    settings : Settings
-        Tolerances.
-    kinks : ndarray
-        Times, in units of the time scale, at which a support changes pace.
-    controls_work : bool
-        Whether the error of the work limits the steps, as it must where little else does.
-    jumps : bool
-        Whether the discrete solution jumps where its parameters move, by about its tolerance: fibres that begin to
-        yield change the Jacobian at once, from which a linearly implicit step is made.
-    """
-
-    filament: CompiledFilament
-    settings: Settings
-    kinks: Floats
-    controls_work: bool
+    filament: CompiledFilament  # What is integrated
+    settings: Settings  # Tolerances
+    kinks: Floats  # Times, in units of the time scale, at which a support changes pace
+    controls_work: bool  # Whether the error of the work limits the steps, as it must where little else does
+    # Whether the discrete solution jumps where its parameters move, by about its tolerance: fibres that begin to
+    # yield change the Jacobian at once, from which a linearly implicit step is made.
     jumps: bool = False
 
-    def run(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+    def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate; parameters as :class:`softcat_sym.fitting.integration.Integrator`."""
-        run, status = self._run(begin, most_steps), Status()
+        run, status = self._run(begin, max_steps), Status()
         (answer,) = _watched(lambda stop: self.filament.model.integrate(run, status, stop))
         return self._path(answer.states, None, seen, status)
 
-    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate with two-sided differences in lock-step; their error is about 1e-9.
 
         Neighbours have no step control of their own, and may be lost where the run itself is not: then the steps are
@@ -460,21 +355,21 @@ class CompiledForward:
         tolerance times that of the solution.
         """
         if self.jumps:
-            return self._apart(begin, seen, most_steps)
+            return self._apart(begin, seen, max_steps)
         for tightening in _TIGHTENINGS:
-            run = self._run(begin, most_steps, tightening)
+            run = self._run(begin, max_steps, tightening)
             path, code = self._with_slopes(run, begin, seen)
-            if code not in (compiled.NON_FINITE, compiled.SINGULAR) or self.run(begin, (), most_steps).complaint:
+            if code not in (compiled.NON_FINITE, compiled.SINGULAR) or self.run(begin, (), max_steps).message:
                 break
         return path
 
-    def _apart(self, begin: Begin, seen: tuple[int, ...], most_steps: int) -> Path:
+    def _apart(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
         """Integrate, and two neighbours for every unknown."""
-        path = self.run(begin, seen, most_steps)
+        path = self.run(begin, seen, max_steps)
         slopes = np.full((len(begin.d_parameters), *path.values.shape), np.nan)
-        size = max(_APART * self.settings.rtol**0.5, _LEAST_APART)
+        size = max(_APART * self.settings.rtol**0.5, _MIN_APART)
         for row in range(len(slopes)):
-            low, high = (self.run(begin.moved(row, step), seen, most_steps) for step in (-size, size))
+            low, high = (self.run(begin.moved(row, step), seen, max_steps) for step in (-size, size))
             slopes[row] = (high.values - low.values) / (2 * size)
         return replace(path, slopes=slopes)
 
@@ -500,7 +395,7 @@ class CompiledForward:
         states = answers[statuses.index(worst)][0]
         return self._path(states, slopes, seen, worst), int(worst.code)
 
-    def _run(self, begin: Begin, most_steps: int, tightening: float = 1.0) -> Run:
+    def _run(self, begin: Begin, max_steps: int, tightening: float = 1.0) -> Run:
         return Run(
             parameters=np.ascontiguousarray(begin.parameters),
             places=self.filament.places,
@@ -510,7 +405,7 @@ class CompiledForward:
             absolute=self.settings.atol * tightening,
             work_absolute=self.settings.atol if self.controls_work else 0.0,
             kinks=self.kinks,
-            most_steps=round(most_steps / tightening**0.5),
+            max_steps=round(max_steps / tightening**0.5),
         )
 
     def _path(self, states: Floats, slopes: Floats | None, seen: tuple[int, ...], status: Status) -> Path:
@@ -520,18 +415,12 @@ class CompiledForward:
         values = states.reshape(len(states), -1)[1:, where]
         if slopes is not None:
             slopes = slopes.reshape(*slopes.shape[:2], sites.shape[0] * sites.shape[1])[:, 1:, where]
-        complaint = "" if status.code == compiled.SOLVED else model.message(status.code)
-        return Path(values, slopes, int(status.steps), complaint)
+        message = "" if status.code == compiled.SOLVED else model.message(status.code)
+        return Path(values, slopes, int(status.steps), message)
 
 
 def _watched(*works: Callable[[ct.c_int], Result]) -> list[Result]:
-    """Work in threads, side by side, so that Ctrl-C is heard meanwhile, and stops it.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If the user stops it.
-    """
+    """Work in threads, side by side, so that Ctrl-C is heard meanwhile, and stops it."""
     stop = ct.c_int(0)
     with ThreadPoolExecutor(len(works)) as pool:
         answers = [pool.submit(work, stop) for work in works]
@@ -551,24 +440,12 @@ _FURTHER = 1e-3  # in unknowns, for what of the supports is free to move
 
 @dataclass(frozen=True)
 class Point:
-    """The filament with given values.
+    """The filament with given values."""
 
-    Attributes
-    ----------
-    start : Start
-        Where it begins.
-    parameters : ndarray, shape (p,)
-        Of the graph.
-    length : float
-        Rest length [m].
-    d_parameters, d_x, d_z, d_length : ndarray, shapes (k, p), (k, nx), (k, nz), (k,)
-        By each unknown of the scene; k = 0 if they were not asked for.
-    """
-
-    start: Start
-    parameters: Floats
-    length: float
-    d_parameters: Floats
+    start: Start  # Where it begins
+    parameters: Floats  # shape (p,); Of the graph
+    length: float  # Rest length [m]
+    d_parameters: Floats  # By each unknown of the scene; k = 0 if they were not asked for
     d_x: Floats
     d_z: Floats
     d_length: Floats
@@ -579,24 +456,7 @@ class Point:
 
 
 class FrozenFilament:
-    """A filament ready to be integrated with any values of its free parameters.
-
-    Parameters
-    ----------
-    scene : Scene
-        With typical values.
-    free : sequence of FreeParameter
-        What may change, of the scene and of the measurement.
-    effects : Effects
-        For all values.
-    backend : Backend
-        What integrates.
-
-    Raises
-    ------
-    SceneError
-        If something free makes no difference.
-    """
+    """A filament ready to be integrated with any values of its free parameters."""
 
     def __init__(self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend) -> None:
         self._scene, self.backend = scene, backend
@@ -632,15 +492,7 @@ class FrozenFilament:
         return with_values(self._scene, self.free, [one.value(float(x)) for one, x in zip(self.free, q, strict=True)])
 
     def point(self, q: Floats, *, slopes: bool) -> Point | None:
-        """The filament with these unknowns of the scene, and how it moves with them; None if it cannot begin so.
-
-        Parameters
-        ----------
-        q : ndarray, shape (k,)
-            Of :attr:`free`.
-        slopes : bool
-            Whether derivatives are wanted: two-sided differences.
-        """
+        """The filament with these unknowns of the scene, and how it moves with them; None if it cannot begin so."""
         base = self._at(q, None, settle=True)
         if base is None:
             return None
@@ -708,24 +560,7 @@ class FrozenFilament:
 
 
 def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None) -> FrozenFilament:
-    """Choose once what holds for all values.
-
-    Parameters
-    ----------
-    scene : Scene
-        With typical values.
-    free : sequence of FreeParameter
-        Of it.
-    backend : str
-        ``"auto"``, ``"compiled"`` or ``"interpreted"``.
-    rtol : float or None
-        Relative tolerance of the integrator.
-
-    Raises
-    ------
-    SceneError
-        If the filament has nothing to integrate, or no such backend, or something free makes no difference.
-    """
+    """Choose once what holds for all values."""
     # Whichever backend: a linearly implicit method, whose discrete solution can be differentiated.
     update: dict[str, object] = {"solver": None}
     if backend != "auto":

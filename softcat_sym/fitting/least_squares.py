@@ -57,22 +57,10 @@ class Loss:
 
     ``"linear"``: rho = r^2. ``"soft-l1"``: rho = 2 scale^2 (sqrt(1 + z) - 1). ``"cauchy"``: rho = scale^2 log(1 + z).
     Outliers beyond `scale` weigh less (Triggs et al. 2000, section 3; the forms are those of SciPy).
-
-    Attributes
-    ----------
-    kind : str
-        One of the three.
-    scale : float
-        Residual from which on a point counts as an outlier, in the unit of the residuals.
-
-    Raises
-    ------
-    SoftcatError
-        If the kind is unknown or the scale is not positive.
     """
 
-    kind: Literal["linear", "soft-l1", "cauchy"] = "linear"
-    scale: float = 1.0
+    kind: Literal["linear", "soft-l1", "cauchy"] = "linear"  # One of the three
+    scale: float = 1.0  # Residual from which on a point counts as an outlier, in the unit of the residuals
 
     def __post_init__(self) -> None:
         if self.kind not in ("linear", "soft-l1", "cauchy"):
@@ -115,21 +103,11 @@ LINEAR = Loss()
 
 @dataclass(frozen=True, eq=False)
 class Fixed:
-    """A problem with one unknown held at a value.
+    """A problem with one unknown held at a value."""
 
-    Attributes
-    ----------
-    whole : LeastSquares
-        The problem.
-    index : int
-        Which unknown is held.
-    at : float
-        Its q.
-    """
-
-    whole: LeastSquares
-    index: int
-    at: float
+    whole: LeastSquares  # The problem
+    index: int  # Which unknown is held
+    at: float  # Its q
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -179,36 +157,16 @@ _RISE, _SMALLER = 1e-5, 0.1
 
 @dataclass(frozen=True, eq=False)
 class Point:
-    """The model at one point; the value is NaN where it has no answer.
+    """The model at one point; the value is NaN where it has no answer."""
 
-    Attributes
-    ----------
-    q : ndarray, shape (k,)
-        The unknowns.
-    value : float
-        1/2 sum rho(r^2).
-    residuals : ndarray, shape (m,)
-        Before the loss.
-    jacobian : ndarray, shape (m, k)
-        Their derivatives.
-    """
-
-    q: Floats
-    value: float
-    residuals: Floats
-    jacobian: Floats
+    q: Floats  # shape (k,); The unknowns
+    value: float  # 1/2 sum rho(r^2)
+    residuals: Floats  # shape (m,); Before the loss
+    jacobian: Floats  # shape (m, k); Their derivatives
 
 
 class Model:
-    """A problem with its loss, whose last point and best point are kept.
-
-    Attributes
-    ----------
-    evaluations : int
-        How often the problem was asked for residuals and derivatives.
-    stopped : str or None
-        Why it is to be asked no more.
-    """
+    """A problem with its loss, whose last point and best point are kept."""
 
     def __init__(self, problem: LeastSquares, loss: Loss, most: int) -> None:
         self.problem = problem
@@ -222,13 +180,7 @@ class Model:
 
     @property
     def best(self) -> Point:
-        """The point of the least value so far; among those that noise alone tells apart, the one nearest an optimum.
-
-        Raises
-        ------
-        SoftcatError
-            If the model had no answer anywhere.
-        """
+        """The point of the least value so far; among those that noise alone tells apart, the one nearest an optimum."""
         if self._best is None:
             raise SoftcatError("the model has no answer where the fit starts; accepted: another starting point")
         return self._best
@@ -249,16 +201,7 @@ class Model:
         return self._last
 
     def step(self, point: Point) -> tuple[Floats, float]:
-        """What Gauss and Newton would still do.
-
-        Returns
-        -------
-        step : ndarray, shape (k,)
-            Of the unknowns; zero for those that lie on a bound, and along directions that do not matter.
-        offset : float
-            Norm of the part of the residuals that the step removes to first order, over the root mean square residual:
-            the length of the step in standard errors (Bates and Watts 1981).
-        """
+        """What Gauss and Newton would still do."""
         step = np.zeros(point.q.size)
         free = ~on_bound(self.problem, point.q)
         size = float(np.sqrt(np.mean(point.residuals**2)))
@@ -314,29 +257,17 @@ def on_bound(problem: LeastSquares, q: Floats) -> NDArray[np.bool_]:
 
 # In units of chi^2 for a step of one in q: directions that matter less hardly move.
 _DAMPING = 1e-3
-_LEAST_DAMPING, _LESS, _MORE, _MOST_DAMPING = 1e-6, 0.1, 10.0, 1e4
+_MIN_DAMPING, _LESS, _MORE, _MAX_DAMPING = 1e-6, 0.1, 10.0, 1e4
 
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """Where the steps ended.
+    """Where the steps ended."""
 
-    Attributes
-    ----------
-    q : ndarray, shape (k,)
-        The unknowns, in the box.
-    value : float
-        Twice the loss there.
-    evaluations : int
-        Of the model, with derivatives or without.
-    converged : bool
-        Whether a further step would gain less than asked.
-    """
-
-    q: Floats
-    value: float
-    evaluations: int
-    converged: bool
+    q: Floats  # shape (k,); The unknowns, in the box
+    value: float  # Twice the loss there
+    evaluations: int  # Of the model, with derivatives or without
+    converged: bool  # Whether a further step would gain less than asked
 
 
 def settle(problem: LeastSquares, start: Floats, loss: Loss, *, unit: float, gain: float, most: int) -> Settled | None:
@@ -344,26 +275,6 @@ def settle(problem: LeastSquares, start: Floats, loss: Loss, *, unit: float, gai
 
     An optimum of undetermined unknowns is a valley, along which a method that asks for a vanishing gradient walks for
     long and gains nothing. These steps end by what they would gain.
-
-    Parameters
-    ----------
-    problem : LeastSquares
-        The problem.
-    start : ndarray, shape (k,)
-        In the box.
-    loss : Loss
-        What residuals are charged.
-    unit : float
-        Of twice the loss, for one of chi^2.
-    gain : float
-        In those units: a step that would gain less is not made.
-    most : int
-        Evaluations.
-
-    Returns
-    -------
-    Settled or None
-        None where the model has no answer at the start.
     """
     here, damping, used = np.array(start, dtype=np.float64), _DAMPING, 1
     residuals, jacobian = problem.linearised(here)
@@ -374,7 +285,7 @@ def settle(problem: LeastSquares, start: Floats, loss: Loss, *, unit: float, gai
         step, expected = _step(problem, here, residuals, jacobian, loss, damping * unit)
         if expected < gain * unit:
             return Settled(here, value, used, True)
-        if used >= most or damping > _MOST_DAMPING:
+        if used >= most or damping > _MAX_DAMPING:
             return Settled(here, value, used, False)
         ahead = np.clip(here + step, problem.lower, problem.upper)
         tried, used = problem.residuals(ahead), used + 1
@@ -387,7 +298,7 @@ def settle(problem: LeastSquares, start: Floats, loss: Loss, *, unit: float, gai
         if not np.isfinite(slopes).all():
             return Settled(here, value, used, False)
         here, residuals, jacobian, value = ahead, found, slopes, 2 * loss.value(found)
-        damping = max(damping * _LESS, _LEAST_DAMPING)
+        damping = max(damping * _LESS, _MIN_DAMPING)
 
 
 def _step(
@@ -445,26 +356,7 @@ class Run:
 
 
 def run(model: Model, start: Floats, units: Floats, scale: float, options: Mapping[str, object]) -> Run:
-    """Let IPOPT minimise scale * value in x = (q - start)/units, within the box.
-
-    Parameters
-    ----------
-    model : Model
-        The model.
-    start : ndarray, shape (k,)
-        Where it starts, in the box.
-    units : ndarray, shape (k,)
-        Of the unknowns.
-    scale : float
-        Of the value.
-    options : mapping
-        IPOPT's own, beside those that keep it quiet.
-
-    Raises
-    ------
-    Exception
-        What the model raises, KeyboardInterrupt included, as it was raised.
-    """
+    """Let IPOPT minimise scale * value in x = (q - start)/units, within the box."""
     shared = _Shared(model, start, units, scale)
     value, gradient, hessian = (_Callback(shared, kind) for kind in _INPUTS)
     x = ca.MX.sym("x", start.size)
@@ -571,59 +463,31 @@ _ROUNDS = 3
 
 @dataclass(frozen=True, eq=False)
 class Optimum:
-    """Where the optimisation ended; the best point seen, if IPOPT failed.
+    """Where the optimisation ended; the best point seen, if IPOPT failed."""
 
-    Attributes
-    ----------
-    q : ndarray, shape (k,)
-        The unknowns.
-    value : float
-        1/2 sum rho(r^2).
-    residuals : ndarray, shape (m,)
-        At `q`, before the loss.
-    jacobian : ndarray, shape (m, k)
-        Their derivatives.
-    iterations, evaluations : int
-        Of IPOPT; of the model with derivatives.
-    status : str
-        IPOPT's own word for how it ended; or that it was stopped, because the noise of the model's own arithmetic left
-        nothing to gain around an optimum that is reached as far as the data can tell, or after too many evaluations.
-    converged : bool
-        Whether IPOPT ended with success, or was stopped for the first of these reasons.
-    at_bound : ndarray of bool, shape (k,)
-        Which unknowns lie on a bound.
-    offset : float
-        Norm of that part of the residuals that a step of the unknowns inside the box would remove to first order, over
-        the root mean square residual (Bates and Watts 1981): the distance from the optimum in standard errors. Means
-        nothing where the data are met to rounding.
-    """
-
-    q: Floats
-    value: float
-    residuals: Floats
-    jacobian: Floats
-    iterations: int
+    q: Floats  # shape (k,); The unknowns
+    value: float  # 1/2 sum rho(r^2)
+    residuals: Floats  # shape (m,); At `q`, before the loss
+    jacobian: Floats  # shape (m, k); Their derivatives
+    iterations: int  # Of IPOPT; of the model with derivatives
     evaluations: int
+    # IPOPT's own word for how it ended; or that it was stopped, because the noise of the model's own arithmetic left
+    # nothing to gain around an optimum that is reached as far as the data can tell, or after too many evaluations.
     status: str
-    converged: bool
-    at_bound: NDArray[np.bool_]
+    converged: bool  # Whether IPOPT ended with success, or was stopped for the first of these reasons
+    at_bound: NDArray[np.bool_]  # shape (k,); Which unknowns lie on a bound
+    # Norm of that part of the residuals that a step of the unknowns inside the box would remove to first order, over
+    # the root mean square residual (Bates and Watts 1981): the distance from the optimum in standard errors. Means
+    # nothing where the data are met to rounding.
     offset: float
 
 
 @dataclass(frozen=True)
 class DerivativeCheck:
-    """What IPOPT's first-order derivative checker found.
+    """What IPOPT's first-order derivative checker found."""
 
-    Attributes
-    ----------
-    clean : bool
-        Whether it found no error.
-    text : str
-        What it wrote.
-    """
-
-    clean: bool
-    text: str
+    clean: bool  # Whether it found no error
+    text: str  # What it wrote
 
 
 def minimise(
@@ -639,28 +503,6 @@ def minimise(
 
     In IPOPT's units the residuals' root mean square and the unknowns' standard errors are about one, as the start tells
     them. Where the end is no optimum in its own units, IPOPT starts again from there.
-
-    Parameters
-    ----------
-    problem : LeastSquares
-        Evaluated once a point, always inside the box.
-    start : ndarray, shape (k,)
-        In the box.
-    loss : Loss
-        What residuals are charged.
-    warm : bool
-        Whether the start is close to the optimum.
-    tolerance : float
-        Of the gradient, in those units; a thousand times as much is accepted where no more is to be had.
-    max_evaluations : int
-        Of the model.
-
-    Raises
-    ------
-    SoftcatError
-        If the start lies outside the box, or the model has no answer there.
-    Exception
-        Whatever the model raises, KeyboardInterrupt included, as it was raised.
     """
     model = Model(problem, loss, max_evaluations)
     here = _checked_start(model, start)
@@ -681,26 +523,7 @@ def minimise(
 def check_derivatives(
     problem: LeastSquares, q: Floats, *, step: float = 1e-6, tolerance: float = 1e-4, loss: Loss = LINEAR
 ) -> DerivativeCheck:
-    """Compare the gradient with differences of the value, by IPOPT's own derivative checker.
-
-    Parameters
-    ----------
-    problem : LeastSquares
-        The problem.
-    q : ndarray, shape (k,)
-        Where; inside the box by more than the step.
-    step : float
-        Of the one-sided differences of q.
-    tolerance : float
-        Largest deviation, relative to the derivative or to the root mean square of all of them, the larger of the two.
-    loss : Loss
-        What residuals are charged.
-
-    Raises
-    ------
-    SoftcatError
-        If the point lies outside the box or on its edge, or the model has no answer there.
-    """
+    """Compare the gradient with differences of the value, by IPOPT's own derivative checker."""
     model = Model(problem, loss, 10 * len(problem.names) + 10)
     here = _checked_start(model, q)
     if np.any(np.minimum(here.q - problem.lower, problem.upper - here.q) <= step):
@@ -726,13 +549,7 @@ def check_derivatives(
 
 
 def check_in_box(problem: LeastSquares, q: Floats) -> Floats:
-    """Return a copy of a point that has the right length and lies in the box.
-
-    Raises
-    ------
-    SoftcatError
-        If it does not, with every unknown that is out.
-    """
+    """Return a copy of a point that has the right length and lies in the box."""
     at = np.array(q, dtype=np.float64)
     if at.shape != (len(problem.names),):
         raise SoftcatError(f"{at.size} starting values for {len(problem.names)} unknowns; accepted: one for each")
@@ -804,38 +621,21 @@ _SAME_OPTIMUM = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Fall:
-    """Where one start ended.
+    """Where one start ended."""
 
-    Attributes
-    ----------
-    start : ndarray, shape (k,)
-        Where it started.
-    optimum : Optimum
-        Where it ended.
-    cluster : int
-        Which fit that is, 0 the best: starts that end in the same curve through the data share it, even where their
-        unknowns differ because the data do not determine them.
-    """
-
-    start: Floats
-    optimum: Optimum
+    start: Floats  # shape (k,); Where it started
+    optimum: Optimum  # Where it ended
+    # Which fit that is, 0 the best: starts that end in the same curve through the data share it, even where their
+    # unknowns differ because the data do not determine them.
     cluster: int
 
 
 @dataclass(frozen=True, eq=False)
 class Waterfall:
-    """All starts, the best first.
+    """All starts, the best first."""
 
-    Attributes
-    ----------
-    falls : tuple of Fall
-        Sorted by value, those that converged first.
-    rejected : int
-        Starts at which the model has no answer.
-    """
-
-    falls: tuple[Fall, ...]
-    rejected: int
+    falls: tuple[Fall, ...]  # Sorted by value, those that converged first
+    rejected: int  # Starts at which the model has no answer
 
     @property
     def best(self) -> Optimum:
@@ -858,26 +658,12 @@ class Waterfall:
         return spread
 
 
-_MOST_OF_DRAWN = 60
+_MAX_OF_DRAWN = 60
 _NEARER = "bounds or starting values for which it can be solved"
 
 
 def latin_hypercube(lower: Floats, upper: Floats, count: int, seed: int) -> Floats:
-    """Points of which each unknown has one in each of `count` equal slices of its range (McKay et al. 1979).
-
-    Parameters
-    ----------
-    lower, upper : ndarray, shape (k,)
-        The box.
-    count : int
-        How many points.
-    seed : int
-        The same seed gives the same points.
-
-    Returns
-    -------
-    ndarray, shape (count, k)
-    """
+    """Points of which each unknown has one in each of `count` equal slices of its range (McKay et al. 1979)."""
     random = np.random.default_rng(seed)
     slices = np.stack([random.permutation(count) for _ in lower], axis=1)
     points: Floats = lower + (upper - lower) * (slices + random.random((count, lower.size))) / max(count, 1)
@@ -894,30 +680,7 @@ def multi_start(
     max_evaluations: int = 300,
     told: Callable[[int, int], None] | None = None,
 ) -> Waterfall:
-    """Minimise from the given starts and from a Latin hypercube of the box.
-
-    Parameters
-    ----------
-    problem : LeastSquares
-        The problem.
-    given : sequence of ndarray, shape (k,)
-        Starts that are tried first, such as closed forms.
-    count : int
-        How many further starts.
-    seed : int
-        Of the hypercube.
-    loss : Loss
-        What residuals are charged.
-    max_evaluations : int
-        Of the model, for each start; for one of the hypercube, which may lie decades away, 60 at the most.
-    told : callable, optional
-        Told how many of how many starts are done.
-
-    Raises
-    ------
-    SoftcatError
-        If a given start lies outside the box, or the model has an answer at none of the starts.
-    """
+    """Minimise from the given starts and from a Latin hypercube of the box."""
     drawn = latin_hypercube(problem.lower, problem.upper, count, seed)
     starts = [*(check_in_box(problem, one) for one in given), *drawn]
     ended, sizes = [], []
@@ -926,7 +689,7 @@ def multi_start(
         if not has_answer(problem, start):
             continue  # a hypercube has many corners that no filament survives
         sizes.append(float(np.linalg.norm(problem.residuals(start))))
-        most = max_evaluations if number < len(given) else min(max_evaluations, _MOST_OF_DRAWN)
+        most = max_evaluations if number < len(given) else min(max_evaluations, _MAX_OF_DRAWN)
         ended.append((start, minimise(problem, start, loss=loss, max_evaluations=most)))
     if not ended:
         raise SoftcatError(f"the model has no answer at any of {len(starts)} starts; accepted: {_NEARER}")

@@ -55,18 +55,7 @@ _NAME = header_pattern(_KNOWN)
 
 
 def columns_of(table: CsvTable) -> tuple[dict[str, Column], list[Fault]]:
-    """Find the columns that are read; others are left alone.
-
-    Parameters
-    ----------
-    table : CsvTable
-        Whose header has names with their units, such as ``time_s`` or ``Time [s]``.
-
-    Returns
-    -------
-    dict of str to Column, list of Fault
-        By what they hold: TIME and MIDPOINT, or TIME, X and Y; perhaps STD.
-    """
+    """Find the columns that are read; others are left alone."""
     where = f"line {table.line}"
     candidates: dict[str, list[Column]] = {}
     unreadable: dict[str, Fault] = {}
@@ -138,18 +127,7 @@ _FORM = "key = value, such as # filament.span = 5 mm"
 
 
 def overrides_in(text: str) -> tuple[dict[str, str], list[Fault]]:
-    """Read the overrides among the comments of a file.
-
-    Parameters
-    ----------
-    text : str
-        The whole file.
-
-    Returns
-    -------
-    dict of str to str, list of Fault
-        By dotted key, and the lines that look like overrides and are none. Values are validated with the scene.
-    """
+    """Read the overrides among the comments of a file."""
     from softcat_sym.scene.scene import known_keys
 
     tables = {name: keys for name, keys in known_keys().items() if name}
@@ -194,24 +172,7 @@ _DEVIATIONS = 6.0
 
 
 def repaired(table: Table, row: Callable[[int], str]) -> tuple[Table, tuple[str, ...], list[Fault]]:
-    """Correct what needs no guess.
-
-    Parameters
-    ----------
-    table : dict of str to ndarray, shape (rows,)
-        TIME and MIDPOINT, or TIME, X and Y; perhaps STD. NaN where nothing is known.
-    row : callable
-        Given the index of a row, its name in a message: ``"line 7"``.
-
-    Returns
-    -------
-    dict of str to ndarray
-        In the order of time; no NaN, no time before 0, of the midpoint no time twice.
-    tuple of str
-        What was corrected, a sentence each.
-    list of Fault
-        Why it cannot be corrected; the table then means nothing.
-    """
+    """Correct what needs no guess."""
     notes: list[str] = []
     faults: list[Fault] = []
     rows = np.arange(table[TIME].size)
@@ -315,26 +276,14 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Shapes:
-    """Points of the centre line at one or several times.
+    """Points of the centre line at one or several times."""
 
-    Attributes
-    ----------
-    time, x, y : ndarray, shape (points,)
-        [s], not decreasing; [m] with x = 0 halfway between the supports; [m] upwards from the supports' level. Kept
-        as copies that cannot be written to.
-    std : ndarray, shape (points,), or None
-        Standard errors of y [m]; None if they are not known.
-
-    Raises
-    ------
-    SoftcatError
-        With every fault at once, if these are not lists of one length of at least `FEWEST` finite numbers.
-    """
-
+    # shape (points,); [s], not decreasing; [m] with x = 0 halfway between the supports; [m] upwards from the
+    # supports' level. Kept as copies that cannot be written to.
     time: Floats
     x: Floats
     y: Floats
-    std: Floats | None = None
+    std: Floats | None = None  # shape (points,); Standard errors of y [m]; None if they are not known
 
     def __post_init__(self) -> None:
         faults = _adopt(self, ("time", "x", "y", "std"))
@@ -348,39 +297,19 @@ class Shapes:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """One filmed filament.
+    """One filmed filament."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (n,)
-        [s] since the release, increasing; kept as a copy that cannot be written to, as the others are.
-    midpoint : ndarray, shape (n,)
-        Height of the midpoint [m], negative below the supports' level.
-    std : ndarray, shape (n,), or None
-        Standard errors of the midpoint [m]; None if they are not known, then they are estimated from the residuals.
-    shapes : Shapes or None
-        Whole shapes besides, or instead; then `time` and `midpoint` may be empty.
-    overrides : mapping of str to str
-        Values of the scene that this filament has of its own: ``{"filament.span": "5 mm"}``.
-    path : pathlib.Path or None
-        The file they come from.
-    notes : tuple of str
-        What was corrected, a sentence each.
-
-    Raises
-    ------
-    SoftcatError
-        With every fault at once: lists that differ in length, numbers that are not finite, times before 0 or that do
-        not increase, fewer than `FEWEST` of them, a midpoint that never moves.
-    """
-
+    # shape (n,); [s] since the release, increasing; kept as a copy that cannot be written to, as the others are.
     time: Floats
-    midpoint: Floats
+    midpoint: Floats  # shape (n,); Height of the midpoint [m], negative below the supports' level
+    # shape (n,); Standard errors of the midpoint [m]; None if they are not known, then they are estimated from the
+    # residuals.
     std: Floats | None = None
-    shapes: Shapes | None = None
+    shapes: Shapes | None = None  # Whole shapes besides, or instead; then `time` and `midpoint` may be empty
+    # Values of the scene that this filament has of its own: ``{"filament.span": "5 mm"}``.
     overrides: Mapping[str, str] = field(default_factory=dict)
-    path: Path | None = None
-    notes: tuple[str, ...] = ()
+    path: Path | None = None  # The file they come from
+    notes: tuple[str, ...] = ()  # What was corrected, a sentence each
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "overrides", dict(self.overrides))
@@ -531,13 +460,7 @@ def _wrong(name: str, values: Floats, missing: bool = False) -> list[Fault]:
 
 
 def what_is_wrong(value: float, is_std: bool = False) -> tuple[str, str] | None:
-    """Say why a number in SI units cannot be a time, a height or, if so asked, a standard error; None if it can.
-
-    Returns
-    -------
-    (str, str) or None
-        What was found, what would be accepted.
-    """
+    """Say why a number in SI units cannot be a time, a height or, if so asked, a standard error; None if it can."""
     accepted = "a positive number" if is_std else "a finite number"
     if not np.isfinite(value):
         return f"{value} is not finite", accepted

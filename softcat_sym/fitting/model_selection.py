@@ -30,74 +30,38 @@ _ROUNDING = 1e-18
 
 @dataclass(frozen=True)
 class FittedLaw:
-    """What the comparison needs of a fit.
+    """What the comparison needs of a fit."""
 
-    Attributes
-    ----------
-    name : str
-        The law.
-    unknowns : int
-        How many were fitted.
-    squares : float
-        Sum of the squared residuals; chi^2 where the noise is known.
-    failure : str
-        Why there is no fit; empty if there is one.
-    """
-
-    name: str
-    unknowns: int
-    squares: float
-    failure: str = ""
+    name: str  # The law
+    unknowns: int  # How many were fitted
+    squares: float  # Sum of the squared residuals; chi^2 where the noise is known
+    failure: str = ""  # Why there is no fit; empty if there is one
 
 
 @dataclass(frozen=True)
 class Ranked:
-    """A law in the table.
+    """A law in the table."""
 
-    Attributes
-    ----------
-    law : FittedLaw
-        The fit.
-    aic, aicc, bic : float
-        Akaike's criterion (1974), corrected for few data (Hurvich and Tsai 1989; infinite with too few for it), and
-        Schwarz' (1978); without their common constant. All infinite for a fit that failed.
-    difference : float
-        Of the criterion that ranks, less its least value; infinite for a fit that failed.
-    weight : float
-        exp(-difference/2), normalised: Akaike weight.
-    """
-
-    law: FittedLaw
+    law: FittedLaw  # The fit
+    # Akaike's criterion (1974), corrected for few data (Hurvich and Tsai 1989; infinite with too few for it), and
+    # Schwarz' (1978); without their common constant. All infinite for a fit that failed.
     aic: float
     aicc: float
     bic: float
-    difference: float
-    weight: float
+    difference: float  # Of the criterion that ranks, less its least value; infinite for a fit that failed
+    weight: float  # exp(-difference/2), normalised: Akaike weight
 
 
 @dataclass(frozen=True)
 class ModelChoice:
-    """The table, the best law first, those that failed last.
+    """The table, the best law first, those that failed last."""
 
-    Attributes
-    ----------
-    table : tuple of Ranked
-        All laws.
-    close : tuple of str
-        Laws within `CLOSE` of the best, the best among them.
-    verdict : str
-        The name of the best law, or ``"cannot tell"`` if it is not alone.
-    criterion : str
-        What ranks: ``"AICc"``, or ``"BIC"`` where a law has too many constants for that.
-    reason : str
-        Why it cannot be told; empty if it can.
-    """
-
-    table: tuple[Ranked, ...]
-    close: tuple[str, ...]
-    verdict: str
+    table: tuple[Ranked, ...]  # All laws
+    close: tuple[str, ...]  # Laws within `CLOSE` of the best, the best among them
+    verdict: str  # The name of the best law, or ``"cannot tell"`` if it is not alone
+    # What ranks: ``"AICc"``, or ``"BIC"`` where a law has too many constants for that.
     criterion: Literal["AICc", "BIC"] = "AICc"
-    reason: str = ""
+    reason: str = ""  # Why it cannot be told; empty if it can
 
 
 def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool) -> ModelChoice:
@@ -108,20 +72,6 @@ def choose_model(laws: Sequence[FittedLaw], points: int, *, noise_known: bool) -
 
     AICc is infinite with m <= K + 1, which says nothing of the law: where that happens, BIC ranks all laws, and the
     verdict is ``"cannot tell"``.
-
-    Parameters
-    ----------
-    laws : sequence of FittedLaw
-        At least one.
-    points : int
-        m, how many data.
-    noise_known : bool
-        Whether the residuals are in standard errors that were measured.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no law.
     """
     if not laws:
         raise SoftcatError("no law is given to choose from; accepted: one or more fitted laws")
@@ -179,20 +129,6 @@ def rough_constants(scene: Scene, films: Measurements, law: str) -> dict[str, fl
     A string of modulus E under its weight hangs down by w with E = (3/64) rho g L (L/w)^3, a clamped beam with E = rho
     g L^4/(32 h^2 w) (THEORY, small slopes); both share the load. A viscosity is that modulus times the time that it
     took, a yield stress the tension rho g L^2/(8 w).
-
-    Parameters
-    ----------
-    scene : Scene
-        The filament.
-    films : Measurements
-        Of it.
-    law : str
-        Whether something holds it for good.
-
-    Returns
-    -------
-    dict of str to float
-        ``youngs_modulus``, ``second_modulus``, ``yield_stress`` [Pa], ``viscosity`` [Pa s].
     """
     span, thickness = scene.filament.span, scene.filament.thickness
     weight = scene.filament.density * scene.load.gravity * span or _WEIGHT
@@ -222,22 +158,7 @@ def constants_of(law: str) -> tuple[str, ...]:
 
 
 def scene_of_law(scene: Scene, law: str, films: Measurements) -> Scene:
-    """Give a scene another law, with its own values where it has them and rough ones otherwise.
-
-    Parameters
-    ----------
-    scene : Scene
-        Any.
-    law : str
-        One of :data:`FITTED`.
-    films : Measurements
-        How far it sags, and in which time, tells rough values.
-
-    Returns
-    -------
-    Scene
-        Where effects are listed, without those that the law cannot have, and with what only it has.
-    """
+    """Give a scene another law, with its own values where it has them and rough ones otherwise."""
     material, rough = scene.material, rough_constants(scene, films, law)
     index = material.index if law in INDEXED and material.law in INDEXED else 1.0
     # A consistency is no viscosity, and its rough value is only right for an index of one.
@@ -276,17 +197,10 @@ _STIFF, _STIFFER_THAN_WIDER, _WEAK = 20.0, 100.0, 0.01
 
 @dataclass(frozen=True)
 class _Limit:
-    """What a wider law needs to be a narrower one.
+    """What a wider law needs to be a narrower one."""
 
-    Attributes
-    ----------
-    factors : mapping of str to float
-        Of rough constants, for what only the wider has.
-    renamed : mapping of str to str
-        Constants of the wider that are another one of the narrower.
-    """
-
-    factors: Mapping[str, float]
+    factors: Mapping[str, float]  # Of rough constants, for what only the wider has
+    # Constants of the wider that are another one of the narrower.
     renamed: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -319,22 +233,7 @@ def contained_in(law: str) -> tuple[str, ...]:
 
 
 def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
-    """Write a fitted filament in the constants of a law that contains its own.
-
-    Parameters
-    ----------
-    fitted : Scene
-        With the optimum of the narrower law.
-    law : str
-        The wider, one of those for which :func:`contained_in` names the scene's own.
-    films : Measurements
-        Tell the order of what is to be negligible.
-
-    Returns
-    -------
-    Scene
-        That falls as the fitted one, within what rough constants can promise.
-    """
+    """Write a fitted filament in the constants of a law that contains its own."""
     narrower = fitted.material.law
     limit = _LIMITS[law][narrower]
     scene, rough = scene_of_law(fitted, law, films), rough_constants(fitted, films, law)
@@ -347,29 +246,18 @@ def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
 
 
 # Of a normal distribution, over the median of magnitudes; the floor is for data that are met exactly.
-_MEDIAN_TO_DEVIATION, _LEAST_NOISE = 1.4826, 1e-9
+_MEDIAN_TO_DEVIATION, _MIN_NOISE = 1.4826, 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class LawComparison:
-    """Several laws beside the same films.
+    """Several laws beside the same films."""
 
-    Attributes
-    ----------
-    fits : dict of str to Fit
-        Of the laws that could be fitted.
-    failures : dict of str to str
-        Why others could not.
-    choice : ModelChoice
-        Their ranking; its verdict is a law, or ``"cannot tell"``.
-    restarted : dict of str to str
-        Wider laws whose own starts ended worse than a law that they contain, which is named, and that were therefore
-        started from its optimum.
-    """
-
-    fits: dict[str, Fit]
-    failures: dict[str, str]
-    choice: ModelChoice
+    fits: dict[str, Fit]  # Of the laws that could be fitted
+    failures: dict[str, str]  # Why others could not
+    choice: ModelChoice  # Their ranking; its verdict is a law, or ``"cannot tell"``
+    # Wider laws whose own starts ended worse than a law that they contain, which is named, and that were therefore
+    # started from its optimum.
     restarted: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -397,24 +285,7 @@ class LawComparison:
 def compared(
     laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], loss: Loss, besides: int
 ) -> LawComparison:
-    """Rank fits of the same films.
-
-    Parameters
-    ----------
-    laws : sequence of str
-        In the order asked.
-    fits, failures : mapping
-        By law; every law has one or the other.
-    loss : Loss
-        That was asked for.
-    besides : int
-        How many parameters are free besides every law's constants.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no fit.
-    """
+    """Rank fits of the same films."""
     if not fits:
         raise SoftcatError("none of the laws can be fitted:\n" + "\n".join(f"  {k}: {v}" for k, v in failures.items()))
     best = _ranked(laws, fits, failures, loss, besides).table[0].law.name
@@ -443,7 +314,7 @@ def common_loss(loss: Loss, fits: Mapping[str, Fit]) -> Loss:
     if loss.kind == "linear" or next(iter(fits.values())).noise_known:
         return loss
     medians = [float(np.median(np.abs(one.starts.best.residuals))) for one in fits.values()]
-    return Loss(loss.kind, loss.scale * max(_MEDIAN_TO_DEVIATION * min(medians), _LEAST_NOISE))
+    return Loss(loss.kind, loss.scale * max(_MEDIAN_TO_DEVIATION * min(medians), _MIN_NOISE))
 
 
 # By which a wider law's sum of squares may exceed that of one it contains: the limit is never quite reached.
@@ -499,13 +370,7 @@ def fit_law(
     seed: int = 0,
     progress: FitProgress | None = None,
 ) -> Fit:
-    """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`.
-
-    Raises
-    ------
-    SoftcatError
-        If the law is unknown, or as :func:`softcat_sym.fitting.fit` does.
-    """
+    """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`."""
     _refuse([law], also_free, bounds or {}, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
     asked = _Asked(read, tuple(also_free), bounds or {}, loss, starts, "auto", None, seed)

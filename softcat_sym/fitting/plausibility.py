@@ -41,28 +41,7 @@ _LONGER_TIMES = ((1e3, "s", "ms"), (60.0, "min", "s"), (3600.0, "h", "s"))
 
 
 def checked(measurements: Measurements, scene: Scene) -> Measurements:
-    """Hold measurements against their scene.
-
-    Parameters
-    ----------
-    measurements : Measurements
-        As read, or from arrays.
-    scene : Scene
-        Of all filaments but for what each has of its own.
-
-    Returns
-    -------
-    Measurements
-        The same; heights that count downwards, while the filament sags, are turned. That is noted, and so is whatever
-        looks odd but may be right.
-
-    Raises
-    ------
-    SoftcatError
-        With the faults of all series: a midpoint or a point farther away than the filament can get, times that have
-        nothing to do with the scene's, heights from another level than the supports'; values of its own that the
-        scene refuses.
-    """
+    """Hold measurements against their scene."""
     series, refused = [], []
     for one in measurements.series:
         try:
@@ -75,13 +54,7 @@ def checked(measurements: Measurements, scene: Scene) -> Measurements:
 
 
 def own_scene(series: Series, scene: Scene) -> Scene:
-    """Return the scene of one filament: the common one with the values that the filament has of its own.
-
-    Raises
-    ------
-    SceneError
-        With every fault at once, and the file whose ``# key = value`` lines they come from.
-    """
+    """Return the scene of one filament: the common one with the values that the filament has of its own."""
     changes, _ = read_overrides(series.overrides)
     if not changes:
         return scene
@@ -260,12 +233,6 @@ Films = Measurements | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 
 
 def taken(films: Films, scene: Scene) -> Measurements:
-    """Read measurements where they are files, and hold them against their scene.
-
-    Raises
-    ------
-    SoftcatError
-        If they cannot be used, with every fault.
-    """
+    """Read measurements where they are files, and hold them against their scene."""
     read = films if isinstance(films, Measurements) else read_measurements(films)
     return checked(read, scene)

@@ -75,13 +75,6 @@ def plastic_flow(stress: sp.Matrix, rate: sp.Expr) -> sp.Matrix:
     """Lp = (3/2) phi(sig_eq) M'/sig_eq (3.7, corrected): in a tensile test the rate phi of (2.25).
 
     The paper's 3/eta with the Frobenius norm |M'| is sqrt 2 times too fast.
-
-    Parameters
-    ----------
-    stress : sympy.Matrix
-        Mandel stress.
-    rate : sympy.Expr
-        Flow rule phi in the symbol ``sigma``, as in :mod:`softcat_sym.physics.laws`.
     """
     return flow_direction(stress) * rate.subs(sigma, sigma_eq)
 
@@ -113,30 +106,14 @@ def bingham_return() -> sp.Expr:
 
 @dataclass(frozen=True, slots=True)
 class BulkLaw:
-    """The chain from elastic strain to plastic rate for one point.
+    """The chain from elastic strain to plastic rate for one point."""
 
-    Attributes
-    ----------
-    strain : sympy.Matrix
-        Symbols of the elastic Hencky strain, a 3 x 3 tensor or three principal values (as a diagonal).
-    stress : sympy.Matrix
-        Mandel stress in these symbols.
-    equivalent : sympy.Expr
-        sig_eq in the symbols of ``mandel``.
-    flow : sympy.Matrix
-        Lp in the symbols of ``mandel`` and ``sigma_eq``.
-    dissipation : sympy.Expr
-        Plastic power per reference volume, in ``sigma_eq``.
-    residual : sympy.Expr
-        Scalar equation of an implicit step, in ``sigma_eq``, ``sigma_trial`` and ``step``.
-    """
-
-    strain: sp.Matrix
-    stress: sp.Matrix
-    equivalent: sp.Expr
-    flow: sp.Matrix
-    dissipation: sp.Expr
-    residual: sp.Expr
+    strain: sp.Matrix  # Symbols of the elastic Hencky strain, a 3 x 3 tensor or three principal values (as a diagonal)
+    stress: sp.Matrix  # Mandel stress in these symbols
+    equivalent: sp.Expr  # sig_eq in the symbols of ``mandel``
+    flow: sp.Matrix  # Lp in the symbols of ``mandel`` and ``sigma_eq``
+    dissipation: sp.Expr  # Plastic power per reference volume, in ``sigma_eq``
+    residual: sp.Expr  # Scalar equation of an implicit step, in ``sigma_eq``, ``sigma_trial`` and ``step``
 
 
 def general(rate: sp.Expr) -> BulkLaw:

@@ -245,13 +245,7 @@ def smay_modulus(beam: Beam = PINNED) -> sp.Expr:
 
 
 def catenary_stress(sag: float, digits: int = 15) -> sp.Float:
-    """Largest stress of the exact catenary over rho g L, from its sag over span: cosh(u)/(2 u).
-
-    Raises
-    ------
-    ValueError
-        If it does not sag.
-    """
+    """Largest stress of the exact catenary over rho g L, from its sag over span: cosh(u)/(2 u)."""
     if not sag > 0:
         raise ValueError(f"a catenary of sag {sag} carries no load")
     root = sp.nsolve(CATENARY_SAG.right / L - sag, u_L, sp.asinh(4 * sag), prec=digits + 5)

@@ -44,22 +44,12 @@ from softcat_sym.physics.symbols import (
 
 @dataclass(frozen=True, slots=True)
 class ClosedSection:
-    """What a closure makes of a strain measure and a contraction.
+    """What a closure makes of a strain measure and a contraction."""
 
-    Attributes
-    ----------
-    lever : sympy.Expr
-        Bending strain at zeta = 1 per unit -theta_X.
-    recall_mean, recall_bending : sympy.Expr
-        Factors with which the states a_0 and a_1 count as plastic strain.
-    axial_correction : sympy.Expr
-        Q - T in terms of M, theta_X and s.
-    """
-
-    lever: sp.Expr
-    recall_mean: sp.Expr
+    lever: sp.Expr  # Bending strain at zeta = 1 per unit -theta_X
+    recall_mean: sp.Expr  # Factors with which the states a_0 and a_1 count as plastic strain
     recall_bending: sp.Expr
-    axial_correction: sp.Expr
+    axial_correction: sp.Expr  # Q - T in terms of M, theta_X and s
 
 
 def material(measure: StrainMeasure, contraction: Contraction) -> ClosedSection:

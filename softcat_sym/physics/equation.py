@@ -19,22 +19,12 @@ from softcat_sym.physics.symbols import entry, field_entry, table
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """Two sides, left = right, in the symbols of :mod:`softcat_sym.physics.symbols`.
+    """Two sides, left = right, in the symbols of :mod:`softcat_sym.physics.symbols`."""
 
-    Attributes
-    ----------
-    name : str
-        In words.
-    left, right : sympy.Expr
-        Both sides; every term of them has one dimension.
-    source : str
-        Equation numbers of the paper, or section of the theory.
-    """
-
-    name: str
-    left: sp.Expr
+    name: str  # In words
+    left: sp.Expr  # Both sides; every term of them has one dimension
     right: sp.Expr
-    source: str
+    source: str  # Equation numbers of the paper, or section of the theory
 
     def residual(self) -> sp.Expr:
         """Left side minus right side, zero where the equation holds."""
@@ -90,21 +80,11 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
 
 @dataclass(frozen=True, slots=True)
 class Stated:
-    """One equation, to be read.
+    """One equation, to be read."""
 
-    Attributes
-    ----------
-    name : str
-        In words.
-    source : str
-        Equation numbers of the paper, or author and year.
-    text, latex : str
-        The equation as a line of text, and as LaTeX for a display.
-    """
-
-    name: str
-    source: str
-    text: str
+    name: str  # In words
+    source: str  # Equation numbers of the paper, or author and year
+    text: str  # The equation as a line of text, and as LaTeX for a display
     latex: str
 
 
@@ -169,15 +149,7 @@ class DimensionError(ValueError):
 
 
 def dimension(expr: sp.Basic) -> Exponents | None:  # noqa: C901 - one branch a kind of node
-    """Exponents of (kg, m, s) of an expression; None for zero, which agrees with anything.
-
-    Raises
-    ------
-    DimensionError
-        If two terms disagree, or a kind of expression has no rule.
-    KeyError
-        If a symbol or a field is not in the table.
-    """
+    """Exponents of (kg, m, s) of an expression; None for zero, which agrees with anything."""
     if expr == 0:
         return None
     if isinstance(expr, sp.Symbol):
@@ -209,13 +181,7 @@ def dimension(expr: sp.Basic) -> Exponents | None:  # noqa: C901 - one branch a 
 
 
 def check(equation: Equation) -> Exponents | None:
-    """The dimension that both sides of an equation share.
-
-    Raises
-    ------
-    DimensionError
-        If a term differs.
-    """
+    """The dimension that both sides of an equation share."""
     return _agree(equation.residual(), [dimension(sp.expand(side)) for side in (equation.left, equation.right)])
 
 

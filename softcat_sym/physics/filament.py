@@ -25,63 +25,31 @@ from softcat_sym.physics.symbols import eta_s, g, s
 
 @dataclass(frozen=True, slots=True)
 class Terms:
-    """What the equations are made of; every field has the value of the barest filament.
+    """What the equations are made of; every field has the value of the barest filament."""
 
-    Attributes
-    ----------
-    centreline : Kinematics
-        Stretch and turning.
-    strain : StrainMeasure
-        Axial strain.
-    thins : bool
-        Whether the section shrinks as its shape does.
-    inertia, bending : bool
-        Whether momentum and moment are in the balance.
-    stretches : bool
-        Whether the filament stretches; otherwise it is a beam of small slope with no other unknown than its height.
-    law : Law
-        The law of the material, of which the effects pick what is in force.
-    flows, yields, viscous : bool
-        Whether its branches flow, whether they do so only beyond the yield stress, and whether its viscous stress acts.
-    damped : bool
-        Whether a viscous stress acts beside a law that has none of its own.
-    curved : bool
-        Whether the relaxed filament is curved.
-    shear, rotary_inertia : bool
-        Whether the section turns by itself, and whether it takes a moment to turn it faster.
-    resolved : bool
-        Whether the plastic strain has any profile through the thickness, instead of a linear one.
-    necking_gradient : bool
-        Whether a neck's slope stiffens it.
-    surface_tension : bool
-        Whether the energy of the surface pulls the filament together.
-    gravity, gravity_rate : sympy.Expr
-        Gravity and its rate where it does not shake.
-    shaking, shaking_rate : sympy.Expr
-        Factor by which it shakes, and the rate of that.
-    """
-
-    centreline: kinematics.Kinematics = kinematics.SMALL_SLOPE
-    strain: kinematics.StrainMeasure = kinematics.SMALL_STRAIN
-    thins: bool = False
-    inertia: bool = False
+    centreline: kinematics.Kinematics = kinematics.SMALL_SLOPE  # Stretch and turning
+    strain: kinematics.StrainMeasure = kinematics.SMALL_STRAIN  # Axial strain
+    thins: bool = False  # Whether the section shrinks as its shape does
+    inertia: bool = False  # Whether momentum and moment are in the balance
     bending: bool = False
+    # Whether the filament stretches; otherwise it is a beam of small slope with no other unknown than its height.
     stretches: bool = False
-    law: Law = ELASTIC
+    law: Law = ELASTIC  # The law of the material, of which the effects pick what is in force
+    # Whether its branches flow, whether they do so only beyond the yield stress, and whether its viscous stress acts.
     flows: bool = False
     yields: bool = False
     viscous: bool = False
-    damped: bool = False
-    curved: bool = False
-    shear: bool = False
+    damped: bool = False  # Whether a viscous stress acts beside a law that has none of its own
+    curved: bool = False  # Whether the relaxed filament is curved
+    shear: bool = False  # Whether the section turns by itself, and whether it takes a moment to turn it faster
     rotary_inertia: bool = False
-    resolved: bool = False
-    necking_gradient: bool = False
-    surface_tension: bool = False
-    gravity: sp.Expr = g
+    resolved: bool = False  # Whether the plastic strain has any profile through the thickness, instead of a linear one
+    necking_gradient: bool = False  # Whether a neck's slope stiffens it
+    surface_tension: bool = False  # Whether the energy of the surface pulls the filament together
+    gravity: sp.Expr = g  # Gravity and its rate where it does not shake
     gravity_rate: sp.Expr = sp.S.Zero
     # Not in its representation, from which a structure has its name: one that does not shake keeps it.
-    shaking: sp.Expr = field(default=sp.S.One, repr=False)
+    shaking: sp.Expr = field(default=sp.S.One, repr=False)  # Factor by which it shakes, and the rate of that
     shaking_rate: sp.Expr = field(default=sp.S.Zero, repr=False)
 
     @property
@@ -103,39 +71,18 @@ class Terms:
 
 @dataclass(frozen=True, slots=True)
 class FilamentEquations:
-    """The expressions of one cell of a filament: what the graph is printed from.
+    """The expressions of one cell of a filament: what the graph is printed from."""
 
-    Attributes
-    ----------
-    terms : Terms
-        What the effects left.
-    shape : Section
-        Cross-section.
-    closure : str
-        ``material`` or ``printed``.
-    law : Law
-        With the one flow rule of each branch that is in force.
-    response : SectionResponse
-        The section of the paper: no shear, a plastic strain linear through the thickness.
-    resolved : ResolvedSection or None
-        The section point by point, where shear or fibres are in force; it then replaces `response`.
-    neck : Neck or None
-        The gradient term, if in force.
-    surface : Surface or None
-        Surface tension, if in force.
-    force : InternalForce
-        Q t + N n of a filament that does not shear.
-    """
-
-    terms: Terms
-    shape: sections.Section
-    closure: str
-    law: Law
-    response: SectionResponse
+    terms: Terms  # What the effects left
+    shape: sections.Section  # Cross-section
+    closure: str  # ``material`` or ``printed``
+    law: Law  # With the one flow rule of each branch that is in force
+    response: SectionResponse  # The section of the paper: no shear, a plastic strain linear through the thickness
+    # The section point by point, where shear or fibres are in force; it then replaces `response`.
     resolved: ResolvedSection | None
-    neck: Neck | None
-    surface: Surface | None
-    force: InternalForce
+    neck: Neck | None  # The gradient term, if in force
+    surface: Surface | None  # Surface tension, if in force
+    force: InternalForce  # Q t + N n of a filament that does not shear
 
     @property
     def conserves_energy(self) -> bool:
@@ -145,22 +92,7 @@ class FilamentEquations:
 
 @lru_cache(maxsize=64)
 def derive(terms: Terms, shape: sections.Section, closure_name: str) -> FilamentEquations:
-    """Assemble one cell.
-
-    Parameters
-    ----------
-    terms : Terms
-        As left by the effects.
-    shape : Section
-        Rectangle, circle or sheet.
-    closure_name : str
-        ``material`` or ``printed``.
-
-    Raises
-    ------
-    ValueError
-        If nothing carries the weight, or if a filament that does not stretch has what only stretching brings.
-    """
+    """Assemble one cell."""
     if not terms.stretches:
         _refuse_stretching(terms)
     contraction = shape.contraction if terms.thins else sections.NONE

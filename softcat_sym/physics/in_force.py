@@ -190,13 +190,7 @@ _SOURCE = "Reissner 1972"
 
 
 def resolved_section(equations: FilamentEquations) -> tuple[Stated, ...]:
-    """Everything of a resolved section up to the forces.
-
-    Raises
-    ------
-    ValueError
-        If the section is not resolved.
-    """
+    """Everything of a resolved section up to the forces."""
     resolved = equations.resolved
     if resolved is None:
         raise ValueError("this section is not resolved point by point")
@@ -316,13 +310,6 @@ def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -
 
     Means over the section stay means, and a rule that is rounded at zero stress for the integrator is written without
     the rounding.
-
-    Parameters
-    ----------
-    equations : FilamentEquations
-        What the graph is printed from.
-    reduced : bool
-        Whether it is used as the small-deflection model (2.13)-(2.17) does: one tension for the whole span.
     """
     if equations.resolved is not None:
         section = resolved_section(equations)

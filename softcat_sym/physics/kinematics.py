@@ -37,21 +37,11 @@ from softcat_sym.physics.symbols import (
 
 @dataclass(frozen=True, slots=True)
 class Kinematics:
-    """How the tangent r_X = (x_X, y_X) of a cell gives its stretch, and two neighbours the angle between them.
+    """How the tangent r_X = (x_X, y_X) of a cell gives its stretch, and two neighbours the angle between them."""
 
-    Attributes
-    ----------
-    stretch : sympy.Expr
-        s as a function of (x_X, y_X).
-    turning : sympy.Expr
-        Angle from the tangent before a node to the one behind it.
-    source : str
-        Equation numbers.
-    """
-
-    stretch: sp.Expr
-    turning: sp.Expr
-    source: str
+    stretch: sp.Expr  # s as a function of (x_X, y_X)
+    turning: sp.Expr  # Angle from the tangent before a node to the one behind it
+    source: str  # Equation numbers
 
     def stretch_gradient(self) -> tuple[sp.Expr, sp.Expr]:
         """(ds/dx_X, ds/dy_X): the direction of the axial force Q. The unit tangent t when rotations are large."""
@@ -98,21 +88,11 @@ SMALL_SLOPE = Kinematics(stretch=x_X + y_X**2 / 2, turning=y_X - y_X_before, sou
 
 @dataclass(frozen=True, slots=True)
 class StrainMeasure:
-    """Axial strain of the centreline as a function of the stretch, and what divides theta_X to give the curvature.
+    """Axial strain of the centreline as a function of the stretch, and what divides theta_X to give the curvature."""
 
-    Attributes
-    ----------
-    strain : sympy.Expr
-        log s (true strain) or s - 1.
-    arc_stretch : sympy.Expr
-        theta_s = theta_X / arc_stretch.
-    source : str
-        Equation numbers.
-    """
-
-    strain: sp.Expr
-    arc_stretch: sp.Expr
-    source: str
+    strain: sp.Expr  # log s (true strain) or s - 1
+    arc_stretch: sp.Expr  # theta_s = theta_X / arc_stretch
+    source: str  # Equation numbers
 
 
 TRUE_STRAIN = StrainMeasure(strain=sp.log(s), arc_stretch=s, source="2.6")

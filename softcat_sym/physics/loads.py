@@ -58,22 +58,13 @@ surface_tension = enter("gamma_s", r"\gamma", (1, 0, -2), "surface tension", "Eg
 
 @dataclass(frozen=True, slots=True)
 class Surface:
-    """Surface of one shape of section.
+    """Surface of one shape of section."""
 
-    Attributes
-    ----------
-    name : str
-        Section, as in the scene.
-    pressure : sympy.Expr
-        Gam, axial force over area at s = 1: gamma P_0/(2 A_0) where the whole perimeter shrinks, 2 gamma/h_0 of a
-        sheet, whose width is held.
-    shrinks : bool
-        Whether the perimeter shrinks as the filament stretches.
-    """
-
-    name: str
+    name: str  # Section, as in the scene
+    # Gam, axial force over area at s = 1: gamma P_0/(2 A_0) where the whole perimeter shrinks, 2 gamma/h_0 of a
+    # sheet, whose width is held.
     pressure: sp.Expr
-    shrinks: bool = True
+    shrinks: bool = True  # Whether the perimeter shrinks as the filament stretches
 
     def energy(self) -> sp.Expr:
         """Energy per unit undeformed volume [Pa], gamma times the lateral area over A_0: 2 Gam sqrt(s), sheet Gam s."""

@@ -31,27 +31,14 @@ tension = enter_field("tension", "T", FORCE, "tension, area times mean stress", 
 
 @dataclass(frozen=True, slots=True)
 class Neck:
-    """The gradient term of one shape of section.
+    """The gradient term of one shape of section."""
 
-    Attributes
-    ----------
-    name : str
-        Section, as in the scene.
-    beta : sympy.Expr
-        b = beta h0^2 T+/s^power.
-    power : int
-        4 where the section contracts both ways, 5 for a sheet.
-    flow_loss : sympy.Rational
-        What the shear of the sloping fibres takes from the tension of a rigid-plastic filament, in b s_X^2/s.
-    contraction : section.Contraction
-        How the section shrinks.
-    """
-
-    name: str
-    beta: sp.Expr
-    power: int
+    name: str  # Section, as in the scene
+    beta: sp.Expr  # b = beta h0^2 T+/s^power
+    power: int  # 4 where the section contracts both ways, 5 for a sheet
+    # What the shear of the sloping fibres takes from the tension of a rigid-plastic filament, in b s_X^2/s.
     flow_loss: sp.Rational
-    contraction: sections.Contraction
+    contraction: sections.Contraction  # How the section shrinks
 
     def stiffness(self) -> sp.Expr:
         """B of (T, s). Nothing in compression, where a bulge would be unstable at every wavelength."""
@@ -78,13 +65,7 @@ class Neck:
         return -(1 + self.flow_loss) * self.stiffness() * s_slope**2 / s
 
     def growth_rate(self, rate: sp.Expr) -> sp.Expr:
-        """Growth rate of log s at a wavenumber, sigma phi'(sigma) (1 - beta (h k)^2): sigma/eta for long Bingham necks.
-
-        Parameters
-        ----------
-        rate : sympy.Expr
-            Flow rule phi in the symbol ``sigma``, here the axial stress of the flowing filament.
-        """
+        """Growth rate of log s at a wavenumber, sigma phi'(sigma) (1 - beta (h k)^2)."""
         current = (self.contraction.thickness * wavenumber / s) ** 2
         return sigma * sp.diff(rate, sigma) * (1 - self.beta * current)
 

@@ -32,25 +32,14 @@ k_on = enter("k_on", r"\omega g_{on}", ONE, "frequency of a mode times the ramp 
 
 @dataclass(frozen=True, slots=True)
 class Beam:
-    """A straight beam of span L under its own weight q per length, by the way its ends are held.
+    """A straight beam of span L under its own weight q per length, by the way its ends are held."""
 
-    Attributes
-    ----------
-    largest_moment : sympy.Expr
-        Largest static bending moment over q L^2.
-    midspan_sag : sympy.Expr
-        Static elastic sag at midspan over q L^4/(E I).
-    overshoot_bound : sympy.Expr
-        Bound on the largest moment over the static one, when the weight is applied at once and no mode is
-        damped: the moment that all modes add up to when all are at their worst.
-    collapse : sympy.Expr
-        q L^2 over the fully plastic moment when enough hinges have formed for the beam to give way.
-    """
-
-    largest_moment: sp.Expr
-    midspan_sag: sp.Expr
+    largest_moment: sp.Expr  # Largest static bending moment over q L^2
+    midspan_sag: sp.Expr  # Static elastic sag at midspan over q L^4/(E I)
+    # Bound on the largest moment over the static one, when the weight is applied at once and no mode is damped: the
+    # moment that all modes add up to when all are at their worst.
     overshoot_bound: sp.Expr
-    collapse: sp.Expr
+    collapse: sp.Expr  # q L^2 over the fully plastic moment when enough hinges have formed for the beam to give way
 
 
 CLAMPED = Beam(Rational(1, 12), Rational(1, 384), sp.Integer(2), sp.Integer(16))
@@ -197,18 +186,7 @@ def arrest_threshold_exact(digits: int = 20) -> sp.Float:
 
 
 def stopping_depth_exact(gravity_number: sp.Expr | float, digits: int = 15) -> sp.Float:
-    """H_stop/L of the exact catenary.
-
-    Parameters
-    ----------
-    gravity_number : number
-        G, below :func:`arrest_threshold_exact`.
-
-    Raises
-    ------
-    ValueError
-        If no catenary can be held at that G.
-    """
+    """H_stop/L of the exact catenary."""
     threshold = arrest_threshold_exact(digits)
     if not 0 < gravity_number < threshold:
         raise ValueError(

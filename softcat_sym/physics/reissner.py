@@ -85,45 +85,23 @@ def director_strains() -> tuple[sp.Expr, sp.Expr]:
 
 @dataclass(frozen=True, slots=True)
 class ShearingCell:
-    """One cell: every link of the chain, in the symbols that the link before it computes.
+    """One cell: every link of the chain, in the symbols that the link before it computes."""
 
-    Attributes
-    ----------
-    area, thickness : sympy.Expr
-        A and h of Lam (2.9).
-    axial_strain : sympy.Expr
-        True strain of the fibre zeta, of (Lam, k).
-    shear_strain : sympy.Expr
-        Gam/Lam, the same for all fibres.
-    axial_stress, shear_stress : sympy.Expr
-        sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the fibre.
-    tension, moment, shear_force : sympy.Expr
-        T, M and S of the means over the section and Lam.
-    normal_force, section_force, couple : sympy.Expr
-        n_1, n_2 and m, conjugate to Lam, Gam and k, of (T, M, S) and (Lam, Gam, k).
-    force : tuple of sympy.Expr
-        n_1 d1 + n_2 d2 in the fixed frame, of (n_1, n_2, psi).
-    turning_moment : sympy.Expr
-        Lam n_2 - Gam n_1, what the forces do to the section angle besides m_X.
-    elastic_energy : sympy.Expr
-        Stored energy of a fibre per unit undeformed volume, of (sigma, tau).
-    """
-
-    area: sp.Expr
+    area: sp.Expr  # A and h of Lam (2.9)
     thickness: sp.Expr
-    axial_strain: sp.Expr
-    shear_strain: sp.Expr
-    axial_stress: sp.Expr
+    axial_strain: sp.Expr  # True strain of the fibre zeta, of (Lam, k)
+    shear_strain: sp.Expr  # Gam/Lam, the same for all fibres
+    axial_stress: sp.Expr  # sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the fibre
     shear_stress: sp.Expr
-    tension: sp.Expr
+    tension: sp.Expr  # T, M and S of the means over the section and Lam
     moment: sp.Expr
     shear_force: sp.Expr
-    normal_force: sp.Expr
+    normal_force: sp.Expr  # n_1, n_2 and m, conjugate to Lam, Gam and k, of (T, M, S) and (Lam, Gam, k)
     section_force: sp.Expr
     couple: sp.Expr
-    force: tuple[sp.Expr, sp.Expr]
-    turning_moment: sp.Expr
-    elastic_energy: sp.Expr
+    force: tuple[sp.Expr, sp.Expr]  # n_1 d1 + n_2 d2 in the fixed frame, of (n_1, n_2, psi)
+    turning_moment: sp.Expr  # Lam n_2 - Gam n_1, what the forces do to the section angle besides m_X
+    elastic_energy: sp.Expr  # Stored energy of a fibre per unit undeformed volume, of (sigma, tau)
 
     def corrected(self, correction: sp.Expr) -> ShearingCell:
         """The same cell with a number for kappa_s."""
@@ -166,40 +144,19 @@ def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
 
 @dataclass(frozen=True, slots=True)
 class FibreFlow:
-    """J2 flow of a fibre under (sigma, tau), the bulk law in this stress state; rates in ``sigma_eq`` as one symbol.
+    """J2 flow of a fibre under (sigma, tau), the bulk law in this stress state; rates in ``sigma_eq`` as one symbol."""
 
-    Attributes
-    ----------
-    equivalent : sympy.Expr
-        sig_eq of (sigma, tau). It vanishes where nothing is stressed: a consumer floors it before it divides.
-    axial_rate, shear_rate : sympy.Expr
-        Rates of eps_p and gamma_p.
-    speed : sympy.Expr
-        Equivalent plastic rate phi(sig_eq).
-    dissipation : sympy.Expr
-        Plastic power per unit undeformed volume.
-    yields : sympy.Expr
-        1 where the fibre flows, otherwise 0.
-    """
-
+    # sig_eq of (sigma, tau). It vanishes where nothing is stressed: a consumer floors it before it divides.
     equivalent: sp.Expr
-    axial_rate: sp.Expr
+    axial_rate: sp.Expr  # Rates of eps_p and gamma_p
     shear_rate: sp.Expr
-    speed: sp.Expr
-    dissipation: sp.Expr
-    yields: sp.Expr
+    speed: sp.Expr  # Equivalent plastic rate phi(sig_eq)
+    dissipation: sp.Expr  # Plastic power per unit undeformed volume
+    yields: sp.Expr  # 1 where the fibre flows, otherwise 0
 
 
 def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One) -> FibreFlow:
-    """sig_eq = sqrt(m sigma^2 + 3 tau^2), eps_p_t = phi m sigma/sig_eq, gamma_p_t = 3 phi tau/sig_eq.
-
-    Parameters
-    ----------
-    rate : sympy.Expr
-        Flow rule phi in the symbol ``sigma``.
-    share : sympy.Expr
-        m: 1, or 3/4 where the section is too wide to change its width (von Mises).
-    """
+    """sig_eq = sqrt(m sigma^2 + 3 tau^2), eps_p_t = phi m sigma/sig_eq, gamma_p_t = 3 phi tau/sig_eq."""
     speed = rate.subs(sigma, sigma_eq)
     return FibreFlow(
         equivalent=sp.sqrt(share * sigma**2 + 3 * tau_f**2),
@@ -303,72 +260,36 @@ RIGIDITY = 1000
 
 @dataclass(frozen=True, slots=True)
 class FibreBranch:
-    """One spring of a fibre with its flow rule.
+    """One spring of a fibre with its flow rule."""
 
-    Attributes
-    ----------
-    axial_stress, shear_stress : sympy.Expr
-        sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the branch.
-    elastic_energy : sympy.Expr
-        Stored energy per unit undeformed volume, of (sigma, tau).
-    flow : FibreFlow or None
-        Plastic rates, of (sigma, tau) and ``sigma_eq``; None where it does not flow.
-    """
-
-    axial_stress: sp.Expr
+    axial_stress: sp.Expr  # sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the branch
     shear_stress: sp.Expr
-    elastic_energy: sp.Expr
-    flow: FibreFlow | None
+    elastic_energy: sp.Expr  # Stored energy per unit undeformed volume, of (sigma, tau)
+    flow: FibreFlow | None  # Plastic rates, of (sigma, tau) and ``sigma_eq``; None where it does not flow
 
 
 @dataclass(frozen=True, slots=True)
 class ViscousFibre:
-    """The viscous stress of a fibre.
+    """The viscous stress of a fibre."""
 
-    Attributes
-    ----------
-    axial_stress, shear_stress : sympy.Expr
-        Of (Lam, Gam, k, zeta) and their rates.
-    dissipation, speed : sympy.Expr
-        Power per unit undeformed volume and equivalent strain rate, of (sigma, tau).
-    """
-
-    axial_stress: sp.Expr
+    axial_stress: sp.Expr  # Of (Lam, Gam, k, zeta) and their rates
     shear_stress: sp.Expr
-    dissipation: sp.Expr
+    dissipation: sp.Expr  # Power per unit undeformed volume and equivalent strain rate, of (sigma, tau)
     speed: sp.Expr
 
 
 @dataclass(frozen=True, slots=True)
 class ResolvedSection:
-    """What one cell of a filament with a resolved section consists of.
+    """What one cell of a filament with a resolved section consists of."""
 
-    Attributes
-    ----------
-    shears : bool
-        Whether shear is physics here; otherwise it is only kept small.
-    strains, strain_rates : tuple of sympy.Expr
-        (Lam, Gam) of (r_X, psi), and their rates.
-    cell : ShearingCell
-        The chain from strains to forces.
-    branches : tuple of FibreBranch
-        Springs in parallel.
-    viscous : ViscousFibre or None
-        What acts beside them.
-    relative_thickness : sympy.Expr
-        h/h0 of Lam.
-    rotary_inertia : sympy.Expr
-        rho I0, undeformed.
-    """
-
-    shears: bool
-    strains: tuple[sp.Expr, sp.Expr]
+    shears: bool  # Whether shear is physics here; otherwise it is only kept small
+    strains: tuple[sp.Expr, sp.Expr]  # (Lam, Gam) of (r_X, psi), and their rates
     strain_rates: tuple[sp.Expr, sp.Expr]
-    cell: ShearingCell
-    branches: tuple[FibreBranch, ...]
-    viscous: ViscousFibre | None
-    relative_thickness: sp.Expr
-    rotary_inertia: sp.Expr
+    cell: ShearingCell  # The chain from strains to forces
+    branches: tuple[FibreBranch, ...]  # Springs in parallel
+    viscous: ViscousFibre | None  # What acts beside them
+    relative_thickness: sp.Expr  # h/h0 of Lam
+    rotary_inertia: sp.Expr  # rho I0, undeformed
 
     @property
     def flows(self) -> bool:
@@ -377,19 +298,7 @@ class ResolvedSection:
 
 
 def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False) -> ResolvedSection:
-    """Assemble the chain for a section that shrinks as its shape does.
-
-    Parameters
-    ----------
-    shape : Section
-        Rectangle, circle or sheet.
-    law : Law
-        With the one flow rule of each branch that is in force.
-    shear : bool
-        Whether the filament shears.
-    curved : bool
-        Whether the relaxed filament is curved.
-    """
+    """Assemble the chain for a section that shrinks as its shape does."""
     correction = SHEAR_CORRECTION[shape.name] * (1 if shear else RIGIDITY)
     cell = shearing_cell(shape.contraction).corrected(correction)
     relaxed = -h0 * kappa_0 / 2 * zeta if curved else sp.Integer(0)

@@ -94,18 +94,11 @@ ASTM_C598 = Equation(
 
 @dataclass(frozen=True, slots=True)
 class RelaxationTimes:
-    """Both relaxation times that one frequency allows, in units of sqrt(L/g); real while R <= 6 c.
+    """Both relaxation times that one frequency allows, in units of sqrt(L/g); real while R <= 6 c."""
 
-    Attributes
-    ----------
-    ringing : sympy.Expr
-        The longer: the amplitude falls by less than exp(2 pi) a period (d < R). An oscillation one can see is this.
-    fading : sympy.Expr
-        The shorter: the amplitude falls by more than exp(2 pi) = 535 a period (d > R).
-    """
-
+    # The longer: the amplitude falls by less than exp(2 pi) a period (d < R). An oscillation one can see is this.
     ringing: sp.Expr
-    fading: sp.Expr
+    fading: sp.Expr  # The shorter: the amplitude falls by more than exp(2 pi) = 535 a period (d > R)
 
 
 def relaxation_times() -> RelaxationTimes:

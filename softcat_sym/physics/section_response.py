@@ -19,30 +19,17 @@ PLANE_STRAIN = sp.sqrt(3) / 2
 
 @dataclass(frozen=True, slots=True)
 class BranchResponse:
-    """One spring with its flow rule, the stress sigma_0 + sigma_1 zeta (2.23) its own.
+    """One spring with its flow rule, the stress sigma_0 + sigma_1 zeta (2.23) its own."""
 
-    Attributes
-    ----------
-    stress_mean, stress_bending : sympy.Expr
-        sigma_0 of (s, a_0) and sigma_1 of (s, theta_X, a_1).
-    means : SectionMeans or None
-        Means of the flow rule of (sigma_0, sigma_1).
-    rate_mean, rate_bending : sympy.Expr
-        da_0/dt and da_1/dt of (sigma_0, sigma_1, s) (2.24).
-    elastic_mean, elastic_bending : sympy.Expr
-        Stored energy per unit material length, of stretching and of bending.
-    dissipation_mean, dissipation_bending : sympy.Expr
-        Plastic power per unit material length, of stretching and of bending. Neither is ever negative: for an odd,
-        monotone flow rule and a symmetric section <phi> has the sign of sigma_0 and <phi zeta> that of sigma_1.
-    """
-
-    stress_mean: sp.Expr
+    stress_mean: sp.Expr  # sigma_0 of (s, a_0) and sigma_1 of (s, theta_X, a_1)
     stress_bending: sp.Expr
-    means: SectionMeans | None
-    rate_mean: sp.Expr
+    means: SectionMeans | None  # Means of the flow rule of (sigma_0, sigma_1)
+    rate_mean: sp.Expr  # da_0/dt and da_1/dt of (sigma_0, sigma_1, s) (2.24)
     rate_bending: sp.Expr
-    elastic_mean: sp.Expr
+    elastic_mean: sp.Expr  # Stored energy per unit material length, of stretching and of bending
     elastic_bending: sp.Expr
+    # Plastic power per unit material length, of stretching and of bending. Neither is ever negative: for an odd,
+    # monotone flow rule and a symmetric section <phi> has the sign of sigma_0 and <phi zeta> that of sigma_1.
     dissipation_mean: sp.Expr
     dissipation_bending: sp.Expr
 
@@ -61,23 +48,13 @@ class BranchResponse:
 
 @dataclass(frozen=True, slots=True)
 class ViscousResponse:
-    """The viscous stress eta eps_t.
+    """The viscous stress eta eps_t."""
 
-    Attributes
-    ----------
-    stress_mean, stress_bending : sympy.Expr
-        sigma_0 of (s, s_t) and sigma_1 of (s, s_t, theta_X, theta_Xt).
-    dissipation_mean, dissipation_bending : sympy.Expr
-        Power per unit material length, of (sigma_0, sigma_1).
-    rate : sympy.Expr
-        Largest strain rate over the section, of (sigma_0, sigma_1).
-    """
-
-    stress_mean: sp.Expr
+    stress_mean: sp.Expr  # sigma_0 of (s, s_t) and sigma_1 of (s, s_t, theta_X, theta_Xt)
     stress_bending: sp.Expr
-    dissipation_mean: sp.Expr
+    dissipation_mean: sp.Expr  # Power per unit material length, of (sigma_0, sigma_1)
     dissipation_bending: sp.Expr
-    rate: sp.Expr
+    rate: sp.Expr  # Largest strain rate over the section, of (sigma_0, sigma_1)
 
     def stress(self) -> dict[str, sp.Expr]:
         """Stress of a known strain and its rate."""
@@ -91,47 +68,24 @@ class ViscousResponse:
 
 @dataclass(frozen=True, slots=True)
 class SectionResponse:
-    """The whole section.
+    """The whole section."""
 
-    Attributes
-    ----------
-    branches : tuple of BranchResponse
-        Springs in parallel.
-    viscous : ViscousResponse or None
-        What acts beside them.
-    area, thickness : sympy.Expr
-        A(s), h(s) (2.9).
-    tension, moment : sympy.Expr
-        T of (sigma_0, s) and M of (sigma_1, s) (2.10).
-    stress_of_tension, stress_of_moment : sympy.Expr
-        The inverse: sigma_0 of (T, s) and sigma_1 of (M, s) (2.23).
-    axial_correction : sympy.Expr
-        Q - T of (M, theta_X, s).
-    volume : sympy.Expr
-        Material that a unit of material length stores energy in. If it depends on s, because only one of finite stretch
-        and thinning is in force, T has no potential and the energy balance cannot close.
-    """
-
-    branches: tuple[BranchResponse, ...]
-    viscous: ViscousResponse | None
-    area: sp.Expr
+    branches: tuple[BranchResponse, ...]  # Springs in parallel
+    viscous: ViscousResponse | None  # What acts beside them
+    area: sp.Expr  # A(s), h(s) (2.9)
     thickness: sp.Expr
-    tension: sp.Expr
+    tension: sp.Expr  # T of (sigma_0, s) and M of (sigma_1, s) (2.10)
     moment: sp.Expr
-    stress_of_tension: sp.Expr
+    stress_of_tension: sp.Expr  # The inverse: sigma_0 of (T, s) and sigma_1 of (M, s) (2.23)
     stress_of_moment: sp.Expr
-    axial_correction: sp.Expr
+    axial_correction: sp.Expr  # Q - T of (M, theta_X, s)
+    # Material that a unit of material length stores energy in. If it depends on s, because only one of finite stretch
+    # and thinning is in force, T has no potential and the energy balance cannot close.
     volume: sp.Expr
 
     @property
     def branch(self) -> BranchResponse:
-        """The only branch.
-
-        Raises
-        ------
-        ValueError
-            If there are several, or none.
-        """
+        """The only branch."""
         (only,) = self.branches
         return only
 
@@ -157,23 +111,12 @@ class SectionResponse:
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """The section as the effects in force leave it.
+    """The section as the effects in force leave it."""
 
-    Attributes
-    ----------
-    section : Section
-        Its outline.
-    contraction : Contraction
-        How it shrinks.
-    strain : StrainMeasure
-        Axial strain.
-    bends, stretches, curved : bool
-        Whether it carries a moment, whether it stretches and carries a tension, and whether it is curved when relaxed.
-    """
-
-    section: Section
-    contraction: Contraction
-    strain: StrainMeasure
+    section: Section  # Its outline
+    contraction: Contraction  # How it shrinks
+    strain: StrainMeasure  # Axial strain
+    # Whether it carries a moment, whether it stretches and carries a tension, and whether it is curved when relaxed.
     bends: bool
     stretches: bool
     curved: bool

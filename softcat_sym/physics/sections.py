@@ -18,19 +18,11 @@ _EDGE = sp.Rational(1, 10**14)
 
 @dataclass(frozen=True, slots=True)
 class Contraction:
-    """How area and thickness follow the stretch.
+    """How area and thickness follow the stretch."""
 
-    Attributes
-    ----------
-    area, thickness : sympy.Expr
-        A(s) and h(s).
-    source : str
-        Equation numbers.
-    """
-
-    area: sp.Expr
+    area: sp.Expr  # A(s) and h(s)
     thickness: sp.Expr
-    source: str
+    source: str  # Equation numbers
 
 
 # Rectangle and circle shrink in both directions, a sheet only in its thickness: its width is held.
@@ -41,40 +33,18 @@ NONE = Contraction(area=A0, thickness=h0, source="2.13")
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """Shape of a cross-section, through its weight and the partial moments of that weight.
+    """Shape of a cross-section, through its weight and the partial moments of that weight."""
 
-    Attributes
-    ----------
-    name : str
-        As in the scene.
-    weight : sympy.Expr
-        w(zeta), integral one over [-1, 1].
-    zeta_squared : sympy.Rational
-        <zeta^2>; the second moment of area is I = A (h/2)^2 <zeta^2>.
-    area : sympy.Expr
-        Fraction of the section beyond c: integral of w from c to 1.
-    overstress_mean, overstress_moment : sympy.Expr
-        K_n(c) = integral of (zeta - c) zeta^n w(zeta) from c to 1, for n = 0 and 1.
-    interval : tuple of sympy.Expr
-        Where c may lie for these closed forms to have finite derivatives.
-    contraction : Contraction
-        How it shrinks when the filament stretches.
-    area_power : int
-        The area goes with this power of a relative thickness that varies along the filament.
-    plane_strain : bool
-        Whether it is too wide to change its width.
-    """
-
-    name: str
-    weight: sp.Expr
-    zeta_squared: sp.Rational
-    area: sp.Expr
-    overstress_mean: sp.Expr
+    name: str  # As in the scene
+    weight: sp.Expr  # w(zeta), integral one over [-1, 1]
+    zeta_squared: sp.Rational  # <zeta^2>; the second moment of area is I = A (h/2)^2 <zeta^2>
+    area: sp.Expr  # Fraction of the section beyond c: integral of w from c to 1
+    overstress_mean: sp.Expr  # K_n(c) = integral of (zeta - c) zeta^n w(zeta) from c to 1, for n = 0 and 1
     overstress_moment: sp.Expr
-    interval: tuple[sp.Expr, sp.Expr]
-    contraction: Contraction = UNIFORM
-    area_power: int = 1
-    plane_strain: bool = False
+    interval: tuple[sp.Expr, sp.Expr]  # Where c may lie for these closed forms to have finite derivatives
+    contraction: Contraction = UNIFORM  # How it shrinks when the filament stretches
+    area_power: int = 1  # The area goes with this power of a relative thickness that varies along the filament
+    plane_strain: bool = False  # Whether it is too wide to change its width
 
 
 RECTANGLE = Section(
@@ -138,24 +108,12 @@ _DIGITS = 20
 
 @dataclass(frozen=True, slots=True)
 class SectionMeans:
-    """Means of a flow rule over a section in which the stress is sigma_0 + sigma_1 zeta.
+    """Means of a flow rule over a section in which the stress is sigma_0 + sigma_1 zeta."""
 
-    Attributes
-    ----------
-    rate : sympy.Expr
-        <phi>, the mean plastic strain rate.
-    bending_rate : sympy.Expr
-        <phi zeta>/<zeta^2>, the plastic bending rate at zeta = 1.
-    yielded_fraction : sympy.Expr
-        Share of the section that flows.
-    largest_rate : sympy.Expr
-        max |phi| over the section.
-    """
-
-    rate: sp.Expr
-    bending_rate: sp.Expr
-    yielded_fraction: sp.Expr
-    largest_rate: sp.Expr
+    rate: sp.Expr  # <phi>, the mean plastic strain rate
+    bending_rate: sp.Expr  # <phi zeta>/<zeta^2>, the plastic bending rate at zeta = 1
+    yielded_fraction: sp.Expr  # Share of the section that flows
+    largest_rate: sp.Expr  # max |phi| over the section
 
 
 def scaled(means: SectionMeans, factor: sp.Expr) -> SectionMeans:
@@ -200,20 +158,6 @@ def quadrature_means(section: Section, rate: sp.Expr, threshold: sp.Expr) -> Sec
     Values and first derivatives are finite for every stress, that of a section at rest included, if those of the rule
     are. Exact to rounding for a linear rule on a rectangle; within 3e-6 on a circle, and for |sigma|^(1/n) with n from
     1/4 to 2.
-
-    Parameters
-    ----------
-    section : Section
-        Its weight must be k (1 - zeta^2)^p with p = 0 or 1/2.
-    rate : sympy.Expr
-        phi in the symbol ``sigma``: odd, nowhere decreasing, zero up to the threshold.
-    threshold : sympy.Expr
-        Stress below which nothing flows; zero if everything does.
-
-    Raises
-    ------
-    ValueError
-        If the weight of the section is of another kind.
     """
     # Nowhere zero, unlike sign(sigma_1): with it the derivative at no moment would be lost, and so the resistance to
     # bending of a uniformly stressed section.

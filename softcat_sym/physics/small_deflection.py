@@ -79,46 +79,22 @@ def form_factor(shape: Section) -> sp.Rational:
 
 @dataclass(frozen=True, slots=True)
 class SmallDeflection:
-    """One section of the reduced filament, to be printed on nodes (curvature) or once for the span (elongation).
+    """One section of the reduced filament, to be printed on nodes (curvature) or once for the span (elongation)."""
 
-    Attributes
-    ----------
-    elongation : sympy.Expr
-        Of y_X, in a cell; its mean over the span is e_mean (2.13).
-    stress_mean : sympy.Expr
-        sigma_0 of (e_mean, a_0), one for the span (2.15).
-    stress_bending : sympy.Expr
-        sigma_1 of (y_XX, a_1), on nodes (2.15).
-    tension, moment : sympy.Expr
-        T of sigma_0 and M of sigma_1 (2.10).
-    vertical_force : sympy.Expr
-        F of (T, y_X, M_X), in a cell (2.14).
-    acceleration : sympy.Expr
-        y_tt of F_X, on nodes (2.14).
-    rate_mean, rate_bending : sympy.Expr
-        da_0/dt of sigma_0 and da_1/dt of sigma_1 (2.12); zero without flow.
-    tension_rate, moment_rate : sympy.Expr
-        T_t of (e_mean_t, T) and M_t of (y_XXt, M): what the above amount to (2.16).
-    elastic_mean, elastic_bending : sympy.Expr
-        Stored energy per unit material length, of sigma_0 and of sigma_1.
-    dissipation_mean, dissipation_bending : sympy.Expr
-        Plastic power per unit material length, of sigma_0 and of sigma_1; zero without flow.
-    """
-
-    elongation: sp.Expr
-    stress_mean: sp.Expr
-    stress_bending: sp.Expr
-    tension: sp.Expr
+    elongation: sp.Expr  # Of y_X, in a cell; its mean over the span is e_mean (2.13)
+    stress_mean: sp.Expr  # sigma_0 of (e_mean, a_0), one for the span (2.15)
+    stress_bending: sp.Expr  # sigma_1 of (y_XX, a_1), on nodes (2.15)
+    tension: sp.Expr  # T of sigma_0 and M of sigma_1 (2.10)
     moment: sp.Expr
-    vertical_force: sp.Expr
-    acceleration: sp.Expr
-    rate_mean: sp.Expr
+    vertical_force: sp.Expr  # F of (T, y_X, M_X), in a cell (2.14)
+    acceleration: sp.Expr  # y_tt of F_X, on nodes (2.14)
+    rate_mean: sp.Expr  # da_0/dt of sigma_0 and da_1/dt of sigma_1 (2.12); zero without flow
     rate_bending: sp.Expr
-    tension_rate: sp.Expr
+    tension_rate: sp.Expr  # T_t of (e_mean_t, T) and M_t of (y_XXt, M): what the above amount to (2.16)
     moment_rate: sp.Expr
-    elastic_mean: sp.Expr
+    elastic_mean: sp.Expr  # Stored energy per unit material length, of sigma_0 and of sigma_1
     elastic_bending: sp.Expr
-    dissipation_mean: sp.Expr
+    dissipation_mean: sp.Expr  # Plastic power per unit material length, of sigma_0 and of sigma_1; zero without flow
     dissipation_bending: sp.Expr
 
 
@@ -126,13 +102,6 @@ def small_deflection(shape: Section, *, flows: bool) -> SmallDeflection:
     """The reduced filament of a section: a Maxwell fluid if it flows, else elastic.
 
     Only a flow rule linear in the stress leaves the axial plastic strain uniform: any other mixes sigma_1(X) into it.
-
-    Parameters
-    ----------
-    shape : Section
-        Through <zeta^2> alone.
-    flows : bool
-        False is the limit eta -> infinity, without plastic states.
     """
     fluidity = 1 / eta if flows else sp.Integer(0)
     inertia = form_factor(shape) * A0 * h0**2

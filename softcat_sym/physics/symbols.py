@@ -47,13 +47,7 @@ _TABLE: dict[sp.Symbol, Entry] = {}
 def enter(
     name: str, latex: str, dimension: Dimension, meaning: str, source: str, *, positive: bool = False
 ) -> sp.Symbol:
-    """Enter a symbol into the table and return it.
-
-    Raises
-    ------
-    ValueError
-        If the name is taken by a symbol of another meaning.
-    """
+    """Enter a symbol into the table and return it."""
     symbol = sp.Symbol(name, positive=True) if positive else sp.Symbol(name, real=True)
     row = Entry(symbol, latex, dimension, meaning, source)
     if any(other.symbol.name == name and other != row for other in _TABLE.values()):
@@ -126,13 +120,7 @@ _FIELDS: dict[str, Entry] = {}
 
 
 def enter_field(name: str, latex: str, dimension: Dimension, meaning: str, source: str) -> type[sp.Function]:
-    """Enter a field, an undefined function of coordinates and time, into the table and return it.
-
-    Raises
-    ------
-    ValueError
-        If the name is taken by a field of another meaning.
-    """
+    """Enter a field, an undefined function of coordinates and time, into the table and return it."""
     function: type[sp.Function] = sp.Function(name, real=True)
     row = Entry(sp.Symbol(name, real=True), latex, dimension, meaning, source)
     if _FIELDS.setdefault(name, row) != row:
@@ -146,13 +134,7 @@ def fields() -> tuple[Entry, ...]:
 
 
 def field_entry(name: str) -> Entry:
-    """Look a field up by its name.
-
-    Raises
-    ------
-    KeyError
-        If it is not in the table.
-    """
+    """Look a field up by its name."""
     return _FIELDS[name]
 
 
@@ -162,11 +144,5 @@ def table() -> tuple[Entry, ...]:
 
 
 def entry(symbol: sp.Symbol) -> Entry:
-    """Look a symbol up.
-
-    Raises
-    ------
-    KeyError
-        If the symbol is not in the table.
-    """
+    """Look a symbol up."""
     return _TABLE[symbol]

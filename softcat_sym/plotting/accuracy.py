@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _COLUMNS = (
     *("program", "kind", "cells", "grading", "fibres", "order", "tolerance", "seconds", "error", "steps"),
-    *("evaluations", "us_per_step", "repeats", "build_s", "complaint"),
+    *("evaluations", "us_per_step", "repeats", "build_s", "message"),
 )
 
 
@@ -105,7 +105,7 @@ def points_csv(found: WorkPrecision) -> bytes:
                 *(repr(task.rtol), repr(run.seconds) if run.seconds else ""),
                 *(repr(row.error) if isfinite(row.error) else "", run.steps or "", run.evaluations or ""),
                 *("" if us is None else repr(us), run.repeats, repr(run.build)),
-                '"' + run.complaint.replace('"', "'") + '"',
+                '"' + run.message.replace('"', "'") + '"',
             )
             lines.append(",".join(map(str, cells)) + "\n")
     return "".join(lines).encode()
@@ -168,7 +168,7 @@ def _row(row: Row) -> dict[str, Any]:
         "us_per_step": run.microseconds,
         "repeats": run.repeats,
         "build_s": run.build,
-        "complaint": run.complaint or None,
+        "message": run.message or None,
     }
 
 
@@ -180,7 +180,7 @@ def _step(curve: Curve) -> float | None:
 
 
 def _cold(cold: Measured | None) -> str:
-    if cold is None or cold.complaint:
+    if cold is None or cold.message:
         return ""
     return f"{seconds_text(cold.build)} + {seconds_text(cold.first)}"
 
@@ -195,15 +195,7 @@ _MARKS = "Dashed: what the package does not run. Shaded: below what the referenc
 
 
 def write_accuracy(found: WorkPrecision, directory: str | Path) -> list[Path]:
-    """Write ``accuracy.csv``, ``accuracy.json``, ``accuracy.png`` and ``scene.toml``.
-
-    Raises
-    ------
-    ValueError
-        If no run has an answer.
-    OSError
-        If the folder cannot be made or written.
-    """
+    """Write ``accuracy.csv``, ``accuracy.json``, ``accuracy.png`` and ``scene.toml``."""
     contents = {
         "accuracy.csv": points_csv(found),
         "accuracy.json": (json.dumps(document(found), indent=2, allow_nan=False) + "\n").encode(),

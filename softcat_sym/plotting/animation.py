@@ -64,26 +64,7 @@ class _Places:
 
 
 class Animation:
-    """Draws one moment after another; only what moves is drawn anew.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory, as :func:`softcat_sym.plotting.shapes.shapes_figure` takes it.
-    summary : mapping
-        The run's summary.
-    scene : PicturedScene
-        The scene.
-    moments : int
-        How many, equally spaced in time.
-    width : int
-        Of the film [pixel].
-
-    Notes
-    -----
-    Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: the vertical scale is then
-    stretched, thickness and all, by a factor that is written on the picture.
-    """
+    """Draws one moment after another; only what moves is drawn anew."""
 
     def __init__(
         self, data: xr.Dataset, summary: Summary, scene: PicturedScene, moments: int, width: int = int(WIDTH * DPI)
@@ -128,13 +109,7 @@ class Animation:
         return self._film.times
 
     def pictures(self) -> Iterator[NDArray[np.uint8]]:
-        """Draw the moments.
-
-        Yields
-        ------
-        ndarray, shape (height, width, 3)
-            Red, green, blue.
-        """
+        """Draw the moments."""
         for number in range(len(self)):
             yield self.picture(number)
 
@@ -269,17 +244,7 @@ class Animation:
 
 
 def film_note(moments: Floats, data: xr.Dataset, summary: Summary) -> str:
-    """What a film cannot show of a run that rings; empty where it shows all.
-
-    Parameters
-    ----------
-    moments : numpy.ndarray
-        Times of its pictures [s].
-    data : xarray.Dataset
-        Trajectory; its frames are read.
-    summary : mapping
-        ``frames_a_period`` is read: without it nothing is known of any ringing.
-    """
+    """What a film cannot show of a run that rings; empty where it shows all."""
     per_period = summary.get("frames_a_period")
     time = data["time"].values
     if not per_period or moments.size < 2 or not time[-1] > time[0]:

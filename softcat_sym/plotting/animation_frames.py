@@ -32,63 +32,18 @@ _FIELDS = ("x", "y", "thickness", "stress_mean", "stress_bending", "midpoint")
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """The filament at one time.
+    """The filament at one time."""
 
-    Attributes
-    ----------
-    time : float
-        [s].
-    midpoint : float
-        Its height [m].
-    outline : numpy.ndarray
-        Closed polygon, shape (vertex, 2) [m].
-    strips : numpy.ndarray
-        Quads that cover it, every cell in as many strips through the thickness, shape (quad, 4, 2) [m].
-    stress : numpy.ndarray
-        Magnitude of the axial stress sigma_0 + sigma_1 zeta amid each, shape (quad,) [Pa].
-    yielded : numpy.ndarray
-        Quads of what yields, shape (quad, 4, 2) [m].
-    """
-
-    time: float
-    midpoint: float
-    outline: Floats
-    strips: Floats
-    stress: Floats
-    yielded: Floats
+    time: float  # [s]
+    midpoint: float  # Its height [m]
+    outline: Floats  # Closed polygon, shape (vertex, 2) [m]
+    strips: Floats  # Quads that cover it, every cell in as many strips through the thickness, shape (quad, 4, 2) [m]
+    stress: Floats  # Magnitude of the axial stress sigma_0 + sigma_1 zeta amid each, shape (quad,) [Pa]
+    yielded: Floats  # Quads of what yields, shape (quad, 4, 2) [m]
 
 
 class Film:
-    """Moments of a run, equally spaced in time.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory.
-    scene : PicturedScene
-        Ends and yield stress are read.
-    moments : int
-        How many; at least one.
-
-    Attributes
-    ----------
-    times, midpoint : numpy.ndarray
-        Of the moments [s], [m].
-    run_times, run_midpoint : numpy.ndarray
-        Of all frames of the run [s], [m].
-    bounds : numpy.ndarray
-        Lower left and upper right corner of all outlines, shape (2, 2) [m].
-    largest : float
-        Stress below which 99.5 % of it lie [Pa].
-    resolved : bool
-        Whether the section is resolved fibre by fibre.
-    sag : float
-        Largest departure of a centreline from the straight line between its ends [m].
-
-    Notes
-    -----
-    Between two frames of the trajectory everything is interpolated linearly.
-    """
+    """Moments of a run, equally spaced in time."""
 
     def __init__(self, data: xr.Dataset, scene: PicturedScene, moments: int) -> None:
         time = np.asarray(data["time"].values, dtype=np.float64)
@@ -158,24 +113,12 @@ _PAPER: Final = 247
 
 @dataclass(frozen=True, slots=True)
 class FilmOrder:
-    """A film that was asked for, and can be made here.
+    """A film that was asked for, and can be made here."""
 
-    Attributes
-    ----------
-    name : str
-        Of the file.
-    kind : str
-        ``gif`` or ``mp4``.
-    seconds : float
-        Its length [s].
-    ffmpeg : str
-        The program, of an MP4.
-    """
-
-    name: str
-    kind: str
-    seconds: float
-    ffmpeg: str = ""
+    name: str  # Of the file
+    kind: str  # ``gif`` or ``mp4``
+    seconds: float  # Its length [s]
+    ffmpeg: str = ""  # The program, of an MP4
 
     @property
     def pictures(self) -> int:
@@ -184,20 +127,7 @@ class FilmOrder:
 
 
 def film_order(asked: str, seconds: float) -> FilmOrder:
-    """Read what was asked for, before anything is computed.
-
-    Parameters
-    ----------
-    asked : str
-        ``gif``, ``mp4``, or the name of a file that ends so.
-    seconds : float
-        Length of the film [s].
-
-    Raises
-    ------
-    SoftcatError
-        If it is no film, its length makes no sense, or an MP4 is wanted where there is no ffmpeg.
-    """
+    """Read what was asked for, before anything is computed."""
     name = asked if "." in asked else f"film.{asked}"
     kind = Path(name).suffix[1:].lower()
     if kind not in KINDS or Path(name).name != name or not Path(name).stem.strip("."):
@@ -233,35 +163,7 @@ def write_film(
     step: Callable[[str], None] = lambda what: None,
     width: int = 1280,
 ) -> tuple[Path, str]:
-    """Draw a film and write it, whole or not at all.
-
-    Parameters
-    ----------
-    order : FilmOrder
-        What was asked for.
-    directory : pathlib.Path
-        Where it goes; it exists.
-    run : tuple of xarray.Dataset, mapping, PicturedScene
-        Trajectory, summary, scene.
-    step : callable
-        Told of every picture that begins.
-    width : int
-        Of the film [pixel].
-
-    Returns
-    -------
-    path : pathlib.Path
-        The film.
-    note : str
-        What it cannot show of the run; empty if it shows all.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written.
-    SoftcatError
-        If ffmpeg fails.
-    """
+    """Draw a film and write it, whole or not at all."""
     from softcat_sym.files import fill_atomically
     from softcat_sym.plotting.animation import Animation
 

@@ -30,22 +30,7 @@ _READING = (
 
 
 def card_page(card: Card, picture: bytes | None, command: str = "") -> bytes:
-    """Write the page.
-
-    Parameters
-    ----------
-    card : Card
-        As from :func:`softcat_sym.studies.card.card`.
-    picture : bytes or None
-        Its PNG; None for a run without frames.
-    command : str
-        That makes the same card again; empty if there is none.
-
-    Returns
-    -------
-    bytes
-        HTML in UTF-8; every word of the user's is escaped.
-    """
+    """Write the page."""
     folder = resources.files("softcat_sym.plotting") / "templates"
     template = Template((folder / "card.html").read_text(encoding="utf-8"))
     sound, sentence = verdict(card)
@@ -123,20 +108,6 @@ def write_card(card: Card, directory: str | Path, command: str = "") -> list[Pat
     """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    card : Card
-        As from :func:`softcat_sym.studies.card.card`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-    command : str
-        That makes the same card again, for the page.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     figure = None if card.descent is None else card_figure(card)
     document = json.dumps(card.as_dict(), indent=2, allow_nan=False, ensure_ascii=False) + "\n"

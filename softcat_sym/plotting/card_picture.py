@@ -51,13 +51,7 @@ _SHOWN = 2.5
 
 
 def card_figure(card: Card) -> Figure:
-    """Draw the card's picture.
-
-    Parameters
-    ----------
-    card : Card
-        With two frames at least.
-    """
+    """Draw the card's picture."""
     data, summary = shown_part(card.run.data, card.summary)
     card = replace(card, run=replace(card.run, data=data))
     ends = card.scene.ends

@@ -24,8 +24,8 @@ def verdict(card: Card) -> tuple[bool, str]:
     """Whether the card may be trusted, and one sentence that stands on top of it."""
     outcome = card.run.outcome
     if not outcome.is_success:
-        complaint = str(card.summary.get("complaint") or "")
-        return False, f"Not to be trusted: {outcome.name}; " + "; ".join(filter(None, [complaint, outcome.value]))
+        message = str(card.summary.get("message") or "")
+        return False, f"Not to be trusted: {outcome.name}; " + "; ".join(filter(None, [message, outcome.value]))
     words = REGIMES.get(card.regime, card.regime)
     return True, f"{words[:1].upper()}{words[1:]}."
 
@@ -141,15 +141,7 @@ _RIGHT = (1, 2, 3)
 
 
 def print_card(card: Card, console: Console | None = None) -> None:
-    """Print facts and rules.
-
-    Parameters
-    ----------
-    card : Card
-        As from :func:`softcat_sym.studies.card.card`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print facts and rules."""
     from rich.console import Console
     from rich.text import Text
 

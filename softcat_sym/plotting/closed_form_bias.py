@@ -39,13 +39,7 @@ def caption() -> str:
 
 
 def closed_form_bias_figure(points: Sequence[BiasPoint]) -> Figure:
-    """Draw the panels: formulas downwards, slenderness to the right; B across and tau upwards in each.
-
-    Parameters
-    ----------
-    points : sequence of BiasPoint
-        As from :func:`softcat_sym.studies.closed_form_bias.closed_form_bias`; a full grid.
-    """
+    """Draw the panels: formulas downwards, slenderness to the right; B across and tau upwards in each."""
     deltas = sorted({point.delta for point in points})
     rows = [*FORMULAS, "eta"]
     height = HEADING + len(rows) * _ROW + (len(rows) - 1) * _BETWEEN + _BOTTOM
@@ -130,13 +124,7 @@ def closed_form_bias_csv(points: Sequence[BiasPoint]) -> bytes:
 
 
 def write_closed_form_bias(points: Sequence[BiasPoint], directory: str | Path) -> list[Path]:
-    """Write ``closed_form_bias.png`` and ``closed_form_bias.csv``.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
-    """
+    """Write ``closed_form_bias.png`` and ``closed_form_bias.csv``."""
     contents = {
         "closed_form_bias.png": png(closed_form_bias_figure(points)),
         "closed_form_bias.csv": closed_form_bias_csv(points),

@@ -80,17 +80,7 @@ def share_time(panels: Sequence[Axes], comparison: Comparison) -> None:
 
 
 def legend_row(figure: Figure, axes: Axes, top: float) -> None:
-    """One row of names under the heading, where no curve can run.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    axes : matplotlib.axes.Axes
-        Whose lines are named.
-    top : float
-        Upper edge of the row [inch].
-    """
+    """One row of names under the heading, where no curve can run."""
     width, height = figure.get_size_inches()
     handles, labels = axes.get_legend_handles_labels()
     place = (LEFT / width, top / height)

@@ -34,13 +34,7 @@ _NOTE = (
 
 
 def clamp_figure(comparison: Comparison) -> Figure:
-    """Draw the largest strain above, the mean below.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        As from :func:`softcat_sym.studies.compare.compare`.
-    """
+    """Draw the largest strain above, the mean below."""
     with style.styled():
         figure = new_figure(style.WIDTH, _HEIGHT)
         head(figure, "axial true strain at the clamp", comparison.filament.trajectory.summary, comparison.scene, LEFT)

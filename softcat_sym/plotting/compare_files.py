@@ -99,7 +99,7 @@ def document(comparison: Comparison) -> dict[str, Any]:
         "title": comparison.scene.title,
         "outcome": summary["outcome"],
         "advice": summary["advice"],
-        "complaint": summary["complaint"],
+        "message": summary["message"],
         "warnings": list(comparison.warnings),
         "elements": {
             **_midpoints(run.time, run.midpoint),
@@ -137,7 +137,7 @@ def _midpoints(time: Floats, midpoint: Floats) -> dict[str, float]:
 
 def _filament(row: FilamentRow, time: Floats) -> dict[str, Any]:
     summary = row.trajectory.summary
-    names = ("outcome", "complaint", "regime", "closure", "cells", "solver", "steps", "energy_residual")
+    names = ("outcome", "message", "regime", "closure", "cells", "solver", "steps", "energy_residual")
     return {
         **_midpoints(time, row.midpoint),
         "wall_s": summary["wall_s"]["total"],
@@ -179,18 +179,7 @@ def _cell(value: object) -> str:
 
 
 def comparison_columns(comparison: Comparison) -> list[tuple[str, ...]]:
-    """One column for the elements, one for each filament, as texts below the names in `row_names`.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        As from :func:`softcat_sym.studies.compare.compare`.
-
-    Returns
-    -------
-    list of tuple of str
-        Name, final midpoint over span, errors in per cent at the moments, mean and largest, unknowns, seconds.
-    """
+    """One column for the elements, one for each filament, as texts below the names in `row_names`."""
     span, run = comparison.scene.filament.span, comparison.elements
     none = ("",) * (len(SHARES) + 2)
     columns = [
@@ -243,15 +232,7 @@ def remarks(comparison: Comparison) -> list[str]:
 
 
 def print_comparison(comparison: Comparison, console: Console | None = None) -> None:
-    """Print the table and the remarks.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        As from :func:`softcat_sym.studies.compare.compare`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print the table and the remarks."""
     from rich.console import Console
     from rich.text import Text
 
@@ -275,23 +256,6 @@ def write_comparison(comparison: Comparison, directory: str | Path) -> list[Path
     """Write ``compare.json``, ``scene.toml``, four pictures and their tables.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        As from :func:`softcat_sym.studies.compare.compare`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files written.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     contents = {
         "compare.json": (json.dumps(document(comparison), indent=2, allow_nan=False) + "\n").encode(),
@@ -319,13 +283,7 @@ _LINES: dict[str, dict[str, Any]] = {
 
 
 def calculix_figure(comparison: CalculixComparison) -> Figure:
-    """Draw midpoints above, (ours - CalculiX)/max |CalculiX| below.
-
-    Parameters
-    ----------
-    comparison : CalculixComparison
-        As from :func:`softcat_sym.studies.compare.compare_with_calculix`.
-    """
+    """Draw midpoints above, (ours - CalculiX)/max |CalculiX| below."""
     run, span = comparison.calculix, comparison.scene.filament.span
     clock = time_unit(float(run.time[-1]))
     ruler = length_unit(float(np.abs(run.midpoint).max()), span)
@@ -376,13 +334,7 @@ _DEFINITION = (
 
 
 def write_deck(scene: Scene, deck: Deck, directory: str | Path) -> list[Path]:
-    """Write ``scene.toml`` and ``calculix/deck.inp``.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
-    """
+    """Write ``scene.toml`` and ``calculix/deck.inp``."""
     folder = Path(directory)
     written = write_all(folder / FOLDER, {"deck.inp": deck.text.encode("ascii")})
     return [*written, *write_all(folder, {"scene.toml": scene.to_toml().encode()})]
@@ -392,11 +344,6 @@ def write_calculix_comparison(comparison: CalculixComparison, directory: str | P
     """Write ``compare.json``, ``compare_midpoint.png`` and ``.csv``, ``scene.toml``, and ``calculix/`` with the deck.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     folder = Path(directory)
     contents = {
@@ -417,7 +364,7 @@ def calculix_document(comparison: CalculixComparison) -> dict[str, Any]:
         "engine": "calculix",
         "outcome": summary["outcome"],
         "advice": summary["advice"],
-        "complaint": summary["complaint"],
+        "message": summary["message"],
         "warnings": list(comparison.warnings),
         "calculix": {
             **_calculix_midpoints(run.time, run.midpoint),

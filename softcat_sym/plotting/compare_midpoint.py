@@ -35,13 +35,7 @@ _WORST, _TIMES_OWN = 5.0, 3.0
 
 
 def midpoint_figure(comparison: Comparison) -> Figure:
-    """Draw midpoints above, (filament - elements)/max |elements| below.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        As from :func:`softcat_sym.studies.compare.compare`.
-    """
+    """Draw midpoints above, (filament - elements)/max |elements| below."""
     own = comparison.filament.trajectory
     with style.styled():
         figure = new_figure(style.WIDTH, _HEIGHT)

@@ -39,25 +39,15 @@ _NOTE = (
 
 @dataclass(frozen=True)
 class RateField:
-    """Plastic shear rate at one time, each Gauss point on its quarter of an element.
+    """Plastic shear rate at one time, each Gauss point on its quarter of an element."""
 
-    Attributes
-    ----------
-    time : float
-        [s].
-    x, y : ndarray, shape (2 along + 1, 2 through + 1)
-        Corners of the quarters in the plane [m].
-    X, Y : ndarray, shape (2 along, 2 through)
-        Reference positions of the Gauss points [m].
-    rate : ndarray, shape (2 along, 2 through)
-        sqrt(3) times the equivalent tensile plastic rate: the shear rate of the paper [1/s].
-    """
-
-    time: float
-    x: Floats
+    time: float  # [s]
+    x: Floats  # shape (2 along + 1, 2 through + 1); Corners of the quarters in the plane [m]
     y: Floats
-    X: Floats
+    X: Floats  # shape (2 along, 2 through); Reference positions of the Gauss points [m]
     Y: Floats
+    # shape (2 along, 2 through); sqrt(3) times the equivalent tensile plastic rate: the shear rate of the paper
+    # [1/s].
     rate: Floats
 
 
@@ -65,13 +55,6 @@ def rate_fields(run: ElementRun, thickness: float) -> list[RateField]:
     """The fields kept nearest to the moments of the error table, and the one that flows fastest.
 
     Of those before the last only what flows is worth a picture: a filament that is held early needs no four of them.
-
-    Parameters
-    ----------
-    run : ElementRun
-        The elements.
-    thickness : float
-        h0 [m].
     """
     largest = run.rate.max(axis=(1, 2))
     moments = {int(np.abs(run.rate_time - share * run.time[-1]).argmin()) for share in SHARES}
@@ -116,13 +99,7 @@ def _section_angles(X: Floats, x: Floats, y: Floats, thickness: float) -> Floats
 
 
 def rate_figure(comparison: Comparison) -> Figure:
-    """Draw the fields below one another, the whole half span on the left, the clamp on the right.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        As from :func:`softcat_sym.studies.compare.compare`.
-    """
+    """Draw the fields below one another, the whole half span on the left, the clamp on the right."""
     span, thickness = comparison.scene.filament.span, comparison.scene.filament.thickness
     fields = rate_fields(comparison.elements, thickness)
     width = style.WIDTH - LEFT - _RIGHT - _BETWEEN - _CLOSE_WIDTH

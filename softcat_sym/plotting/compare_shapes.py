@@ -27,21 +27,11 @@ _COLOURS = (style.SKY, style.GREEN, style.ORANGE, style.VERMILLION)
 
 @dataclass(frozen=True)
 class ShapePair:
-    """Half a centreline, 0 <= X <= L/2, of elements and filament at one time.
+    """Half a centreline, 0 <= X <= L/2, of elements and filament at one time."""
 
-    Attributes
-    ----------
-    time : float
-        [s].
-    X : ndarray, shape (columns,)
-        Material positions [m].
-    elements, filament : ndarray, shape (columns, 2)
-        Where they are [m].
-    """
-
-    time: float
-    X: Floats
-    elements: Floats
+    time: float  # [s]
+    X: Floats  # shape (columns,); Material positions [m]
+    elements: Floats  # shape (columns, 2); Where they are [m]
     filament: Floats
 
     @property
@@ -67,13 +57,7 @@ def shape_pairs(comparison: Comparison) -> list[ShapePair]:
 
 
 def shapes_figure(comparison: Comparison) -> Figure:
-    """Draw centrelines above, the distance of equal material points below.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        As from :func:`softcat_sym.studies.compare.compare`.
-    """
+    """Draw centrelines above, the distance of equal material points below."""
     pairs, span = shape_pairs(comparison), comparison.scene.filament.span
     deepest = max((float(np.abs(pair.elements[:, 1]).max()) for pair in pairs), default=0.0) or 0.01 * span
     width = style.WIDTH - LEFT - _RIGHT

@@ -107,7 +107,7 @@ def experiment_csv(experiment: Experiment) -> bytes:
 
 def experiment_document(experiment: Experiment, critical: CriticalSpan | None = None) -> dict[str, Any]:
     """Everything of a design that a program may want, in SI; null for an error that is infinite."""
-    noise, limit = experiment.noise, experiment.sag_at_most
+    noise, limit = experiment.noise, experiment.max_sag
     found = {
         "best": _trial(experiment.best),
         "as_given": _trial(experiment.as_given),
@@ -128,20 +128,6 @@ def write_experiment(experiment: Experiment, directory: str | Path, critical: Cr
     """Write ``experiment.json``, ``scene.toml`` (the best experiment), ``experiment.csv`` and ``experiment.png``.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    experiment : Experiment
-        As from :func:`softcat_sym.fitting.design_experiment`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-    critical : CriticalSpan, optional
-        An entry of ``experiment.json``, ``critical_span.csv`` and ``critical_span.png``.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     document = experiment_document(experiment, critical)
     contents = {

@@ -38,20 +38,7 @@ _HEIGHT, _LEFT, _RIGHT, _BOTTOM, _SMALL, _GAP = 4.8, 0.85, 1.35, 0.55, 0.95, 0.3
 
 
 def energy_imbalance(data: xr.Dataset) -> tuple[NDArray[np.float64], float]:
-    """Kinetic + elastic + surface + potential + dissipated + gradient - work, less its first value.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with the energies (time) [J].
-
-    Returns
-    -------
-    imbalance : numpy.ndarray
-        Shape (time,) [J].
-    largest : float
-        Largest magnitude of any of them over the run [J]; the imbalance is judged against it.
-    """
+    """Kinetic + elastic + surface + potential + dissipated + gradient - work, less its first value."""
     values = [np.asarray(data[name].values, dtype=np.float64) for name, *_ in TERMS]
     total = np.sum([sign * value for (*_, sign), value in zip(TERMS, values, strict=True)], axis=0)
     largest = max(float(np.abs(value).max()) for value in values)
@@ -59,22 +46,7 @@ def energy_imbalance(data: xr.Dataset) -> tuple[NDArray[np.float64], float]:
 
 
 def energy_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> Figure:
-    """Draw the energy budget, and below it the imbalance relative to the largest energy.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``time`` [s] and the energies (time) [J].
-    summary : mapping
-        The run's summary.
-    scene : PicturedScene
-        The scene.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The picture.
-    """
+    """Draw the energy budget, and below it the imbalance relative to the largest energy."""
     data, summary = shown_part(data, summary)
     seconds = np.asarray(data["time"].values, dtype=np.float64)
     clock = time_unit(float(np.abs(seconds).max()))

@@ -45,17 +45,7 @@ _HEAD = r"""\documentclass[a4paper]{article}
 
 
 def article(title: str, effects: Sequence[str], equations: Sequence[Stated]) -> str:
-    """An article of one section: the effects in force, and each equation with its name and source.
-
-    Parameters
-    ----------
-    title : str
-        Of the scene; any text.
-    effects : sequence of str
-        In force.
-    equations : sequence of Stated
-        In their order.
-    """
+    """An article of one section: the effects in force, and each equation with its name and source."""
     lines = [
         _HEAD,
         rf"\section*{{{escaped(title or 'Filament')}}}",
@@ -82,17 +72,7 @@ Rows = list[tuple[str, ...]]
 
 
 def print_explanation(explanation: Explanation, console: Console | None = None, *, verbose: bool = False) -> None:
-    """Print what a scene calls for.
-
-    Parameters
-    ----------
-    explanation : Explanation
-        From :func:`softcat_sym.studies.explanation.explain`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    verbose : bool
-        Print groups, formulas, equations and sizes too, table by table.
-    """
+    """Print what a scene calls for."""
     from rich.console import Console
     from rich.text import Text
 
@@ -234,13 +214,7 @@ def numeric_rows(explanation: Explanation) -> Rows:
 
 
 def write_explanation(explanation: Explanation, scene: Scene, directory: str | Path) -> list[Path]:
-    """Write ``explain.json``, ``equations.tex`` and ``scene.toml``, each whole or not at all.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
-    """
+    """Write ``explain.json``, ``equations.tex`` and ``scene.toml``, each whole or not at all."""
     told = json.dumps(explanation.as_dict(), indent=2, allow_nan=False) + "\n"
     return write_all(
         directory,

@@ -20,17 +20,7 @@ _LEFT, _RIGHT, _GAP, _TALL, _BOTTOM = 0.75, 0.2, 0.62, 2.7, 2.05
 
 
 def features_figure(time: Floats, midpoint: Floats, features: Features, title: str = "Features") -> Figure:
-    """Draw the whole film on logarithmic axes, and beside it the stretch in which the oscillation is read.
-
-    Parameters
-    ----------
-    time, midpoint : ndarray, shape (n,)
-        Frames [s], [m], midpoint negative down.
-    features : Features
-        As read from them.
-    title : str
-        What was filmed.
-    """
+    """Draw the whole film on logarithmic axes, and beside it the stretch in which the oscillation is read."""
     height = HEADING + _TALL + _BOTTOM
     sag = -midpoint
     clock, ruler = time_unit(float(time[-1])), length_unit(float(np.max(np.abs(sag))))

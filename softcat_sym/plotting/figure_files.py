@@ -17,15 +17,7 @@ DPI = 240
 
 
 def printed(name: str, figure: Figure) -> dict[str, bytes]:
-    """Draw a figure as PNG and PDF; the same figure gives the same bytes.
-
-    Parameters
-    ----------
-    name : str
-        Of the files, without ending.
-    figure : matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw a figure as PNG and PDF; the same figure gives the same bytes."""
     drawn = {}
     for ending, settings in (("png", {"dpi": DPI}), ("pdf", {"metadata": {"CreationDate": None}, "dpi": DPI})):
         content = BytesIO()

@@ -56,13 +56,7 @@ CAPTION = (
 
 
 def caption(facts_of: Mapping[str, Mapping[str, Any]]) -> str:
-    """The caption, every number from the runs.
-
-    Parameters
-    ----------
-    facts_of : mapping
-        By name of the scene, as from :func:`softcat_sym.studies.paper_figures.scene_facts`.
-    """
+    """The caption, every number from the runs."""
     over, descent, ring = (facts_of[name] for name in ("arrested-overdamped", "continual-descent", _LEFT_OUT))
     last = f"{MOMENTS[-1]:g}"
     deep = -over["midpoint_over_L"]["elements"][last]
@@ -89,13 +83,7 @@ def _misses(of: Mapping[str, Any], moment: str) -> list[float]:
 
 
 def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
-    """Draw the paper's axes with all scenes, then each scene by itself.
-
-    Parameters
-    ----------
-    scenes : sequence of FilmedScene
-        Those of `softcat_sym.studies.paper_figures.SCENES`.
-    """
+    """Draw the paper's axes with all scenes, then each scene by itself."""
     known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
     width = (_WIDTH - _LEFT - _RIGHT - 2 * _GAP) / 3
     height = _TOP + 2 * _PANEL + _BETWEEN + _BOTTOM

@@ -96,13 +96,7 @@ def _median(sheet: PhaseSheet, kind: str) -> float:
 
 
 def phase_figure(diagram: PhaseDiagram) -> Figure:
-    """Draw the planes beside each other.
-
-    Parameters
-    ----------
-    diagram : PhaseDiagram
-        Of the planes ``G-delta`` and ``G-V``.
-    """
+    """Draw the planes beside each other."""
     count = len(diagram.sheets)
     width = (_WIDTH - _LEFT - _RIGHT - (count - 1) * _GAP) / count
     height = _TOP + _PANEL + _BOTTOM

@@ -75,13 +75,7 @@ def caption(scenes: Mapping[str, FilmedScene]) -> str:
 
 
 def snapshots_figure(filmed: Sequence[FilmedScene]) -> Figure:
-    """Draw (a)-(c), four instants each, and (d) with its clamp enlarged.
-
-    Parameters
-    ----------
-    filmed : sequence of FilmedScene
-        Those of `softcat_sym.studies.paper_figures.SNAPSHOTS`, at least.
-    """
+    """Draw (a)-(c), four instants each, and (d) with its clamp enlarged."""
     scenes = {each.of.name: each for each in filmed}
     width = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2
     depths = [_depth(scenes[name], INSTANTS[k : k + 2]) for name in SNAPSHOTS for k in (0, 2)]

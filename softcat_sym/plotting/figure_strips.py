@@ -30,22 +30,13 @@ _EDGE = 0.5
 
 @dataclass(frozen=True)
 class Strip:
-    """A filament at one instant, whole span; lengths over the span.
+    """A filament at one instant, whole span; lengths over the span."""
 
-    Attributes
-    ----------
-    section : Section
-        Centreline, normals, thickness on the nodes.
-    low, high : ndarray, shape (cells,)
-        Limits in zeta of the part that does not yield, by the stress sigma_0 + sigma_1 zeta of (2.24).
-    X, place : ndarray, shape (cells,) and (cells, 2)
-        Material coordinate and place of the middle of each cell.
-    """
-
-    section: Section
+    section: Section  # Centreline, normals, thickness on the nodes
+    # shape (cells,); Limits in zeta of the part that does not yield, by the stress sigma_0 + sigma_1 zeta of (2.24).
     low: Floats
     high: Floats
-    X: Floats
+    X: Floats  # shape (cells,); Material coordinate and place of the middle of each cell
     place: Floats
 
     @property
@@ -66,17 +57,7 @@ class Strip:
 
 
 def strip_at(filmed: FilmedScene, instant: float, theory: str = PAPER) -> Strip:
-    """The filament of one theory at the frame nearest to t~.
-
-    Parameters
-    ----------
-    filmed : FilmedScene
-        As from :func:`softcat_sym.studies.paper_figures.film_scene`.
-    instant : float
-        t~.
-    theory : str
-        A name of `THEORIES`.
-    """
+    """The filament of one theory at the frame nearest to t~."""
     data, span = filmed.filaments[theory].data, filmed.scene.filament.span
     frame = int(np.abs(data["time"].values / elastic_time(filmed.scene) - instant).argmin())
     section = _section_of(data, frame)

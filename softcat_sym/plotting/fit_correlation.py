@@ -27,13 +27,7 @@ _FAR = 3.6
 
 
 def correlation_figure(fit: Fit) -> Figure:
-    """Draw the matrix of all pairs: below its diagonal regions in standard errors, above it correlations.
-
-    Parameters
-    ----------
-    fit : Fit
-        Of two parameters or more.
-    """
+    """Draw the matrix of all pairs: below its diagonal regions in standard errors, above it correlations."""
     count = len(fit.problem.free)
     room = style.WIDTH - _LEFT - _RIGHT
     each = min(_LARGEST, (room - (count - 1) * _GAP) / count)

@@ -26,13 +26,7 @@ _CROWDED = 0.12
 
 
 def curves_figure(fit: Fit) -> Figure:
-    """Draw each film beside its model, with the 95 % band that the parameters' covariance gives it.
-
-    Parameters
-    ----------
-    fit : Fit
-        As from :func:`softcat_sym.fit`.
-    """
+    """Draw each film beside its model, with the 95 % band that the parameters' covariance gives it."""
     views = _views(fit)
     films = len(views)
     each = _TALL + _GAP + _LOW

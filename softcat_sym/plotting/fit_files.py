@@ -46,13 +46,7 @@ HEADINGS = ("parameter", "value ± std", "95 % interval", "verdict", "scene's")
 
 
 def fit_rows(fit: Fit) -> list[tuple[str, str]]:
-    """Put into words what stands below the table of parameters.
-
-    Returns
-    -------
-    list of (str, str)
-        Name and text of each row, in the order of reading.
-    """
+    """Put into words what stands below the table of parameters."""
     rows = [("outcome", f"{fit.outcome.word}: {fit.outcome.value}")]
     rows += [(one.name, one.reason) for one in fit.parameters.values() if one.reason]
     rows += [("identified", text) for text in fit.combinations]
@@ -104,15 +98,7 @@ def laws_table(found: LawComparison) -> Table:
 
 
 def print_laws(found: LawComparison, console: Console | None = None) -> None:
-    """Print the ranking of several laws, the verdict, and what each law's constants are.
-
-    Parameters
-    ----------
-    found : LawComparison
-        As from :func:`softcat_sym.fitting.fit_laws`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print the ranking of several laws, the verdict, and what each law's constants are."""
     from rich.console import Console
     from rich.padding import Padding
     from rich.text import Text
@@ -125,15 +111,7 @@ def print_laws(found: LawComparison, console: Console | None = None) -> None:
 
 
 def print_fit(fit: Fit, console: Console | None = None) -> None:
-    """Print parameters, outcome and what they rest on.
-
-    Parameters
-    ----------
-    fit : Fit
-        As from :func:`softcat_sym.fit`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print parameters, outcome and what they rest on."""
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
@@ -156,24 +134,7 @@ _NUMBERS = (1, 2, 4)
 def fit_page(
     fit: Fit, pictures: Mapping[str, tuple[str, bytes]], command: str = "", laws: LawComparison | None = None
 ) -> bytes:
-    """Write a page that needs no other file.
-
-    Parameters
-    ----------
-    fit : Fit
-        As from :func:`softcat_sym.fit`.
-    pictures : mapping of str to (str, bytes)
-        By file name: what each shows, and its PNG.
-    command : str
-        That makes the same fit again; empty if there is none.
-    laws : LawComparison, optional
-        From which the fit comes.
-
-    Returns
-    -------
-    bytes
-        HTML in UTF-8; every word of the user's is escaped.
-    """
+    """Write a page that needs no other file."""
     folder = resources.files("softcat_sym.plotting") / "templates"
     template = Template((folder / "fit.html").read_text(encoding="utf-8"))
     films = ", ".join(film.name for film in fit.films)
@@ -271,27 +232,6 @@ def write_fit(fit: Fit, directory: str | Path, command: str = "", laws: LawCompa
     """Write ``fit.json``, ``scene.toml``, ``fit.csv``, the pictures and ``fit.html``, and ``laws.csv`` of several.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    fit : Fit
-        As from :func:`softcat_sym.fit`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-    command : str
-        That makes the same fit again, for the page.
-    laws : LawComparison, optional
-        From which the fit comes: an entry of ``fit.json``, a section of the page, a table and a picture.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files written.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     pictures = fit_pictures(fit)
     more = {}
@@ -314,14 +254,7 @@ def write_fit(fit: Fit, directory: str | Path, command: str = "", laws: LawCompa
 
 
 def fit_pictures(fit: Fit) -> dict[str, tuple[str, bytes]]:
-    """Draw what there is to draw.
-
-    Returns
-    -------
-    dict of str to (str, bytes)
-        By file name: what it shows, and the PNG. No profiles if they were not asked for, no correlations of a single
-        parameter, no features of a film that is too short.
-    """
+    """Draw what there is to draw."""
     found = {"fit.png": ("data, model with its 95 % band, and residuals", png(curves_figure(fit)))}
     if fit.profiles:
         found["profiles.png"] = ("profile likelihoods with the 95 % threshold", png(profiles_figure(fit)))

@@ -25,17 +25,7 @@ LOGARITHMIC_FROM = 4.0
 
 
 def headed(fit: Fit, what: str, height: float, left: float) -> Figure:
-    """Make a figure of the full width with the scene's title, and what is shown below it.
-
-    Parameters
-    ----------
-    fit : Fit
-        Its scene's title is written.
-    what : str
-        What the picture shows.
-    height, left : float
-        Of the figure, and where its text begins [inch].
-    """
+    """Make a figure of the full width with the scene's title, and what is shown below it."""
     figure = new_figure(style.WIDTH, height)
     place = left / style.WIDTH
     title = style.printable(fit.scene.title) or "Filament"
@@ -58,24 +48,7 @@ def plain(value: float, place: object = None) -> str:
 
 
 def parameter_axis(axes: Axes, one: FreeParameter, values: NDArray[np.float64], best: float) -> Unit:
-    """Set up the horizontal axis for values of a parameter: unit, limits, few ticks with plain numbers.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Whose axis it is.
-    one : FreeParameter
-        What is drawn along it.
-    values : ndarray
-        That are to be seen [SI].
-    best : float
-        The fitted one, for which the unit is chosen [SI].
-
-    Returns
-    -------
-    Unit
-        In which values are to be drawn.
-    """
+    """Set up the horizontal axis for values of a parameter: unit, limits, few ticks with plain numbers."""
     from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 
     values = values[np.isfinite(values)]
@@ -103,24 +76,16 @@ def parameter_axis(axes: Axes, one: FreeParameter, values: NDArray[np.float64], 
     return unit
 
 
-_MOST_LABELS = 6
+_MAX_LABELS = 6
 
 
 def draw_shapes(above: Axes, under: Axes, film: FittedFilm) -> None:
-    """Draw measured points and the model's shape at every time, and the residuals below.
-
-    Parameters
-    ----------
-    above, under : matplotlib.axes.Axes
-        For the shapes, and for the residuals.
-    film : FittedFilm
-        Points of shapes only.
-    """
+    """Draw measured points and the model's shape at every time, and the residuals below."""
     from matplotlib import colormaps
 
     ruler, clock = length_unit(float(np.abs(film.place).max())), time_unit(float(film.time.max()))
     times = np.unique(film.time)
-    named = set(times[np.unique(np.linspace(0, times.size - 1, _MOST_LABELS).round().astype(int))].tolist())
+    named = set(times[np.unique(np.linspace(0, times.size - 1, _MAX_LABELS).round().astype(int))].tolist())
     for number, time in enumerate(times.tolist()):
         color = colormaps["viridis"](0.9 * number / max(times.size - 1, 1))
         here = np.flatnonzero(film.time == time)

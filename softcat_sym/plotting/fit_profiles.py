@@ -31,13 +31,7 @@ _HIGH = 2.2
 
 
 def profiles_figure(fit: Fit) -> Figure:
-    """Draw one panel for each parameter.
-
-    Parameters
-    ----------
-    fit : Fit
-        With profiles.
-    """
+    """Draw one panel for each parameter."""
     count = len(fit.profiles)
     across = min(count, _MOST)
     rows = math.ceil(count / across)
@@ -83,12 +77,7 @@ def _draw(axes: Axes, one: Profile, free: FreeParameter, error: float) -> None:
 
 
 def smooth(one: Profile) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """A profile between its points: their roots, nearly straight in q on either side, joined by lines, and squared.
-
-    Returns
-    -------
-    q, increase : ndarray, shape (points,)
-    """
+    """A profile between its points: their roots, nearly straight in q on either side, joined by lines, and squared."""
     root = np.sqrt(np.maximum(one.increase, 0.0))
     dense = np.union1d(np.linspace(one.q[0], one.q[-1], _DENSE), one.q)
     inside = np.interp(dense, one.q, root)

@@ -28,13 +28,7 @@ _FAR = 3.0
 
 
 def starts_figure(fit: Fit) -> Figure:
-    """Draw a line for each start, the best on top: what is left of the misfit, and each parameter's way.
-
-    Parameters
-    ----------
-    fit : Fit
-        As from :func:`softcat_sym.fit`.
-    """
+    """Draw a line for each start, the best on top: what is left of the misfit, and each parameter's way."""
     panels = 1 + len(fit.problem.free)
     across = min(panels, _MOST)
     rows = -(-panels // across)

@@ -192,13 +192,7 @@ _FEATURE_UNITS = {"t_low": "s", "t_high": "s", "frequency": "rad_s", "decay": "1
 
 
 def fit_document(fit: Fit) -> dict[str, Any]:
-    """Everything of a fit that a program may want, as JSON takes it: plain SI, null for what is not a number.
-
-    Parameters
-    ----------
-    fit : Fit
-        As from :func:`softcat_sym.fit`.
-    """
+    """Everything of a fit that a program may want, as JSON takes it: plain SI, null for what is not a number."""
     checks = fit.checks
     found: dict[str, Any] = {
         "outcome": fit.outcome.word,

@@ -36,13 +36,7 @@ _LOOKS: dict[str, tuple[str, Any, str]] = {
 
 
 def flow_curve_figure(fit: FlowCurveFit) -> Figure:
-    """Draw data and fitted laws on logarithmic axes, their relative residuals below.
-
-    Parameters
-    ----------
-    fit : FlowCurveFit
-        As from :func:`softcat_sym.fitting.fit_flow_curve`.
-    """
+    """Draw data and fitted laws on logarithmic axes, their relative residuals below."""
     curve = fit.curve
     with style.styled():
         figure = new_figure(style.WIDTH, _HEIGHT)
@@ -126,20 +120,7 @@ def flow_curve_csv(fit: FlowCurveFit) -> bytes:
 
 
 def flow_curve_document(fit: FlowCurveFit, law: str | None = None) -> dict[str, Any]:
-    """Everything of a fit that a program may want, as JSON takes it.
-
-    Parameters
-    ----------
-    fit : FlowCurveFit
-        As from :func:`softcat_sym.fitting.fit_flow_curve`.
-    law : str or None
-        The law that is handed on, by default the best.
-
-    Raises
-    ------
-    SoftcatError
-        If no such law was fitted.
-    """
+    """Everything of a fit that a program may want, as JSON takes it."""
     curve = fit.curve
     return {
         "curve": str(curve.path) if curve.path else None,
@@ -232,15 +213,7 @@ def _with_interval(constant: Estimate | None) -> str:
 
 
 def print_flow_curve(fit: FlowCurveFit, console: Console | None = None) -> None:
-    """Print the table and the warnings.
-
-    Parameters
-    ----------
-    fit : FlowCurveFit
-        As from :func:`softcat_sym.fitting.fit_flow_curve`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print the table and the warnings."""
     from rich.console import Console
     from rich.text import Text
 
@@ -256,13 +229,6 @@ def write_flow_curve(
     """Write ``flow_curve.json``, ``flow_curve.csv``, ``flow_curve.png`` and, of a scene, ``scene.toml``.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Raises
-    ------
-    SoftcatError
-        If the law was not fitted.
-    OSError
-        If the directory cannot be made or written.
     """
     document = json.dumps(flow_curve_document(fit, law), indent=2, allow_nan=False, ensure_ascii=False)
     contents = {

@@ -47,20 +47,6 @@ def tile(data: xr.Dataset, scene: Scene, exhibit: Exhibit) -> Figure:
 
     Lengths are equal along both axes, unless the sag is too flat to see: then the picture says by how much it is
     stretched. A bar tells the scale.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Its trajectory.
-    scene : Scene
-        What was run.
-    exhibit : Exhibit
-        Its name, and how it ended.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        3 by 2.3 inches.
     """
     data = _shown(data, scene.filament.span)
     shapes = shapes_of(data, scene, telling_frames(data, 4))
@@ -167,18 +153,7 @@ NOTE = (
 
 
 def kept_exhibits(directory: str | Path) -> dict[str, Exhibit]:
-    """Read what an earlier gallery in this folder has finished, by name.
-
-    Parameters
-    ----------
-    directory : str or pathlib.Path
-        Of the gallery; need not exist.
-
-    Returns
-    -------
-    dict of str to Exhibit
-        Those whose picture is still there. What cannot be read is not kept, and is run again.
-    """
+    """Read what an earlier gallery in this folder has finished, by name."""
     folder, kept = Path(directory), dict[str, Exhibit]()
     try:
         rows = json.loads((folder / DOCUMENT).read_text(encoding="utf-8"))["scenes"]
@@ -193,24 +168,7 @@ def kept_exhibits(directory: str | Path) -> dict[str, Exhibit]:
 
 
 def write_exhibit(asked: Asked, trajectory: Trajectory, done: Mapping[str, Exhibit], directory: str | Path) -> None:
-    """Write picture and scene file of the scene that was just run, and the document of all that are finished.
-
-    Parameters
-    ----------
-    asked : Asked
-        The scene.
-    trajectory : Trajectory
-        Its run.
-    done : mapping of str to Exhibit
-        All finished so far, by name, this one among them.
-    directory : str or pathlib.Path
-        Made if missing.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written; then none of them is.
-    """
+    """Write picture and scene file of the scene that was just run, and the document of all that are finished."""
     contents = {
         f"{asked.name}.png": png(tile(trajectory.data, trajectory.scene, done[asked.name])),
         f"{asked.name}.toml": asked.text.encode(),
@@ -220,25 +178,7 @@ def write_exhibit(asked: Asked, trajectory: Trajectory, done: Mapping[str, Exhib
 
 
 def write_gallery(done: Mapping[str, Exhibit], directory: str | Path) -> list[Path]:
-    """Write page, contact sheet, table and document over scenes whose pictures are in the folder.
-
-    Parameters
-    ----------
-    done : mapping of str to Exhibit
-        By name; at least one.
-    directory : str or pathlib.Path
-        Where :func:`write_exhibit` has put the pictures.
-
-    Returns
-    -------
-    list of pathlib.Path
-        ``gallery.html``, ``gallery.png``, ``gallery.csv``, ``gallery.json``.
-
-    Raises
-    ------
-    OSError
-        If a picture cannot be read, or the files cannot be written.
-    """
+    """Write page, contact sheet, table and document over scenes whose pictures are in the folder."""
     folder = Path(directory)
     exhibits = [done[name] for name in sorted(done)]
     pictures = {one.name: (folder / f"{one.name}.png").read_bytes() for one in exhibits}
@@ -253,20 +193,7 @@ def write_gallery(done: Mapping[str, Exhibit], directory: str | Path) -> list[Pa
 
 
 def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:
-    """Put pictures of one size side by side, row by row.
-
-    Parameters
-    ----------
-    pictures : sequence of bytes
-        PNG files, at least one.
-    columns : int
-        In a row.
-
-    Returns
-    -------
-    bytes
-        A PNG file.
-    """
+    """Put pictures of one size side by side, row by row."""
     from matplotlib.image import imread, imsave
 
     tiles: list[NDArray[np.float32]] = [imread(io.BytesIO(one), format="png")[..., :3] for one in pictures]

@@ -32,11 +32,6 @@ def laws_figure(found: LawComparison) -> Figure:
     """Draw the residuals [m] of every law over time on one scale, the best law first.
 
     What leaves the scale is a cross at its edge: a law that is far off would make the others' residuals a line.
-
-    Parameters
-    ----------
-    found : LawComparison
-        As from :func:`softcat_sym.fitting.fit_laws`.
     """
     rows = [row for row in found.choice.table if not row.law.failure]
     fits = [found.fits[row.law.name] for row in rows]

@@ -52,13 +52,7 @@ def caption(panels: Sequence[Panel]) -> str:
 
 
 def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
-    """Draw the panels, two a row, with the caption below.
-
-    Parameters
-    ----------
-    panels : sequence of Panel
-        As from :func:`softcat_sym.studies.paper_figures.maxwell_descents`.
-    """
+    """Draw the panels, two a row, with the caption below."""
     rows = (len(panels) + 1) // 2
     height = _TOP + rows * _PANEL + (rows - 1) * _BETWEEN + _BOTTOM
     width = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2

@@ -84,7 +84,7 @@ def print_phase_diagram(diagram: PhaseDiagram, console: Console | None = None) -
 COLUMNS = (
     "plane", "G", "V", "delta", "regime", "outcome", "mark", "duration_s", "drawn_out_within_s", "sag_over_span",
     "rate", "span_rate", "clamp_strain", "clamp_strain_centreline", "midspan_strain", "midspan_strain_centreline",
-    "steps", "runs", "complaint",
+    "steps", "runs", "message",
 )  # fmt: skip
 """Rates are the largest of the last tenth of the run over sigma_Y/eta; strains are those of the outer fibre."""
 
@@ -155,18 +155,6 @@ def write_phase_diagram(diagram: PhaseDiagram, directory: str | Path) -> list[Pa
     """Write ``phase.json``, ``scene.toml``, three tables and two pictures for each plane.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    diagram : PhaseDiagram
-        As from :func:`softcat_sym.studies.phase.phase_diagram`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     contents = {
         "phase.json": (json.dumps(document(diagram), indent=2, allow_nan=False) + "\n").encode(),
@@ -213,7 +201,7 @@ def _cells(run: PhaseRun) -> list[str]:
     place, clamp, midspan = run.place, run.clamp, run.midspan
     numbers = (run.sag, run.rate, run.span_rate, clamp.largest, clamp.centreline, midspan.largest, midspan.centreline)
     drawn_out = "" if run.drawn_out is None else repr(run.drawn_out)
-    complaint = run.complaint.replace('"', "'")
+    message = run.message.replace('"', "'")
     return [
         *(repr(value) for value in (place.G, place.V, place.delta)),
         run.regime or "",
@@ -224,7 +212,7 @@ def _cells(run: PhaseRun) -> list[str]:
         *(_number(value) for value in numbers),
         str(run.steps),
         str(run.runs),
-        f'"{complaint}"' if complaint else "",
+        f'"{message}"' if message else "",
     ]
 
 

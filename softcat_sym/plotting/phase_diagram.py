@@ -68,15 +68,7 @@ def caption(diagram: PhaseDiagram, sheet: PhaseSheet) -> str:
 
 
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
-    """Draw one plane.
-
-    Parameters
-    ----------
-    diagram : PhaseDiagram
-        For the scene.
-    sheet : PhaseSheet
-        The plane.
-    """
+    """Draw one plane."""
     height = _TOP + _TALL + _BOTTOM
     with style.styled():
         figure = new_figure(style.WIDTH, height)

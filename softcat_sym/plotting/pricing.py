@@ -59,18 +59,7 @@ def document(pricing: Pricing) -> dict[str, Any]:
 
 
 def pricing_table(pricings: Iterable[Pricing | KeptPricing | Unpriced]) -> str:
-    """Lay many scenes out as Markdown, a line for each.
-
-    Parameters
-    ----------
-    pricings : iterable of Pricing, KeptPricing or Unpriced
-        As from :func:`softcat_sym.studies.pricing.price_bundled`.
-
-    Returns
-    -------
-    str
-        Name, effects in force, the largest changes, solve time of everything over that of the scene, the sentence.
-    """
+    """Lay many scenes out as Markdown, a line for each."""
     lines = [_HEAD, ("---",) * len(_HEAD), *map(table_line, pricings)]
     return "".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |\n" for line in lines)
 
@@ -124,7 +113,7 @@ def _nested(row: PricingRow) -> dict[str, Any]:
 def _flat(row: PricingRow) -> dict[str, str]:
     nested = _nested(row)
     run = nested.pop("run") or {}
-    names = ("states", "algebraic", "instructions", "solve_s", "solver", "outcome", "complaint")
+    names = ("states", "algebraic", "instructions", "solve_s", "solver", "outcome", "message")
     return {name: _cell(value) for name, value in (nested | {name: run.get(name) for name in names}).items()}
 
 
@@ -136,7 +125,7 @@ def _cost(run: PricedRun) -> dict[str, Any]:
         "solve_s": run.solve,
         "solver": run.solver,
         "outcome": run.outcome.name,
-        "complaint": run.complaint,
+        "message": run.message,
     }
 
 
@@ -172,13 +161,7 @@ _MARKS: dict[str, dict[str, Any]] = {
 
 
 def pricing_figure(pricing: Pricing) -> Figure:
-    """Draw the chart: change of the midpoint upwards, ratios with the effect over without it to the right.
-
-    Parameters
-    ----------
-    pricing : Pricing
-        As from :func:`softcat_sym.studies.pricing.price`.
-    """
+    """Draw the chart: change of the midpoint upwards, ratios with the effect over without it to the right."""
     # Everything is a point of its own only where it is more than the base.
     rows = [*pricing.rows, *([pricing.everything] if pricing.everything.also else [])]
     shown = [row for row in rows if row.share is not None and row.time_ratio is not None]
@@ -337,7 +320,7 @@ def remarks(pricing: Pricing) -> list[str]:
     for row in (*pricing.rows, pricing.everything):
         word = "without" if row.in_force else "with"
         if row.fails and row.variant is not None:
-            found.append(f"{word} {row.effect}: {row.variant.outcome.name}; {row.variant.complaint}".rstrip("; "))
+            found.append(f"{word} {row.effect}: {row.variant.outcome.name}; {row.variant.message}".rstrip("; "))
         if row.also:
             found.append(f"{word} {row.effect}: {'also' if row.in_force else 'and'} {word} {', '.join(row.also)}")
         if row.reason:
@@ -346,15 +329,7 @@ def remarks(pricing: Pricing) -> list[str]:
 
 
 def print_pricing(pricing: Pricing, console: Console | None = None) -> None:
-    """Print the table, the remarks and the sentence.
-
-    Parameters
-    ----------
-    pricing : Pricing
-        As from :func:`softcat_sym.studies.pricing.price`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print the table, the remarks and the sentence."""
     from rich.console import Console
     from rich.text import Text
 
@@ -366,25 +341,7 @@ def print_pricing(pricing: Pricing, console: Console | None = None) -> None:
 
 
 def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
-    """Write ``effects.json``, ``effects.csv``, ``effects.png`` and ``scene.toml``; all is drawn before any is written.
-
-    Parameters
-    ----------
-    pricing : Pricing
-        As from :func:`softcat_sym.studies.pricing.price`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files written.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
-    """
+    """Write ``effects.json``, ``effects.csv``, ``effects.png`` and ``scene.toml``."""
     contents = {
         "effects.json": _json(pricing),
         "effects.csv": rows_csv(pricing),
@@ -395,25 +352,7 @@ def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
 
 
 def write_pricings(pricings: Iterable[Pricing | KeptPricing | Unpriced], directory: str | Path) -> list[Path]:
-    """Write ``effects_<scene>.json`` and ``.png`` of each scene as it comes, and ``pricing.md`` over all so far.
-
-    Parameters
-    ----------
-    pricings : iterable of Pricing, KeptPricing or Unpriced
-        As from :func:`softcat_sym.studies.pricing.price_bundled`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files written, each once.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
-    """
+    """Write ``effects_<scene>.json`` and ``.png`` of each scene as it comes, and ``pricing.md`` over all so far."""
     done: list[Pricing | KeptPricing | Unpriced] = []
     written: dict[Path, None] = {}
     for one in pricings:
@@ -428,18 +367,7 @@ def write_pricings(pricings: Iterable[Pricing | KeptPricing | Unpriced], directo
 
 
 def kept_pricings(directory: str | Path) -> dict[str, KeptPricing]:
-    """Find the scenes that an earlier command has priced into this folder, by name.
-
-    Parameters
-    ----------
-    directory : str or pathlib.Path
-        Need not exist.
-
-    Returns
-    -------
-    dict of str to KeptPricing
-        What cannot be read is not among them, and is priced again.
-    """
+    """Find the scenes that an earlier command has priced into this folder, by name."""
     kept = {}
     for path in sorted(Path(directory).glob("effects_*.json")):
         try:

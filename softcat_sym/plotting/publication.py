@@ -74,24 +74,12 @@ _RC: Final[dict[str, Any]] = {
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """What every figure of one run shares.
+    """What every figure of one run shares."""
 
-    Attributes
-    ----------
-    width : float
-        Of the figure [inch].
-    data : xarray.Dataset
-        Trajectory.
-    summary : mapping
-        The run's summary.
-    scene : PicturedScene
-        The scene.
-    """
-
-    width: float
-    data: xr.Dataset
-    summary: Summary
-    scene: PicturedScene
+    width: float  # Of the figure [inch]
+    data: xr.Dataset  # Trajectory
+    summary: Summary  # The run's summary
+    scene: PicturedScene  # The scene
 
     @property
     def clock(self) -> Unit:
@@ -129,29 +117,7 @@ def publication_style() -> Iterator[None]:
 
 
 def publication_figures(data: xr.Dataset, summary: Summary, scene: PicturedScene, width: str) -> dict[str, bytes]:
-    """Draw a run for print: ``midpoint``, ``shapes``, ``energy`` and ``space-time``, each as PDF and PNG.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory, as :func:`softcat_sym.plotting.write_pictures` takes it.
-    summary : mapping
-        The run's summary.
-    scene : PicturedScene
-        The scene.
-    width : str
-        ``column`` (84 mm) or ``page`` (174 mm).
-
-    Returns
-    -------
-    dict of str to bytes
-        By file name. The same run gives the same bytes.
-
-    Raises
-    ------
-    KeyError
-        If the width is neither.
-    """
+    """Draw a run for print: ``midpoint``, ``shapes``, ``energy`` and ``space-time``, each as PDF and PNG."""
     sheet = Sheet(WIDTHS[width] * MILLIMETRE, *shown_part(data, summary), scene)
     files: dict[str, bytes] = {}
     with publication_style():

@@ -30,19 +30,7 @@ from softcat_sym.plotting.style import (
 
 
 def midpoint_csv(data: xr.Dataset) -> bytes:
-    """Tabulate the midpoint.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``time`` [s] and ``midpoint`` [m].
-
-    Returns
-    -------
-    bytes
-        A CSV file with the columns ``time_s`` and ``midpoint_m``; every number reads back exactly. Of an answer that is
-        refused it has a third column, ``refused``, that holds the outcome.
-    """
+    """Tabulate the midpoint."""
     outcome = data.attrs.get("outcome", "solved")
     head, stamp = ("", "") if outcome == "solved" else (",refused", f",{outcome}")
     pairs = zip(data["time"].values.tolist(), data["midpoint"].values.tolist(), strict=True)
@@ -55,22 +43,7 @@ _POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 
 
 def midpoint_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> Figure:
-    """Draw the midpoint's height against time, with dimensionless scales on the far sides.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory; ``time`` [s] and ``midpoint`` [m] are drawn, the frames of the shape picture are marked.
-    summary : mapping
-        The run's summary.
-    scene : PicturedScene
-        The scene.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The picture.
-    """
+    """Draw the midpoint's height against time, with dimensionless scales on the far sides."""
     data, summary = shown_part(data, summary)
     time = np.asarray(data["time"].values, dtype=np.float64)
     midpoint = np.asarray(data["midpoint"].values, dtype=np.float64)

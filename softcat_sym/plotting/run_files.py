@@ -20,30 +20,6 @@ def write_pictures(
     """Write ``midpoint.png``, ``shapes.png``, ``energy.png``, ``space-time.png`` and ``midpoint.csv``.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with dims time, node, cell; besides the variables of ``trajectory.nc`` it holds ``thickness`` [m],
-        ``stress_mean`` and ``stress_bending`` [Pa] (time, cell): the stress is stress_mean + stress_bending * zeta.
-    summary : mapping
-        What ``summary.json`` holds.
-    scene : Scene
-        The scene.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-    style : str
-        ``screen``, or for print ``column`` or ``page``: then the same pictures, each as PDF too.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files written.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be written.
     """
     from softcat_sym.files import write_all
     from softcat_sym.plotting.run import midpoint_csv
@@ -74,38 +50,16 @@ def _for_screens(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> di
 
 @dataclass(frozen=True)
 class WrittenRun:
-    """What a run left behind.
+    """What a run left behind."""
 
-    Attributes
-    ----------
-    files : tuple of pathlib.Path
-        In the order of interest.
-    summary : dict
-        As in ``summary.json``, with the time that the writing took.
-    """
-
-    files: tuple[Path, ...]
-    summary: dict[str, Any]
+    files: tuple[Path, ...]  # In the order of interest
+    summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
 
 
 def write_run(trajectory: Trajectory, directory: str | Path, style: str = "screen") -> WrittenRun:
     """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
 
     The summary goes last, so that it can state how long the writing took.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-        The run.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-    style : str
-        Of the pictures: ``screen``, ``column`` or ``page``.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     from softcat_sym.results.files import write_scene, write_summary, write_trajectory
 

@@ -26,18 +26,6 @@ def telling_frames(data: xr.Dataset, count: int = 5) -> list[int]:
     Each frame added is the one farthest from those already chosen, so a steady descent is cut into equal drops
     and a long rest takes one frame. The first frame, the undeformed filament, and whatever looks like it are taken only
     when there is nothing else.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``x``, ``y`` (time, node), ``yielded_fraction`` (time, cell) and ``time``.
-    count : int
-        The most frames wanted.
-
-    Returns
-    -------
-    list of int
-        Indices along ``time``, ascending; fewer than ``count`` if the run has fewer that differ.
     """
     last = data.sizes["time"] - 1
     if last <= 0:
@@ -75,43 +63,20 @@ def _compressed(values: NDArray[np.float64]) -> NDArray[np.float64]:
 Floats = NDArray[np.float64]
 
 # Beyond this angle [rad] at an end an extrapolation would turn the drawn end face, not follow a curve.
-_LARGEST_END_TURN = 0.3
+_MAX_END_TURN = 0.3
 
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """The filament at one instant.
+    """The filament at one instant."""
 
-    Attributes
-    ----------
-    x, y : numpy.ndarray
-        Centreline, shape (node,) [m].
-    normal : numpy.ndarray
-        Unit normals (-sin th, cos th), shape (node, 2).
-    thickness : numpy.ndarray
-        Current thickness, shape (node,) [m].
-    """
-
-    x: Floats
+    x: Floats  # Centreline, shape (node,) [m]
     y: Floats
-    normal: Floats
-    thickness: Floats
+    normal: Floats  # Unit normals (-sin th, cos th), shape (node, 2)
+    thickness: Floats  # Current thickness, shape (node,) [m]
 
     def at(self, zeta: float | Floats, nodes: slice = slice(None)) -> Floats:
-        """Place through-thickness coordinates in the plane.
-
-        Parameters
-        ----------
-        zeta : float or numpy.ndarray
-            Coordinate in [-1, 1] for each of the chosen nodes; +1 is the side of the normal.
-        nodes : slice
-            The nodes.
-
-        Returns
-        -------
-        numpy.ndarray
-            Points, shape (node, 2) [m].
-        """
+        """Place through-thickness coordinates in the plane."""
         centre = np.column_stack([self.x[nodes], self.y[nodes]])
         offset = 0.5 * np.asarray(zeta) * self.thickness[nodes]
         points: Floats = centre + offset[:, None] * self.normal[nodes]
@@ -119,22 +84,7 @@ class Section:
 
 
 def section_at(data: xr.Dataset, frame: int, clamped: tuple[bool, bool] = (False, False)) -> Section:
-    """Read the filament of one frame.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``x``, ``y`` (time, node) and ``thickness`` (time, cell), all [m].
-    frame : int
-        Index along ``time``.
-    clamped : pair of bool
-        Whether the left and the right end are held level, so that their sections stay vertical.
-
-    Returns
-    -------
-    Section
-        Centreline, normals and thickness on the nodes.
-    """
+    """Read the filament of one frame."""
     x = np.asarray(data["x"].values[frame], dtype=np.float64)
     y = np.asarray(data["y"].values[frame], dtype=np.float64)
     cells = np.asarray(data["thickness"].values[frame], dtype=np.float64)
@@ -145,58 +95,22 @@ def section_at(data: xr.Dataset, frame: int, clamped: tuple[bool, bool] = (False
 
 
 def node_angles(x: Floats, y: Floats) -> Floats:
-    """Tangent angle on the nodes: the bisector of the chords that meet there, extrapolated at the ends.
-
-    Parameters
-    ----------
-    x, y : numpy.ndarray
-        Centreline, shape (node,) with at least two nodes [m].
-
-    Returns
-    -------
-    numpy.ndarray
-        Angles [rad], shape (node,), continuous along the filament.
-    """
+    """Tangent angle on the nodes: the bisector of the chords that meet there, extrapolated at the ends."""
     chord = np.unwrap(np.arctan2(np.diff(y), np.diff(x)))
     if chord.size == 1:
         return np.repeat(chord, 2)
-    turns = np.clip(0.5 * np.diff(chord)[[0, -1]], -_LARGEST_END_TURN, _LARGEST_END_TURN)
+    turns = np.clip(0.5 * np.diff(chord)[[0, -1]], -_MAX_END_TURN, _MAX_END_TURN)
     middle = 0.5 * (chord[1:] + chord[:-1])
     return np.concatenate([[chord[0] - turns[0]], middle, [chord[-1] + turns[1]]])
 
 
 def outline(section: Section) -> Floats:
-    """Closed polygon of the filament's side view.
-
-    Parameters
-    ----------
-    section : Section
-        The filament.
-
-    Returns
-    -------
-    numpy.ndarray
-        Vertices, shape (2 * node, 2) [m], anticlockwise for a filament that runs to the right.
-    """
+    """Closed polygon of the filament's side view."""
     return np.concatenate([section.at(-1.0), section.at(1.0)[::-1]])
 
 
 def elastic_core(mean: Floats, bending: Floats, yield_stress: float) -> tuple[Floats, Floats]:
-    """Limits in zeta between which ``|mean + bending * zeta| <= yield_stress``.
-
-    Parameters
-    ----------
-    mean, bending : numpy.ndarray
-        Section-mean stress sigma_0 and its slope sigma_1, shape (cell,) [Pa].
-    yield_stress : float
-        Yield stress [Pa].
-
-    Returns
-    -------
-    lower, upper : numpy.ndarray
-        Limits clipped to [-1, 1]. Below ``lower`` and above ``upper`` the material yields; they coincide, on
-        one face, where the whole thickness does.
-    """
+    """Limits in zeta between which ``|mean + bending * zeta| <= yield_stress``."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         one = (-yield_stress - mean) / bending
         other = (yield_stress - mean) / bending
@@ -210,22 +124,13 @@ def elastic_core(mean: Floats, bending: Floats, yield_stress: float) -> tuple[Fl
 
 @dataclass(frozen=True, slots=True)
 class Yielding:
-    """What a picture shows as yielded: what flows, not what the solver's tolerance lets rest on the yield stress.
+    """What a picture shows as yielded: what flows, not what the solver's tolerance lets rest on the yield stress."""
 
-    Attributes
-    ----------
-    low, high : numpy.ndarray
-        Limits in zeta of what does not yield, shape (time, cell).
-    share : numpy.ndarray
-        Share of the section that yields, shape (time, cell).
-    slowest : float
-        Plastic rate [1/s] from which on a section counts as yielded, where it exceeds it on the average of a tenth of
-        the run too; see :func:`slowest_flow`.
-    """
-
-    low: Floats
+    low: Floats  # Limits in zeta of what does not yield, shape (time, cell)
     high: Floats
-    share: Floats
+    share: Floats  # Share of the section that yields, shape (time, cell)
+    # Plastic rate [1/s] from which on a section counts as yielded, where it exceeds it on the average of a tenth of
+    # the run too; see :func:`slowest_flow`.
     slowest: float
 
 
@@ -235,13 +140,6 @@ def slowest_flow(data: xr.Dataset, scene: PicturedScene) -> float:
     A section that flowed so slowly through the whole run would add to the largest plastic strain no more than the
     accuracy asked. An arrested filament rests on its yield surface: there stresses exceed the yield stress by no more
     than the tolerance of the solver, now here, now there.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``time`` [s] and ``plastic_rate`` [1/s] (time, cell).
-    scene : PicturedScene
-        Its accuracy is read.
     """
     time = np.asarray(data["time"].values, dtype=np.float64)
     if time.size < 2 or not time[-1] > time[0]:
@@ -252,16 +150,7 @@ def slowest_flow(data: xr.Dataset, scene: PicturedScene) -> float:
 
 
 def yielding_of(data: xr.Dataset, scene: PicturedScene) -> Yielding:
-    """What yields in every frame, of a law that has a yield stress; nothing of another.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``yielded_fraction``, ``plastic_rate``, ``stress_mean``, ``stress_bending`` (time, cell), and
-        ``core_low``, ``core_high`` where the section is resolved fibre by fibre.
-    scene : PicturedScene
-        Its yield stress and its accuracy are read.
-    """
+    """What yields in every frame, of a law that has a yield stress; nothing of another."""
     limit = scene.material.yield_stress
     if limit is None:
         shape = data["yielded_fraction"].shape
@@ -285,20 +174,7 @@ def _running_mean(values: Floats, reach: int) -> Floats:
 
 
 def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:
-    """Quadrilaterals below and above the elastic core, cell by cell.
-
-    Parameters
-    ----------
-    section : Section
-        The filament.
-    lower, upper : numpy.ndarray
-        Limits of the core in zeta, shape (cell,).
-
-    Returns
-    -------
-    numpy.ndarray
-        Vertices, shape (quad, 4, 2) [m].
-    """
+    """Quadrilaterals below and above the elastic core, cell by cell."""
     ones = np.ones_like(lower)
     return np.concatenate([_quads(section, -ones, lower), _quads(section, upper, ones)])
 
@@ -347,40 +223,14 @@ class Layout:
 
 
 def vertical_stretch(sag: float, thickness: float, span: float) -> float:
-    """Factor by which the vertical scale is stretched: 1, 2 or 5 times a power of ten.
-
-    Parameters
-    ----------
-    sag, thickness, span : float
-        Largest sag, initial thickness and span [m].
-
-    Returns
-    -------
-    float
-        One when the sag is at least 2 % of the span, or zero: there is nothing to make visible.
-    """
+    """Factor by which the vertical scale is stretched: 1, 2 or 5 times a power of ten."""
     if sag <= 0 or sag >= _FLAT * span:
         return 1.0
     return max(1.0, nice_floor(min(_DRAWN_SAG * span / sag, _DRAWN_THICKNESS * span / thickness)))
 
 
 def arrange(outlines: list[Floats], sag: float, scene: PicturedScene) -> Layout:
-    """Lay the panels out below one another, or side by side if that would be taller than a page.
-
-    Parameters
-    ----------
-    outlines : list of numpy.ndarray
-        Closed polygons, shape (vertex, 2) [m].
-    sag : float
-        Largest sag [m].
-    scene : PicturedScene
-        Span and thickness are read.
-
-    Returns
-    -------
-    Layout
-        Panels in the order of the outlines; every one has the same scale.
-    """
+    """Lay the panels out below one another, or side by side if that would be taller than a page."""
     thickness = scene.filament.thickness
     stretch = vertical_stretch(sag, thickness, scene.filament.span)
     low = np.min([outline.min(axis=0) for outline in outlines], axis=0)
@@ -405,22 +255,7 @@ def arrange(outlines: list[Floats], sag: float, scene: PicturedScene) -> Layout:
 
 
 def place(figure: Figure, layout: Layout, index: int) -> Axes:
-    """Add the axes of one panel.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    layout : Layout
-        The layout.
-    index : int
-        Number of the panel.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        Axes whose limits are yet to be set, in any unit.
-    """
+    """Add the axes of one panel."""
     panel = layout.panels[index]
     return axes_in_inches(figure, panel.left, panel.bottom, panel.width, panel.height)
 

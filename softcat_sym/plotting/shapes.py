@@ -42,44 +42,16 @@ from softcat_sym.plotting.style import (
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """What is drawn of one frame.
+    """What is drawn of one frame."""
 
-    Attributes
-    ----------
-    section : Section
-        Centreline, normals, thickness.
-    outline : numpy.ndarray
-        Closed polygon, shape (vertex, 2) [m].
-    yielded : numpy.ndarray
-        Quads of the yielded zones, shape (quad, 4, 2) [m].
-    label : str
-        Time, sag and yielded share, one per line.
-    """
-
-    section: Section
-    outline: Floats
-    yielded: Floats
-    label: str
+    section: Section  # Centreline, normals, thickness
+    outline: Floats  # Closed polygon, shape (vertex, 2) [m]
+    yielded: Floats  # Quads of the yielded zones, shape (quad, 4, 2) [m]
+    label: str  # Time, sag and yielded share, one per line
 
 
 def shapes_of(data: xr.Dataset, scene: PicturedScene, frames: list[int]) -> list[Shape]:
-    """Compute what is drawn of the given frames.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory; reads ``x``, ``y``, ``thickness``, ``midpoint``, and what
-        :func:`softcat_sym.plotting.section.yielding_of` reads.
-    scene : PicturedScene
-        Its yield stress decides what is shaded.
-    frames : list of int
-        Indices along ``time``.
-
-    Returns
-    -------
-    list of Shape
-        One for each frame.
-    """
+    """Compute what is drawn of the given frames."""
     limit = scene.material.yield_stress
     yields = yielding_of(data, scene)
     clock = time_unit(float(np.abs(data["time"].values).max()))
@@ -112,20 +84,6 @@ def shapes_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> F
 
     Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: the vertical scale is then
     stretched, thickness and all, by a factor that the axis label states.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory.
-    summary : mapping
-        The run's summary.
-    scene : PicturedScene
-        The scene.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The picture.
     """
     data, summary = shown_part(data, summary)
     shapes = shapes_of(data, scene, telling_frames(data))

@@ -41,24 +41,7 @@ RESULTS: Final = (
 
 
 def packed(dataset: xr.Dataset) -> dict[str, Any]:
-    """Bring a sweep into a form that JSON can hold.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        As :func:`softcat_sym.plotting.sliders.sliders_page` takes it.
-
-    Returns
-    -------
-    dict
-        ``axes`` (key, name, unit, scale, varied, values), ``regime``, ``outcome``, ``message`` by member, ``span``,
-        ``thickness`` [m] and ``duration`` [s] by member, ``midpoint``, ``shapes`` or null, ``colours`` of the stretch.
-
-    Raises
-    ------
-    ValueError
-        If there is no member, or nothing was varied.
-    """
+    """Bring a sweep into a form that JSON can hold."""
     members = dataset.sizes.get("member", 0)
     keys = [str(name) for name, values in dataset.data_vars.items() if values.attrs.get("varied")]
     if not members or not keys:
@@ -83,18 +66,7 @@ def packed(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def quantised(values: Floats) -> dict[str, Any]:
-    """Round numbers to 65534 steps of each member's own range and write them as base64 of little-endian int16.
-
-    Parameters
-    ----------
-    values : ndarray, shape (members, ...)
-        NaN where there is none.
-
-    Returns
-    -------
-    dict
-        ``low`` and ``step`` by member, ``codes``: the number is low + step * (code + 32767), and none at code -32768.
-    """
+    """Round numbers to 65534 steps of each member's own range and write them as base64 of little-endian int16."""
     flat = np.asarray(values, dtype=np.float64).reshape(len(values), -1)
     finite = np.isfinite(flat)
     low = np.where(finite, flat, np.inf).min(axis=1, initial=np.inf)
@@ -215,26 +187,6 @@ def sliders_page(dataset: xr.Dataset, title: str) -> str:
     """Write the page of a sweep: an axis for each varied parameter, with a handle, and one for each result.
 
     Dragging a handle chooses the member that is nearest; its filament, its midpoint and its numbers are shown below.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A sweep, with dims ``member``, ``frame`` and, if shapes were kept, ``shape_frame`` and ``shape_node``. Varied
-        keys have the attribute ``varied = 1``, and ``scale`` ("lin" or "log"); results are ``regime``, ``outcome``,
-        ``message``, ``sag_over_span``, ``time_to_90`` [s], ``largest_stretch``, ``midpoint`` [m], ``x``, ``y`` [m],
-        ``stretch``. What is missing is not shown.
-    title : str
-        Heading; any text.
-
-    Returns
-    -------
-    str
-        HTML. Midpoints and shapes are rounded to 1/65534 of each member's range.
-
-    Raises
-    ------
-    ValueError
-        If there is no member, or nothing was varied.
     """
     folder = resources.files("softcat_sym.plotting") / "templates"
 

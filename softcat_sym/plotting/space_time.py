@@ -39,10 +39,10 @@ _WIDE = 5.0
 _SHOWN, _FEW = 0.98, 1.5
 """Colours end at this quantile of the stretch, if the largest exceeds it by this factor."""
 
-MOST_FRAMES = 1200
+MAX_FRAMES = 1200
 """Columns of a map; more would be finer than its pixels."""
 
-_LEAST_STRAIN = 1e-9
+_MIN_STRAIN = 1e-9
 """Colours span at least this."""
 
 ROWS = 240
@@ -53,42 +53,17 @@ _NINE_TENTHS = 0.9
 
 @dataclass(frozen=True, slots=True)
 class Map:
-    """One quantity over the filament and the run.
+    """One quantity over the filament and the run."""
 
-    Attributes
-    ----------
-    values : numpy.ndarray
-        Shape (time, row): means over :data:`ROWS` equal parts of the filament.
-    label : str
-        With its unit.
-    norm, colours
-        From values to colours.
-    beyond : bool
-        Whether values lie above the last colour.
-    """
-
-    values: NDArray[np.float64]
-    label: str
-    norm: Normalize
+    values: NDArray[np.float64]  # Shape (time, row): means over :data:`ROWS` equal parts of the filament
+    label: str  # With its unit
+    norm: Normalize  # From values to colours
     colours: Colormap | str
-    beyond: bool = False
+    beyond: bool = False  # Whether values lie above the last colour
 
 
 def maps_of(data: xr.Dataset, scene: PicturedScene) -> tuple[Map, Map]:
-    """Stretch, and the yielded share of the section; of a law that does not yield, the section's mean stress.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with what :func:`softcat_sym.plotting.section.yielding_of` reads, ``stress_mean`` [Pa] (time, cell),
-        and ``stretch`` (time, cell), or ``x``, ``y`` (time, node) from which it follows.
-    scene : PicturedScene
-        Its yield stress decides.
-
-    Returns
-    -------
-    pair of Map
-    """
+    """Stretch, and the yielded share of the section; of a law that does not yield, the section's mean stress."""
     stretch = _in_rows(data, _stretch(data))
     low, high = float(stretch.min()), float(stretch.max())
     shown = float(np.quantile(stretch, _SHOWN))
@@ -100,7 +75,7 @@ def maps_of(data: xr.Dataset, scene: PicturedScene) -> tuple[Map, Map]:
         first = Map(stretch, "stretch", LogNorm(low, high), "cividis", beyond)
     else:
         # A filament at rest has a range too: otherwise its rounding errors would be painted.
-        low, high = min(low - 1, 0.0), max(high - 1, _LEAST_STRAIN)
+        low, high = min(low - 1, 0.0), max(high - 1, _MIN_STRAIN)
         unit = share_unit(max(high, -low))
         norm = Normalize(float(unit.of(low)), float(unit.of(high)))
         first = Map(unit.of(stretch - 1), f"stretch \N{MINUS SIGN} 1 [{unit.symbol}]", norm, "cividis", beyond)
@@ -135,22 +110,7 @@ def _stretch(data: xr.Dataset) -> NDArray[np.float64]:
 
 
 def space_time_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) -> Figure:
-    """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory; see :func:`maps_of`, besides ``time`` [s] and ``midpoint`` [m].
-    summary : mapping
-        The run's summary.
-    scene : PicturedScene
-        The scene.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The picture.
-    """
+    """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached."""
     data, summary = shown_part(data, summary)
     with style.styled():
         figure = new_figure(style.WIDTH, _HEIGHT)
@@ -161,19 +121,7 @@ def space_time_figure(data: xr.Dataset, summary: Summary, scene: PicturedScene) 
 
 
 def draw_maps(panels: Sequence[Axes], data: xr.Dataset, summary: Summary, scene: PicturedScene) -> None:
-    """Draw both maps with their colour bars, and say over the first what the mark is.
-
-    Parameters
-    ----------
-    panels : sequence of matplotlib.axes.Axes
-        Two, beside or below one another, in a constrained layout.
-    data : xarray.Dataset
-        Trajectory; see :func:`maps_of`.
-    summary : mapping
-        The run's summary: what is refused has no final sag.
-    scene : PicturedScene
-        The scene.
-    """
+    """Draw both maps with their colour bars, and say over the first what the mark is."""
     reached = None if refused(summary) else time_to_nine_tenths(data)
     for axes, shown in zip(panels, maps_of(data, scene), strict=True):
         mesh = draw_map(axes, data, shown, reached)
@@ -191,27 +139,10 @@ def draw_maps(panels: Sequence[Axes], data: xr.Dataset, summary: Summary, scene:
 
 
 def draw_map(axes: Axes, data: xr.Dataset, shown: Map, reached: float | None) -> QuadMesh:
-    """Draw one map, the midpoint's line and the mark of a time.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty; gets limits and labels.
-    data : xarray.Dataset
-        Trajectory.
-    shown : Map
-        What is drawn.
-    reached : float or None
-        The time that is marked [s].
-
-    Returns
-    -------
-    matplotlib.collections.QuadMesh
-        For a colour bar.
-    """
+    """Draw one map, the midpoint's line and the mark of a time."""
     clock = _clock(data)
     time = np.asarray(data["time"].values, dtype=np.float64)
-    every = max(1, -(-time.size // MOST_FRAMES))
+    every = max(1, -(-time.size // MAX_FRAMES))
     nodes = np.asarray(data["X_node"].values, dtype=np.float64)
     places = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0])
     mesh = axes.pcolormesh(

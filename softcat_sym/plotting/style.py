@@ -29,18 +29,7 @@ STYLES: Final = {SCREEN: SCREEN, "publication": "column", "column": "column", "p
 
 
 def picture_style(asked: str) -> str:
-    """Read what was asked for, before anything is computed.
-
-    Returns
-    -------
-    str
-        ``screen``, ``column`` or ``page``.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no such style.
-    """
+    """Read what was asked for, before anything is computed."""
     if asked not in STYLES:
         raise SoftcatError(
             f"--style: no style {asked!r}; accepted: screen, publication (or column: 84 mm wide, PDF and PNG), "
@@ -151,32 +140,13 @@ class PicturedScene(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """A display unit.
+    """A display unit."""
 
-    Attributes
-    ----------
-    symbol : str
-        Symbol written on the axis.
-    size : float
-        Size of the unit in SI units.
-    """
-
-    symbol: str
-    size: float
+    symbol: str  # Symbol written on the axis
+    size: float  # Size of the unit in SI units
 
     def of(self, value: ArrayLike) -> NDArray[np.float64]:
-        """Express SI values in this unit.
-
-        Parameters
-        ----------
-        value : array_like
-            Values in SI units.
-
-        Returns
-        -------
-        numpy.ndarray
-            The same values in this unit, same shape.
-        """
+        """Express SI values in this unit."""
         return np.asarray(value, dtype=np.float64) / self.size
 
     def text(self, value: float) -> str:
@@ -195,20 +165,7 @@ STRESSES = (Unit("mPa", 1e-3), Unit("Pa", 1.0), Unit("kPa", 1e3), Unit("MPa", 1e
 
 
 def length_unit(largest: float, fallback: float = 1.0) -> Unit:
-    """Choose nm, µm, mm, m or km for lengths up to ``largest`` [m].
-
-    Parameters
-    ----------
-    largest : float
-        The largest magnitude to be shown [m].
-    fallback : float
-        Length [m] that decides when ``largest`` is zero, such as the span.
-
-    Returns
-    -------
-    Unit
-        The largest unit in which the magnitude is at least one.
-    """
+    """Choose nm, µm, mm, m or km for lengths up to ``largest`` [m]."""
     return _choose(LENGTHS, tuple(unit.size for unit in LENGTHS), largest or fallback)
 
 
@@ -327,15 +284,7 @@ def styled() -> AbstractContextManager[None]:
 
 
 def lighten(axes: Axes, twin: bool = False) -> None:
-    """Take away the spines that carry no axis.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        The axes.
-    twin : bool
-        Whether right and top carry secondary axes of their own, which draw those lines.
-    """
+    """Take away the spines that carry no axis."""
     axes.spines["top"].set_visible(twin)
     axes.spines["right"].set_visible(twin)
 
@@ -374,13 +323,7 @@ def refused(summary: Summary) -> str:
 
 
 def stamp(figure: Figure, summary: Summary) -> list[Text]:
-    """Write across a picture that its result is refused, and what of it is not drawn.
-
-    Returns
-    -------
-    list of matplotlib.text.Text
-        Empty for a result that may be used.
-    """
+    """Write across a picture that its result is refused, and what of it is not drawn."""
     outcome = refused(summary)
     if not outcome:
         return []
@@ -407,20 +350,6 @@ def shown_part(data: xr.Dataset, summary: Summary) -> tuple[xr.Dataset, Summary]
     """A run as it is drawn: one that is refused ends where it hangs deeper than it is long.
 
     A neck that runs away would otherwise scale the axes, as if its depth were an answer.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``x``, ``y`` (time, node) and ``X_node`` [m].
-    summary : mapping
-        The run's summary.
-
-    Returns
-    -------
-    data : xarray.Dataset
-        The frames that are drawn, at least one.
-    summary : mapping
-        With ``not_drawn``, in words, if frames are left out.
     """
     if not refused(summary):
         return data, summary
@@ -459,40 +388,13 @@ def constrained(figure: Figure, heading: float = HEADING) -> None:
 
 
 def axes_in_inches(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
-    """Add axes at a place given in inches, so that a layout needs no solver and an aspect is exact.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    left, bottom, width, height : float
-        Lower left corner and size [inch].
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The new axes.
-    """
+    """Add axes at a place given in inches, so that a layout needs no solver and an aspect is exact."""
     full_width, full_height = figure.get_size_inches()
     return figure.add_axes((left / full_width, bottom / full_height, width / full_width, height / full_height))
 
 
 def head(figure: Figure, what: str, summary: Summary, scene: PicturedScene, left: float) -> None:
-    """Write the scene's title, what is shown and how the run ended along the top; stamp what is refused.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    what : str
-        What the picture shows.
-    summary : mapping
-        ``regime`` and ``outcome`` are read, where present.
-    scene : PicturedScene
-        ``title`` is read.
-    left : float
-        Left edge of the text [inch].
-    """
+    """Write the scene's title, what is shown and how the run ended along the top; stamp what is refused."""
     width, height = figure.get_size_inches()
     ending = [str(summary[key]) for key in ("regime", "outcome") if summary.get(key)]
     below = " · ".join([what, *ending])
@@ -505,20 +407,7 @@ def head(figure: Figure, what: str, summary: Summary, scene: PicturedScene, left
 
 
 def png(figure: Figure, *, titled: bool = True) -> bytes:
-    """Draw a figure.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    titled : bool
-        False leaves out the first line of its :func:`head`, for a page that has the same title above it.
-
-    Returns
-    -------
-    bytes
-        The PNG file's content.
-    """
+    """Draw a figure."""
     content = BytesIO()
     # Some settings are read only now: ticks are made, and fonts found, while drawing.
     width, height = figure.get_size_inches()
@@ -538,21 +427,7 @@ Pixel: TypeAlias = tuple[float, float]
 
 
 def label_points(axes: Axes, points: Sequence[tuple[float, float]], names: Sequence[str]) -> None:
-    """Write a name beside each point, with a thin line to it where the name had to go farther away.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Limits and scales are set already.
-    points : sequence of (float, float)
-        In data coordinates.
-    names : sequence of str
-        As many.
-
-    Notes
-    -----
-    Greedy: from the top down, each takes the nearest free place inside the axes. What finds none is left at its point.
-    """
+    """Write a name beside each point, with a thin line to it where the name had to go farther away."""
     pixels = (axes.figure.dpi if axes.figure is not None else DPI) / 72
     placed = [axes.transData.transform(point) for point in points]
     places = [(float(x), float(y)) for x, y in placed]

@@ -32,33 +32,19 @@ _OTHERS: Final = (("D", style.SKY), ("P", style.PURPLE), ("*", style.BLACK))
 NONE: Final = ("x", style.GREY)
 """Of members that are no answer."""
 
-MOST_DRAWN: Final = 4000
+MAX_DRAWN: Final = 4000
 """Members that a picture shows one by one; of more, so many evenly from the first to the last."""
 
 
 @dataclass(frozen=True)
 class DrawnAxis:
-    """A varied key as it is drawn.
+    """A varied key as it is drawn."""
 
-    Attributes
-    ----------
-    key : str
-        Which.
-    label : str
-        With its unit.
-    values : ndarray, shape (members,)
-        In that unit; of text, the place of each word.
-    words : tuple of str
-        Of text, in the order of their places.
-    is_log : bool
-        Whether it is drawn over its logarithm.
-    """
-
-    key: str
-    label: str
-    values: Floats
-    words: tuple[str, ...]
-    is_log: bool
+    key: str  # Which
+    label: str  # With its unit
+    values: Floats  # shape (members,); In that unit; of text, the place of each word
+    words: tuple[str, ...]  # Of text, in the order of their places
+    is_log: bool  # Whether it is drawn over its logarithm
 
     def dress(self, axes: Axes, which: str = "x") -> None:
         """Give the axes its scale, limits, ticks and, along x, its label."""
@@ -97,7 +83,7 @@ def regimes_of(data: xr.Dataset) -> npt.NDArray[np.str_]:
 def shown_members(data: xr.Dataset) -> npt.NDArray[np.int_]:
     """Which members are drawn one by one."""
     count = data.sizes["member"]
-    return np.unique(np.linspace(0, count - 1, min(count, MOST_DRAWN)).round().astype(int))
+    return np.unique(np.linspace(0, count - 1, min(count, MAX_DRAWN)).round().astype(int))
 
 
 def scatter(axes: Axes, x: Floats, y: Floats, regimes: npt.NDArray[np.str_], size: float) -> None:
@@ -239,18 +225,6 @@ def write_sweep(sweep: Sweep, directory: str | Path) -> list[Path]:
     """Write ``sweep.json``, ``scene.toml``, ``sweep.png`` and, with shapes, ``sliders.html``.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    sweep : Sweep
-        Finished; its store is in `directory` already.
-    directory : str or pathlib.Path
-        Where the files go.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written.
     """
     contents = {
         "sweep.json": (json.dumps(sweep.summary(), indent=2, allow_nan=False) + "\n").encode(),

@@ -17,19 +17,7 @@ if TYPE_CHECKING:
 
 
 class IntegrationProgress(Display):
-    """Tells the stages of a run, and how far its integration is.
-
-    Parameters
-    ----------
-    duration : float
-        Time to be simulated [s].
-    description : str
-        What is going on, where the run is one of several; each stage of it is a line of its own otherwise.
-    quiet : bool
-        Tell nothing.
-    console : rich.console.Console or None
-        Where to; standard error by default.
-    """
+    """Tells the stages of a run, and how far its integration is."""
 
     def __init__(
         self, duration: float, description: str = "", *, quiet: bool = False, console: Console | None = None
@@ -46,19 +34,7 @@ class IntegrationProgress(Display):
 
 
 class StepProgress(Display):
-    """Tells which of a known number of tasks is being done, such as the runs of a study.
-
-    Parameters
-    ----------
-    steps : int
-        How many there are.
-    description : str
-        What is going on.
-    quiet : bool
-        Tell nothing.
-    console : rich.console.Console or None
-        Where to; standard error by default.
-    """
+    """Tells which of a known number of tasks is being done, such as the runs of a study."""
 
     def __init__(self, steps: int, description: str, *, quiet: bool = False, console: Console | None = None) -> None:
         super().__init__(quiet=quiet, console=console)
@@ -72,15 +48,7 @@ class StepProgress(Display):
 
 
 class FitProgressBar(Display):
-    """Tells what a fit is doing.
-
-    Parameters
-    ----------
-    quiet : bool
-        Tell nothing.
-    console : rich.console.Console or None
-        Where to; standard error by default.
-    """
+    """Tells what a fit is doing."""
 
     def __enter__(self) -> Self:
         self.doing("reading and compiling")
@@ -115,24 +83,11 @@ def headline(summary: Summary, scene: PicturedScene) -> str:
 
 
 def answer_rows(summary: Summary, scene: PicturedScene) -> Rows:
-    """What is asked of a run, in words.
-
-    Parameters
-    ----------
-    summary : mapping
-        What ``summary.json`` holds; missing entries are left out.
-    scene : PicturedScene
-        Span and supports are read.
-
-    Returns
-    -------
-    list of (str, str)
-        Name and text of each row, in the order of reading.
-    """
+    """What is asked of a run, in words."""
     refused = summary["outcome"] != "solved"
     rows: Rows = [("outcome", str(summary["outcome"]))]
     if refused:
-        rows = [("because", str(summary["complaint"]))] if summary.get("complaint") else []
+        rows = [("because", str(summary["message"]))] if summary.get("message") else []
         rows.append(("advice", str(summary.get("advice") or "none")))
     rows += _place(summary, scene, refused=refused)
     if summary.get("regime"):
@@ -172,21 +127,7 @@ def print_summary(
     verbose: bool = False,
     console: Console | None = None,
 ) -> None:
-    """Print what a run has come to.
-
-    Parameters
-    ----------
-    summary : mapping
-        What ``summary.json`` holds.
-    scene : PicturedScene
-        Title, span and supports are read; no text of the user's is read as markup.
-    files : sequence of pathlib.Path
-        What was written, in one folder.
-    verbose : bool
-        Print everything that the summary tells.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print what a run has come to."""
     from rich.console import Console
     from rich.text import Text
 

@@ -229,13 +229,7 @@ _SHOWN = ("published, material closure", "filament")
 
 
 def theory_end_figure(end: TheoryEnd) -> Figure:
-    """Draw one panel for the published theory, one for the scene's own; errors in % upwards, all on one scale.
-
-    Parameters
-    ----------
-    end : TheoryEnd
-        As from :func:`softcat_sym.studies.theory_end.where_theory_ends`.
-    """
+    """Draw one panel for the published theory, one for the scene's own; errors in % upwards, all on one scale."""
     names = [name for name in _SHOWN if name in end.names]
     notes = _notes(end, names)
     below = _BELOW + _LINE * len(notes)
@@ -470,15 +464,7 @@ def remarks(end: TheoryEnd) -> list[str]:
 
 
 def print_theory_end(end: TheoryEnd, console: Console | None = None) -> None:
-    """Print the tables and the remarks.
-
-    Parameters
-    ----------
-    end : TheoryEnd
-        As from :func:`softcat_sym.studies.theory_end.where_theory_ends`.
-    console : rich.console.Console or None
-        Where to; standard output by default.
-    """
+    """Print the tables and the remarks."""
     from rich import box
     from rich.console import Console
     from rich.table import Table as RichTable
@@ -536,23 +522,6 @@ def write_theory_end(end: TheoryEnd, directory: str | Path) -> list[Path]:
     """Write ``compare.json``, ``scene.toml``, the chart and the tables of errors, costs and limits.
 
     Everything is drawn before anything is written, and each file replaces its predecessor whole.
-
-    Parameters
-    ----------
-    end : TheoryEnd
-        As from :func:`softcat_sym.studies.theory_end.where_theory_ends`.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files written.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be made or written.
     """
     contents = {
         "compare.json": (json.dumps(document(end), indent=2, allow_nan=False) + "\n").encode(),

@@ -32,27 +32,6 @@ def write_vtk(scene: Scene, run: ElementRun, directory: str | Path) -> list[Path
     The meshes are those of the half X >= 0 in their reference shape [m], quadratic quadrilaterals in the plane z = 0.
     At nodes: ``displacement`` [m]. For elements: ``plastic_shear_rate`` [1/s] and ``cauchy_stress`` [Pa] (nine
     components, row by row), means over the four Gauss points; ``plastic_shear_rate_at_points`` [1/s].
-
-    Parameters
-    ----------
-    scene : Scene
-        What was run.
-    run : ElementRun
-        What came of it.
-    directory : str or pathlib.Path
-        Where the files go; made if missing.
-
-    Returns
-    -------
-    list of pathlib.Path
-        The files written, the series first.
-
-    Raises
-    ------
-    SoftcatError
-        If meshio is not installed.
-    OSError
-        If the directory cannot be made or written.
     """
     if not vtk_available():
         raise SoftcatError("VTK files are written by meshio, which is not installed: pip install 'softcat_sym[fem]'")

@@ -37,21 +37,11 @@ _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 @dataclass(frozen=True, slots=True)
 class WorkPoint:
-    """One run.
+    """One run."""
 
-    Attributes
-    ----------
-    seconds : float
-        What it took, above zero [s].
-    error : float
-        Relative error of the answer, above zero; not finite for a run that failed, which is not drawn.
-    setting : str
-        What was set, such as ``"40 cells, rtol 1e-3"``; for the table.
-    """
-
-    seconds: float
-    error: float
-    setting: str = ""
+    seconds: float  # What it took, above zero [s]
+    error: float  # Relative error of the answer, above zero; not finite for a run that failed, which is not drawn
+    setting: str = ""  # What was set, such as ``"40 cells, rtol 1e-3"``; for the table
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,24 +78,7 @@ def seconds_for(points: Sequence[WorkPoint], error: float) -> float | None:
 def work_precision_figure(
     panels: Sequence[WorkPanel], title: str, caption: str = "", floor: float | None = None
 ) -> Figure:
-    """Draw one panel a problem, two in a row, all on the same axes.
-
-    Parameters
-    ----------
-    panels : sequence of WorkPanel
-        The problems; a program keeps colour and mark from panel to panel.
-    title : str
-        Along the top.
-    caption : str, optional
-        Below.
-    floor : float, optional
-        How well the answer is known that errors are measured against; below it nothing can be read off.
-
-    Raises
-    ------
-    ValueError
-        If there is no point to draw.
-    """
+    """Draw one panel a problem, two in a row, all on the same axes."""
     drawn = [p for panel in panels for curve in panel.curves for p in curve.points if isfinite(p.error)]
     if not drawn:
         raise ValueError("there is no run with an error to draw")
@@ -160,30 +133,14 @@ def work_precision_csv(panels: Sequence[WorkPanel]) -> bytes:
 
 
 def draw(panels: Sequence[WorkPanel], path: str | Path, title: str, caption: str = "") -> list[Path]:
-    """Write the picture to `path`, a PNG, and its numbers beside it as CSV.
-
-    Raises
-    ------
-    ValueError
-        If there is no point to draw.
-    OSError
-        If the folder cannot be made or written.
-    """
+    """Write the picture to `path`, a PNG, and its numbers beside it as CSV."""
     place = Path(path)
     picture = png(work_precision_figure(panels, title, caption))
     return write_all(place.parent, {place.name: picture, f"{place.stem}.csv": work_precision_csv(panels)})
 
 
 def power_of_ten(value: float, place: float = 0) -> str:
-    """Tick label of a decade without Mathtext, whose fonts not every machine has; other values are not labelled.
-
-    Parameters
-    ----------
-    value : float
-        Above zero.
-    place : float, optional
-        Of the tick along its axis, as Matplotlib hands it over; not read.
-    """
+    """Tick label of a decade without Mathtext, whose fonts not every machine has; other values are not labelled."""
     del place
     power = round(log10(value))
     return f"10{str(power).translate(_SUPERSCRIPT)}" if isclose(value, 10.0**power, rel_tol=1e-9) else ""

@@ -29,27 +29,7 @@ _SAME_TIME = 1e-6
 
 
 def read_displacements(text: str, nodes: Indices, time: Floats) -> Floats:
-    """Displacements of printed nodes.
-
-    Parameters
-    ----------
-    text : str
-        Content of a .dat file.
-    nodes : ndarray of int, shape (nodes,)
-        Whose displacements are wanted, in this order.
-    time : ndarray, shape (times,)
-        When, in the order of the file [s].
-
-    Returns
-    -------
-    ndarray, shape (times, nodes, 3)
-        In the unit of the deck.
-
-    Raises
-    ------
-    SoftcatError
-        If the file holds other times or nodes.
-    """
+    """Displacements of printed nodes."""
     parts = _HEAD.split(_BARE_EXPONENT.sub("E", text))
     found = np.array([float(instant) for instant in parts[1::2]])
     if found.shape != time.shape or np.abs(found - time).max(initial=0.0) > _SAME_TIME * time[-1]:
@@ -68,18 +48,7 @@ def read_displacements(text: str, nodes: Indices, time: Floats) -> Floats:
 
 
 def read_status(text: str) -> tuple[int, float, float]:
-    """How far a run is.
-
-    Parameters
-    ----------
-    text : str
-        Content of a .sta file, maybe while it is being written: an unfinished last line is left out.
-
-    Returns
-    -------
-    (int, float, float)
-        Increments that converged, time reached [s], last increment [s].
-    """
+    """How far a run is."""
     done, time, increment = 0, 0.0, 0.0
     for line in text.splitlines(keepends=True):
         words = line.split()
@@ -114,27 +83,15 @@ FIRST_STEP = 0.01
 
 @dataclass(frozen=True)
 class Deck:
-    """An input deck, and how to read what CalculiX prints.
+    """An input deck, and how to read what CalculiX prints."""
 
-    Attributes
-    ----------
-    text : str
-        The deck; lengths in mm, masses in g, times in s, stresses in Pa.
-    centreline : ndarray of int, shape (columns,)
-        Numbers of the printed nodes: those of the centreline in the plane of symmetry, from midspan to the clamp.
-    X : ndarray, shape (columns,)
-        Their reference positions [m].
-    time : ndarray, shape (frames,)
-        Output times [s]; CalculiX prints all but the first, which is at rest.
-    dofs : int
-        Displacements that are free.
-    """
-
-    text: str
+    text: str  # The deck; lengths in mm, masses in g, times in s, stresses in Pa
+    # shape (columns,); Numbers of the printed nodes: those of the centreline in the plane of symmetry, from midspan
+    # to the clamp.
     centreline: Indices
-    X: Floats
-    time: Floats
-    dofs: int
+    X: Floats  # shape (columns,); Their reference positions [m]
+    time: Floats  # shape (frames,); Output times [s]; CalculiX prints all but the first, which is at rest
+    dofs: int  # Displacements that are free
 
 
 def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clamp.THINNING, step: float = STEP) -> Deck:
@@ -144,24 +101,6 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
     z = 0 to a free face: plane stress where the width is small against the thickness. The clamped face may do what
     that of our elements may; across the width it is free, as plane stress is. The motion is integrated by the method
     of Hilber, Hughes & Taylor (1977) with the little numerical damping that is CalculiX's own choice.
-
-    Parameters
-    ----------
-    scene : Scene
-        What our own elements know.
-    mesh : Mesh, optional
-        64 x 4 equal elements unless given.
-    clamp : Clamp
-        What the clamped face may do.
-    step : float
-        Longest increment in L sqrt(rho/E); CalculiX shortens it where it does not converge.
-
-    Raises
-    ------
-    SceneError
-        If the scene holds what the elements do not know.
-    SoftcatError
-        If the step is no positive number.
     """
     if not 0 < step < np.inf:
         raise SoftcatError(f"CalculiX increments of {step} L sqrt(rho/E): take a positive number, such as {STEP}")
@@ -190,15 +129,7 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
 
 
 class _Layers:
-    """The strip, drawn out across the width into bricks: z = 0, the middle, the free face.
-
-    Parameters
-    ----------
-    strip : Strip
-        Lengths over the span.
-    span, depth : float
-        [mm].
-    """
+    """The strip, drawn out across the width into bricks: z = 0, the middle, the free face."""
 
     def __init__(self, strip: Strip, span: float, depth: float) -> None:
         self._strip, self._span, self._depth = strip, span, depth
@@ -256,13 +187,7 @@ def _rows(numbers: Iterable[object]) -> Iterator[str]:
 
 
 def material_lines(scene: Scene) -> Iterator[str]:
-    """The material, and its section: Hooke's law at small strain, density, and flow above the yield stress.
-
-    Raises
-    ------
-    SoftcatError
-        If the scene has no Young's modulus.
-    """
+    """The material, and its section: Hooke's law at small strain, density, and flow above the yield stress."""
     material = scene.material
     if material.youngs_modulus is None:
         raise SoftcatError("a deck of CalculiX needs material.youngs_modulus")
@@ -340,46 +265,20 @@ _METRE = 1e-3
 
 @dataclass(frozen=True)
 class CalculixRun:
-    """A finished run of CalculiX; shapes are of the half X >= 0.
+    """A finished run of CalculiX; shapes are of the half X >= 0."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (frames,)
-        Output times [s].
-    elastic_time : float
-        L sqrt(rho/E) [s].
-    midpoint : ndarray, shape (frames,)
-        Height of the node X = 0, Y = 0 [m].
-    X : ndarray, shape (columns,)
-        Reference positions of the nodes of the centreline [m].
-    x, y : ndarray, shape (frames, columns)
-        Where they are [m].
-    dofs : int
-        Displacements that are free.
-    steps : int
-        Increments taken.
-    wall : float
-        Seconds spent.
-    mesh : Mesh
-        The bricks, in the plane.
-    clamp : Clamp
-        What the clamped face may do.
-    files : mapping of str to bytes
-        Deck and print-outs, by file name.
-    """
-
-    time: Floats
-    elastic_time: float
-    midpoint: Floats
-    X: Floats
-    x: Floats
+    time: Floats  # shape (frames,); Output times [s]
+    elastic_time: float  # L sqrt(rho/E) [s]
+    midpoint: Floats  # shape (frames,); Height of the node X = 0, Y = 0 [m]
+    X: Floats  # shape (columns,); Reference positions of the nodes of the centreline [m]
+    x: Floats  # shape (frames, columns); Where they are [m]
     y: Floats
-    dofs: int
-    steps: int
-    wall: float
-    mesh: Mesh
-    clamp: Clamp
-    files: Mapping[str, bytes] = field(repr=False)
+    dofs: int  # Displacements that are free
+    steps: int  # Increments taken
+    wall: float  # Seconds spent
+    mesh: Mesh  # The bricks, in the plane
+    clamp: Clamp  # What the clamped face may do
+    files: Mapping[str, bytes] = field(repr=False)  # Deck and print-outs, by file name
 
 
 def find_calculix() -> str | None:
@@ -388,13 +287,7 @@ def find_calculix() -> str | None:
 
 
 def require_calculix() -> str:
-    """Path of the program ``ccx``.
-
-    Raises
-    ------
-    SoftcatError
-        If it is not installed.
-    """
+    """Path of the program ``ccx``."""
     found = find_calculix()
     if found is None:
         raise SoftcatError(
@@ -415,24 +308,6 @@ def run_calculix(
     """Run a scene in CalculiX.
 
     It works in a folder of its own that does not outlive the run. Ctrl-C ends it, and is passed on.
-
-    Parameters
-    ----------
-    scene, mesh, clamp, step
-        As :func:`softcat_sym.reference.calculix.calculix_deck`.
-    progress : Progress, optional
-        Told the simulated time.
-
-    Returns
-    -------
-    CalculixRun
-
-    Raises
-    ------
-    SceneError
-        If the scene holds what the elements do not know.
-    SoftcatError
-        If CalculiX is not installed, or gives up.
     """
     mesh = mesh if mesh is not None else Mesh()
     deck, program = calculix_deck(scene, mesh, clamp=clamp, step=step), require_calculix()
@@ -489,7 +364,7 @@ def _execute(program: str, folder: Path, progress: Progress | None) -> None:
         finally:
             _end(child)
     if child.returncode:
-        raise SoftcatError(f"CalculiX gave up: {_complaint(folder, child.returncode)}")
+        raise SoftcatError(f"CalculiX gave up: {_message(folder, child.returncode)}")
 
 
 def _end(child: subprocess.Popen[bytes]) -> None:
@@ -504,7 +379,7 @@ def _end(child: subprocess.Popen[bytes]) -> None:
         child.wait()
 
 
-def _complaint(folder: Path, code: int) -> str:
+def _message(folder: Path, code: int) -> str:
     """What the log says went wrong, and when."""
     log = (folder / "log").read_text("ascii", "replace")
     found = re.findall(r"\*ERROR[^\n]*(?:\n +\S[^\n]*)*", log)

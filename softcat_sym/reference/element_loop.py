@@ -53,49 +53,20 @@ _ONLY: tuple[tuple[str, object], ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """What the elements solve, in units of span, Young's modulus and density.
+    """What the elements solve, in units of span, Young's modulus and density."""
 
-    Attributes
-    ----------
-    law : str
-        A name of ``point_code.LAWS``.
-    thickness : float
-        h0/L.
-    material : tuple of (str, float)
-        Constants of the law over E and the elastic time.
-    poisson : float
-        Poisson's ratio.
-    gravity : float
-        rho g L/E.
-    ramp, duration : float
-        Over the elastic time.
-    frames : int
-        Evenly spaced output times, the first at 0.
-    """
-
-    law: str
-    thickness: float
-    material: tuple[tuple[str, float], ...]
-    poisson: float
-    gravity: float
-    ramp: float
+    law: str  # A name of ``point_code.LAWS``
+    thickness: float  # h0/L
+    material: tuple[tuple[str, float], ...]  # Constants of the law over E and the elastic time
+    poisson: float  # Poisson's ratio
+    gravity: float  # rho g L/E
+    ramp: float  # Over the elastic time
     duration: float
-    frames: int
+    frames: int  # Evenly spaced output times, the first at 0
 
 
 def problem_of(scene: Scene) -> Problem:
-    """Make a scene dimensionless.
-
-    Parameters
-    ----------
-    scene : Scene
-        A filament of rectangular section between two clamps at equal height.
-
-    Raises
-    ------
-    SceneError
-        With every key whose value the elements do not know.
-    """
+    """Make a scene dimensionless."""
     faults = [_fault(path, value, wanted) for path, wanted in _ONLY if (value := _value(scene, path)) != wanted]
     if not math.isclose(rest_length(scene), scene.filament.span, rel_tol=1e-12):
         faults.append(_fault("filament.rest_length", rest_length(scene), scene.filament.span))
@@ -144,34 +115,12 @@ _CANDIDATES = 16
 
 
 def shape_values(at: Floats) -> Floats:
-    """Shape functions.
-
-    Parameters
-    ----------
-    at : ndarray, shape (points, 2)
-        Places on the square of edge 2.
-
-    Returns
-    -------
-    ndarray, shape (points, 8)
-        Dimensionless; a row sums to 1.
-    """
+    """Shape functions."""
     return _powers(at[:, :1], 0) * _powers(at[:, 1:], 1) @ _coefficients()
 
 
 def shape_gradients(at: Floats) -> Floats:
-    """Derivatives of the shape functions along the two edges.
-
-    Parameters
-    ----------
-    at : ndarray, shape (points, 2)
-        Places on the square of edge 2.
-
-    Returns
-    -------
-    ndarray, shape (2, 8, points)
-        In the coordinates of the square; multiply by 2/edge length.
-    """
+    """Derivatives of the shape functions along the two edges."""
     x, y = at[:, :1], at[:, 1:]
     along = _slopes(x, 0) * _powers(y, 1) @ _coefficients()
     across = _powers(x, 0) * _slopes(y, 1) @ _coefficients()
@@ -179,13 +128,7 @@ def shape_gradients(at: Floats) -> Floats:
 
 
 def mass_shares() -> Floats:
-    """Share of the element's mass at each node (HRZ): the consistent diagonal, scaled to the whole.
-
-    Returns
-    -------
-    ndarray, shape (8,)
-        3/76 at corners, 16/76 at the middles of edges.
-    """
+    """Share of the element's mass at each node (HRZ): the consistent diagonal, scaled to the whole."""
     gauss, weights = np.polynomial.legendre.leggauss(3)
     at = np.array([[x, y] for x in gauss for y in gauss])
     diagonal = np.array([p * q for p in weights for q in weights]) @ shape_values(at) ** 2
@@ -202,20 +145,6 @@ def largest_frequency(size: Floats, poisson: float, deformation: Floats | None =
 
     The eigenvalues of assembled elements lie between those of the elements (Irons & Treharne 1971; Fried 1972), and
     supports only lower the largest.
-
-    Parameters
-    ----------
-    size : ndarray, shape (elements, 2)
-        Reference edge lengths over the span.
-    poisson : float
-        Poisson's ratio.
-    deformation : ndarray, shape (elements, points, 2, 2), optional
-        Deformation gradients: a strip that thins is stiffer across, seen from its reference shape.
-
-    Returns
-    -------
-    float
-        In sqrt(E/rho)/L.
     """
     gradient = shape_gradients(POINTS).transpose(2, 0, 1)[None] * (2 / size)[:, None, :, None]
     if deformation is not None:
@@ -256,30 +185,15 @@ Indices = npt.NDArray[np.int32]
 
 @dataclass(frozen=True, slots=True)
 class Mesh:
-    """How many elements, and where they are short.
+    """How many elements, and where they are short."""
 
-    Attributes
-    ----------
-    along : int
-        Elements over half the span.
-    through : int
-        Elements through the thickness; even, so that the centreline runs along nodes.
-    grading : float
-        Length of the element at midspan over that of the one at the clamp; lengths in between are geometric.
-    """
-
-    along: int = 64
-    through: int = 4
+    along: int = 64  # Elements over half the span
+    through: int = 4  # Elements through the thickness; even, so that the centreline runs along nodes
+    # Length of the element at midspan over that of the one at the clamp; lengths in between are geometric.
     grading: float = 1.0
 
     def __post_init__(self) -> None:
-        """Refuse what is no mesh.
-
-        Raises
-        ------
-        SoftcatError
-            Naming the value.
-        """
+        """Refuse what is no mesh."""
         if self.along < 1:
             raise SoftcatError(f"mesh of {self.along} elements along the half span: take 1 or more")
         if self.through < 2 or self.through % 2:
@@ -298,15 +212,7 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Strip:
-    """Nodes and elements of half a filament; lengths over the span, mass over density times span^2 times width.
-
-    Parameters
-    ----------
-    mesh : Mesh
-        How many elements.
-    thickness : float
-        h0/L.
-    """
+    """Nodes and elements of half a filament; lengths over the span, mass over density times span^2 times width."""
 
     mesh: Mesh
     thickness: float
@@ -383,17 +289,10 @@ class Clamp(Enum):
 
 @dataclass(frozen=True)
 class Supports:
-    """Which displacements are zero, and which face thins as one.
+    """Which displacements are zero, and which face thins as one."""
 
-    Attributes
-    ----------
-    held : ndarray of bool, shape (nodes, 2)
-        Displacements along x and y that stay zero.
-    face : ndarray of int, shape (face nodes,)
-        Nodes that move as u_y = (lambda - 1) Y with a common lambda; empty where no face does.
-    """
-
-    held: npt.NDArray[np.bool_]
+    held: npt.NDArray[np.bool_]  # shape (nodes, 2); Displacements along x and y that stay zero
+    # shape (face nodes,); Nodes that move as u_y = (lambda - 1) Y with a common lambda; empty where no face does.
     face: Indices
 
 
@@ -412,13 +311,7 @@ class Interrupt:
         self.pending = False
 
     def note(self, number: int, frame: FrameType | None) -> None:
-        """Handle the signal: remember it; when it comes again, do not wait any longer.
-
-        Raises
-        ------
-        KeyboardInterrupt
-            The second time.
-        """
+        """Handle the signal: remember it; when it comes again, do not wait any longer."""
         del number, frame
         if self.pending:
             raise KeyboardInterrupt
@@ -441,21 +334,7 @@ _KEY = "fingerprint"
 
 
 def fingerprint(problem: Problem, mesh: Mesh, clamp: Clamp, step_factor: float, sources: Mapping[str, str]) -> str:
-    """Hash of all that decides the numbers: dimensionless groups, mesh, clamp, step and code.
-
-    Parameters
-    ----------
-    problem : Problem
-        The groups.
-    mesh : Mesh
-        The mesh.
-    clamp : Clamp
-        What the clamped face may do.
-    step_factor : float
-        Step over the stable one that is taken by itself.
-    sources : mapping of str to str
-        C text by file name.
-    """
+    """Hash of all that decides the numbers: dimensionless groups, mesh, clamp, step and code."""
     content = {
         "version": _VERSION,
         "problem": asdict(problem),
@@ -468,13 +347,7 @@ def fingerprint(problem: Problem, mesh: Mesh, clamp: Clamp, step_factor: float, 
 
 
 def write_checkpoint(path: Path, key: str, state: State) -> None:
-    """Write a state whole or not at all.
-
-    Raises
-    ------
-    SoftcatError
-        If the file cannot be written.
-    """
+    """Write a state whole or not at all."""
     arrays: dict[str, Any] = {_KEY: np.array(key), **state}
 
     def fill(passing: Path) -> None:
@@ -488,13 +361,7 @@ def write_checkpoint(path: Path, key: str, state: State) -> None:
 
 
 def read_checkpoint(path: Path, key: str) -> dict[str, npt.NDArray[np.generic]] | None:
-    """The state in a file, or None where there is no file.
-
-    Raises
-    ------
-    SoftcatError
-        If the file is damaged, or of another problem.
-    """
+    """The state in a file, or None where there is no file."""
     if not path.exists():
         return None
     try:
@@ -560,28 +427,7 @@ def element_sources(code: PointCode) -> dict[str, str]:
 
 
 class ElementLoop:
-    """A strip in motion. Span, Young's modulus and density are 1; energies are for unit width.
-
-    Parameters
-    ----------
-    strip : Strip
-        The mesh.
-    supports : Supports
-        How it is held.
-    code : PointCode
-        C of the law.
-    material : mapping of str to float
-        Constants by the names of ``code.parameters``, over E and L sqrt(rho/E).
-    gravity : float
-        rho g L/E.
-    ramp : float
-        Duration of the quintic step from 0 to gravity; 0: at once.
-
-    Raises
-    ------
-    SoftcatError
-        If the loop cannot be compiled.
-    """
+    """A strip in motion. Span, Young's modulus and density are 1; energies are for unit width."""
 
     def __init__(
         self,
@@ -679,13 +525,7 @@ class ElementLoop:
         return np.asarray(np.eye(2) + slopes * (2 / self.strip.size)[:, None, None, :])
 
     def evaluate(self, step: float, time: float) -> None:
-        """Compute accelerations, elastic energy and rates where the strip is, its points flowing for `step`.
-
-        Raises
-        ------
-        SoftcatError
-            If a material point fails.
-        """
+        """Compute accelerations, elastic energy and rates where the strip is, its points flowing for `step`."""
         self._check(self._library.softcat_evaluate(ctypes.byref(self._structure), step, time))
 
     def begin(self, start: float, step: float, steps: int) -> None:
@@ -694,13 +534,7 @@ class ElementLoop:
         self._structure.steps, self._structure.taken = steps, 0
 
     def march(self, until: int) -> None:
-        """Step until so many steps of this stretch are taken; the last one leaves elastic energy and rates.
-
-        Raises
-        ------
-        SoftcatError
-            If a material point fails.
-        """
+        """Step until so many steps of this stretch are taken; the last one leaves elastic energy and rates."""
         self._check(self._library.softcat_march(ctypes.byref(self._structure), until))
 
     def state(self) -> dict[str, npt.NDArray[np.float64]]:

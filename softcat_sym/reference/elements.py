@@ -42,15 +42,7 @@ ENERGIES = ("kinetic", "elastic", "dissipated", "gravity_work", "potential")
 
 
 class Records:
-    """Arrays that fill up as a run goes on.
-
-    Parameters
-    ----------
-    problem : Problem
-        For the number of output times and gravity.
-    strip : Strip
-        For the number of nodes and points.
-    """
+    """Arrays that fill up as a run goes on."""
 
     def __init__(self, problem: Problem, strip: Strip) -> None:
         frames = problem.frames
@@ -69,19 +61,7 @@ class Records:
         }
 
     def take(self, frame: int, loop: ElementLoop, gravity: float, steps: int) -> None:
-        """Keep what the loop holds now.
-
-        Parameters
-        ----------
-        frame : int
-            Number of the output time.
-        loop : ElementLoop
-            At the end of a stretch of time.
-        gravity : float
-            rho g L/E at this time.
-        steps : int
-            Taken since the beginning.
-        """
+        """Keep what the loop holds now."""
         strip, arrays = loop.strip, self.arrays
         place = strip.position + loop.displacement
         arrays["centreline"][frame] = place[strip.centreline]
@@ -117,80 +97,40 @@ class Records:
 
 @dataclass(frozen=True)
 class ElementRun:
-    """A finished run. Lengths in m, times in s, energies in J of the whole filament; shapes are of the half X >= 0.
+    """A finished run. Lengths in m, times in s, energies in J of the whole filament; shapes are of the half X >= 0."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (frames,)
-        Output times.
-    elastic_time : float
-        L sqrt(rho/E) [s]; ``time / elastic_time`` is the time of the paper's section 3.
-    midpoint : ndarray, shape (frames,)
-        Height of the node X = 0, Y = 0, negative downwards.
-    X : ndarray, shape (columns,)
-        Reference positions of the nodes of the centreline.
-    x, y : ndarray, shape (frames, columns)
-        Where they are.
-    thinning : ndarray, shape (frames,)
-        Height of the clamped face over its height at the beginning, lambda.
-    clamp_strain : ndarray, shape (frames,)
-        Logarithm of the axial stretch |F e_X|, mean over the points of the elements at the clamp.
-    clamp_strain_largest : ndarray, shape (frames,)
-        The largest over these points.
-    energy_kinetic, energy_elastic, energy_potential, energy_dissipated, work_external : ndarray, shape (frames,)
-        The potential is that of gravity as it is at the time; external work is what the growth of gravity does.
-    energy_residual : ndarray, shape (frames,)
-        Kinetic + elastic + potential + dissipated - external work.
-    work : float
-        Largest magnitude of the work of gravity: what the residual is to be compared with.
-    rate_time : ndarray, shape (fields,)
-        Output times at which a rate field is kept, the last one included.
-    rate : ndarray, shape (fields, elements, 4)
-        Equivalent tensile plastic rate [1/s] at the Gauss points; the plastic shear rate is sqrt(3) times it.
-    displacement : ndarray, shape (fields, nodes, 2)
-        Displacement of every node at the same instants [m].
-    flow : ndarray, shape (fields, elements, 4, 3)
-        Cp^-1 in the plane, 11, 12, 22, at the Gauss points at the same instants.
-    point : ndarray, shape (elements, 4, 2)
-        Reference positions X, Y of the Gauss points.
-    dofs : int
-        Displacements that are free.
-    steps : int
-        Steps taken.
-    wall : float
-        Seconds spent, those before a resumption included.
-    mesh : Mesh
-        The elements.
-    clamp : Clamp
-        What the clamped face may do.
-    """
-
-    time: Floats
-    elastic_time: float
-    midpoint: Floats
-    X: Floats
-    x: Floats
+    time: Floats  # shape (frames,); Output times
+    elastic_time: float  # L sqrt(rho/E) [s]; ``time / elastic_time`` is the time of the paper's section 3
+    midpoint: Floats  # shape (frames,); Height of the node X = 0, Y = 0, negative downwards
+    X: Floats  # shape (columns,); Reference positions of the nodes of the centreline
+    x: Floats  # shape (frames, columns); Where they are
     y: Floats
-    thinning: Floats
+    thinning: Floats  # shape (frames,); Height of the clamped face over its height at the beginning, lambda
+    # shape (frames,); Logarithm of the axial stretch |F e_X|, mean over the points of the elements at the clamp.
     clamp_strain: Floats
-    clamp_strain_largest: Floats
+    clamp_strain_largest: Floats  # shape (frames,); The largest over these points
+    # shape (frames,); The potential is that of gravity as it is at the time; external work is what the growth of
+    # gravity does.
     energy_kinetic: Floats
     energy_elastic: Floats
     energy_potential: Floats
     energy_dissipated: Floats
     work_external: Floats
-    energy_residual: Floats
-    work: float
-    rate_time: Floats
+    energy_residual: Floats  # shape (frames,); Kinetic + elastic + potential + dissipated - external work
+    work: float  # Largest magnitude of the work of gravity: what the residual is to be compared with
+    rate_time: Floats  # shape (fields,); Output times at which a rate field is kept, the last one included
+    # shape (fields, elements, 4); Equivalent tensile plastic rate [1/s] at the Gauss points; the plastic shear rate
+    # is sqrt(3) times it.
     rate: Floats
-    displacement: Floats
+    displacement: Floats  # shape (fields, nodes, 2); Displacement of every node at the same instants [m]
+    # shape (fields, elements, 4, 3); Cp^-1 in the plane, 11, 12, 22, at the Gauss points at the same instants.
     flow: Floats
-    point: Floats
-    dofs: int
-    steps: int
-    wall: float
-    mesh: Mesh
-    clamp: Clamp
+    point: Floats  # shape (elements, 4, 2); Reference positions X, Y of the Gauss points
+    dofs: int  # Displacements that are free
+    steps: int  # Steps taken
+    wall: float  # Seconds spent, those before a resumption included
+    mesh: Mesh  # The elements
+    clamp: Clamp  # What the clamped face may do
 
     @property
     def energy_error(self) -> float:
@@ -199,23 +139,7 @@ class ElementRun:
 
 
 def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: int, wall: float) -> ElementRun:
-    """Put units to what was recorded.
-
-    Parameters
-    ----------
-    scene : Scene
-        Gives span, width, density and modulus.
-    strip : Strip
-        The mesh.
-    clamp : Clamp
-        What the clamped face may do.
-    records : Records
-        Complete.
-    dofs : int
-        Displacements that are free.
-    wall : float
-        Seconds spent.
-    """
+    """Put units to what was recorded."""
     span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     # Two halves, as wide as the filament.
@@ -257,24 +181,12 @@ def _stored(kept: Mapping[str, Floats]) -> Floats:
 
 @dataclass(frozen=True)
 class ElementField:
-    """The half filament X >= 0 at one instant.
+    """The half filament X >= 0 at one instant."""
 
-    Attributes
-    ----------
-    time : float
-        [s].
-    displacement : ndarray, shape (nodes, 2)
-        [m].
-    shear_rate : ndarray, shape (elements, 4)
-        Plastic shear rate |Lp| at the Gauss points [1/s].
-    stress : ndarray, shape (elements, 4, 2, 2)
-        Cauchy stress in the plane [Pa]; the other components are zero.
-    """
-
-    time: float
-    displacement: Floats
-    shear_rate: Floats
-    stress: Floats
+    time: float  # [s]
+    displacement: Floats  # shape (nodes, 2); [m]
+    shear_rate: Floats  # shape (elements, 4); Plastic shear rate |Lp| at the Gauss points [1/s]
+    stress: Floats  # shape (elements, 4, 2, 2); Cauchy stress in the plane [Pa]; the other components are zero
 
 
 def strip_of(scene: Scene, run: ElementRun) -> Strip:
@@ -283,19 +195,7 @@ def strip_of(scene: Scene, run: ElementRun) -> Strip:
 
 
 def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
-    """The fields that were kept, in the order of time.
-
-    Parameters
-    ----------
-    scene : Scene
-        What was run.
-    run : ElementRun
-        What came of it. Instants whose displacements were not kept are left out.
-
-    Yields
-    ------
-    ElementField
-    """
+    """The fields that were kept, in the order of time."""
     strip, problem = strip_of(scene, run), problem_of(scene)
     modulus = scene.material.youngs_modulus or 0.0
     law = MaterialPoint(problem.law, dict(problem.material))
@@ -334,17 +234,7 @@ _UNBALANCED = 1e-3
 
 
 class March:
-    """Marches an element loop through the output times of a problem.
-
-    Parameters
-    ----------
-    problem : Problem
-        What is solved.
-    loop : ElementLoop
-        At rest and unstrained.
-    step_factor : float
-        Step over the stable one that is taken by itself.
-    """
+    """Marches an element loop through the output times of a problem."""
 
     def __init__(self, problem: Problem, loop: ElementLoop, step_factor: float) -> None:
         self._problem, self._loop, self._factor = problem, loop, step_factor
@@ -375,13 +265,7 @@ class March:
         return self._loop.step
 
     def advance(self) -> None:
-        """Take some steps, up to the end of this stretch of time.
-
-        Raises
-        ------
-        SoftcatError
-            If a material point fails or the energies do not add up.
-        """
+        """Take some steps, up to the end of this stretch of time."""
         loop = self._loop
         loop.march(loop.taken + max(1, _CHUNK // len(loop.strip.corner)))
         if loop.taken < loop.steps:

@@ -28,33 +28,20 @@ _GENERATED = "point_law.h"
 
 @dataclass(frozen=True, slots=True)
 class PointLaw:
-    """A flow rule and the constants of its material.
+    """A flow rule and the constants of its material."""
 
-    Attributes
-    ----------
-    rate : sympy.Expr
-        phi in the symbol ``sigma``, which must not fall as the stress grows; only sigma >= 0 is asked for.
-    constants : mapping of str to sympy.Symbol
-        The symbols that occur in it besides, by the names that a scene gives them, in the order wanted of the caller.
-    """
-
-    rate: Any
+    rate: Any  # phi in the symbol ``sigma``, which must not fall as the stress grows; only sigma >= 0 is asked for
+    # The symbols that occur in it besides, by the names that a scene gives them, in the order wanted of the caller.
     constants: Mapping[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
 class PointCode:
-    """C text of a material point.
+    """C text of a material point."""
 
-    Attributes
-    ----------
-    source : mapping of str to str
-        C text by file name. ``point.c`` includes the others; an element loop includes ``point.c``.
-    parameters : tuple of str
-        What the array ``material`` holds, in order; the names are those of a scene's ``material``.
-    """
-
+    # C text by file name. ``point.c`` includes the others; an element loop includes ``point.c``.
     source: Mapping[str, str]
+    # What the array ``material`` holds, in order; the names are those of a scene's ``material``.
     parameters: tuple[str, ...]
 
 
@@ -68,20 +55,7 @@ LAWS: Mapping[str, PointLaw] = MappingProxyType(
 
 
 def point_code(law: str | PointLaw) -> PointCode:
-    """C of the implicit step (3.8) in plane stress.
-
-    Parameters
-    ----------
-    law : str or PointLaw
-        Name of a law of :data:`LAWS`, or a flow rule of one's own.
-
-    Raises
-    ------
-    SoftcatError
-        If no law has this name.
-    PrintingError
-        If a flow rule holds a symbol that is not among its constants.
-    """
+    """C of the implicit step (3.8) in plane stress."""
     return _of_name(law) if isinstance(law, str) else _of_law(law)
 
 
@@ -200,38 +174,7 @@ _FAULTS = {
 
 
 class MaterialPoint:
-    """A point of the law (3.1)-(3.8) in plane stress, from rest.
-
-    Parameters
-    ----------
-    law : str or PointLaw
-        As :func:`softcat_sym.reference.material_point.point_code`.
-    parameters : mapping of str to float
-        ``youngs_modulus`` [Pa], ``poisson``, and the constants of the flow rule (``viscosity`` [Pa s], ``yield_stress``
-        [Pa]); any other units that agree will do.
-
-    Attributes
-    ----------
-    deformation : ndarray, shape (2, 2)
-        F in the plane.
-    state : ndarray, shape (3,)
-        Cp^-1 in the plane: 11, 12, 22.
-    stress : ndarray, shape (2, 2)
-        First Piola stress P, force per reference area.
-    energy : float
-        Stored elastic energy per reference volume.
-    work : float
-        Work done on the flow so far, per reference volume.
-    rate : float
-        Equivalent (tensile) plastic rate phi(sig_eq).
-    width_stretch : float
-        F_33.
-
-    Raises
-    ------
-    SoftcatError
-        If a constant is missing or unknown, or the C cannot be compiled.
-    """
+    """A point of the law (3.1)-(3.8) in plane stress, from rest."""
 
     def __init__(self, law: str | PointLaw, parameters: Mapping[str, float]) -> None:
         code = point_code(law)
@@ -275,21 +218,7 @@ class MaterialPoint:
         return self.kirchhoff / (float(np.linalg.det(self.deformation)) * self.width_stretch)
 
     def step(self, deformation: npt.ArrayLike, duration: float) -> None:
-        """Advance to a deformation gradient.
-
-        Parameters
-        ----------
-        deformation : array_like, shape (2, 2)
-            F in the plane at the end of the step.
-        duration : float
-            Duration of the step, >= 0.
-
-        Raises
-        ------
-        SoftcatError
-            If F is inverted or not finite, the duration is negative or not finite, or the step was not solved; the
-            point then stays as it was.
-        """
+        """Advance to a deformation gradient."""
         target = np.ascontiguousarray(deformation, dtype=float)
         if target.shape != (2, 2):
             raise SoftcatError(f"a deformation gradient in the plane is 2 x 2, not of shape {target.shape}")

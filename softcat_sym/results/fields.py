@@ -23,27 +23,13 @@ from softcat_sym.solvers.solution import Solution
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """One variable of ``trajectory.nc``.
+    """One variable of ``trajectory.nc``."""
 
-    Attributes
-    ----------
-    name : str
-        As in the file.
-    place : str
-        ``node``, ``cell`` or empty for one number a frame.
-    unit : str
-        Pint symbol.
-    meaning : str
-        ``long_name`` in the file.
-    per_area : bool
-        Whether the graph computes it per unit undeformed area.
-    """
-
-    name: str
-    place: str
-    unit: str
-    meaning: str
-    per_area: bool = False
+    name: str  # As in the file
+    place: str  # ``node``, ``cell`` or empty for one number a frame
+    unit: str  # Pint symbol
+    meaning: str  # ``long_name`` in the file
+    per_area: bool = False  # Whether the graph computes it per unit undeformed area
 
 
 VARIABLES: tuple[Variable, ...] = (
@@ -86,44 +72,14 @@ _NODE = frozenset({"x", "y"})
 
 
 def mirrored(name: str, values: Floats) -> Floats:
-    """Whole-span field from its right half.
-
-    Parameters
-    ----------
-    name : str
-        Name of the field; x, shear and the transverse force are odd, all others even.
-    values : ndarray, shape (frames, size)
-        The right half, from the symmetry plane outwards.
-
-    Returns
-    -------
-    ndarray, shape (frames, 2 size) or (frames, 2 size - 1)
-        The node on the plane stands once.
-    """
+    """Whole-span field from its right half."""
     sign = -1.0 if name in _ODD else 1.0
     left = sign * values[:, ::-1]
     return np.concatenate([left[:, :-1] if name in _NODE else left, values], axis=1)
 
 
 def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
-    """Height of X = 0 over the rest length, negative down.
-
-    Parameters
-    ----------
-    graph : Graph
-        What was integrated.
-    solution : Solution
-        Its states.
-
-    Returns
-    -------
-    ndarray, shape (frames,)
-
-    Raises
-    ------
-    SoftcatError
-        If no node lies at midspan.
-    """
+    """Height of X = 0 over the rest length, negative down."""
     middle = int(np.argmin(np.abs(graph.grid.nodes)))
     for kinds, places, values in (
         (graph.x_kinds, graph.x_places, solution.x),
@@ -139,13 +95,7 @@ _NO_STRAIN = 1e-6
 
 
 def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> dict[str, Floats]:
-    """Every variable of the trajectory that this theory has, whole span, whole filament.
-
-    Returns
-    -------
-    dict of str to ndarray
-        (frames, nodes), (frames, cells) or (frames,).
-    """
+    """Every variable of the trajectory that this theory has, whole span, whole filament."""
     graph, span = prepared.graph, rest_length(scene)
     observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
@@ -159,7 +109,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     return {v.name: _whole(graph, v.name, observed[v.name] * (area if v.per_area else 1.0)) for v in known}
 
 
-def least_energy(scene: Scene) -> float:
+def min_energy(scene: Scene) -> float:
     """Elastic energy of the whole filament at a strain of a millionth [J]: below it there is nothing to audit."""
     modulus = instant_modulus(scene) or 0.0
     return modulus * undeformed_area(scene) * rest_length(scene) * _NO_STRAIN**2
@@ -203,16 +153,7 @@ _STORED = (
 
 
 def energy_residual(fields: Mapping[str, Floats], least: float = 0.0) -> float:
-    """Largest imbalance over the run, relative to the largest energy in it.
-
-    Parameters
-    ----------
-    fields : mapping of str to ndarray, shape (frames,)
-        The six energies and ``work_external`` [J].
-    least : float
-        Energy that counts as none [J]: where all are smaller, as in a filament that rests without stress, an imbalance
-        is measured by this.
-    """
+    """Largest imbalance over the run, relative to the largest energy in it."""
     balance = sum(fields[name] for name in _STORED) - fields["work_external"]
     scale = max(float(np.max(np.abs(fields[name]))) for name in (*_STORED, "work_external"))
     scale = max(scale, least)
@@ -231,17 +172,7 @@ _VERSIONS = ("softcat_sym", "casadi", "sympy", "numpy")
 def dataset_of(
     scene: Scene, effects: Effects, time: Floats, places: tuple[Floats, Floats], fields: Mapping[str, Floats]
 ) -> xr.Dataset:
-    """Build the Dataset of ``trajectory.nc``.
-
-    Parameters
-    ----------
-    time : ndarray, shape (frames,)
-        [s].
-    places : pair of ndarray
-        Material coordinates [m] of nodes and cells.
-    fields : mapping of str to ndarray
-        As from :func:`softcat_sym.results.fields.whole_span_fields`.
-    """
+    """Build the Dataset of ``trajectory.nc``."""
     nodes, cells = places
     variables = {
         v.name: (

@@ -32,13 +32,7 @@ def write_trajectory(data: xr.Dataset, directory: Path) -> Path:
 
 
 def read_netcdf(path: Path) -> xr.Dataset:
-    """Read a netCDF file into memory.
-
-    Raises
-    ------
-    OSError
-        If it cannot be read, or is none.
-    """
+    """Read a netCDF file into memory."""
     import h5py
 
     try:
@@ -66,13 +60,7 @@ _TOLD = "told"
 
 
 def trajectory_form(scene: Scene) -> Form[Trajectory]:
-    """Return the form of runs of a scene.
-
-    Parameters
-    ----------
-    scene : Scene
-        What was asked, which the trajectory carries.
-    """
+    """Return the form of runs of a scene."""
     return Form(_written, lambda content: _read(scene, content))
 
 
@@ -81,7 +69,7 @@ def _written(run: Trajectory) -> bytes:
     told = {
         "summary": run.summary,
         "outcome": run.outcome.name,
-        "overlooked": run.overlooked,
+        "missing_effect": run.missing_effect,
         "attrs": data.attrs,
         "variables": {str(name): [list(one.dims), one.attrs] for name, one in data.variables.items()},
         "coordinates": [str(name) for name in data.coords],
@@ -95,7 +83,7 @@ def _read(scene: Scene, content: bytes) -> Trajectory:
     variables = {name: (dims, arrays[name], attrs) for name, (dims, attrs) in told["variables"].items()}
     coordinates = {name: variables.pop(name) for name in told["coordinates"]}
     data = xr.Dataset(variables, coords=coordinates, attrs=told["attrs"])
-    return Trajectory(scene, data, told["summary"], Outcome[told["outcome"]], told["overlooked"])
+    return Trajectory(scene, data, told["summary"], Outcome[told["outcome"]], told["missing_effect"])
 
 
 _PLACES: Final = ("time", "X_node", "X_cell", "x", "y", "midpoint")
@@ -152,13 +140,7 @@ def open_run(directory: str | os.PathLike[str]) -> Trajectory:
 
 
 def check_drawable(run: Trajectory) -> None:
-    """Refuse a run that is not finite everywhere.
-
-    Raises
-    ------
-    SoftcatError
-        With the first variable that is not.
-    """
+    """Refuse a run that is not finite everywhere."""
     for name in (*_PLACES, "thickness"):
         if not np.isfinite(run.data[name].values).all():
             raise SoftcatError(f"{name} is not finite everywhere, so there is nothing to draw; {_FORM}")

@@ -50,18 +50,7 @@ _TURNS = 4
 
 
 def swing_period(time: Floats, midpoint: Floats) -> float | None:
-    """Period [s] with which the midpoint swings, by the turning points of its frames; None where it does not.
-
-    Parameters
-    ----------
-    time, midpoint : ndarray, shape (frames,)
-        [s], [m]; equally spaced.
-
-    Returns
-    -------
-    float or None
-        Twice the mean time between turning points. Frames too far apart to follow a swing show a slower one.
-    """
+    """Period [s] with which the midpoint swings, by the turning points of its frames; None where it does not."""
     scale = SEEN * float(np.abs(midpoint).max())
     turns = [0]
     for frame in range(1, len(midpoint)):
@@ -76,16 +65,7 @@ def swing_period(time: Floats, midpoint: Floats) -> float | None:
 
 
 def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float | None:
-    """Frames for each period of the ringing; None of a filament that does not ring.
-
-    Parameters
-    ----------
-    time, midpoint : ndarray, shape (frames,)
-        [s], [m].
-    frequency : float
-        Angular frequency that is forecast [1/s], infinite where none is. What the frames show is believed unless this
-        says that they are too few to show it.
-    """
+    """Frames for each period of the ringing; None of a filament that does not ring."""
     period = swing_period(time, midpoint)
     if period is None:
         return None
@@ -95,15 +75,7 @@ def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float |
 
 
 def too_few_frames(time: Floats, per_period: float | None) -> list[str]:
-    """Warn of frames that show a swing slower than it is, or jagged.
-
-    Parameters
-    ----------
-    time : ndarray, shape (frames,)
-        [s].
-    per_period : float or None
-        As from :func:`frames_a_period`.
-    """
+    """Warn of frames that show a swing slower than it is, or jagged."""
     if per_period is None or per_period >= FRAMES_A_PERIOD:
         return []
     period = per_period * float(time[-1] - time[0]) / (len(time) - 1)
@@ -121,22 +93,7 @@ _LEAST = 1e-12
 def seen(
     scene: Scene, effects: Effects, time: Floats, places: tuple[Floats, Floats], fields: Mapping[str, Floats]
 ) -> Motion:
-    """Describe the motion of a finished run; what it cannot show, because its effect was left out, is as foreseen.
-
-    Parameters
-    ----------
-    scene : Scene
-        What was asked.
-    effects : Effects
-        What was in force.
-    time : ndarray, shape (frames,)
-        [s].
-    places : pair of ndarray
-        Material coordinates [m] of nodes and cells.
-    fields : mapping of str to ndarray
-        (frames, nodes), (frames, cells): ``x``, ``y``, ``stretch``, ``shear_force``, ``stress_mean``,
-        ``stress_bending``, ``yielded_fraction``, ``tension``.
-    """
+    """Describe the motion of a finished run; what it cannot show, because its effect was left out, is as foreseen."""
     span, length = scene.filament.span, np.diff(places[0])
     midpoint, chord = _midpoint(scene, fields)
     depth = np.abs(midpoint - chord) / span
@@ -263,7 +220,7 @@ STRIDE = 1.25
 NOISE = 0.01
 """Share of the accuracy below which a change of the mean is none: the time steps err by about as much."""
 
-FEWEST_PERIODS = 10.0
+MIN_PERIODS = 10.0
 """In a run of which height and amplitude are told, and no phase, where it rings on to the end."""
 
 _SAMPLES = 200
@@ -337,18 +294,8 @@ def ringing_at_last(
 
 
 def rings_on(scene: Scene, told: dict[str, float] | None, largest: float) -> bool:
-    """Whether a run rings for so long, and to its end, that height and amplitude are all that an answer tells of it.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    told : dict of str to float, or None
-        As from :func:`ringing_at_last`.
-    largest : float
-        Largest distance of the midpoint [m].
-    """
-    long = scene.load.shake == 0 and scene.run.duration >= FEWEST_PERIODS * period_of(scene)
+    """Whether a run rings for so long, and to its end, that height and amplitude are all that an answer tells of it."""
+    long = scene.load.shake == 0 and scene.run.duration >= MIN_PERIODS * period_of(scene)
     return told is not None and long and told["amplitude"] > scene.run.accuracy * largest
 
 
@@ -361,17 +308,6 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
     changes that fall by a ratio go on doing so (a logarithm moves by the same, an exponential by ever less), and at
     most at a constant rate. Of a filament that may flow a change too small to be seen counts as one that can just be
     seen and goes on at a constant rate, so that it is watched for some 4 % of the run at least.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    effects : Effects
-        In force.
-    prepared : Prepared
-        Its filament.
-    progress : Progress
-        Told about simulated time.
     """
     loaded = max((scene.load.ramp, *(row[0] for row in scene.ends.motion)))
     if prepared.start is None:
@@ -402,19 +338,7 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
 
 
 def still_to_move(means: list[float], times: float, noise: float, *, flows: bool) -> float:
-    """By how much a mean is going to change while the time grows so many times, from its last three values.
-
-    Parameters
-    ----------
-    means : list of float
-        At times that grow by :data:`STRIDE`.
-    times : float
-        End of the run over the present time.
-    noise : float
-        Change that cannot be told from none.
-    flows : bool
-        Whether a change too small to be seen may go on for ever.
-    """
+    """By how much a mean is going to change while the time grows so many times, from its last three values."""
     before, change = abs(means[-2] - means[-3]), abs(means[-1] - means[-2])
     if change <= noise and not flows:
         return noise
@@ -447,14 +371,6 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
 
     Under shaken gravity a filament that has yielded never comes to rest: it is "descending" where it flows on in the
     last tenth and the last period, and otherwise "shaken", of which nothing more is claimed.
-
-    Parameters
-    ----------
-    fields : mapping of str to ndarray
-        ``plastic_rate``, ``yielded_fraction``, ``stress_mean``, ``stress_bending`` (frames, cells),
-        ``energy_dissipated`` (frames,).
-    midpoint : ndarray, shape (frames,)
-        Height of the midpoint [m].
     """
     if is_solid(scene):
         return "elastic"

@@ -13,9 +13,9 @@ import numpy as np
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import damping_note, ringing
-from softcat_sym.results.fields import energy_residual, least_energy, node_positions, whole_span_fields
+from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
 from softcat_sym.results.motion import SEEN, frames_a_period, regime_of, ringing_at_last, rings_on, seen, too_few_frames
-from softcat_sym.results.verdict import measures, overlooked, rupture_frame, spared, verdict, warnings_of
+from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
@@ -50,7 +50,7 @@ class Trajectory:
     data: xr.Dataset
     summary: dict[str, Any]
     outcome: Outcome
-    overlooked: dict[str, str]
+    missing_effect: dict[str, str]
     heights: Floats | None = field(default=None, compare=False)
 
     def __repr__(self) -> str:
@@ -74,13 +74,13 @@ class Trajectory:
         if len(repeats) > 1:
             warnings.append(f"repeated {len(repeats)} times: an estimate is wrong for this scene, please report it")
         outcome = self.outcome
-        if self.overlooked and outcome.is_success:
-            outcome = Outcome.overlooked
+        if self.missing_effect and outcome.is_success:
+            outcome = Outcome.missing_effect
         changed: dict[str, Any] = {"repeats": repeats, "warnings": warnings}
         changed |= {"outcome": outcome.name, "advice": outcome.value}
         if outcome is not self.outcome:
-            complaint = "; ".join(f"{name}: {how}" for name, how in self.overlooked.items())
-            changed |= {"complaint": complaint, "regime": None}
+            message = "; ".join(f"{name}: {how}" for name, how in self.missing_effect.items())
+            changed |= {"message": message, "regime": None}
         self.data.attrs["outcome"] = outcome.name
         return replace(self, summary=self.summary | changed, outcome=outcome)
 
@@ -105,7 +105,7 @@ class Trajectory:
         changed: dict[str, Any] = {**told, "outcome": outcome.name, "advice": outcome.value}
         changed["warnings"] = [*self.summary["warnings"], *warnings]
         if outcome is not self.outcome:
-            changed |= {"complaint": missed, "regime": None}
+            changed |= {"message": missed, "regime": None}
         self.data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(told["wall_s"])}
         return replace(self, summary=self.summary | changed, outcome=outcome)
 
@@ -129,22 +129,16 @@ class Trajectory:
 
 
 def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, wall: dict[str, float]) -> Trajectory:
-    """Turn a raw solution into a Trajectory, and decide whether it may be trusted.
-
-    Parameters
-    ----------
-    wall : dict of str to float
-        Seconds spent in each stage so far.
-    """
+    """Turn a raw solution into a Trajectory, and decide whether it may be trusted."""
     from softcat_sym.results.fields import dataset_of
 
     fields = whole_span_fields(scene, prepared, solution)
     places, time = node_positions(prepared.graph, rest_length(scene)), solution.time * prepared.scale
-    residual = energy_residual(fields, least_energy(scene))
+    residual = energy_residual(fields, min_energy(scene))
     # A sequence of equilibria is exact frame by frame: there the imbalance only tells how far apart the frames are.
     carried = residual if prepared.integration is not None else 0.0
     audited = carried if prepared.graph.conserves_energy else 0.0
-    outcome, complaint = verdict(scene, effects, solution, fields, places[0], audited)
+    outcome, message = verdict(scene, effects, solution, fields, places[0], audited)
     if outcome is Outcome.ruptured:
         # The run ends there: what follows is no filament.
         sound = max(1, rupture_frame(scene, fields["stretch"]) or 0)
@@ -165,7 +159,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "title": scene.title,
         "outcome": outcome.name,
         "advice": outcome.value,
-        "complaint": complaint,
+        "message": message,
         # An answer that is not to be trusted has no regime.
         "regime": regime_of(scene, effects, fields, midpoint) if outcome.is_success else None,
         "accuracy": scene.run.accuracy,
@@ -188,11 +182,11 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "closure": scene.run.closure,
         **_numerics(prepared, solution),
         "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
-        "warnings": [*warnings, *spared(scene, effects, measured)],
+        "warnings": [*warnings, *saved(scene, effects, measured)],
         "wall_s": wall,
     }
     data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}
-    return Trajectory(scene, data, summary, outcome, overlooked(scene, effects, measured, outcome))
+    return Trajectory(scene, data, summary, outcome, missing_effect(scene, effects, measured, outcome))
 
 
 def _numerics(prepared: Prepared, solution: Solution) -> dict[str, Any]:

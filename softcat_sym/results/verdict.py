@@ -17,7 +17,7 @@ from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.results.fields import least_energy
+from softcat_sym.results.fields import min_energy
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -25,17 +25,7 @@ from softcat_sym.solvers.solution import Solution
 
 
 def measures(scene: Scene, effects: Effects, motion: Motion) -> dict[str, Estimate]:
-    """The size of every effect that the scene has and the run left out, from how the filament has moved.
-
-    Parameters
-    ----------
-    scene : Scene
-        What was asked.
-    effects : Effects
-        What was in force.
-    motion : Motion
-        What the run has shown.
-    """
+    """The size of every effect that the scene has and the run left out, from how the filament has moved."""
     return {
         decision.effect.name: decision.effect.estimate(scene, motion)
         for decision in effects.decisions
@@ -43,7 +33,7 @@ def measures(scene: Scene, effects: Effects, motion: Motion) -> dict[str, Estima
     }
 
 
-def overlooked(scene: Scene, effects: Effects, measured: dict[str, Estimate], outcome: Outcome) -> dict[str, str]:
+def missing_effect(scene: Scene, effects: Effects, measured: dict[str, Estimate], outcome: Outcome) -> dict[str, str]:
     """Effects that ``auto`` has left out and the run shows to matter more than the accuracy asked, and how.
 
     A run that fails shows nothing: then it is everything in the published theory that was left out, and of one that
@@ -63,11 +53,11 @@ def overlooked(scene: Scene, effects: Effects, measured: dict[str, Estimate], ou
     return {
         effect.name: f"the run without it shows that it is worth {measured[effect.name]}"
         for effect in omitted
-        if measured[effect.name].value > scene.run.accuracy and not effect.spared(scene)
+        if measured[effect.name].value > scene.run.accuracy and not effect.saved(scene)
     }
 
 
-def spared(scene: Scene, effects: Effects, measured: dict[str, Estimate]) -> list[str]:
+def saved(scene: Scene, effects: Effects, measured: dict[str, Estimate]) -> list[str]:
     """Warn of effects that ``auto`` leaves out for what they cost, and that the run shows to matter."""
     if scene.run.effects != "auto":
         return []
@@ -77,7 +67,7 @@ def spared(scene: Scene, effects: Effects, measured: dict[str, Estimate]) -> lis
         for decision in effects.decisions
         if decision.effect.name in measured
         and measured[decision.effect.name].value > scene.run.accuracy
-        and (why := decision.effect.spared(scene))
+        and (why := decision.effect.saved(scene))
     ]
 
 
@@ -104,20 +94,7 @@ _RUPTURED = 10.0  # strain beyond which only a thread is left: no number is wort
 
 
 def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
-    """Share of a half's elongation that one cell carries in excess of its more stretched neighbour.
-
-    Parameters
-    ----------
-    stretch : ndarray, shape (cells,)
-        Stretch over the whole span.
-    length : ndarray, shape (cells,)
-        Undeformed lengths of the cells.
-
-    Returns
-    -------
-    float
-        Between 0 (smooth) and 1 (all in one cell); 0 where the filament is hardly stretched.
-    """
+    """Share of a half's elongation that one cell carries in excess of its more stretched neighbour."""
     # A support has no cell behind it: its cell is compared with the one neighbour it has.
     left = np.concatenate([[-np.inf], stretch[:-1]])
     right = np.concatenate([stretch[1:], [-np.inf]])
@@ -134,15 +111,7 @@ def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
 
 
 def neck_strain(stretch: Floats, length: Floats, neck: float) -> float:
-    """Largest strain of any neck beyond its neighbourhood, spread over the length of a neck.
-
-    Parameters
-    ----------
-    stretch, length : ndarray, shape (cells,)
-        Stretch over the whole span and undeformed lengths of the cells.
-    neck : float
-        Length of a neck, below which the gradient evens out any strain.
-    """
+    """Largest strain of any neck beyond its neighbourhood, spread over the length of a neck."""
     edges = np.concatenate([[0.0], np.cumsum(length)])
     elongation = np.concatenate([[0.0], np.cumsum((stretch - 1) * length)])
     # A cell longer than a neck shows the same elongation over its own length.
@@ -162,16 +131,7 @@ def neck_strain(stretch: Floats, length: Floats, neck: float) -> float:
 
 
 def neck_that_the_grid_decides(stretch: Floats, length: Floats, neck: float | None) -> str:
-    """What is wrong with a neck, or an empty text.
-
-    Parameters
-    ----------
-    stretch, length : ndarray, shape (cells,)
-        Stretch over the whole span and undeformed lengths of the cells.
-    neck : float or None
-        Length of a neck where the necking gradient is in force, in the unit of `length`: then a hinge narrower than a
-        cell is a matter of resolution, and only one that is drawn out is refused.
-    """
+    """What is wrong with a neck, or an empty text."""
     edges = np.concatenate([[0.0], np.cumsum(length)])
     cell = int(np.argmax(stretch))
     where = f"X/L = {(edges[cell] + edges[cell + 1]) / 2 / edges[-1] - 0.5:.4g}"
@@ -205,31 +165,13 @@ def largest_stretch(scene: Scene) -> float:
 
 
 def rupture_frame(scene: Scene, stretch: Floats) -> int | None:
-    """The first frame in which a cell is drawn beyond what its material can bear; None without.
-
-    Parameters
-    ----------
-    scene : Scene
-        For its law.
-    stretch : ndarray, shape (frames, cells)
-        Of the whole span.
-    """
+    """The first frame in which a cell is drawn beyond what its material can bear; None without."""
     torn = np.flatnonzero(~(np.max(stretch, axis=1) <= largest_stretch(scene)))
     return int(torn[0]) if len(torn) else None
 
 
 def rupture(scene: Scene, time: Floats, stretch: Floats, nodes: Floats) -> str:
-    """When and where the filament ruptures, or an empty text.
-
-    Parameters
-    ----------
-    time : ndarray, shape (frames,)
-        [s].
-    stretch : ndarray, shape (frames, cells)
-        Of the whole span.
-    nodes : ndarray
-        X of the nodes.
-    """
+    """When and where the filament ruptures, or an empty text."""
     frame = rupture_frame(scene, stretch)
     if frame is None:
         return ""
@@ -245,13 +187,6 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
     """That motion and stress hold more energy than weight and supports gave the filament, or an empty text.
 
     Dissipation only takes energy away, whatever the closure: this holds also where the balance itself is not audited.
-
-    Parameters
-    ----------
-    fields : mapping of str to ndarray, shape (frames,)
-        Energies and ``work_external`` [J].
-    least : float
-        Energy that counts as none [J].
     """
     held = fields["energy_kinetic"] + fields["energy_elastic"]
     stored = fields["energy_potential"] + fields["energy_surface"]
@@ -275,21 +210,7 @@ with cells of h0/19 to h0/35 it sags a tenth to four times further, differently 
 def warnings_of(
     scene: Scene, effects: Effects, capillary: float, nodes: Floats, fields: dict[str, Floats], residual: float
 ) -> list[str]:
-    """Warnings in words, none if the theory holds.
-
-    Parameters
-    ----------
-    effects : Effects
-        In force.
-    capillary : float
-        Share of the sag that surface tension would take.
-    nodes : ndarray, shape (nodes,)
-        X of the nodes [m].
-    fields : dict of str to ndarray
-        Of the whole span: ``yielded_fraction`` in cells.
-    residual : float
-        Of the energy balance; zero for a sequence of equilibria, which has none.
-    """
+    """Warnings in words, none if the theory holds."""
     return [
         *filter(None, (neglected_surface(scene, capillary), rounded_corners(scene))),
         *_short_hinge_cells(scene, effects, nodes, fields["yielded_fraction"]),
@@ -303,15 +224,6 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     A sheared section that has yielded resists a neck only over lengths comparable with the thickness: below
     `SHORTEST_CELL` the answer may change with the grid. Only a grading set by hand makes such cells where they need
     not be: the program's own are that short in a filament too thick to neck.
-
-    Parameters
-    ----------
-    effects : Effects
-        In force.
-    nodes : ndarray, shape (nodes,)
-        X of the nodes [m].
-    yielded : ndarray, shape (frames, cells)
-        Share of the section that has yielded.
     """
     if not {"yielding", "bending"} <= set(effects.names) or not {"shear", "fibres"} & set(effects.names):
         return None
@@ -353,29 +265,10 @@ _COMPRESSION = 0.02
 def verdict(
     scene: Scene, effects: Effects, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
 ) -> tuple[Outcome, str]:
-    """Decide: a neck that the grid decides, a rupture, a failed integration, an energy balance that stays open.
-
-    Parameters
-    ----------
-    scene, effects
-        What was asked.
-    solution : Solution
-        How the integration ended.
-    fields : dict of str to ndarray
-        Of the whole span; a neck is looked for in the last frame, rupture in all.
-    nodes : ndarray
-        X of the nodes [m].
-    residual : float
-        Of the energy balance; zero where it says nothing.
-
-    Returns
-    -------
-    Outcome, str
-        And the complaint.
-    """
+    """Decide: a neck that the grid decides, a rupture, a failed integration, an energy balance that stays open."""
     if solution.outcome is Outcome.no_equilibrium and not solution.steps:
         # Nothing was found to begin from: what the frame holds is no state of the filament.
-        return solution.outcome, solution.complaint
+        return solution.outcome, solution.message
     # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
     runs_away = {NECKING_GRADIENT.name, YIELDING.name} <= set(effects.names)
     length = neck_length(scene) if runs_away else None
@@ -383,17 +276,17 @@ def verdict(
     flows = VISCOUS_FLOW.name in effects.names
     neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length) if flows else ""
     if neck:
-        return Outcome.localised, "; ".join(filter(None, [neck, solution.complaint]))
+        return Outcome.localised, "; ".join(filter(None, [neck, solution.message]))
     torn = rupture(scene, solution.time * time_scale(scene), fields["stretch"], nodes)
     if torn:
-        return Outcome.ruptured, "; ".join(filter(None, [torn, solution.complaint]))
+        return Outcome.ruptured, "; ".join(filter(None, [torn, solution.message]))
     if not solution.outcome.is_success:
-        return solution.outcome, solution.complaint
+        return solution.outcome, solution.message
     if "bending" not in effects.names:
         pushed = _pushed_string(solution.time * time_scale(scene), fields.get("axial_force", fields["tension"]))
         if pushed:
             return Outcome.compressed, pushed
-    gained = gained_energy(fields, least_energy(scene)) if solution.steps else ""
+    gained = gained_energy(fields, min_energy(scene)) if solution.steps else ""
     if gained:
         return Outcome.energy_drift, gained
     if residual > scene.run.accuracy:

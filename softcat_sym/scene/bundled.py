@@ -25,50 +25,17 @@ def bundled_names() -> tuple[str, ...]:
 
 
 def bundled_text(name: str) -> str:
-    """Return the TOML text of a bundled scene.
-
-    Parameters
-    ----------
-    name : str
-        One of `bundled_names`.
-
-    Returns
-    -------
-    str
-        With its comments.
-    """
+    """Return the TOML text of a bundled scene."""
     return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
 
 
 def bundled_title(name: str) -> str:
-    """Return the title of a bundled scene.
-
-    Parameters
-    ----------
-    name : str
-        One of `bundled_names`.
-
-    Returns
-    -------
-    str
-        One line.
-    """
+    """Return the title of a bundled scene."""
     return str(tomllib.loads(bundled_text(name))["title"])
 
 
 def bundled_lesson(name: str) -> str:
-    """Return what a bundled scene teaches, from the comment that begins with ``# Lesson:``.
-
-    Parameters
-    ----------
-    name : str
-        One of `bundled_names`.
-
-    Returns
-    -------
-    str
-        One line of at most a hundred characters.
-    """
+    """Return what a bundled scene teaches, from the comment that begins with ``# Lesson:``."""
     lines = bundled_text(name).splitlines()
     return next((line.removeprefix(_LESSON) for line in lines if line.startswith(_LESSON)), "")
 

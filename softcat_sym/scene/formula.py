@@ -34,15 +34,9 @@ _DEEPEST = 100
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A number, a name, or an operation on other nodes: one of the three is set.
+    """A number, a name, or an operation on other nodes: one of the three is set."""
 
-    Attributes
-    ----------
-    piece : str
-        The text it was read from.
-    """
-
-    piece: str = field(compare=False)
+    piece: str = field(compare=False)  # The text it was read from
     number: float | None = None
     name: str = ""
     operation: str = ""
@@ -51,18 +45,10 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """An expression in `sigma` and named parameters. Build one with `parse_formula`.
+    """An expression in `sigma` and named parameters. Build one with `parse_formula`."""
 
-    Attributes
-    ----------
-    text : str
-        As the user wrote it.
-    tree : Node
-        What it means.
-    """
-
-    text: str
-    tree: Node = field(compare=False, repr=False)
+    text: str  # As the user wrote it
+    tree: Node = field(compare=False, repr=False)  # What it means
 
     @property
     def names(self) -> frozenset[str]:
@@ -75,59 +61,18 @@ class Formula:
         name: Callable[[str], T],
         operation: Callable[[str, tuple[T, ...]], T],
     ) -> T:
-        """Rebuild the expression from its leaves up, in any arithmetic.
-
-        Parameters
-        ----------
-        number, name : callable
-            Turn a leaf into a value. ``pi`` comes as the number; ``sigma`` and the parameters come as names.
-        operation : callable
-            Gets ``add``, ``sub``, ``mul``, ``div``, ``pow``, ``neg`` or a function of `FUNCTIONS`, and its operands.
-
-        Returns
-        -------
-        T
-            The value of the whole.
-        """
+        """Rebuild the expression from its leaves up, in any arithmetic."""
         return _fold(self.tree, number, name, operation)
 
     def value(self, sigma: float, parameters: Mapping[str, float]) -> float:
-        """Evaluate in plain floats.
-
-        Parameters
-        ----------
-        sigma : float
-            Stress [Pa].
-        parameters : mapping of str to float
-            SI values by name.
-
-        Returns
-        -------
-        float
-            Infinite where it overflows, NaN where it is not defined.
-        """
+        """Evaluate in plain floats."""
         known = {**parameters, STRESS_NAME: sigma}
         return self.fold(float, known.__getitem__, _compute)
 
 
 @lru_cache(maxsize=256)
 def parse_formula(text: str) -> Formula:
-    """Read a formula.
-
-    Parameters
-    ----------
-    text : str
-        Such as ``"sinh(sigma/s0)/t0"``.
-
-    Returns
-    -------
-    Formula
-
-    Raises
-    ------
-    PydanticCustomError
-        A `refusal` that names the piece which is no arithmetic.
-    """
+    """Read a formula."""
     if not text.strip():
         raise refusal("empty", f'a formula such as "sinh(sigma/s0)/t0": {ACCEPTED}')
     if len(text) > _LONGEST:
@@ -249,22 +194,7 @@ _ALIKE = ("add", "sub", "min", "max")
 
 
 def check_units(formula: Formula, of: Mapping[str, Dimension], values: Mapping[str, float]) -> None:
-    """Refuse a formula that is not a rate.
-
-    Parameters
-    ----------
-    formula : Formula
-        Of known names only.
-    of : mapping of str to tuple of float
-        Exponents of kg, m and s of each parameter.
-    values : mapping of str to float
-        SI values, for exponents.
-
-    Raises
-    ------
-    PydanticCustomError
-        A `refusal` that names the piece whose units do not fit.
-    """
+    """Refuse a formula that is not a rate."""
     found = _dimension(formula.tree, of, values)
     if found is not None and not same_dimension(found, RATE):
         raise refusal(f"{formula.text!r} is {_words(found)}", "a strain rate, 1/s; check the units of the parameters")
@@ -353,22 +283,7 @@ _VANISHING = 1e-250
 
 
 def check_rule(formula: Formula, values: dict[str, float], scales: Iterable[float]) -> None:
-    """Refuse a rule that is not odd, not finite, decreases or creates energy, at many stresses.
-
-    Parameters
-    ----------
-    formula : Formula
-        phi(sigma) [1/s].
-    values : dict of str to float
-        SI values of its parameters.
-    scales : iterable of float
-        Stresses of the scene, positive [Pa]; looked at from a millionth of the smallest to 30 times the largest.
-
-    Raises
-    ------
-    PydanticCustomError
-        A `refusal` that names the stress.
-    """
+    """Refuse a rule that is not odd, not finite, decreases or creates energy, at many stresses."""
     stresses = _stresses(scales)
     at_rest = formula.value(0.0, values)
     rates = _rates(lambda sigma: formula.value(sigma, values), stresses)
@@ -399,22 +314,7 @@ def _check_dissipation(stresses: list[float], rates: list[float], tiny: float) -
 
 @lru_cache(maxsize=256)
 def threshold(text: str, values: tuple[tuple[str, float], ...], scales: tuple[float, ...]) -> float:
-    """Find the stress below which a rule is exactly 0, by bisection.
-
-    Parameters
-    ----------
-    text : str
-        phi(sigma).
-    values : tuple of (str, float)
-        SI values of its parameters.
-    scales : tuple of float
-        As for `check_rule`.
-
-    Returns
-    -------
-    float
-        [Pa]; 0 if the rule flows at every stress.
-    """
+    """Find the stress below which a rule is exactly 0, by bisection."""
     formula, known = parse_formula(text), dict(values)
     stresses = _stresses(scales)
     beyond = next((i for i, sigma in enumerate(stresses) if formula.value(sigma, known) != 0), 0)

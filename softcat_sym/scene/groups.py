@@ -103,39 +103,16 @@ RELATES = {
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """``constant = ratio * other``, where the other may be the ground, 1.
+    """``constant = ratio * other``, where the other may be the ground, 1."""
 
-    Attributes
-    ----------
-    path : str
-        Dotted path of the key that states it.
-    constant, other : str
-        Names of material constants, or `GROUND`.
-    ratio : float
-        SI.
-    """
-
-    path: str
-    constant: str
+    path: str  # Dotted path of the key that states it
+    constant: str  # Names of material constants, or `GROUND`
     other: str
-    ratio: float
+    ratio: float  # SI
 
 
 def faults_of(relations: list[Relation], law: str) -> list[Fault]:
-    """List what is said twice, what the law does not use, and what is missing.
-
-    Parameters
-    ----------
-    relations : list of Relation
-        All that were given.
-    law : str
-        One of `CONSTANTS`.
-
-    Returns
-    -------
-    list of Fault
-        Empty when every constant of the law is fixed exactly once.
-    """
+    """List what is said twice, what the law does not use, and what is missing."""
     faults: list[Fault] = []
     tree: list[Relation] = []
     for relation in relations:
@@ -162,18 +139,7 @@ def faults_of(relations: list[Relation], law: str) -> list[Fault]:
 
 
 def solve(relations: list[Relation]) -> dict[str, float]:
-    """Follow the relations from the ground.
-
-    Parameters
-    ----------
-    relations : list of Relation
-        Without rings.
-
-    Returns
-    -------
-    dict of str to float
-        SI value of every constant that a chain reaches.
-    """
+    """Follow the relations from the ground."""
     values = {GROUND: 1.0}
     for _ in relations:
         for relation in relations:
@@ -252,18 +218,7 @@ class _Scales:
 
 
 def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
-    """Name the physical paths that ``[groups]`` fills in this table.
-
-    Parameters
-    ----------
-    table : mapping
-        Raw scene.
-
-    Returns
-    -------
-    frozenset of str
-        Dotted paths; empty without groups.
-    """
+    """Name the physical paths that ``[groups]`` fills in this table."""
     groups = table.get("groups")
     if not isinstance(groups, Mapping):
         return frozenset(_STANDS_FOR.values()) if "groups" in table else frozenset()
@@ -280,18 +235,7 @@ def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
 
 
 def resolve_groups(table: Table) -> Resolved:
-    """Replace ``[groups]`` by the physical values it determines.
-
-    Parameters
-    ----------
-    table : dict
-        Raw scene; not changed.
-
-    Returns
-    -------
-    Resolved
-        The table without groups. With faults, what could not be determined is left out.
-    """
+    """Replace ``[groups]`` by the physical values it determines."""
     if "groups" not in table:
         return Resolved(table)
     determined = determined_by_groups(table) | {"material.youngs_modulus"}

@@ -19,42 +19,17 @@ from softcat_sym.scene.units import SI_UNITS, Kind, Quantity, consistency_unit
 
 @dataclass(frozen=True, slots=True)
 class SceneKey:
-    """One key of the scene file.
+    """One key of the scene file."""
 
-    Attributes
-    ----------
-    path : str
-        Dotted, such as ``"material.yield_stress"``.
-    unit : str
-        Its SI unit; empty for what has none.
-    default : str
-        As TOML; ``"required"``, or empty where nothing stands for it unless given.
-    meaning : str
-        A sentence.
-    accepted : str
-        What a value looks like.
-    """
-
-    path: str
-    unit: str
-    default: str
-    meaning: str
-    accepted: str
+    path: str  # Dotted, such as ``"material.yield_stress"``
+    unit: str  # Its SI unit; empty for what has none
+    default: str  # As TOML; ``"required"``, or empty where nothing stands for it unless given
+    meaning: str  # A sentence
+    accepted: str  # What a value looks like
 
 
 def scene_keys(part: str = "") -> tuple[SceneKey, ...]:
-    """List the keys of the scene file in its order.
-
-    Parameters
-    ----------
-    part : str
-        Only those that have this in their names: ``"material"``, ``"stress"``.
-
-    Returns
-    -------
-    tuple of SceneKey
-        Empty if there is none.
-    """
+    """List the keys of the scene file in its order."""
     parts: dict[str, type[Part]] = {"": Scene, **parts_of_scene(), "groups": GroupBlock}
     keys = (
         _key(dotted(table, name), part.model_fields[name], kind)
@@ -104,13 +79,7 @@ _LATER = ("ends.left", "ends.right", "load.ramp", "run.frames", "run.accuracy", 
 
 
 def example_values(given: Mapping[str, str]) -> dict[str, str]:
-    """Return values of an ink for all that a scene of a law needs, in the order of the file.
-
-    Parameters
-    ----------
-    given : mapping of str to str
-        What is known already, by dotted key; the law and its index decide what is needed besides.
-    """
+    """Return values of an ink for all that a scene of a law needs, in the order of the file."""
     law = given.get("material.law", "bingham")
     constants = CONSTANTS.get(law, ())
     values = {**_GEOMETRY, "material.law": law}
@@ -128,25 +97,7 @@ def example_values(given: Mapping[str, str]) -> dict[str, str]:
 
 
 def scene_template(title: str, given: Mapping[str, str]) -> tuple[str, Scene]:
-    """Write a scene of a round strand, with a comment on every value, and validate it.
-
-    Parameters
-    ----------
-    title : str
-        For pictures and tables.
-    given : mapping of str to str
-        Texts with units by dotted key; what is needed besides is that of an ink.
-
-    Returns
-    -------
-    str, Scene
-        TOML, and what it says.
-
-    Raises
-    ------
-    SceneError
-        With every fault at once.
-    """
+    """Write a scene of a round strand, with a comment on every value, and validate it."""
     law = given.get("material.law", LAWS[0])
     if law in CONSTANTS and law not in LAWS:
         found = f"'{law}', whose constants are more than are asked for here"

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.files import read_at_most
+from softcat_sym.files import read_limited
 from softcat_sym.scene.bundled import bundled_names, bundled_text
 from softcat_sym.scene.groups import determined_by_groups
 from softcat_sym.scene.material import physical_path
@@ -106,7 +106,7 @@ def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
         return bundled_text(name_or_path)
     known = f"a path of a TOML file, or a bundled scene: {', '.join(bundled_names())}"
     try:
-        content = read_at_most(name_or_path, _LONGEST + 1)
+        content = read_limited(name_or_path, _LONGEST + 1)
     except FileNotFoundError:
         hint = did_you_mean(Path(source).stem, bundled_names())
         raise _refuse(source, f"no such file and no bundled scene of this name{hint}", known) from None

@@ -28,17 +28,7 @@ class Override:
 
 
 def read_overrides(overrides: Mapping[str, object] | Sequence[str]) -> tuple[list[Override], list[Fault]]:
-    """Read overrides as the command line gives them.
-
-    Parameters
-    ----------
-    overrides : mapping or sequence of str
-        ``{"run.effects": "paper"}`` or ``["run.effects=paper"]``. Text is TOML if it parses, else a string.
-
-    Returns
-    -------
-    list of Override, list of Fault
-    """
+    """Read overrides as the command line gives them."""
     if isinstance(overrides, Mapping):
         pairs = [(str(path), _value(value) if isinstance(value, str) else value) for path, value in overrides.items()]
         return [Override(path, value) for path, value in pairs], []
@@ -57,20 +47,7 @@ def read_overrides(overrides: Mapping[str, object] | Sequence[str]) -> tuple[lis
 
 
 def apply(overrides: Iterable[Override], table: dict[str, Any]) -> list[Fault]:
-    """Set the values in a raw table, in place.
-
-    Parameters
-    ----------
-    overrides : iterable of Override
-        In order; the last one wins.
-    table : dict
-        Raw scene. A table as a value replaces the table of the scene: an empty one is its defaults.
-
-    Returns
-    -------
-    list of Fault
-        Paths that lead through something that is no table.
-    """
+    """Set the values in a raw table, in place."""
     faults = []
     for override in overrides:
         *tables, key = override.path.split(".")
@@ -105,20 +82,7 @@ _IDLE_AT_ZERO = {"load": ("shake", "shake_frequency"), "material": ("loss_tangen
 
 
 def toml_of(scene: Scene, *, every_default: bool = False) -> str:
-    """Write a scene so that reading it again gives an equal one.
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
-    every_default : bool
-        Whether keys that say nothing are written too: an empty list, no shaking; in a comment what has no value.
-
-    Returns
-    -------
-    str
-        TOML; every number is the shortest text that reads back to the same float.
-    """
+    """Write a scene so that reading it again gives an equal one."""
     lines = ["# The scene as resolved: physical values, SI units.", *_table_lines(scene, every_default)]
     for name in type(scene).model_fields:
         part = getattr(scene, name)

@@ -112,13 +112,7 @@ def _measured(unit: str, wanted: str = "one of mass, length and time") -> tuple[
 
 
 def measured_by_pint(unit: str, wanted: str) -> tuple[float, Dimension]:
-    """SI value and dimension of any unit.
-
-    Raises
-    ------
-    NotAQuantity
-        If it is none, or not of mass, length and time alone.
-    """
+    """SI value and dimension of any unit."""
     ureg = registry()
     from pint.errors import PintError
 
@@ -174,27 +168,7 @@ def _article(noun: str) -> str:
 
 
 def to_si(value: object, dimension: str, unit: str = "") -> float:
-    """Turn a quantity into its SI value.
-
-    Parameters
-    ----------
-    value : object
-        Text with a number and a unit, or a pint quantity.
-    dimension : str
-        A key of `SI_UNITS`, or any word for what `unit` measures.
-    unit : str, optional
-        SI unit of the result; by default ``SI_UNITS[dimension]``.
-
-    Returns
-    -------
-    float
-        Finite SI value.
-
-    Raises
-    ------
-    NotAQuantity
-        Its text says what was found.
-    """
+    """Turn a quantity into its SI value."""
     wanted = _article(dimension) + (f" in {unit}" if unit else "")
     si, found, name = _read(value, wanted)
     if not same_dimension(found, _measured(unit or SI_UNITS[dimension])[1]):
@@ -215,23 +189,7 @@ def _is_angular(unit: str) -> bool:
 
 
 def to_si_of_any(value: object) -> tuple[float, Dimension]:
-    """Turn a quantity of whatever dimension into its SI value; a bare number is a pure one.
-
-    Parameters
-    ----------
-    value : object
-        A number, text with a number and a unit, or a pint quantity.
-
-    Returns
-    -------
-    float, tuple of float
-        Finite SI value, and the exponents of kg, m and s.
-
-    Raises
-    ------
-    NotAQuantity
-        Its text says what was found.
-    """
+    """Turn a quantity of whatever dimension into its SI value; a bare number is a pure one."""
     if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
         try:
             si, dimension = float(value), PURE
@@ -298,39 +256,13 @@ def shown(value: object, longest: int = 60) -> str:
 
 
 def did_you_mean(found: str, known: Iterable[str]) -> str:
-    """Name the nearest known word, or nothing when none is near.
-
-    Parameters
-    ----------
-    found : str
-        The word in the file.
-    known : iterable of str
-        The words that would do.
-
-    Returns
-    -------
-    str
-        Text to append to a fault, starting with a space, or empty.
-    """
+    """Name the nearest known word, or nothing when none is near."""
     nearest = get_close_matches(found, list(known), n=1, cutoff=0.5)
     return f" (did you mean '{nearest[0]}'?)" if nearest else ""
 
 
 def unknown_key(path: str, tables: Mapping[str, Sequence[str]]) -> Fault:
-    """Build the fault for a key that does not exist.
-
-    Parameters
-    ----------
-    path : str
-        Dotted path of the key.
-    tables : mapping of str to sequence of str
-        Known keys of every table; ``""`` is the file itself.
-
-    Returns
-    -------
-    Fault
-        With the nearest key of the same table, or the table that has a key of this name.
-    """
+    """Build the fault for a key that does not exist."""
     table, _, key = path.rpartition(".")
     here = tables.get(table, ())
     hint = did_you_mean(key, here)
@@ -341,22 +273,7 @@ def unknown_key(path: str, tables: Mapping[str, Sequence[str]]) -> Fault:
 
 
 def fault_of(error: ErrorDetails, tables: Mapping[str, Sequence[str]], accepted: Mapping[str, str]) -> Fault:
-    """Translate one pydantic error.
-
-    Parameters
-    ----------
-    error : dict
-        One entry of ``ValidationError.errors()``.
-    tables : mapping of str to sequence of str
-        Known keys of every table.
-    accepted : mapping of str to str
-        What each dotted path accepts.
-
-    Returns
-    -------
-    Fault
-        In the words of this package, never pydantic's.
-    """
+    """Translate one pydantic error."""
     path = ".".join(str(step) for step in error["loc"])
     context = error.get("ctx", {})
     if "found" in context:

@@ -42,15 +42,9 @@ class Keeper(Protocol):
 
 @dataclass(frozen=True)
 class Form(Generic[Result]):
-    """How a result is written, so that reading it gives the same to the last bit.
+    """How a result is written, so that reading it gives the same to the last bit."""
 
-    Attributes
-    ----------
-    write, read : callable
-        To bytes and back.
-    """
-
-    write: Callable[[Result], bytes]
+    write: Callable[[Result], bytes]  # To bytes and back
     read: Callable[[bytes], Result]
 
 
@@ -68,22 +62,7 @@ def kept_by(keeper: Keeper) -> Iterator[None]:
 
 
 def kept(identity: Identity, compute: Callable[[], Result], form: Form[Result]) -> Result:
-    """Return a result: what was kept of it, if anything was, otherwise what `compute` returns, which is then kept.
-
-    Parameters
-    ----------
-    identity : callable
-        Of all that decides the result, the kind of result first.
-    compute : callable
-        What takes time. What it keeps itself is dropped when it has ended.
-    form : Form
-        Of the result.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        On Ctrl-C, even where CasADi swallowed it: such a result is never kept.
-    """
+    """Return a result: what was kept of it, if anything was, otherwise what `compute` returns, which is then kept."""
     keeper = _keeper.get()
     if keeper is None:
         return compute()
@@ -145,31 +124,6 @@ class Checkpoints:
 
     A run consists of several integrations: the answer, coarser ones beside it, finer ones after it. Each is known by a
     hash of all that decides its numbers, so that no file is ever taken for the state of another.
-
-    Parameters
-    ----------
-    folder : pathlib.Path
-        Where they are.
-    owner : bytes
-        What the run is asked, scene and version: tells a user who names the wrong folder.
-    resume : bool
-        Whether to go on from what is there.
-    every : float
-        Seconds between two files of an integration.
-
-    Attributes
-    ----------
-    resumed : int
-        How many integrations went on from a file.
-    kept : bool
-        Whether anything has been written.
-    trouble : str
-        Why a state could not be written, if so: a run does not end for that.
-
-    Raises
-    ------
-    SoftcatError
-        If it is to be resumed, and what is in the folder belongs to another run.
     """
 
     def __init__(self, folder: Path, owner: bytes, *, resume: bool = False, every: float = EVERY) -> None:
@@ -192,13 +146,7 @@ class Checkpoints:
         return self.folder / f"{self._owner}-{key[:_SHORT]}.npz"
 
     def find(self, identity: CheckpointIdentity) -> Reached | None:
-        """What is known of an integration, if it is to be resumed.
-
-        Raises
-        ------
-        SoftcatError
-            If the file is damaged.
-        """
+        """What is known of an integration, if it is to be resumed."""
         if not self._resume or not self.folder.is_dir():
             return None
         key = _hash_of_identity(identity())
@@ -230,13 +178,7 @@ class Checkpoints:
             self.kept = True
 
     def clear(self) -> None:
-        """Remove the folder: the answer is there. Files of others in it are let alone.
-
-        Raises
-        ------
-        OSError
-            If a file cannot be removed.
-        """
+        """Remove the folder: the answer is there. Files of others in it are let alone."""
         if not self.folder.is_dir():
             return
         for path in self.folder.glob("*.npz"):
@@ -246,20 +188,7 @@ class Checkpoints:
 
 
 class Checkpoint:
-    """The state of one integration, written now and then.
-
-    Parameters
-    ----------
-    checkpoints : Checkpoints
-        Where it goes.
-    identity : callable
-        As :data:`Identity`.
-
-    Attributes
-    ----------
-    before : Reached or None
-        Where to go on from.
-    """
+    """The state of one integration, written now and then."""
 
     def __init__(self, checkpoints: Checkpoints, identity: CheckpointIdentity) -> None:
         self._all, self._identity = checkpoints, identity
@@ -284,15 +213,7 @@ class Checkpoint:
 
 
 class Resumable:
-    """Tells another listener, and brings checkpoints to the integrations that it listens to.
-
-    Parameters
-    ----------
-    listener : Progress
-        Who is told.
-    checkpoints : Checkpoints
-        Where states go.
-    """
+    """Tells another listener, and brings checkpoints to the integrations that it listens to."""
 
     def __init__(self, listener: Progress, checkpoints: Checkpoints) -> None:
         self._listener, self.checkpoints = listener, checkpoints

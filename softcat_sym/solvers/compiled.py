@@ -58,7 +58,7 @@ class Options(ct.Structure):
         ("first_step", ct.c_double),
         ("smallest_step", ct.c_double),
         ("largest_step", ct.c_double),
-        ("most_steps", ct.c_long),
+        ("max_steps", ct.c_long),
         ("method", ct.c_int),
         ("kinks", Doubles),
         ("kink_count", ct.c_int),
@@ -137,7 +137,7 @@ class Run:
     absolute: float | Floats
     work_absolute: float
     kinks: Floats
-    most_steps: int
+    max_steps: int
     max_step: float = 0.0
     method: int = 0
 
@@ -245,7 +245,7 @@ class CModel:
         sites, slots = run.state.shape
         state, absolute = run.state.copy(), np.full(slots, run.absolute)
         filament = Filament(sites, doubles(run.parameters), doubles(run.places))
-        options = Options(relative=run.relative, absolute=doubles(absolute), most_steps=run.most_steps)
+        options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
         options.work_absolute, options.method = run.work_absolute, run.method
         options.largest_step = run.max_step
         if len(run.kinks):
@@ -382,7 +382,7 @@ def _compiled(source: CSource) -> Path:
 
 _BESIDE = 1e-9
 _LOOK = 0.1  # s between two looks at how far it has got
-_MOST_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs more gets nowhere
+_MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs more gets nowhere
 _OUTCOMES = {
     STEP_LIMIT: Outcome.step_limit,
     STEP_TOO_SMALL: Outcome.no_convergence,
@@ -413,24 +413,12 @@ class CompiledFilament:
 
 @dataclass(frozen=True)
 class _UnderWay:
-    """A run that is being integrated.
+    """A run that is being integrated."""
 
-    Attributes
-    ----------
-    filament : CompiledFilament
-        What it is.
-    run : Run
-        From where on.
-    room : Answer
-        Where the frames go.
-    known : Reached
-        The frames before, the one it begins from included.
-    """
-
-    filament: CompiledFilament
-    run: Run
-    room: Answer
-    known: Reached
+    filament: CompiledFilament  # What it is
+    run: Run  # From where on
+    room: Answer  # Where the frames go
+    known: Reached  # The frames before, the one it begins from included
 
     def reached(self, time: float) -> Reached:
         """All frames up to a time."""
@@ -515,7 +503,7 @@ class CompiledIntegration:
             # Without inertia only flow limits the steps: where little flows the work would be left to chance.
             work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
             kinks=self.kinks,
-            most_steps=max(_MOST_STEPS, _STEPS_PER_FRAME * len(times)),
+            max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,
         )
 
@@ -534,10 +522,10 @@ class CompiledIntegration:
         self._watched(under_way, scale, progress, checkpoint)
         refuse(status.code, self.filament.model.message(status.code))
         found = under_way.reached(status.reached)
-        outcome, complaint = Outcome.solved, ""
+        outcome, message = Outcome.solved, ""
         if status.code != SOLVED:
-            outcome, complaint = _OUTCOMES[status.code], self._complaint(status, scale)
-        return Solution(times[: found.frames], found.x, found.z, found.quad, outcome, complaint, found.steps)
+            outcome, message = _OUTCOMES[status.code], self._message(status, scale)
+        return Solution(times[: found.frames], found.x, found.z, found.quad, outcome, message, found.steps)
 
     def _identity(self, run: Run) -> Iterator[bytes]:
         """All that decides the numbers."""
@@ -549,21 +537,13 @@ class CompiledIntegration:
                 run.work_absolute,
                 run.max_step,
                 run.method,
-                run.most_steps,
+                run.max_steps,
                 *np.atleast_1d(run.absolute),
             ]
         ).tobytes()
 
     def _watched(self, under_way: _UnderWay, scale: float, progress: Progress, checkpoint: Checkpoint | None) -> None:
-        """Integrate in a thread, so that Ctrl-C is heard and progress is told meanwhile; a flagged one needs none.
-
-        Raises
-        ------
-        KeyboardInterrupt
-            If the user stops it.
-        MemoryError
-            If the frames do not fit into memory.
-        """
+        """Integrate in a thread, so that Ctrl-C is heard and progress is told meanwhile; a flagged one needs none."""
         status, integrate = under_way.room.status, self.filament.model.integrate
 
         def tell() -> None:
@@ -597,7 +577,7 @@ class CompiledIntegration:
         if checkpoint is not None and status.code == SOLVED:
             checkpoint.finish(partial(under_way.reached, status.reached))
 
-    def _complaint(self, status: Status, scale: float) -> str:
+    def _message(self, status: Status, scale: float) -> str:
         """Time, worst component and what went wrong."""
         worst = ""
         if status.worst_slot >= 0:

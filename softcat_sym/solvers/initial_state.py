@@ -27,11 +27,6 @@ class Equilibrium:
 
     A step is shortened until the step that the same stiffness would take from its end is the shorter one (Deuflhard,
     Newton Methods for Nonlinear Problems, 2004, section 3.3: natural monotonicity).
-
-    Parameters
-    ----------
-    graph : Graph
-        A filament with algebraic unknowns.
     """
 
     def __init__(self, graph: Graph) -> None:
@@ -50,17 +45,7 @@ class Equilibrium:
         self._stiffness = ca.Linsol("stiffness", "qr", self._jacobian.sparsity_out(0))
 
     def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
-        """Equilibrium reached from the first guess that leads to one; None if none does.
-
-        Parameters
-        ----------
-        time : float
-            In units of the time scale.
-        x, p : ndarray
-            Differential states and parameters.
-        guesses : iterable of ndarray, shape (nz,)
-            Where to begin.
-        """
+        """Equilibrium reached from the first guess that leads to one; None if none does."""
         for guess in guesses:
             z = self._newton(time, x, guess, p)
             if z is not None:
@@ -136,15 +121,6 @@ def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> 
 
     Linearly implicit steps along dz/dtau = alg, the forces over the masses: each must lower the energy, so that none
     steps back onto a saddle.
-
-    Parameters
-    ----------
-    graph : Graph
-        With algebraic positions, whose forces derive from its energy.
-    x, p, z : ndarray
-        Differential states, parameters and the equilibrium found.
-    straight : ndarray
-        The straight filament between the same supports.
     """
     slope = _Slope(graph, x, p)
     nudge = _nudge(graph)
@@ -155,17 +131,7 @@ def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> 
 
 
 def snapped(graph: Graph, time: float, x: Floats, p: Floats, z: Floats) -> Floats:
-    """The minimum of the energy that a shape out of balance, nudged, creeps into: beyond a fold of its equilibria.
-
-    Parameters
-    ----------
-    graph : Graph
-        With algebraic positions, whose forces derive from its energy.
-    time : float
-        In units of the time scale: where the supports are.
-    x, p, z : ndarray
-        Differential states, parameters and the shape.
-    """
+    """The minimum of the energy that a shape out of balance, nudged, creeps into: beyond a fold of its equilibria."""
     return _Slope(graph, x, p, time).descended(z - _nudge(graph))
 
 
@@ -234,7 +200,7 @@ class _Slope:
         return step if np.all(np.isfinite(step)) else None
 
 
-_LARGEST_STEP, _SMALLEST_STEP = 0.25, 1 / 512
+_MAX_STEP, _MIN_STEP = 0.25, 1 / 512
 _POSITIONS = ("x", "y", "psi")
 
 
@@ -247,19 +213,7 @@ class Start:
 
 
 def starting_state(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None) -> Start | None:
-    """Begin at rest; None if no equilibrium is found.
-
-    Parameters
-    ----------
-    scene : Scene
-        Ends, slack, natural curvature and initial plastic state.
-    graph : Graph
-        What is to be integrated.
-    p : ndarray
-        Its parameters.
-    statics : callable
-        The same filament with algebraic positions; only asked where it is needed.
-    """
+    """Begin at rest; None if no equilibrium is found."""
     x = _with_positions(graph.start, graph.x_kinds, graph.x_where, scene)
     straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
     x = _with_plastic_strain(x, graph, scene, 1.0)
@@ -329,17 +283,17 @@ def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floa
     """Equilibrium at the end of a continuation, or None where it breaks off."""
     guesses = sagging_guesses(stage.graph, stage.straight(straight), elastic_sag(stage.scene))
     z = stage.search(equilibrium, 0.0, guesses[::-1] if stage.weightless else guesses)
-    reached, step, slope = 0.0, _LARGEST_STEP, np.zeros_like(straight)
+    reached, step, slope = 0.0, _MAX_STEP, np.zeros_like(straight)
     while z is not None and reached < 1.0:
         further = stage.search(equilibrium, min(1.0, reached + step), [z + step * slope, z])
         if further is not None:
             now = min(1.0, reached + step)
-            z, slope, reached, step = further, (further - z) / (now - reached), now, min(2 * step, _LARGEST_STEP)
-        elif step >= _SMALLEST_STEP:
+            z, slope, reached, step = further, (further - z) / (now - reached), now, min(2 * step, _MAX_STEP)
+        elif step >= _MIN_STEP:
             step /= 2
         elif stage.falls:
             # The branch ends at a fold, as of an arch too heavy to stand: the filament snaps into what lies below.
-            reached, step, slope = min(1.0, reached + _SMALLEST_STEP), _LARGEST_STEP, np.zeros_like(z)
+            reached, step, slope = min(1.0, reached + _MIN_STEP), _MAX_STEP, np.zeros_like(z)
             x, constants = stage.at(reached)
             z = stage.search(equilibrium, reached, [snapped(stage.graph, 0.0, x, constants, z)])
         else:

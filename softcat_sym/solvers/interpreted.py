@@ -75,7 +75,7 @@ class FrameIntegrator:
         if graph.is_dae:
             dae |= {"z": z, "alg": alg}
         options = settings.options()
-        self._most_steps = int(options["max_num_steps"])
+        self._max_steps = int(options["max_num_steps"])
         call = ca.integrator("filament", settings.solver, dae, 0, list(range(intervals + 1)), options)
         self._results = {name: np.zeros((intervals + 1, call.size1_out(name))) for name in ("xf", "zf", "qf")}
         self._arguments = {name: np.zeros(call.size1_in(name)) for name in ("x0", "z0", "p")}
@@ -109,7 +109,7 @@ class FrameIntegrator:
         steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
         if self._buffer.ret() != 0:
             # The Rosenbrock method does not raise: it leaves a code, and results that are not to be used.
-            raise RuntimeError(_reason(silence.getvalue(), steps, self._most_steps))
+            raise RuntimeError(_reason(silence.getvalue(), steps, self._max_steps))
         x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
         quad = x[-self._works :] if self._works else np.add.reduceat(local, self._firsts, axis=0)
         x = x[: len(state.x)]
@@ -237,9 +237,9 @@ class Integration:
         if len(self._kinks):
             return self._by_pieces(record, p, interval, scale, tell)
         while record.reached < self._frames - 1:
-            complaint = self._attempt(self._chunk, record, p, interval)
-            if complaint:
-                return self._to_the_bitter_end(record, p, interval, scale, complaint)
+            message = self._attempt(self._chunk, record, p, interval)
+            if message:
+                return self._to_the_bitter_end(record, p, interval, scale, message)
             tell(self._chunk.intervals * interval * scale)
         return record.solution(interval, self._frames, Outcome.solved, "")
 
@@ -276,23 +276,23 @@ class Integration:
             tell(interval * scale)
         return record.solution(interval, self._frames, Outcome.solved, "")
 
-    def _to_the_bitter_end(self, record: Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
+    def _to_the_bitter_end(self, record: Record, p: Floats, interval: float, scale: float, message: str) -> Solution:
         """Go on frame by frame to where it fails, so that the part that is sound is kept."""
         single = FrameIntegrator(self._graph, self._settings, 1, self._external)
         while record.reached < self._frames - 1:
             failed = self._attempt(single, record, p, interval)
             if failed:
-                complaint = failed
+                message = failed
                 break
         else:
             return record.solution(interval, self._frames, Outcome.solved, "")
-        return self._broken(record, p, interval, scale, complaint)
+        return self._broken(record, p, interval, scale, message)
 
-    def _broken(self, record: Record, p: Floats, interval: float, scale: float, complaint: str) -> Solution:
+    def _broken(self, record: Record, p: Floats, interval: float, scale: float, message: str) -> Solution:
         """What was reached before it failed, and why it did."""
         worst = worst_component(self._graph, record.reached * interval, record.last.x, record.last.z, p)
-        text = f"stopped after t = {record.reached * interval * scale:.6g} s; fastest: {worst}; {_digest(complaint)}"
-        return record.solution(interval, self._frames, _outcome_of(complaint), text)
+        text = f"stopped after t = {record.reached * interval * scale:.6g} s; fastest: {worst}; {_digest(message)}"
+        return record.solution(interval, self._frames, _outcome_of(message), text)
 
 
 def _chunks(graph: Graph, settings: Settings) -> int:
@@ -317,15 +317,15 @@ def _reason(told: str, steps: int, most: int) -> str:
     return "even the smallest step was rejected"
 
 
-def _outcome_of(complaint: str) -> Outcome:
+def _outcome_of(message: str) -> Outcome:
     # Steps first: a run may have recovered from an infinity before it ran out of steps.
-    if any(sign in complaint for sign in ("TOO_MUCH_WORK", "number of steps")):
+    if any(sign in message for sign in ("TOO_MUCH_WORK", "number of steps")):
         return Outcome.step_limit
-    if any(sign in complaint for sign in ("non-finite", "RHSFUNC", "RES_FAIL", "RESFUNC")):
+    if any(sign in message for sign in ("non-finite", "RHSFUNC", "RES_FAIL", "RESFUNC")):
         return Outcome.non_finite
     return Outcome.no_convergence
 
 
-def _digest(complaint: str) -> str:
+def _digest(message: str) -> str:
     """The integrator's own words, without its source files."""
-    return complaint.strip().splitlines()[-1].split(": ", 1)[-1][:200]
+    return message.strip().splitlines()[-1].split(": ", 1)[-1][:200]

@@ -30,7 +30,7 @@ class Outcome(Enum):
         "the estimated error stayed above twice the accuracy asked after whatever refinement the scene allows: ask for "
         "a larger run.accuracy, or shorten the run"
     )
-    overlooked = (
+    missing_effect = (
         "an effect that was left out matters more than the accuracy asked, and the run was not repeated once more: "
         "name the effects in run.effects, or ask for a larger run.accuracy"
     )

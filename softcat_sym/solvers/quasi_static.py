@@ -48,7 +48,7 @@ def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Flo
 # Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
 _GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
 
-_SMALLEST_STEP = 1 / 1024  # of the time from one instant to the next
+_MIN_STEP = 1 / 1024  # of the time from one instant to the next
 _GROWTH = 1.5
 
 
@@ -108,7 +108,7 @@ class _Path:
             step = min(left, self._step)
             at = until if step == left else self._known[-1][0] + step
             further = self._search(at, self._guess(at))
-            if further is None and step > _SMALLEST_STEP * whole:
+            if further is None and step > _MIN_STEP * whole:
                 self._step = step / 2
                 continue
             if further is None and falls:

@@ -35,31 +35,17 @@ NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, o
 
 @dataclass(frozen=True, slots=True)
 class Backend:
-    """What evaluates the right-hand side.
+    """What evaluates the right-hand side."""
 
-    Attributes
-    ----------
-    compiled : bool
-        Whether generated C does, its integrator included; otherwise CasADi interprets the graph.
-    reason : str
-        By which compiler, or why not.
-    """
-
-    compiled: bool
-    reason: str
+    compiled: bool  # Whether generated C does, its integrator included; otherwise CasADi interprets the graph
+    reason: str  # By which compiler, or why not
 
     def __str__(self) -> str:
         return f"{'compiled' if self.compiled else 'interpreted'}: {self.reason}"
 
 
 def choose_backend(scene: Scene, effects: Effects) -> Backend:
-    """Choose the backend: compiled where there is a compiler and the filament has a compiled form.
-
-    Raises
-    ------
-    SceneError
-        If the scene asks for the compiled one and cannot have it.
-    """
+    """Choose the backend: compiled where there is a compiler and the filament has a compiled form."""
     asked = scene.numerics.backend
     if asked == "interpreted":
         return Backend(False, "named in numerics.backend")
@@ -122,28 +108,15 @@ _NOISE = 5 * float(np.finfo(float).eps)
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """An integrator and its tolerances.
+    """An integrator and its tolerances."""
 
-    Attributes
-    ----------
-    solver : str
-        ``cvodes``, ``idas`` or ``rosenbrock``.
-    rtol, atol : float
-        Relative tolerance, and absolute tolerance in units of span and time scale.
-    reason : str
-        Why this one.
-    across : float or None
-        Absolute tolerance of all but axial velocities, where theirs is looser for what rounding leaves in them.
-    max_step : float or None
-        [s]; None where only the tolerances limit the steps.
-    """
-
-    solver: Name
-    rtol: float
+    solver: Name  # ``cvodes``, ``idas`` or ``rosenbrock``
+    rtol: float  # Relative tolerance, and absolute tolerance in units of span and time scale
     atol: float
-    reason: str
+    reason: str  # Why this one
+    # Absolute tolerance of all but axial velocities, where theirs is looser for what rounding leaves in them.
     across: float | None = None
-    max_step: float | None = None
+    max_step: float | None = None  # [s]; None where only the tolerances limit the steps
 
     def absolute(self, kinds: Iterable[str]) -> Floats:
         """Absolute tolerance of unknowns of these kinds."""
@@ -163,11 +136,6 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
 
     BDF of order 2 is the cheapest where flow damps the waves, and where a filament creeps to rest; it would damp by
     itself the ringing of one that stays elastic or stops short, so those go to the fifth-order Rosenbrock method.
-
-    Raises
-    ------
-    SceneError
-        If the scene names an integrator that cannot solve it.
     """
     solver, reason = _solver(scene, effects)
     rtol = scene.numerics.rtol or scene.run.accuracy * _tightening(scene, effects, solver)
@@ -222,13 +190,7 @@ def _yield_strain(scene: Scene) -> float:
 
 
 def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:
-    """Integrator and tolerances of a run that is compiled or not; compiled, CVODES and IDAS must be named.
-
-    Raises
-    ------
-    SceneError
-        If the scene names an integrator that cannot solve it.
-    """
+    """Integrator and tolerances of a run that is compiled or not; compiled, CVODES and IDAS must be named."""
     ours = compiled and scene.numerics.solver in (None, "rosenbrock")
     return compiled_settings(scene, effects) if ours else choose_settings(scene, effects)
 

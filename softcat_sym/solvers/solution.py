@@ -61,30 +61,17 @@ class Silence:
 
 @dataclass(frozen=True)
 class Solution:
-    """States at the output times that were reached.
+    """States at the output times that were reached."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (frames,)
-        In units of the time scale; shorter than asked if the integration failed.
-    x, z, quad : ndarray, shapes (nx, frames), (nz, frames), (3, frames)
-        Differential and algebraic states, and the quadratures (plastic work, work of the changing load, work against
-        the necking gradient).
-    outcome : Outcome
-        How it ended.
-    complaint : str
-        Time, worst component and the integrator's words, if it failed.
-    steps : int
-        Steps taken.
-    """
-
-    time: Floats
+    time: Floats  # shape (frames,); In units of the time scale; shorter than asked if the integration failed
+    # Differential and algebraic states, and the quadratures (plastic work, work of the changing load, work against
+    # the necking gradient).
     x: Floats
     z: Floats
     quad: Floats
-    outcome: Outcome
-    complaint: str
-    steps: int
+    outcome: Outcome  # How it ended
+    message: str  # Time, worst component and the integrator's words, if it failed
+    steps: int  # Steps taken
 
     def every(self, stride: int, time: Floats) -> Solution:
         """The same at every so many of its times, called those of `time`."""
@@ -99,25 +86,13 @@ class Interrupts:
         self._noticed = False
 
     def note(self, number: int, frame: FrameType | None) -> None:
-        """Handle the signal: remember it, and raise as Python does.
-
-        Raises
-        ------
-        KeyboardInterrupt
-            Always.
-        """
+        """Handle the signal: remember it, and raise as Python does."""
         del number, frame
         self._noticed = True
         raise KeyboardInterrupt
 
     def check(self) -> None:
-        """Raise what was swallowed.
-
-        Raises
-        ------
-        KeyboardInterrupt
-            If the signal has come.
-        """
+        """Raise what was swallowed."""
         if self._noticed:
             raise KeyboardInterrupt
 
@@ -143,20 +118,12 @@ POWERS = 3
 
 @dataclass(frozen=True)
 class Reached:
-    """Where an integration stands, and how it got there; the first frame is its start.
+    """Where an integration stands, and how it got there; the first frame is its start."""
 
-    Attributes
-    ----------
-    x, z, quad : ndarray, shapes (nx, frames), (nz, frames), (3, frames)
-        Differential and algebraic states, and quadratures.
-    steps : int
-        Taken so far.
-    """
-
-    x: Floats
+    x: Floats  # Differential and algebraic states, and quadratures
     z: Floats
     quad: Floats
-    steps: int
+    steps: int  # Taken so far
 
     @property
     def frames(self) -> int:
@@ -165,13 +132,7 @@ class Reached:
 
 
 def at_start(x: Floats, z: Floats) -> Reached:
-    """The first frame.
-
-    Parameters
-    ----------
-    x, z : ndarray, shapes (nx,), (nz,)
-        States.
-    """
+    """The first frame."""
     return Reached(x[:, None], z[:, None], np.zeros((POWERS, 1)), 0)
 
 
@@ -185,13 +146,7 @@ class State:
 
 
 class Record:
-    """Frames gathered so far.
-
-    Parameters
-    ----------
-    first : Reached
-        Where it begins.
-    """
+    """Frames gathered so far."""
 
     def __init__(self, first: Reached) -> None:
         self._x, self._z, self._quad = [first.x], [first.z], [first.quad]
@@ -216,8 +171,8 @@ class Record:
         x, z, quad = (np.concatenate(parts, axis=1)[:, :frames] for parts in (self._x, self._z, self._quad))
         return Reached(x, z, quad, self.steps)
 
-    def solution(self, interval: float, frames: int, outcome: Outcome, complaint: str) -> Solution:
+    def solution(self, interval: float, frames: int, outcome: Outcome, message: str) -> Solution:
         """The answer, with `frames` output times `interval` apart."""
         found = self.so_far(frames)
         time = np.arange(found.frames, dtype=float) * interval
-        return Solution(time, found.x, found.z, found.quad, outcome, complaint, found.steps)
+        return Solution(time, found.x, found.z, found.quad, outcome, message, found.steps)

@@ -65,27 +65,7 @@ _RAMP = 1.0
 
 
 def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = ()) -> tuple[Scene, tuple[str, ...]]:
-    """Make a scene of a round filament that is let go within sqrt(L/g).
-
-    Parameters
-    ----------
-    flags : mapping of str to str or None
-        Texts with units by the names of :data:`GEOMETRY`, :data:`MATERIAL` and :data:`OTHERS`; None: not given.
-    changes : sequence of str
-        ``"load.ramp=10 ms"``, as of every command.
-
-    Returns
-    -------
-    Scene, tuple of str
-        And what was assumed.
-
-    Raises
-    ------
-    SceneError
-        With every fault; a flag that is missing is named.
-    SoftcatError
-        If the flow curve is none, or its fit is one that no scene can take.
-    """
+    """Make a scene of a round filament that is let go within sqrt(L/g)."""
     given = {name: text for name, text in flags.items() if text is not None}
     curve = given.get("flow-curve")
     _refuse(given, curve)
@@ -253,15 +233,7 @@ def _rules(run: Trajectory, told: Told | None) -> tuple[Rule, ...]:
 
 
 def applied_to(run: Trajectory, own: RuleOfTheField) -> Rule:
-    """Lay a rule beside a run.
-
-    Parameters
-    ----------
-    run : Trajectory
-        With two frames at least.
-    own : RuleOfTheField
-        The rule.
-    """
+    """Lay a rule beside a run."""
     predicted = unusual(run.scene) or own.predict(run.scene, run)
     says, why = (None, f"does not apply: {predicted}") if isinstance(predicted, str) else (predicted, "")
     return Rule(own.key, own.name, own.source, own.quantity, own.unit, says, MEASURES[own.quantity](run), text=why)

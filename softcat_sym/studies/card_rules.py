@@ -41,117 +41,59 @@ HOLDS = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Descent:
-    """How far and how fast a filament sagged; lengths in m, times in s.
+    """How far and how fast a filament sagged; lengths in m, times in s."""
 
-    Attributes
-    ----------
-    final : float
-        Sag of the midpoint at the end of the run.
-    largest : float
-        At any time.
-    settled : float or None
-        From when on it stays within 1 % of the final sag; None if it still moves in the last tenth of the run.
-    to_90 : float or None
-        When it first reaches 90 % of the final sag; None if it ends above its supports.
-    rise : float
-        How far it came back up after it had been lower, over the largest sag.
-    damping : str
-        ``"overdamped"`` or ``"underdamped"``: whether it came back up by more than 5 %.
-    stretch, stretch_at : float
-        Largest stretch at the end, and where, X/L from -1/2 to 1/2.
-    """
-
-    final: float
-    largest: float
+    final: float  # Sag of the midpoint at the end of the run
+    largest: float  # At any time
+    # From when on it stays within 1 % of the final sag; None if it still moves in the last tenth of the run.
     settled: float | None
-    to_90: float | None
-    rise: float
-    damping: str
-    stretch: float
+    to_90: float | None  # When it first reaches 90 % of the final sag; None if it ends above its supports
+    rise: float  # How far it came back up after it had been lower, over the largest sag
+    damping: str  # ``"overdamped"`` or ``"underdamped"``: whether it came back up by more than 5 %
+    stretch: float  # Largest stretch at the end, and where, X/L from -1/2 to 1/2
     stretch_at: float
 
 
 @dataclass(frozen=True, slots=True)
 class Certificate:
-    """Why the filament is, or is not, at rest.
+    """Why the filament is, or is not, at rest."""
 
-    Attributes
-    ----------
-    arrested : bool or None
-        None for a law without a yield stress.
-    gravity_number, first_yield, threshold : float or None
-        G of the scene, from which a fibre yields, and above which no catenary rests: 1.3255.
-    stress : float or None
-        Largest fibre stress at the end over the yield stress.
-    yielding : float or None
-        Share of the filament that still yields at the end.
-    rate : float or None
-        Largest plastic rate in the last tenth of the run, over sigma_Y/eta; below 0.5 counts as arrested.
-    drift : float
-        Change of the sag in the last tenth of the run, over the final sag.
-    text : str
-        In words.
-    """
-
-    arrested: bool | None
-    gravity_number: float | None
+    arrested: bool | None  # None for a law without a yield stress
+    gravity_number: float | None  # G of the scene, from which a fibre yields, and above which no catenary rests: 1.3255
     first_yield: float | None
     threshold: float | None
-    stress: float | None
-    yielding: float | None
+    stress: float | None  # Largest fibre stress at the end over the yield stress
+    yielding: float | None  # Share of the filament that still yields at the end
+    # Largest plastic rate in the last tenth of the run, over sigma_Y/eta; below 0.5 counts as arrested.
     rate: float | None
-    drift: float
-    text: str
+    drift: float  # Change of the sag in the last tenth of the run, over the final sag
+    text: str  # In words
 
 
 @dataclass(frozen=True, slots=True)
 class Blame:
-    """One thing that a rule leaves out, and how far it alone puts the rule off.
+    """One thing that a rule leaves out, and how far it alone puts the rule off."""
 
-    Attributes
-    ----------
-    cause : str
-        In words.
-    error : float
-        Rule over solver minus one, of a filament with this cause and nothing else of what the rule leaves out.
-    """
-
-    cause: str
+    cause: str  # In words
+    # Rule over solver minus one, of a filament with this cause and nothing else of what the rule leaves out.
     error: float
 
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule of the field beside the solver's answer.
+    """A rule of the field beside the solver's answer."""
 
-    Attributes
-    ----------
-    key, name, source : str
-        Short name, name and where it comes from.
-    quantity, unit : str
-        What it predicts, and in which unit.
-    predicted : float or None
-        None where it does not apply.
-    solver : float
-        The same of the run.
-    bare : float or None
-        Error against the solver without anything that the rule leaves out; None where that was not run.
-    blames : tuple of Blame
-        Which effects make it fail, the strongest first.
-    text : str
-        Why it fails or does not apply, in a sentence.
-    """
-
-    key: str
+    key: str  # Short name, name and where it comes from
     name: str
     source: str
-    quantity: str
+    quantity: str  # What it predicts, and in which unit
     unit: str
-    predicted: float | None
-    solver: float
+    predicted: float | None  # None where it does not apply
+    solver: float  # The same of the run
+    # Error against the solver without anything that the rule leaves out; None where that was not run.
     bare: float | None = None
-    blames: tuple[Blame, ...] = ()
-    text: str = ""
+    blames: tuple[Blame, ...] = ()  # Which effects make it fail, the strongest first
+    text: str = ""  # Why it fails or does not apply, in a sentence
 
     @property
     def error(self) -> float | None:
@@ -229,7 +171,7 @@ class Card:
             "name": self.name,
             "title": self.scene.title,
             "outcome": self.run.outcome.name,
-            "complaint": self.run.summary.get("complaint") or "",
+            "message": self.run.summary.get("message") or "",
             "regime": self.regime or None,
             "error_estimate": self.error_estimate,
             "descent": None if self.descent is None else dataclasses.asdict(self.descent),
@@ -388,27 +330,15 @@ Prediction = float | str
 
 @dataclass(frozen=True, slots=True)
 class RuleOfTheField:
-    """A rule before it is applied.
+    """A rule before it is applied."""
 
-    Attributes
-    ----------
-    key, name, source, quantity : str
-        See :class:`softcat_sym.studies.card_rules.Rule`.
-    predict : callable
-        Of the scene and its run.
-    neglects : tuple of str
-        Keys of causes that the rule leaves out.
-    ends : str
-        How it takes the ends to be held; empty for as they are, or for none of its business.
-    """
-
-    key: str
+    key: str  # See :class:`softcat_sym.studies.card_rules.Rule`
     name: str
     source: str
     quantity: str
-    predict: Callable[[Scene, Trajectory], Prediction]
-    neglects: tuple[str, ...]
-    ends: str = ""
+    predict: Callable[[Scene, Trajectory], Prediction]  # Of the scene and its run
+    neglects: tuple[str, ...]  # Keys of causes that the rule leaves out
+    ends: str = ""  # How it takes the ends to be held; empty for as they are, or for none of its business
 
     @property
     def unit(self) -> str:
@@ -626,15 +556,7 @@ Told = Callable[[str], None]
 
 
 class Solver:
-    """Runs of one filament with causes left out, each made once.
-
-    Parameters
-    ----------
-    run : Trajectory
-        The filament as it is; its grid is kept.
-    told : callable, optional
-        Told what is about to run.
-    """
+    """Runs of one filament with causes left out, each made once."""
 
     def __init__(self, run: Trajectory, told: Told | None = None) -> None:
         self._run, self._told = run, told
@@ -699,15 +621,6 @@ def blamed(rule: Rule, own: RuleOfTheField, solver: Solver) -> Rule:
 
     First the solver is run without anything that the rule leaves out: there they must agree. Then each effect is put
     back alone; what takes the two apart is to blame, and by how much is said.
-
-    Parameters
-    ----------
-    rule : Rule
-        As applied.
-    own : RuleOfTheField
-        The rule, for what it leaves out.
-    solver : Solver
-        Runs the variants.
     """
     if rule.error is None:
         return rule

@@ -37,32 +37,16 @@ _FRAMES, _DURATION = 1001, 20.0
 
 @dataclass(frozen=True, eq=False)
 class BiasPoint:
-    """One filament.
+    """One filament."""
 
-    Attributes
-    ----------
-    delta, B, tau_star : float
-        Slenderness, load over viscosity, relaxation time over sqrt(L/g).
-    outcome : str
-        Of the run.
-    features : Features
-        As read.
-    closed : ClosedForm
-        As inverted.
-    modulus : dict of str to float
-        Bias E/E_true - 1 by each of `FORMULAS`; NaN where it gives nothing.
-    viscosity : float
-        Bias of eta by the 1/3 law; NaN where the film does not show it.
-    """
-
-    delta: float
+    delta: float  # Slenderness, load over viscosity, relaxation time over sqrt(L/g)
     B: float
     tau_star: float
-    outcome: str
-    features: Features
-    closed: ClosedForm
-    modulus: dict[str, float]
-    viscosity: float
+    outcome: str  # Of the run
+    features: Features  # As read
+    closed: ClosedForm  # As inverted
+    modulus: dict[str, float]  # Bias E/E_true - 1 by each of `FORMULAS`; NaN where it gives nothing
+    viscosity: float  # Bias of eta by the 1/3 law; NaN where the film does not show it
 
 
 def closed_form_bias(
@@ -71,15 +55,7 @@ def closed_form_bias(
     loads: tuple[float, ...] = LOADS,
     relaxation: tuple[float, ...] = RELAXATION,
 ) -> tuple[BiasPoint, ...]:
-    """Run, read and invert a grid of filaments, by the paper's effects.
-
-    Parameters
-    ----------
-    told : callable
-        Told which filament is run.
-    slenderness, loads, relaxation : tuple of float
-        delta, B and tau over sqrt(L/g).
-    """
+    """Run, read and invert a grid of filaments, by the paper's effects."""
     return tuple(_point(*place, told) for place in product(slenderness, loads, relaxation))
 
 

@@ -43,23 +43,12 @@ class Discrepancy:
     """Differences of two midpoint curves over the largest magnitude of the reference.
 
     NaN where there is nothing to compare: after a filament's run has ended early, or with a reference that never moves.
-
-    Attributes
-    ----------
-    error : ndarray, shape (frames,)
-        (filament - elements)/max |elements|.
-    at : tuple of float
-        The error at `SHARES` of the duration.
-    mean : float
-        Mean error over the last 6/7.
-    largest : float
-        Largest magnitude over the frames that were reached.
     """
 
-    error: Floats
-    at: tuple[float, ...]
-    mean: float
-    largest: float
+    error: Floats  # shape (frames,); (filament - elements)/max |elements|
+    at: tuple[float, ...]  # The error at `SHARES` of the duration
+    mean: float  # Mean error over the last 6/7
+    largest: float  # Largest magnitude over the frames that were reached
 
 
 def moments(frames: int) -> tuple[int, ...]:
@@ -73,29 +62,13 @@ def late(time: Floats) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
 
 
 def aligned(time: Floats, values: Floats, wanted: Floats) -> Floats:
-    """Values at other times, linear between frames, NaN after the last.
-
-    Parameters
-    ----------
-    time, values : ndarray, shape (n,)
-        A curve.
-    wanted : ndarray, shape (frames,)
-        Times; those of the curve, up to rounding, where it is complete.
-    """
+    """Values at other times, linear between frames, NaN after the last."""
     slack = 1e-9 * float(wanted[-1])
     return np.where(wanted <= time[-1] + slack, np.interp(wanted, time, values), np.nan)
 
 
 def discrepancy(time: Floats, filament: Floats, elements: Floats) -> Discrepancy:
-    """Compare two midpoint curves.
-
-    Parameters
-    ----------
-    time : ndarray, shape (frames,)
-        Evenly spaced from 0 [s].
-    filament, elements : ndarray, shape (frames,)
-        Heights [m]; NaN where the filament's run did not come so far.
-    """
+    """Compare two midpoint curves."""
     scale = float(np.abs(elements).max())
     error = (filament - elements) / scale if scale > 0 else np.full(time.shape, np.nan)
     known = np.abs(error[np.isfinite(error)])
@@ -115,15 +88,9 @@ CLAMP_STRAIN_DEFINITION = (
 
 @dataclass(frozen=True)
 class ClampStrain:
-    """Axial true strain at the points of the elements at the clamp.
+    """Axial true strain at the points of the elements at the clamp."""
 
-    Attributes
-    ----------
-    mean, largest : ndarray, shape (frames,)
-        Over these points; NaN after a run has ended early.
-    """
-
-    mean: Floats
+    mean: Floats  # shape (frames,); Over these points; NaN after a run has ended early
     largest: Floats
 
 
@@ -137,15 +104,6 @@ def filament_clamp_strain(data: xr.Dataset, run: ElementRun, thickness: float) -
 
     The strain is the one that the theory itself uses, eps = log s - theta_s (h/2) zeta with the present thickness h.
     Along the filament it is interpolated between cell centres, and constant from the last centre to the clamp.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Trajectory with ``stretch``, ``curvature``, ``thickness`` (time, cell).
-    run : ElementRun
-        For the points and the output times.
-    thickness : float
-        h0 [m].
     """
     X, Y = run.point[-run.mesh.through :].reshape(-1, 2).T
     centres = data["X_cell"].values
@@ -166,13 +124,7 @@ _FILE = "file "
 
 
 def kept_calculix(scene: Scene, mesh: Mesh, clamp: Clamp, step: float, progress: Progress) -> CalculixRun:
-    """Run a scene in CalculiX, or take up what is kept of it.
-
-    Parameters
-    ----------
-    scene, mesh, clamp, step, progress
-        As :func:`softcat_sym.reference.calculix.run_calculix`.
-    """
+    """Run a scene in CalculiX, or take up what is kept of it."""
     return kept(
         lambda: ("calculix", scene.to_toml(), str(mesh), clamp.value, repr(step)),
         lambda: run_calculix(scene, mesh, clamp=clamp, step=step, progress=progress),
@@ -201,56 +153,27 @@ _NARROW = 0.2
 
 @dataclass(frozen=True)
 class CalculixRow:
-    """One of ours beside CalculiX.
+    """One of ours beside CalculiX."""
 
-    Attributes
-    ----------
-    name : str
-        ``filament`` or ``elements``.
-    midpoint : ndarray, shape (frames,)
-        Height [m] at CalculiX's output times; NaN after a run has ended early.
-    discrepancy : Discrepancy
-        (ours - CalculiX)/max |CalculiX|.
-    dofs, steps : int
-        Displacements and, with shear, section angles that are free; steps taken.
-    wall : float
-        Seconds spent.
-    """
-
-    name: str
-    midpoint: Floats
-    discrepancy: Discrepancy
-    dofs: int
+    name: str  # ``filament`` or ``elements``
+    midpoint: Floats  # shape (frames,); Height [m] at CalculiX's output times; NaN after a run has ended early
+    discrepancy: Discrepancy  # (ours - CalculiX)/max |CalculiX|
+    dofs: int  # Displacements and, with shear, section angles that are free; steps taken
     steps: int
-    wall: float
+    wall: float  # Seconds spent
 
 
 @dataclass(frozen=True)
 class CalculixComparison:
-    """A scene in CalculiX and in ours.
+    """A scene in CalculiX and in ours."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What was asked.
-    calculix : CalculixRun
-        The reference.
-    trajectory : Trajectory
-        The filament's run.
-    elements : ElementRun or None
-        Our elements, on a mesh of the same density with the same clamp, where they were asked for.
-    rows : tuple of CalculixRow
-        The filament, then the elements.
-    warnings : tuple of str
-        Why they might not be comparable.
-    """
-
-    scene: Scene
-    calculix: CalculixRun
-    trajectory: Trajectory
+    scene: Scene  # What was asked
+    calculix: CalculixRun  # The reference
+    trajectory: Trajectory  # The filament's run
+    # Our elements, on a mesh of the same density with the same clamp, where they were asked for.
     elements: ElementRun | None
-    rows: tuple[CalculixRow, ...]
-    warnings: tuple[str, ...]
+    rows: tuple[CalculixRow, ...]  # The filament, then the elements
+    warnings: tuple[str, ...]  # Why they might not be comparable
 
 
 def compare_with_calculix(
@@ -263,32 +186,7 @@ def compare_with_calculix(
     checkpoint: Path | None = None,
     progress: Listening | None = None,
 ) -> CalculixComparison:
-    """Run a scene in CalculiX, as a filament and, if wanted, in our elements.
-
-    Parameters
-    ----------
-    scene : Scene
-        A filament that our elements know: rectangular, between two clamps; elastic, Maxwell or Bingham.
-    mesh : Mesh, optional
-        64 x 4 equal elements unless given, of both.
-    clamp : Clamp
-        What the clamped face may do, in both.
-    step : float
-        CalculiX's longest increment in L sqrt(rho/E).
-    with_elements : bool
-        Run our elements too.
-    checkpoint : pathlib.Path, optional
-        Where they keep their state, and go on from if it is there.
-    progress : callable, optional
-        Called with what is about to run; returns a context whose value is told how far it is.
-
-    Raises
-    ------
-    SceneError
-        If the elements or the filament cannot have the scene; before anything is run.
-    SoftcatError
-        If CalculiX is not installed or gives up, or our elements fail.
-    """
+    """Run a scene in CalculiX, as a filament and, if wanted, in our elements."""
     require_calculix()
     # Refuses what a filament cannot have before the long run.
     choose_effects(scene)
@@ -344,27 +242,13 @@ _PUBLISHED = "published, {} closure"
 
 @dataclass(frozen=True)
 class FilamentRow:
-    """One filament theory, run and compared.
+    """One filament theory, run and compared."""
 
-    Attributes
-    ----------
-    name : str
-        ``filament`` for the scene's own effects, else which published theory.
-    trajectory : Trajectory
-        Its run.
-    midpoint : ndarray, shape (frames,)
-        Height [m] at the elements' output times; NaN after a run has ended early.
-    discrepancy : Discrepancy
-        Its midpoint against that of the elements.
-    clamp_strain : ClampStrain
-        Next to the clamp.
-    """
-
-    name: str
-    trajectory: Trajectory
-    midpoint: Floats
-    discrepancy: Discrepancy
-    clamp_strain: ClampStrain
+    name: str  # ``filament`` for the scene's own effects, else which published theory
+    trajectory: Trajectory  # Its run
+    midpoint: Floats  # shape (frames,); Height [m] at the elements' output times; NaN after a run has ended early
+    discrepancy: Discrepancy  # Its midpoint against that of the elements
+    clamp_strain: ClampStrain  # Next to the clamp
 
     @property
     def dofs(self) -> int:
@@ -376,27 +260,13 @@ class FilamentRow:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A scene as finite elements and as filaments.
+    """A scene as finite elements and as filaments."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What was asked.
-    elements : ElementRun
-        The reference.
-    clamp_strain : ClampStrain
-        Of the elements.
-    filaments : tuple of FilamentRow
-        The scene's own effects first.
-    warnings : tuple of str
-        Why the two might not be comparable.
-    """
-
-    scene: Scene
-    elements: ElementRun
-    clamp_strain: ClampStrain
-    filaments: tuple[FilamentRow, ...]
-    warnings: tuple[str, ...]
+    scene: Scene  # What was asked
+    elements: ElementRun  # The reference
+    clamp_strain: ClampStrain  # Of the elements
+    filaments: tuple[FilamentRow, ...]  # The scene's own effects first
+    warnings: tuple[str, ...]  # Why the two might not be comparable
 
     @property
     def filament(self) -> FilamentRow:
@@ -412,35 +282,7 @@ def compare(
     checkpoint: Path | None = None,
     progress: Listening | None = None,
 ) -> Comparison:
-    """Run the elements and the filament of a scene; where its effects are ``auto``, the published theories too.
-
-    Parameters
-    ----------
-    scene : Scene
-        A filament that the elements know: rectangular, between two clamps; elastic, Maxwell or Bingham.
-    mesh : Mesh, optional
-        64 x 4 equal elements unless given.
-    clamp : Clamp
-        What the clamped face of the elements may do.
-    checkpoint : pathlib.Path, optional
-        Where the elements keep their state; its folder is made if need be. If the file is there they go on from it.
-    progress : callable, optional
-        Called with what is about to run; returns a context whose value is told how far it is.
-
-    Returns
-    -------
-    Comparison
-        A filament that fails or localises is in it, with an outcome that is not a success.
-
-    Raises
-    ------
-    SceneError
-        If the elements or the filament cannot have the scene; before anything is run or written.
-    SoftcatError
-        If the elements fail, there is no C compiler, or the checkpoint is of another problem.
-    KeyboardInterrupt
-        On Ctrl-C; the elements' state is in the checkpoint.
-    """
+    """Run the elements and the filament of a scene; where its effects are ``auto``, the published theories too."""
     # Before the theories: one of them may refuse for a reason that is not the user's.
     problem_of(scene)
     theories = _theories(scene)

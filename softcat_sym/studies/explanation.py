@@ -78,25 +78,14 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Decided:
-    """One effect.
+    """One effect."""
 
-    Attributes
-    ----------
-    effect, summary : str
-        Its name and what it adds.
-    in_force : bool
-        Whether the run holds it.
-    estimate : float or None
-        Change of the midpoint that leaving it out would make, over the largest; None where it cannot be had.
-    meaning, formula, reason : str
-        What the estimate is, in words and in symbols, and why the effect is in or out.
-    """
-
-    effect: str
+    effect: str  # Its name and what it adds
     summary: str
-    in_force: bool
+    in_force: bool  # Whether the run holds it
+    # Change of the midpoint that leaving it out would make, over the largest; None where it cannot be had.
     estimate: float | None
-    meaning: str
+    meaning: str  # What the estimate is, in words and in symbols, and why the effect is in or out
     formula: str
     reason: str
 

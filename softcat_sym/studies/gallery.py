@@ -22,90 +22,36 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Exhibit:
-    """What the gallery tells of one scene; SI units.
+    """What the gallery tells of one scene; SI units."""
 
-    Attributes
-    ----------
-    name, title, lesson : str
-        Of the scene, and what to learn from it.
-    law : str
-        Of its material.
-    outcome : str
-        Name of the run's :class:`~softcat_sym.Outcome`.
-    regime : str
-        What the run shows; empty where it is refused.
-    span, thickness : float
-        Of the filament [m].
-    duration : float
-        Simulated time [s].
-    sag_final, sag_largest : float or None
-        Of the midpoint, downwards [m]; None where the run is refused.
-    largest_stretch : float or None
-        At the end, of any cell [-]; None where the run is refused.
-    wall : float
-        Time that the run took [s].
-    identity : str
-        Of program and scene: a gallery keeps an exhibit for as long as it stays the same.
-    """
-
-    name: str
+    name: str  # Of the scene, and what to learn from it
     title: str
     lesson: str
-    law: str
-    outcome: str
-    regime: str
-    span: float
+    law: str  # Of its material
+    outcome: str  # Name of the run's :class:`~softcat_sym.Outcome`
+    regime: str  # What the run shows; empty where it is refused
+    span: float  # Of the filament [m]
     thickness: float
-    duration: float
-    sag_final: float | None
+    duration: float  # Simulated time [s]
+    sag_final: float | None  # Of the midpoint, downwards [m]; None where the run is refused
     sag_largest: float | None
-    largest_stretch: float | None
-    wall: float
-    identity: str
+    largest_stretch: float | None  # At the end, of any cell [-]; None where the run is refused
+    wall: float  # Time that the run took [s]
+    identity: str  # Of program and scene: a gallery keeps an exhibit for as long as it stays the same
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A scene of the gallery before it is run.
+    """A scene of the gallery before it is run."""
 
-    Attributes
-    ----------
-    name : str
-        Of the scene.
-    scene : Scene
-        Without the estimate of its error.
-    text : str
-        As a scene file, to begin one's own with.
-    identity : str
-        Of program and scene.
-    """
-
-    name: str
-    scene: Scene
-    text: str
-    identity: str
+    name: str  # Of the scene
+    scene: Scene  # Without the estimate of its error
+    text: str  # As a scene file, to begin one's own with
+    identity: str  # Of program and scene
 
 
 def asked_of(name: str, changes: Iterable[str] = ()) -> Asked:
-    """Read a bundled scene for the gallery.
-
-    Parameters
-    ----------
-    name : str
-        One of :func:`softcat_sym.bundled_names`.
-    changes : iterable of str
-        ``KEY=VALUE``, as :func:`softcat_sym.load_scene` takes them.
-
-    Returns
-    -------
-    Asked
-        To be run once, at the program's first guess of cells and fibres.
-
-    Raises
-    ------
-    SceneError
-        If a change makes no sense in the scene.
-    """
+    """Read a bundled scene for the gallery."""
     overrides = list(changes)
     scene = load_scene(name, overrides)
     text = scene.to_toml() if overrides else bundled_text(name)
@@ -115,23 +61,7 @@ def asked_of(name: str, changes: Iterable[str] = ()) -> Asked:
 
 
 def exhibit_of(asked: Asked) -> tuple[Exhibit, Trajectory]:
-    """Run a scene of the gallery.
-
-    Parameters
-    ----------
-    asked : Asked
-        From :func:`asked_of`.
-
-    Returns
-    -------
-    tuple of Exhibit and Trajectory
-        A run that is refused is an exhibit too, without numbers.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        On Ctrl-C.
-    """
+    """Run a scene of the gallery."""
     began = time.perf_counter()
     trajectory = simulated(asked.scene)
     spent = time.perf_counter() - began

@@ -55,46 +55,24 @@ _OUTLINE = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0)
 
 @dataclass(frozen=True)
 class Snapshot:
-    """The half strip X >= 0 at one instant; lengths over the span.
+    """The half strip X >= 0 at one instant; lengths over the span."""
 
-    Attributes
-    ----------
-    time : float
-        t~ = (t/L) sqrt(E/rho).
-    outline : ndarray, shape (elements, 8, 2)
-        Corners and middles of the sides of each element, in order around it.
-    quarter : ndarray, shape (4 elements, 4, 2)
-        Corners of the quarter of an element around each Gauss point.
-    place : ndarray, shape (4 elements, 2)
-        Where the Gauss points are.
-    rate : ndarray, shape (4 elements,)
-        Plastic shear rate at the Gauss points times L sqrt(rho/E): sqrt(3) times the equivalent tensile rate.
-    """
-
-    time: float
-    outline: Floats
-    quarter: Floats
-    place: Floats
+    time: float  # t~ = (t/L) sqrt(E/rho)
+    outline: Floats  # shape (elements, 8, 2); Corners and middles of the sides of each element, in order around it
+    quarter: Floats  # shape (4 elements, 4, 2); Corners of the quarter of an element around each Gauss point
+    place: Floats  # shape (4 elements, 2); Where the Gauss points are
+    # shape (4 elements,); Plastic shear rate at the Gauss points times L sqrt(rho/E): sqrt(3) times the equivalent
+    # tensile rate.
     rate: Floats
 
 
 @dataclass(frozen=True)
 class ElementFilm:
-    """A finished run with its snapshots.
+    """A finished run with its snapshots."""
 
-    Attributes
-    ----------
-    run : ElementRun
-        Midpoint, energies and strains at all output times.
-    point : ndarray, shape (4 elements, 2)
-        Reference places of the Gauss points over the span.
-    snapshots : tuple of Snapshot
-        In order of time.
-    """
-
-    run: ElementRun
-    point: Floats
-    snapshots: tuple[Snapshot, ...]
+    run: ElementRun  # Midpoint, energies and strains at all output times
+    point: Floats  # shape (4 elements, 2); Reference places of the Gauss points over the span
+    snapshots: tuple[Snapshot, ...]  # In order of time
 
     def at(self, instant: float) -> Snapshot:
         """The snapshot nearest to a time t~."""
@@ -104,33 +82,7 @@ class ElementFilm:
 def film_elements(
     scene: Scene, mesh: Mesh, instants: tuple[float, ...], folder: Path, name: str, progress: Progress
 ) -> ElementFilm:
-    """Run the elements over a scene and keep the whole strip at some instants.
-
-    Parameters
-    ----------
-    scene : Scene
-        As for :func:`softcat_sym.reference.run_elements`.
-    mesh : Mesh
-        Elements.
-    instants : tuple of float
-        t~; the output times nearest to them are taken.
-    folder : pathlib.Path
-        Exists. Holds the complete state, in a file named after the scene and after all that decides the numbers: if
-        it is there the run goes on from it.
-    name : str
-        Of the scene, for the file's name.
-    progress : Progress
-        Told the simulated time [s].
-
-    Raises
-    ------
-    SceneError
-        If the scene holds what the elements do not know.
-    SoftcatError
-        If the elements fail, there is no C compiler, or the file is damaged.
-    KeyboardInterrupt
-        On Ctrl-C; the state is in the file.
-    """
+    """Run the elements over a scene and keep the whole strip at some instants."""
     problem = problem_of(scene)
     strip, code = Strip(mesh, problem.thickness), point_code(problem.law)
     frames = np.unique(np.round(np.array(instants) / problem.duration * (problem.frames - 1)).astype(int))
@@ -160,13 +112,7 @@ class _Camera:
         self._look()
 
     def finish(self, path: Path, key: str, progress: Progress, second: float) -> float:
-        """Advance to the last output time, from where the file left it; `second` is the elastic time [s].
-
-        Returns
-        -------
-        float
-            Seconds spent, those before a resumption included.
-        """
+        """Advance to the last output time, from where the file left it; `second` is the elastic time [s]."""
         before, began = self._restore(path, key), time.perf_counter()
         saved = began
         with deferred() as interrupt:
@@ -246,21 +192,11 @@ Listening = Callable[[str, float], AbstractContextManager[Progress]]
 
 @dataclass(frozen=True)
 class FigureScene:
-    """One set of the paper's parameters.
+    """One set of the paper's parameters."""
 
-    Attributes
-    ----------
-    name : str
-        Of the bundled scene.
-    title : str
-        In pictures.
-    parameters : str
-        delta, G, eps_Y, V as the scene has them.
-    """
-
-    name: str
-    title: str
-    parameters: str
+    name: str  # Of the bundled scene
+    title: str  # In pictures
+    parameters: str  # delta, G, eps_Y, V as the scene has them
 
 
 SCENES = (
@@ -276,24 +212,12 @@ SNAPSHOTS = ("no-yield", "arrested-overdamped", "continual-descent")
 
 @dataclass(frozen=True)
 class FilmedScene:
-    """A scene, run in every way.
+    """A scene, run in every way."""
 
-    Attributes
-    ----------
-    of : FigureScene
-        Its name and titles.
-    scene : Scene
-        What was run, with the effects that the program chooses.
-    film : ElementFilm
-        The elements.
-    filaments : dict of str to Trajectory
-        By the names of `THEORIES`; those that localised included.
-    """
-
-    of: FigureScene
-    scene: Scene
-    film: ElementFilm
-    filaments: dict[str, Trajectory]
+    of: FigureScene  # Its name and titles
+    scene: Scene  # What was run, with the effects that the program chooses
+    film: ElementFilm  # The elements
+    filaments: dict[str, Trajectory]  # By the names of `THEORIES`; those that localised included
 
     @property
     def elements(self) -> tuple[Floats, Floats]:
@@ -308,26 +232,7 @@ class FilmedScene:
 
 
 def film_scene(of: FigureScene, folder: Path, listening: Listening, mesh: Mesh = MESH) -> FilmedScene:
-    """Run a scene as elements and as filaments.
-
-    Parameters
-    ----------
-    of : FigureScene
-        Which.
-    folder : pathlib.Path
-        Exists. Where the elements keep their state; a finished run is taken from there.
-    listening : callable
-        See `Listening`.
-    mesh : Mesh
-        Elements.
-
-    Raises
-    ------
-    SoftcatError
-        If the elements fail.
-    KeyboardInterrupt
-        On Ctrl-C; the elements' state is in the folder.
-    """
+    """Run a scene as elements and as filaments."""
     scene = load_scene(of.name, _CHANGES)
     with listening(f"{of.name}: elements", scene.run.duration) as listener:
         film = film_elements(scene, mesh, INSTANTS, folder, of.name, listener)
@@ -356,13 +261,7 @@ def stopping_depth(gravity_number: float) -> dict[str, float | None]:
 
 
 def scene_facts(filmed: FilmedScene) -> dict[str, Any]:
-    """Parameters, midpoints, means and strains of a scene run in every way.
-
-    Parameters
-    ----------
-    filmed : FilmedScene
-        As from :func:`softcat_sym.studies.paper_figures.film_scene`.
-    """
+    """Parameters, midpoints, means and strains of a scene run in every way."""
     groups = groups_of(filmed.scene)
     material, run = filmed.scene.material, filmed.film.run
     gravity_number = float(groups.G or 0.0)
@@ -412,56 +311,28 @@ RELAXATION = (0.35, 0.035)
 
 @dataclass(frozen=True)
 class Curve:
-    """Sag of the midpoint over the span against time in sqrt(L/g).
+    """Sag of the midpoint over the span against time in sqrt(L/g)."""
 
-    Attributes
-    ----------
-    name : str
-        What it is.
-    time, sag : ndarray, shape (points,)
-        Dimensionless, positive down.
-    """
-
-    name: str
-    time: Floats
+    name: str  # What it is
+    time: Floats  # shape (points,); Dimensionless, positive down
     sag: Floats
 
 
 @dataclass(frozen=True)
 class Panel:
-    """One filament and all that is said of it.
+    """One filament and all that is said of it."""
 
-    Attributes
-    ----------
-    delta, tau_star : float
-        Slenderness and relaxation time.
-    curves : tuple of Curve
-        Full and reduced model first, then the formulas.
-    t_low, t_high : float
-        End of free fall and start of the 1/3 law by the formulas.
-    tension_over_bending : float
-        Load borne by tension over load borne by bending at t_high, on the 1/3 law.
-    outcomes : dict of str to str
-        Verdicts of the two runs.
-    """
-
-    delta: float
+    delta: float  # Slenderness and relaxation time
     tau_star: float
-    curves: tuple[Curve, ...]
-    t_low: float
+    curves: tuple[Curve, ...]  # Full and reduced model first, then the formulas
+    t_low: float  # End of free fall and start of the 1/3 law by the formulas
     t_high: float
-    tension_over_bending: float
-    outcomes: dict[str, str]
+    tension_over_bending: float  # Load borne by tension over load borne by bending at t_high, on the 1/3 law
+    outcomes: dict[str, str]  # Verdicts of the two runs
 
 
 def maxwell_descents(told: Callable[[str], None]) -> tuple[Panel, ...]:
-    """Run the figure's filaments, both models, at both slendernesses.
-
-    Parameters
-    ----------
-    told : callable
-        Told what is being run.
-    """
+    """Run the figure's filaments, both models, at both slendernesses."""
     return tuple(_panel(delta, tau_star, told) for delta in SLENDERNESS for tau_star in RELAXATION)
 
 

@@ -53,30 +53,14 @@ _PSI, _PSI_POINTS = (0.1, 300.0), 160  # psi of first yield: linear beam to taut
 
 @dataclass(frozen=True)
 class PhaseLine:
-    """One line.
+    """One line."""
 
-    Attributes
-    ----------
-    name : str
-        What it says.
-    kind : str
-        The boundary that it is a formula of.
-    source : str
-        ``"paper"``, ``"exact"`` of its own idealisation, or ``"estimate"``.
-    equation : str
-        Where it is from.
-    other : ndarray
-        delta or V, shape (points,).
-    G : ndarray
-        Gravity number there; NaN where there is none.
-    """
-
-    name: str
-    kind: Kind
-    source: Source
-    equation: str
-    other: Floats
-    G: Floats
+    name: str  # What it says
+    kind: Kind  # The boundary that it is a formula of
+    source: Source  # ``"paper"``, ``"exact"`` of its own idealisation, or ``"estimate"``
+    equation: str  # Where it is from
+    other: Floats  # delta or V, shape (points,)
+    G: Floats  # Gravity number there; NaN where there is none
 
     def at(self, other: float) -> float:
         """G at a value of the other group, between its points by the logarithm."""
@@ -84,17 +68,7 @@ class PhaseLine:
 
 
 def phase_lines(scene: Scene, plane: PhasePlane, points: int = 81) -> tuple[PhaseLine, ...]:
-    """The lines of a plane.
-
-    Parameters
-    ----------
-    scene : Scene
-        For its section, ends, modulus and ramp.
-    plane : PhasePlane
-        G and another group.
-    points : int
-        Of each line.
-    """
+    """The lines of a plane."""
     other = np.geomspace(plane.y.low, plane.y.high, points)
     places = [place_at(scene, plane, 1.0, float(value)) for value in other]
     section, beam = SECTIONS[scene.filament.section], beam_of(scene)
@@ -216,21 +190,12 @@ _FORMULAS_OF: dict[str, tuple[Kind, ...]] = {
 
 @dataclass(frozen=True, slots=True)
 class Crossing:
-    """Where a row of the lattice goes from one regime to another, between two neighbouring answers.
+    """Where a row of the lattice goes from one regime to another, between two neighbouring answers."""
 
-    Attributes
-    ----------
-    kind : str
-        Which boundary: of first yield, of underdamped arrest, of arrest in every fibre, of arrest but at the clamps.
-    other : float
-        delta or V of the row.
-    G_low, G_high : float
-        The neighbours: the boundary is between them.
-    """
-
+    # Which boundary: of first yield, of underdamped arrest, of arrest in every fibre, of arrest but at the clamps.
     kind: str
-    other: float
-    G_low: float
+    other: float  # delta or V of the row
+    G_low: float  # The neighbours: the boundary is between them
     G_high: float
 
     @property
@@ -241,38 +206,18 @@ class Crossing:
 
 @dataclass(frozen=True)
 class Distance:
-    """How far one formula is from the runs.
+    """How far one formula is from the runs."""
 
-    Attributes
-    ----------
-    kind : str
-        Which boundary of the runs.
-    line : PhaseLine
-        The formula.
-    rows : int
-        Rows in which both are there.
-    median, least, most : float
-        G of the runs over that of the formula, less one.
-    """
-
-    kind: str
-    line: PhaseLine
-    rows: int
-    median: float
+    kind: str  # Which boundary of the runs
+    line: PhaseLine  # The formula
+    rows: int  # Rows in which both are there
+    median: float  # G of the runs over that of the formula, less one
     least: float
     most: float
 
 
 def crossings(G: Floats, other: Floats, marks: npt.NDArray[np.str_]) -> tuple[Crossing, ...]:
-    """Every crossing of a lattice.
-
-    Parameters
-    ----------
-    G, other : ndarray, shape (n + 1,)
-        Lattice values.
-    marks : ndarray of str, shape (n + 1, n + 1)
-        Regimes, or what took their place: no boundary is seen beside a run that is no answer.
-    """
+    """Every crossing of a lattice."""
     found = []
     for kind, (below, above) in _SIDES.items():
         for j, value in enumerate(other):
@@ -308,54 +253,26 @@ PAPER_STRAIN: Final = 0.23
 
 @dataclass(frozen=True)
 class PhasePoint:
-    """A run and its lattice node.
+    """A run and its lattice node."""
 
-    Attributes
-    ----------
-    i, j : int
-        Across (G) and upwards.
-    run : PhaseRun
-        The run.
-    """
-
-    i: int
+    i: int  # Across (G) and upwards
     j: int
-    run: PhaseRun
+    run: PhaseRun  # The run
 
 
 @dataclass(frozen=True)
 class PhaseSheet:
-    """One plane.
+    """One plane."""
 
-    Attributes
-    ----------
-    plane : PhasePlane
-        Its axes.
-    x, y : ndarray, shape (cells + 1,)
-        Lattice values: G, and delta or V.
-    points : tuple of PhasePoint
-        What was run.
-    lattice : RefinedLattice
-        Squares and known marks.
-    lines : tuple of PhaseLine
-        Formulas.
-    crossings : tuple of Crossing
-        Boundaries that the runs show.
-    distances : tuple of Distance
-        Between the two.
-    wall, processor : float
-        Time that it took [s]; of all threads of this process together.
-    """
-
-    plane: PhasePlane
-    x: Floats
+    plane: PhasePlane  # Its axes
+    x: Floats  # shape (cells + 1,); Lattice values: G, and delta or V
     y: Floats
-    points: tuple[PhasePoint, ...]
-    lattice: RefinedLattice
-    lines: tuple[PhaseLine, ...]
-    crossings: tuple[Crossing, ...]
-    distances: tuple[Distance, ...]
-    wall: float
+    points: tuple[PhasePoint, ...]  # What was run
+    lattice: RefinedLattice  # Squares and known marks
+    lines: tuple[PhaseLine, ...]  # Formulas
+    crossings: tuple[Crossing, ...]  # Boundaries that the runs show
+    distances: tuple[Distance, ...]  # Between the two
+    wall: float  # Time that it took [s]; of all threads of this process together
     processor: float
 
     @property
@@ -398,24 +315,12 @@ class PhaseSheet:
 
 @dataclass(frozen=True)
 class PhaseDiagram:
-    """What :func:`phase_diagram` returns.
+    """What :func:`phase_diagram` returns."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What all filaments have in common.
-    sheets : tuple of PhaseSheet
-        One for each plane.
-    descent : PhaseRun
-        The paper's continual descent (G 1.9, V 26, delta 0.03) at t~ = 460.
-    workers : int
-        Threads, or workers of a cluster.
-    """
-
-    scene: Scene
-    sheets: tuple[PhaseSheet, ...]
-    descent: PhaseRun
-    workers: int
+    scene: Scene  # What all filaments have in common
+    sheets: tuple[PhaseSheet, ...]  # One for each plane
+    descent: PhaseRun  # The paper's continual descent (G 1.9, V 26, delta 0.03) at t~ = 460
+    workers: int  # Threads, or workers of a cluster
 
 
 def phase_diagram(
@@ -429,33 +334,7 @@ def phase_diagram(
     kept: KeptBlocks | None = None,
     progress: MembersProgress | None = None,
 ) -> PhaseDiagram:
-    """Regimes over one or more planes.
-
-    Parameters
-    ----------
-    scene : Scene
-        A filament with Bingham's law between level supports; its groups are what a plane does not vary. Load it with
-        `SETTINGS` for the paper's physics at a cost of some hundredths of a second a run.
-    planes : sequence of str
-        Of ``"G-delta"`` and ``"G-V"``.
-    resolution : int
-        Cells of the finest lattice along each axis.
-    workers, scheduler, local_cluster : optional
-        Threads, all cores by default; or a Dask cluster, as :func:`softcat_sym.sweep` takes them.
-    kept : KeptBlocks, optional
-        Where finished runs are kept, and those finished before are found.
-    progress : MembersProgress, optional
-        Told about each round of refinement.
-
-    Raises
-    ------
-    SceneError
-        If G, V and delta do not decide the regimes of the scene.
-    SoftcatError
-        If there is no such plane or resolution.
-    KeyboardInterrupt
-        If the user stops it.
-    """
+    """Regimes over one or more planes."""
     chosen, cells = planes_of(planes), checked_resolution(resolution)
     refuse_scene(scene)
     known = KeptRuns(kept) if kept is not None else None

@@ -17,15 +17,15 @@ from softcat_sym.ensemble.ensemble import MembersProgress, Stop, Workshop, side_
 from softcat_sym.ensemble.executor import Count, Embedded, Told, Workplace, blocks_of, run_blocks
 from softcat_sym.ensemble.table import Member, members_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.results.fields import energy_residual, least_energy, node_positions, whole_span_fields
+from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, regime_of, seen
-from softcat_sym.results.verdict import measures, overlooked, verdict
+from softcat_sym.results.verdict import measures, missing_effect, verdict
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
 
-LEAST_RESOLUTION, MOST_RESOLUTION = 4, 640
+MIN_RESOLUTION, MAX_RESOLUTION = 4, 640
 
 ELASTIC_TIME: Final = 4.0
 """Least time of a run in sqrt(L/g), after the ramp of gravity.
@@ -44,18 +44,10 @@ nothing stops has fallen by some 0.4 L by then, and soon after it is drawn out a
 
 @dataclass(frozen=True, slots=True)
 class PhaseAxis:
-    """One group, in equal steps of its logarithm.
+    """One group, in equal steps of its logarithm."""
 
-    Attributes
-    ----------
-    key : str
-        ``"G"``, ``"V"`` or ``"delta"``.
-    low, high : float
-        Its ends.
-    """
-
-    key: str
-    low: float
+    key: str  # ``"G"``, ``"V"`` or ``"delta"``
+    low: float  # Its ends
     high: float
 
     def values(self, cells: int) -> Floats:
@@ -65,18 +57,10 @@ class PhaseAxis:
 
 @dataclass(frozen=True, slots=True)
 class PhasePlane:
-    """Two groups that vary, the third as in the scene.
+    """Two groups that vary, the third as in the scene."""
 
-    Attributes
-    ----------
-    name : str
-        As a user names it.
-    x, y : PhaseAxis
-        G across, the other one upwards.
-    """
-
-    name: str
-    x: PhaseAxis
+    name: str  # As a user names it
+    x: PhaseAxis  # G across, the other one upwards
     y: PhaseAxis
 
 
@@ -97,13 +81,7 @@ class Place:
 
 
 def planes_of(names: Sequence[str]) -> tuple[PhasePlane, ...]:
-    """The planes of these names.
-
-    Raises
-    ------
-    SoftcatError
-        If there is none of such a name, or none is named.
-    """
+    """The planes of these names."""
     unknown = [name for name in names if name not in PLANES]
     if unknown or not names:
         raise SoftcatError(f"no phase plane {', '.join(unknown) or 'named'}; accepted: {', '.join(PLANES)}")
@@ -111,29 +89,16 @@ def planes_of(names: Sequence[str]) -> tuple[PhasePlane, ...]:
 
 
 def checked_resolution(resolution: int) -> int:
-    """A number of cells along an axis that can be had.
-
-    Raises
-    ------
-    SoftcatError
-        If it is none.
-    """
+    """A number of cells along an axis that can be had."""
     if isinstance(resolution, bool) or not isinstance(resolution, int):
         raise SoftcatError(f"resolution = {resolution!r}: a whole number of cells along each axis")
-    if not LEAST_RESOLUTION <= resolution <= MOST_RESOLUTION:
-        raise SoftcatError(f"resolution = {resolution}: accepted: {LEAST_RESOLUTION} to {MOST_RESOLUTION} cells")
+    if not MIN_RESOLUTION <= resolution <= MAX_RESOLUTION:
+        raise SoftcatError(f"resolution = {resolution}: accepted: {MIN_RESOLUTION} to {MAX_RESOLUTION} cells")
     return resolution
 
 
 def refuse_scene(scene: Scene) -> None:
-    """Refuse a filament whose regimes G, V and delta do not decide.
-
-    Raises
-    ------
-    SceneError
-        If its law is not Bingham's, if gravity is shaken, or if its supports are not level, at rest and as far apart as
-        it is long.
-    """
+    """Refuse a filament whose regimes G, V and delta do not decide."""
     faults = []
     if scene.material.law != "bingham":
         faults.append(Fault("material.law", f"{scene.material.law!r} has no regimes by G and V", '"bingham"'))
@@ -152,13 +117,7 @@ def refuse_scene(scene: Scene) -> None:
 
 
 def place_at(scene: Scene, plane: PhasePlane, x: float, y: float) -> Place:
-    """The groups at a place of a plane; the one that does not vary is the scene's.
-
-    Raises
-    ------
-    SceneError
-        If the scene does not yield or flow: see :func:`refuse_scene`.
-    """
+    """The groups at a place of a plane; the one that does not vary is the scene's."""
     groups = groups_of(scene)
     if groups.G is None or groups.V is None:
         raise SceneError([Fault("material", "neither G nor V", "a yield stress and a viscosity")], "of a phase diagram")
@@ -187,79 +146,37 @@ _SORTS = 16
 
 @dataclass(frozen=True)
 class JudgedMember:
-    """A finished run.
+    """A finished run."""
 
-    Attributes
-    ----------
-    prepared : Prepared
-        How it was integrated.
-    solution : Solution
-        What came out.
-    fields : dict of str to ndarray
-        Over the whole span, as from :func:`softcat_sym.results.fields.whole_span_fields`.
-    nodes, cells : ndarray
-        Their material coordinates [m].
-    midpoint : ndarray, shape (frames,)
-        Height of midspan [m].
-    outcome : Outcome
-        How it ended.
-    complaint : str
-        Why, if that was no success.
-    energy_residual : float
-        Of the balance at every frame.
-    regime : str or None
-        What the run shows; None if it is no answer.
-    overlooked : dict of str to str
-        Effects that ``auto`` has left out and that the run shows to matter, and how: a single run would be repeated.
-    """
-
-    prepared: Prepared
-    solution: Solution
-    fields: dict[str, Floats]
-    nodes: Floats
+    prepared: Prepared  # How it was integrated
+    solution: Solution  # What came out
+    fields: dict[str, Floats]  # Over the whole span, as from :func:`softcat_sym.results.fields.whole_span_fields`
+    nodes: Floats  # Their material coordinates [m]
     cells: Floats
-    midpoint: Floats
-    outcome: Outcome
-    complaint: str
-    energy_residual: float
-    regime: str | None
-    overlooked: dict[str, str]
+    midpoint: Floats  # shape (frames,); Height of midspan [m]
+    outcome: Outcome  # How it ended
+    message: str  # Why, if that was no success
+    energy_residual: float  # Of the balance at every frame
+    regime: str | None  # What the run shows; None if it is no answer
+    # Effects that ``auto`` has left out and that the run shows to matter, and how: a single run would be repeated.
+    missing_effect: dict[str, str]
 
 
 def judged(member: Member, workshop: Workshop, stop: Stop) -> JudgedMember:
-    """Integrate a member and judge it by all its frames.
-
-    Parameters
-    ----------
-    member : Member
-        Which.
-    workshop : Workshop
-        What it shares with others.
-    stop : Stop
-        Ends it from outside.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If it is told to stop.
-    SoftcatError
-        If the compiler refuses.
-    """
+    """Integrate a member and judge it by all its frames."""
     stop.update(0.0, None)
     scene = member.scene
     prepared = workshop.prepare(member)
     solution = prepared.solve(stop)
     fields = whole_span_fields(scene, prepared, solution)
     nodes, cells = node_positions(prepared.graph, rest_length(scene))
-    residual = energy_residual(fields, least_energy(scene))
+    residual = energy_residual(fields, min_energy(scene))
     audits = prepared.graph.conserves_energy and prepared.integration is not None
-    outcome, complaint = verdict(scene, member.effects, solution, fields, nodes, residual if audits else 0.0)
+    outcome, message = verdict(scene, member.effects, solution, fields, nodes, residual if audits else 0.0)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     regime = regime_of(scene, member.effects, fields, midpoint) if outcome.is_success else None
     missing = _overlooked(member, solution.time * prepared.scale, (nodes, cells), fields, outcome)
-    return JudgedMember(
-        prepared, solution, fields, nodes, cells, midpoint, outcome, complaint, residual, regime, missing
-    )
+    return JudgedMember(prepared, solution, fields, nodes, cells, midpoint, outcome, message, residual, regime, missing)
 
 
 def _overlooked(
@@ -269,7 +186,7 @@ def _overlooked(
     if member.scene.run.effects != "auto":
         return {}
     motion = seen(member.scene, member.effects, time, places, fields)
-    return overlooked(member.scene, member.effects, measures(member.scene, member.effects, motion), outcome)
+    return missing_effect(member.scene, member.effects, measures(member.scene, member.effects, motion), outcome)
 
 
 @lru_cache(maxsize=2)
@@ -307,21 +224,11 @@ class Square:
 
 @dataclass(frozen=True)
 class RefinedLattice:
-    """Labels of a lattice.
+    """Labels of a lattice."""
 
-    Attributes
-    ----------
-    cells : int
-        Lattice squares along each axis.
-    known : dict of (int, int) to str
-        Labels that were asked for.
-    squares : tuple of Square
-        What tiles the plane: one step wide where corners differ, wider elsewhere.
-    """
-
-    cells: int
-    known: dict[Node, str]
-    squares: tuple[Square, ...]
+    cells: int  # Lattice squares along each axis
+    known: dict[Node, str]  # Labels that were asked for
+    squares: tuple[Square, ...]  # What tiles the plane: one step wide where corners differ, wider elsewhere
 
     @property
     def saved(self) -> int:
@@ -353,13 +260,6 @@ def refined(cells: int, label: Label) -> RefinedLattice:
     """Label a lattice, looking closely only along the boundaries.
 
     Every square on whose edge or inside two known labels differ is cut in four, down to one lattice step.
-
-    Parameters
-    ----------
-    cells : int
-        Lattice squares along each axis. Divided by two for as long as that leaves `COARSEST`, it gives the first ones.
-    label : callable
-        Labels of nodes, asked for many at a time and for each node once.
     """
     width = coarse_width(cells)
     squares = [Square(i, j, width) for i in range(0, cells, width) for j in range(0, cells, width)]
@@ -416,48 +316,24 @@ class LocalStrains:
 
 @dataclass(frozen=True)
 class PhaseRun:
-    """One filament.
+    """One filament."""
 
-    Attributes
-    ----------
-    place : Place
-        Its groups.
-    regime : str or None
-        What the run shows; None if it is no answer.
-    outcome : str
-        Name of the outcome: of the run that gave the regime, or of the one that failed.
-    complaint : str
-        Why, of a run that is no answer.
-    duration : float
-        Of the run that was judged [s].
-    drawn_out : float or None
-        Duration [s] of the longer run that was no answer, where the judged one ends as its sag passes `PASSED`.
-    runs : int
-        How many were made: 1 or 2.
-    sag : float
-        Of the midpoint at the end, over the span.
-    rate, span_rate : float
-        Largest plastic rate in the last tenth of the run over sigma_Y/eta: of all fibres, and of those further than
-        `CLAMP_REGION` from the ends.
-    clamp, midspan : LocalStrains
-        At the end of the run, in the cell at a clamp and in the one at midspan.
-    steps : int
-        Of the integrator, of all runs.
-    """
-
-    place: Place
-    regime: str | None
-    outcome: str
-    complaint: str
-    duration: float
+    place: Place  # Its groups
+    regime: str | None  # What the run shows; None if it is no answer
+    outcome: str  # Name of the outcome: of the run that gave the regime, or of the one that failed
+    message: str  # Why, of a run that is no answer
+    duration: float  # Of the run that was judged [s]
+    # Duration [s] of the longer run that was no answer, where the judged one ends as its sag passes `PASSED`.
     drawn_out: float | None
-    runs: int
-    sag: float
+    runs: int  # How many were made: 1 or 2
+    sag: float  # Of the midpoint at the end, over the span
+    # Largest plastic rate in the last tenth of the run over sigma_Y/eta: of all fibres, and of those further than
+    # `CLAMP_REGION` from the ends.
     rate: float
     span_rate: float
-    clamp: LocalStrains
+    clamp: LocalStrains  # At the end of the run, in the cell at a clamp and in the one at midspan
     midspan: LocalStrains
-    steps: int
+    steps: int  # Of the integrator, of all runs
 
     @property
     def mark(self) -> str:
@@ -468,21 +344,7 @@ class PhaseRun:
 
 
 class PhaseRunner:
-    """Runs filaments that differ in their groups, side by side; equations, graph and C code are made once.
-
-    Parameters
-    ----------
-    scene : Scene
-        What they have in common.
-    workers : int
-        Threads, where they run in this process.
-    progress : MembersProgress
-        Told how far a batch is.
-    place : Workplace, optional
-        Where they run, if not in this process.
-    kept : KeptRuns, optional
-        Runs that were finished before, and where those finished now are kept.
-    """
+    """Runs filaments that differ in their groups, side by side; equations, graph and C code are made once."""
 
     def __init__(
         self,
@@ -497,22 +359,7 @@ class PhaseRunner:
         self._work = PhaseWork(scene)
 
     def run(self, places: Sequence[Place], durations: Sequence[float] | None = None) -> list[PhaseRun]:
-        """Run one filament for each place.
-
-        Parameters
-        ----------
-        places : sequence of Place
-            Their groups.
-        durations : sequence of float, optional
-            How long each is watched [s]; :func:`duration_at` if not given.
-
-        Raises
-        ------
-        SceneError
-            If a filament cannot be had.
-        KeyboardInterrupt
-            If the user stops it: no thread goes on.
-        """
+        """Run one filament for each place."""
         watched = durations or [duration_at(self._scene, place) for place in places]
         asked = list(zip(places, watched, strict=True))
         found = {} if self._kept is None else {one: self._kept.runs[one] for one in asked if one in self._kept.runs}
@@ -531,24 +378,12 @@ class PhaseRunner:
 
 @dataclass(frozen=True)
 class PhaseWork:
-    """What is done with places; it can be sent to another process.
+    """What is done with places; it can be sent to another process."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What the filaments have in common.
-    """
-
-    scene: Scene
+    scene: Scene  # What the filaments have in common
 
     def run(self, items: Sequence[Watched], threads: int, told: Told) -> list[PhaseRun]:
-        """Run filaments, each for its time, `threads` of them at once.
-
-        Raises
-        ------
-        SceneError
-            If a filament cannot be had.
-        """
+        """Run filaments, each for its time, `threads` of them at once."""
         members = members_of(self.scene, [row_of(self.scene, *item) for item in items], "once")
         # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
         threads = threads if all(member.parallel for member in members) else 1
@@ -591,7 +426,7 @@ def _run(place: Place, member: Member, workshop: Workshop, stop: Stop) -> tuple[
         place,
         one.regime,
         one.outcome.name,
-        one.complaint,
+        one.message,
         scene.run.duration,
         None,
         1,
@@ -625,18 +460,7 @@ def _strains(fields: dict[str, Floats], cell: int) -> LocalStrains:
 
 
 class KeptRuns:
-    """Finished runs in a folder, that an interrupted diagram goes on from; whatever its planes and resolution.
-
-    Parameters
-    ----------
-    blocks : KeptBlocks
-        The folder.
-
-    Attributes
-    ----------
-    runs : dict
-        By place and duration.
-    """
+    """Finished runs in a folder, that an interrupted diagram goes on from; whatever its planes and resolution."""
 
     def __init__(self, blocks: KeptBlocks) -> None:
         self._blocks = blocks
@@ -649,13 +473,7 @@ class KeptRuns:
                 self.runs |= {(run.place, asked): run for asked, run in map(_read_run, json.loads(content))}
 
     def keep(self, runs: Mapping[Watched, PhaseRun]) -> None:
-        """Write finished runs whole or not at all.
-
-        Raises
-        ------
-        OSError
-            If they cannot be written.
-        """
+        """Write finished runs whole or not at all."""
         listed = [{**asdict(run), "asked": asked} for (_, asked), run in runs.items()]
         self._blocks.keep(self._next, json.dumps(listed).encode())
         self._next += 1

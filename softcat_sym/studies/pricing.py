@@ -73,13 +73,7 @@ def everything(scene: Scene, names: Collection[str]) -> Names:
 
 
 def with_effects(scene: Scene, names: Names) -> Scene:
-    """The scene with this list of effects; numbers of fibres and orders that would bring fibres back are taken out.
-
-    Raises
-    ------
-    SceneError
-        If the list is one that the scene cannot have.
-    """
+    """The scene with this list of effects; numbers of fibres and orders that would bring fibres back are taken out."""
     changes: dict[str, object] = {"run.effects": list(names)}
     if FIBRES.name not in names:
         changes["numerics.fibres"] = None
@@ -108,38 +102,19 @@ _REPEATS = 3
 
 @dataclass(frozen=True)
 class PricedRun:
-    """A run of one list of effects.
+    """A run of one list of effects."""
 
-    Attributes
-    ----------
-    effects : tuple of str
-        Names in force.
-    time, midpoint : ndarray, shape (frames,)
-        Output times [s] and height of the midpoint [m]; fewer frames where the run ended early.
-    states, algebraic : int
-        Differential and algebraic unknowns.
-    instructions : int
-        Elementary operations in one evaluation of the right-hand side.
-    solve : float
-        Wall time of the integration [s], the median of three where it is short.
-    solver : str
-        The integrator that these effects call for.
-    outcome : Outcome
-        Verdict.
-    complaint : str
-        Why it is not a success.
-    """
-
-    effects: tuple[str, ...]
+    effects: tuple[str, ...]  # Names in force
+    # shape (frames,); Output times [s] and height of the midpoint [m]; fewer frames where the run ended early.
     time: Floats
     midpoint: Floats
-    states: int
+    states: int  # Differential and algebraic unknowns
     algebraic: int
-    instructions: int
-    solve: float
-    solver: str
-    outcome: Outcome
-    complaint: str
+    instructions: int  # Elementary operations in one evaluation of the right-hand side
+    solve: float  # Wall time of the integration [s], the median of three where it is short
+    solver: str  # The integrator that these effects call for
+    outcome: Outcome  # Verdict
+    message: str  # Why it is not a success
 
     @property
     def reach(self) -> float:
@@ -164,24 +139,7 @@ _FORM = json_form(plain, from_plain)
 
 
 def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None) -> PricedRun:
-    """Run a scene with a list of effects and take down what it cost.
-
-    Parameters
-    ----------
-    scene : Scene
-        Its effects are a list.
-    progress : Progress
-        Told how far each repetition is.
-    first : Trajectory, optional
-        A run of the same effects that has been made already.
-
-    Raises
-    ------
-    SceneError
-        If the scene cannot have these effects.
-    KeyboardInterrupt
-        If the user stops it, wherever in CasADi that happens.
-    """
+    """Run a scene with a list of effects and take down what it cost."""
 
     def price() -> PricedRun:
         with watched() as interrupts:
@@ -210,7 +168,7 @@ def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> Price
         solve=median(seconds),
         solver=run.summary["solver"],
         outcome=run.outcome,
-        complaint=run.summary["complaint"],
+        message=run.summary["message"],
     )
 
 
@@ -227,22 +185,7 @@ _BASE_FORM: Form[tuple[int, float, PricedRun]] = json_form(
 
 
 def base_run(scene: Scene, listener: Progress) -> tuple[int, float, PricedRun]:
-    """Run a scene as it is.
-
-    Parameters
-    ----------
-    scene : Scene
-        Without an error estimate.
-    listener : Progress
-        Told how far it is.
-
-    Returns
-    -------
-    cells, grading : int, float
-        Cells per half span, and longest over shortest cell, of every run.
-    run : PricedRun
-        The base.
-    """
+    """Run a scene as it is."""
     return kept(lambda: ("base", scene.to_toml()), lambda: _base_run(scene, listener), _BASE_FORM)
 
 
@@ -275,44 +218,22 @@ DEFINITION = (
 
 @dataclass(frozen=True)
 class PricingRow:
-    """One effect, put in or left out.
+    """One effect, put in or left out."""
 
-    Attributes
-    ----------
-    effect : str
-        Its name.
-    in_force : bool
-        Whether the base holds it: then it was left out, otherwise put in.
-    also : tuple of str
-        Effects that went with it, since they need it or it needs them; empty without a run.
-    variant : PricedRun or None
-        The run without it, or with it; None where there is none.
-    reference : PricedRun or None
-        The base but for `also`, or the base itself where that cannot be had: against it the effect's own share is
-        measured. None without a variant.
-    scale : float
-        Largest ``|midpoint|`` of the base [m].
-    change, change_final : float or None
-        Of the midpoint against the base, relative to `scale`; None where there is nothing to compare.
-    estimate : float or None
-        Change that the program expected; None where the scene cannot have the effect.
-    meaning : str
-        What the estimate is.
-    reason : str
-        Why there is no run; empty where there is one.
-    """
-
-    effect: str
-    in_force: bool
-    also: Names
-    variant: PricedRun | None
+    effect: str  # Its name
+    in_force: bool  # Whether the base holds it: then it was left out, otherwise put in
+    also: Names  # Effects that went with it, since they need it or it needs them; empty without a run
+    variant: PricedRun | None  # The run without it, or with it; None where there is none
+    # The base but for `also`, or the base itself where that cannot be had: against it the effect's own share is
+    # measured. None without a variant.
     reference: PricedRun | None
-    scale: float
+    scale: float  # Largest ``|midpoint|`` of the base [m]
+    # Of the midpoint against the base, relative to `scale`; None where there is nothing to compare.
     change: float | None
     change_final: float | None
-    estimate: float | None
-    meaning: str
-    reason: str
+    estimate: float | None  # Change that the program expected; None where the scene cannot have the effect
+    meaning: str  # What the estimate is
+    reason: str  # Why there is no run; empty where there is one
 
     @property
     def fails(self) -> bool:
@@ -552,16 +473,6 @@ def reading(pricing: Pricing) -> str:
     """Say what the table says: what moves the answer, what fails, what goes unnoticed, what was left out.
 
     "Unnoticed" is a change below the accuracy asked. Each effect speaks for its own share.
-
-    Parameters
-    ----------
-    pricing : Pricing
-        As from :func:`softcat_sym.studies.pricing.price`.
-
-    Returns
-    -------
-    str
-        One sentence without a full stop.
     """
     accuracy = pricing.scene.run.accuracy
     inside, outside = ([row for row in pricing.rows if row.in_force is side] for side in (True, False))
@@ -635,47 +546,23 @@ def _failures(rows: Sequence[PricingRow], word: str) -> list[str]:
 
 @dataclass(frozen=True)
 class Unpriced:
-    """A scene whose own run could not be made.
+    """A scene whose own run could not be made."""
 
-    Attributes
-    ----------
-    name : str
-        Of the scene.
-    reason : str
-        Why.
-    """
-
-    name: str
-    reason: str
+    name: str  # Of the scene
+    reason: str  # Why
 
 
 @dataclass(frozen=True)
 class KeptPricing:
-    """A scene that was priced before, of which the files are there.
+    """A scene that was priced before, of which the files are there."""
 
-    Attributes
-    ----------
-    name : str
-        Of the scene.
-    identity : str
-        As from :func:`pricing_identity`.
-    line : tuple of str
-        Of the table over all scenes.
-    """
-
-    name: str
-    identity: str
-    line: tuple[str, ...]
+    name: str  # Of the scene
+    identity: str  # As from :func:`pricing_identity`
+    line: tuple[str, ...]  # Of the table over all scenes
 
 
 def pricing_identity(scene: Scene) -> str:
-    """Tell one pricing from another: the same scene, priced by the same program.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is priced.
-    """
+    """Tell one pricing from another: the same scene, priced by the same program."""
     version = importlib.metadata.version("softcat_sym")
     return hashlib.sha256(f"{version}\n{scene.to_toml()}".encode()).hexdigest()[:16]
 
@@ -686,24 +573,7 @@ def price_bundled(
     changes: Iterable[str] = (),
     kept: Mapping[str, KeptPricing] | None = None,
 ) -> Iterator[Pricing | KeptPricing | Unpriced]:
-    """Price scenes by name, one at a time, so that each can be written before the next begins.
-
-    Parameters
-    ----------
-    names : iterable of str
-        As :func:`softcat_sym.load_scene` takes them.
-    listening : callable, optional
-        Given the name of a scene and the scene, what is told about its runs.
-    changes : iterable of str
-        ``KEY=VALUE`` for every scene.
-    kept : mapping of str to KeptPricing, optional
-        What was priced before, by name; scenes that are still the same are not priced again.
-
-    Yields
-    ------
-    Pricing, KeptPricing or Unpriced
-        A scene that fails does not keep the others from being priced.
-    """
+    """Price scenes by name, one at a time, so that each can be written before the next begins."""
     overrides = list(changes)
     for name in names:
         try:

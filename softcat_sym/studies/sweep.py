@@ -46,50 +46,25 @@ Shapes = npt.NDArray[np.float32]
 
 @dataclass(frozen=True)
 class MemberResult:
-    """A row of a sweep.
+    """A row of a sweep."""
 
-    Attributes
-    ----------
-    outcome : str
-        Name of the outcome, or `REFUSED`, `FAILED`, `LOST`.
-    regime : str
-        What the run shows; an empty text if it is no answer.
-    message : str
-        Why it is none.
-    midpoint : ndarray, shape (frames,)
-        Height of midspan [m], negative down; NaN where there is no answer, as all numbers but `wall_s`.
-    midpoint_final, sag_largest : float
-        At the end, and the largest sag [m], positive down.
-    sag_over_span : float
-        `sag_largest` over the span.
-    time_to_90 : float
-        When the sag first reaches 90 % of its last value [s].
-    largest_stretch : float
-        Of the centreline, anywhere and ever.
-    energy_residual : float
-        Imbalance of energy over the largest energy.
-    wall_s : float
-        Time that it took [s], beside others.
-    span, thickness, duration : float
-        Of its scene [m], [m], [s].
-    shapes : ndarray or None, shape (3, SHAPE_FRAMES, SHAPE_NODES)
-        x [m], y [m] and stretch at equal steps of time and of material.
-    """
-
-    outcome: str
-    regime: str
-    message: str
+    outcome: str  # Name of the outcome, or `REFUSED`, `FAILED`, `LOST`
+    regime: str  # What the run shows; an empty text if it is no answer
+    message: str  # Why it is none
+    # shape (frames,); Height of midspan [m], negative down; NaN where there is no answer, as all numbers but
+    # `wall_s`.
     midpoint: Floats
-    midpoint_final: float = math.nan
+    midpoint_final: float = math.nan  # At the end, and the largest sag [m], positive down
     sag_largest: float = math.nan
-    sag_over_span: float = math.nan
-    time_to_90: float = math.nan
-    largest_stretch: float = math.nan
-    energy_residual: float = math.nan
-    wall_s: float = math.nan
-    span: float = math.nan
+    sag_over_span: float = math.nan  # `sag_largest` over the span
+    time_to_90: float = math.nan  # When the sag first reaches 90 % of its last value [s]
+    largest_stretch: float = math.nan  # Of the centreline, anywhere and ever
+    energy_residual: float = math.nan  # Imbalance of energy over the largest energy
+    wall_s: float = math.nan  # Time that it took [s], beside others
+    span: float = math.nan  # Of its scene [m], [m], [s]
     thickness: float = math.nan
     duration: float = math.nan
+    # shape (3, SHAPE_FRAMES, SHAPE_NODES); x [m], y [m] and stretch at equal steps of time and of material.
     shapes: Shapes | None = None
 
 
@@ -114,21 +89,7 @@ def answer(
     *,
     shapes: bool,
 ) -> MemberResult:
-    """What is kept of a run that is an answer.
-
-    Parameters
-    ----------
-    time : ndarray, shape (frames,)
-        [s].
-    fields : mapping of str to ndarray
-        ``x``, ``y`` (frames, nodes) [m], ``stretch`` (frames, cells).
-    places : pair of ndarray
-        Material coordinates of nodes and cells [m].
-    numbers : pair of float
-        Energy residual, and wall time [s].
-    shapes : bool
-        Whether they are kept.
-    """
+    """What is kept of a run that is an answer."""
     height = fields["y"][:, fields["y"].shape[1] // 2] + 0.0  # no minus zero
     span = rest_length(scene)
     sag = float(np.max(-height))
@@ -206,21 +167,11 @@ def unpacked(content: bytes) -> Columns:
 
 @dataclass(frozen=True)
 class SweepWork:
-    """Runs members; it can be sent to another process.
+    """Runs members; it can be sent to another process."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What they have in common.
-    digest : str
-        Of the plan: blocks of one plan share equations, graphs and C code.
-    shapes, estimate : bool
-        As in the plan.
-    """
-
-    scene: Scene
-    digest: str
-    shapes: bool
+    scene: Scene  # What they have in common
+    digest: str  # Of the plan: blocks of one plan share equations, graphs and C code
+    shapes: bool  # As in the plan
     estimate: bool
 
     def run(self, items: Sequence[Row], threads: int, told: Told) -> list[MemberResult]:
@@ -253,13 +204,13 @@ class SweepWork:
         except (SoftcatError, RuntimeError, ArithmeticError, ValueError) as error:
             # What a sweep is worth does not hang on one member.
             return no_answer(FAILED, _text(error), scene.run.frames, scene, wall=time.perf_counter() - begun)
-        if run.overlooked or (run.outcome in OF_A_STEP_TOO_LONG and scene.numerics.rtol is None):
+        if run.missing_effect or (run.outcome in OF_A_STEP_TOO_LONG and scene.numerics.rtol is None):
             # Rare: what a single run would be repeated for is repeated as a single run, one at a time.
             with workshop.alone():
                 return self._simulated(without_estimate(scene), begun)
         wall = time.perf_counter() - begun
         if not run.outcome.is_success:
-            return no_answer(run.outcome.name, run.complaint, scene.run.frames, scene, wall=wall)
+            return no_answer(run.outcome.name, run.message, scene.run.frames, scene, wall=wall)
         times, numbers = run.solution.time * run.prepared.scale, (run.energy_residual, wall)
         places = (run.nodes, run.cells)
         return answer(scene, run.regime or "", times, run.fields, places, numbers, shapes=self.shapes)
@@ -285,7 +236,7 @@ class SweepWork:
             return no_answer(outcome, _text(error), frames, scene, wall=time.perf_counter() - begun)
         wall = time.perf_counter() - begun
         if not run.outcome.is_success:
-            return no_answer(run.outcome.name, run.summary["complaint"], frames, scene, wall=wall)
+            return no_answer(run.outcome.name, run.summary["message"], frames, scene, wall=wall)
         fields = {name: run.data[name].values for name in ("x", "y", "stretch")}
         places = (run.data.X_node.values, run.data.X_cell.values)
         numbers = (float(run.summary["energy_residual"]), wall)
@@ -348,15 +299,9 @@ _CHUNK = 256
 
 @dataclass
 class Counts:
-    """How members ended.
+    """How members ended."""
 
-    Attributes
-    ----------
-    outcomes, regimes : Counter
-        Members of each.
-    """
-
-    outcomes: Counter[str] = field(default_factory=Counter)
+    outcomes: Counter[str] = field(default_factory=Counter)  # Members of each
     regimes: Counter[str] = field(default_factory=Counter)
 
     def add(self, part: Columns) -> None:
@@ -366,13 +311,7 @@ class Counts:
 
 
 def parts_of(plan: SweepPlan, kept: KeptBlocks) -> Iterator[tuple[int, Columns]]:
-    """The first member and the columns of each part, varied values included, in order.
-
-    Raises
-    ------
-    SoftcatError
-        If a part is not there or harmed.
-    """
+    """The first member and the columns of each part, varied values included, in order."""
     varied = columns_of(plan)
     for number in range(plan.blocks):
         content = kept.read(number)
@@ -387,15 +326,7 @@ def parts_of(plan: SweepPlan, kept: KeptBlocks) -> Iterator[tuple[int, Columns]]
 
 
 def write_store(plan: SweepPlan, kept: KeptBlocks, directory: Path) -> Counts:
-    """Join the parts into ``sweep.nc``.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written. Nothing is left behind.
-    SoftcatError
-        As :func:`parts_of`.
-    """
+    """Join the parts into ``sweep.nc``."""
     counts = Counts()
 
     def fill(passing: Path) -> None:
@@ -429,13 +360,7 @@ def counts_of(plan: SweepPlan, directory: Path) -> Counts | None:
 
 
 def write_table(plan: SweepPlan, kept: KeptBlocks, directory: Path) -> None:
-    """Write ``sweep.csv``: a row for each member.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written.
-    """
+    """Write ``sweep.csv``: a row for each member."""
 
     def fill(passing: Path) -> None:
         with passing.open("x", newline="", encoding="utf-8") as stream:
@@ -670,26 +595,7 @@ def run_sweep(
     *,
     resume: bool = False,
 ) -> Sweep:
-    """Run what of a plan is not there yet, and join it.
-
-    Parameters
-    ----------
-    plan : SweepPlan
-        From :func:`softcat_sym.studies.sweep_table.plan_sweep`.
-    directory : pathlib.Path
-        Where the results go.
-    where : tuple
-        `workers`, `scheduler` and `local_cluster` of :func:`sweep`.
-    listener : MembersProgress
-        Told about members done.
-    resume : bool
-        Whether to go on from what is there.
-
-    Raises
-    ------
-    SoftcatError, KeyboardInterrupt
-        As :func:`sweep`.
-    """
+    """Run what of a plan is not there yet, and join it."""
     begun = time.perf_counter()
     kept = KeptBlocks(directory, plan.digest, plan.described(), resume=resume)
     if resume and not kept.numbers() and (counts := counts_of(plan, directory)) is not None:
@@ -731,13 +637,7 @@ def _run_missing(
 
 
 def refuse_plan(plan: SweepPlan) -> None:
-    """Look for a member that can be run.
-
-    Raises
-    ------
-    SceneError
-        If there is none, with what is wrong with the first.
-    """
+    """Look for a member that can be run."""
     first = 0
     probes = dict.fromkeys([0, plan.members - 1, plan.members // 2])
     for member in probes:
@@ -759,13 +659,7 @@ def _why_not(plan: SweepPlan, row: Row) -> str:
 
 
 def _refuse_keys(plan: SweepPlan) -> None:
-    """Refuse a key that no scene has.
-
-    Raises
-    ------
-    SceneError
-        If a key is one.
-    """
+    """Refuse a key that no scene has."""
     for axis in plan.axes:
         try:
             plan.scene.replace({axis.key: axis.values[0]}) if not axis.key.startswith("groups.") else None

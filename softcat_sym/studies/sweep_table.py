@@ -41,24 +41,12 @@ Value = object
 
 @dataclass(frozen=True)
 class SweepAxis:
-    """One key and its values.
+    """One key and its values."""
 
-    Attributes
-    ----------
-    key : str
-        Dotted path in the scene.
-    values : tuple
-        In the order given; plain numbers are in SI.
-    scale : str
-        ``"log"`` where values are spaced evenly in their logarithm, otherwise ``"lin"``.
-    ends : tuple of float, optional
-        Of a range, in SI: what a Latin hypercube draws between. None for a list.
-    """
-
-    key: str
-    values: tuple[Value, ...]
-    scale: str = "lin"
-    ends: tuple[float, float] | None = None
+    key: str  # Dotted path in the scene
+    values: tuple[Value, ...]  # In the order given; plain numbers are in SI
+    scale: str = "lin"  # ``"log"`` where values are spaced evenly in their logarithm, otherwise ``"lin"``
+    ends: tuple[float, float] | None = None  # Of a range, in SI: what a Latin hypercube draws between. None for a list
 
     def at(self, share: float) -> Value:
         """The value at a share of the way, 0 to 1: between the ends of a range, or one of a list."""
@@ -76,22 +64,7 @@ class SweepAxis:
 def read_axes(
     scene: Scene, vary: Mapping[str, Sequence[Value] | str] | Sequence[str], *, drawn: bool = False
 ) -> tuple[SweepAxis, ...]:
-    """Read what is to be varied.
-
-    Parameters
-    ----------
-    scene : Scene
-        Whose keys they are.
-    vary : mapping of str to sequence or str, or sequence of str
-        Values, or text as on the command line, by key; or texts ``KEY=...``.
-    drawn : bool
-        Whether ends alone will do, as samples are drawn between them.
-
-    Raises
-    ------
-    SceneError
-        With every fault.
-    """
+    """Read what is to be varied."""
     if isinstance(vary, str):
         vary = [vary]
     pairs = list(vary.items()) if isinstance(vary, Mapping) else [_split(text) for text in vary]
@@ -112,13 +85,7 @@ def read_axes(
 
 
 def refuse_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
-    """Refuse text that is no quantity where one is needed: a slip, where a value out of range is a refused member.
-
-    Raises
-    ------
-    SceneError
-        With every such text.
-    """
+    """Refuse text that is no quantity where one is needed: a slip, where a value out of range is a refused member."""
     if {"material.index", "material.law"} & {axis.key for axis in axes}:
         axes = [axis for axis in axes if axis.key.rpartition(".")[2] not in OF_THE_INDEX]
     faults = []
@@ -244,26 +211,7 @@ _HEADER = re.compile(r"([A-Za-z_][\w-]*(?:\.[A-Za-z_][\w-]*)*)\s*(?:[\[(]\s*([^\
 
 
 def read_table(scene: Scene, path: str | Path) -> tuple[SweepAxis, ...]:
-    """Read the members of a sweep.
-
-    Parameters
-    ----------
-    scene : Scene
-        Whose keys are varied.
-    path : str or pathlib.Path
-        A CSV file; a unit for the plain numbers of a column may stand behind its key, in brackets. Lines that begin
-        with # are comments.
-
-    Returns
-    -------
-    tuple of SweepAxis
-        Equally long columns.
-
-    Raises
-    ------
-    SoftcatError
-        With its faults, and their lines.
-    """
+    """Read the members of a sweep."""
     file = Path(path)
     lines = data_lines(text_of(file, _KIND, _CSV_FORM))
     if not lines:
@@ -302,13 +250,7 @@ def _row(scene: Scene, header: Sequence[tuple[str, str]], cells: Sequence[str]) 
 
 
 def _header(file: Path, number: int, line: str) -> list[tuple[str, str]]:
-    """Keys and units.
-
-    Raises
-    ------
-    SoftcatError
-        If the line holds anything else, or a key twice.
-    """
+    """Keys and units."""
     found: list[tuple[str, str]] = []
     faults: list[Fault] = []
     for cell in cells_of(line):
@@ -356,13 +298,7 @@ def _unit_needed(scene: Scene, key: str) -> str:
 
 
 def csv_columns_of(axes: Sequence[SweepAxis]) -> int:
-    """How many rows columns have.
-
-    Raises
-    ------
-    SoftcatError
-        If they are not equally long.
-    """
+    """How many rows columns have."""
     lengths = {axis.key: len(axis.values) for axis in axes}
     if len(set(lengths.values())) > 1:
         found = ", ".join(f"{key} has {count}" for key, count in lengths.items())
@@ -390,31 +326,17 @@ _SHARED = frozenset({"run.frames"})
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """What is to be run.
+    """What is to be run."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What the members have in common.
-    axes : tuple of SweepAxis
-        What varies.
-    mode : str
-        ``"grid"``: every combination, the last axis fastest; ``"zip"`` and ``"table"``: values side by side; ``"lhs"``:
-        a Latin hypercube (McKay, Beckman and Conover 1979).
-    samples, seed : int
-        Of the hypercube.
-    shapes : bool
-        Whether shapes are kept.
-    estimate : bool
-        Whether each member is run as :func:`softcat_sym.simulate` runs it, with its error estimated.
-    """
-
-    scene: Scene
-    axes: tuple[SweepAxis, ...]
+    scene: Scene  # What the members have in common
+    axes: tuple[SweepAxis, ...]  # What varies
+    # ``"grid"``: every combination, the last axis fastest; ``"zip"`` and ``"table"``: values side by side; ``"lhs"``:
+    # a Latin hypercube (McKay, Beckman and Conover 1979).
     mode: Mode = "grid"
-    samples: int = 0
+    samples: int = 0  # Of the hypercube
     seed: int = 0
-    shapes: bool = False
+    shapes: bool = False  # Whether shapes are kept
+    # Whether each member is run as :func:`softcat_sym.simulate` runs it, with its error estimated.
     estimate: bool = False
 
     @property
@@ -494,22 +416,7 @@ def plan_sweep(
     shapes: bool = False,
     estimate: bool = False,
 ) -> SweepPlan:
-    """Read what is asked for.
-
-    Parameters
-    ----------
-    scene : Scene
-        What the members have in common.
-    vary : mapping, sequence of str, or pathlib.Path
-        As :func:`softcat_sym.studies.sweep_table.read_axes` takes it, or a CSV file.
-    mode, samples, seed, shapes, estimate
-        As in :class:`SweepPlan`.
-
-    Raises
-    ------
-    SoftcatError
-        If it makes no sense; no member is looked at yet.
-    """
+    """Read what is asked for."""
     if mode not in MODES:
         raise SoftcatError(f"no mode {mode!r} of a sweep; accepted: {', '.join(MODES)}")
     _check_samples(mode, samples, seed)
@@ -562,27 +469,13 @@ _LISTED_VALUES = 3
 
 @dataclass(frozen=True)
 class VariedColumn:
-    """How the values of a key are stored.
+    """How the values of a key are stored."""
 
-    Attributes
-    ----------
-    key : str
-        Which.
-    units : str
-        ``"1"`` of pure numbers; an empty text of text.
-    scale : str
-        ``"lin"`` or ``"log"``.
-    dimension : str
-        By which text with a unit is read; empty where any unit will do.
-    is_text : bool
-        Whether values are no numbers.
-    """
-
-    key: str
-    units: str
-    scale: str
-    dimension: str
-    is_text: bool
+    key: str  # Which
+    units: str  # ``"1"`` of pure numbers; an empty text of text
+    scale: str  # ``"lin"`` or ``"log"``
+    dimension: str  # By which text with a unit is read; empty where any unit will do
+    is_text: bool  # Whether values are no numbers
 
     def numbers(self, values: Sequence[object]) -> Floats:
         """Values as numbers in SI, NaN where one makes none."""

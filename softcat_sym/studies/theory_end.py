@@ -30,18 +30,10 @@ _MOST = 1000
 
 @dataclass(frozen=True)
 class Variation:
-    """A variable and the values it takes.
+    """A variable and the values it takes."""
 
-    Attributes
-    ----------
-    path : str
-        Dotted path in the scene file.
-    texts : tuple of str
-        Values as ``--set`` takes them, each once.
-    """
-
-    path: str
-    texts: tuple[str, ...]
+    path: str  # Dotted path in the scene file
+    texts: tuple[str, ...]  # Values as ``--set`` takes them, each once
 
     def changes(self) -> list[tuple[str, str]]:
         """Each value, and the change of the scene that sets it."""
@@ -49,18 +41,7 @@ class Variation:
 
 
 def read_variation(text: str) -> Variation:
-    """Read ``path=value,value,...`` or ``path=first:last:number`` with or without ``:log``.
-
-    Parameters
-    ----------
-    text : str
-        Values may carry units in a list; those of a range are plain numbers.
-
-    Raises
-    ------
-    SceneError
-        If it is no such thing, or names fewer than two different values.
-    """
+    """Read ``path=value,value,...`` or ``path=first:last:number`` with or without ``:log``."""
     path, equals, values = (part.strip() for part in text.partition("="))
     if not equals or not path or not values:
         raise _refuse(f"{text!r} varies nothing")
@@ -74,22 +55,7 @@ def read_variation(text: str) -> Variation:
 
 
 def number_at(scene: Scene, path: str, text: str) -> float:
-    """The value as a number for the axis of a chart: a group as it is, anything else in SI units.
-
-    Parameters
-    ----------
-    scene : Scene
-        With the value.
-    path : str
-        Dotted path of the variable.
-    text : str
-        The value as written.
-
-    Raises
-    ------
-    SceneError
-        If the variable is no number.
-    """
+    """The value as a number for the axis of a chart: a group as it is, anything else in SI units."""
     if path.startswith("groups."):
         value: object = _plain(text)
     else:
@@ -138,23 +104,12 @@ class RelativeError:
     """How much more one curve sags than another.
 
     NaN where there is nothing to compare.
-
-    Attributes
-    ----------
-    at : tuple of float
-        At 10, 25, 50 and 100 % of the duration.
-    mean : float
-        Of the means over the last 6/7 of the duration.
-    largest : float
-        Of largest magnitude from the first of the moments on, with its sign.
-    trusted : bool
-        Whether the runs behind it are.
     """
 
-    at: tuple[float, ...]
-    mean: float
-    largest: float
-    trusted: bool = True
+    at: tuple[float, ...]  # At 10, 25, 50 and 100 % of the duration
+    mean: float  # Of the means over the last 6/7 of the duration
+    largest: float  # Of largest magnitude from the first of the moments on, with its sign
+    trusted: bool = True  # Whether the runs behind it are
 
     @property
     def values(self) -> tuple[float, ...]:
@@ -163,20 +118,7 @@ class RelativeError:
 
 
 def relative_error(time: Floats, curve: Floats, reference: Floats) -> RelativeError:
-    """Compare two midpoint curves.
-
-    Parameters
-    ----------
-    time : ndarray, shape (frames,)
-        Evenly spaced from 0 [s].
-    curve, reference : ndarray, shape (frames,)
-        Heights [m]; NaN where a run did not come so far.
-
-    Notes
-    -----
-    The sag itself is the scale, not the largest sag: a filament that runs away in the end would hide every error
-    before.
-    """
+    """Compare two midpoint curves."""
     frames = moments(len(time))
     with np.errstate(divide="ignore", invalid="ignore"):
         error = np.where(reference == 0, np.nan, curve / reference - 1)
@@ -191,32 +133,18 @@ def relative_error(time: Floats, curve: Floats, reference: Floats) -> RelativeEr
     )
 
 
-_LEAST_LINE, _LEAST_PARABOLA = 3, 5
+_MIN_LINE, _MIN_PARABOLA = 3, 5
 
 
 @dataclass(frozen=True)
 class Limit:
-    """The intercept of an error fitted by e0 + a delta (+ b delta^2, from five values on).
+    """The intercept of an error fitted by e0 + a delta (+ b delta^2, from five values on)."""
 
-    Attributes
-    ----------
-    intercept : float
-        e0, the error of the slender limit.
-    coefficients : tuple of float
-        e0, a and, if fitted, b.
-    leaving_out : float
-        Largest change of the intercept when one value is left out.
-    mesh : float
-        Change of the intercept when the coarser elements judge instead of the finer.
-    order : float
-        Power of delta that the error itself follows, by its two smallest values; NaN where the sign changes.
-    """
-
-    intercept: float
-    coefficients: tuple[float, ...]
-    leaving_out: float
-    mesh: float
-    order: float
+    intercept: float  # e0, the error of the slender limit
+    coefficients: tuple[float, ...]  # e0, a and, if fitted, b
+    leaving_out: float  # Largest change of the intercept when one value is left out
+    mesh: float  # Change of the intercept when the coarser elements judge instead of the finer
+    order: float  # Power of delta that the error itself follows, by its two smallest values; NaN where the sign changes
 
     @property
     def uncertainty(self) -> float:
@@ -229,32 +157,12 @@ class Limit:
 
 
 def slender_limit(delta: Floats, error: Floats, mesh: Floats) -> Limit | None:
-    """Extrapolate an error to delta = 0.
-
-    Parameters
-    ----------
-    delta : ndarray, shape (n,)
-        h0/L, positive.
-    error : ndarray, shape (n,)
-        Error of a theory against the finer elements; NaN where there is none, which is left out.
-    mesh : ndarray, shape (n,)
-        By how much that error would change with the coarser elements.
-
-    Returns
-    -------
-    Limit or None
-        None where fewer than three errors are known.
-
-    Notes
-    -----
-    A beam theory is left with the first power of the thickness, since the layers at its clamps are as long as it is
-    thick and hold a finite share of what yields.
-    """
+    """Extrapolate an error to delta = 0."""
     known = np.isfinite(error) & np.isfinite(mesh)
     x, y, m = delta[known], error[known], mesh[known]
-    if len(x) < _LEAST_LINE:
+    if len(x) < _MIN_LINE:
         return None
-    degree = 2 if len(x) >= _LEAST_PARABOLA else 1
+    degree = 2 if len(x) >= _MIN_PARABOLA else 1
     fitted = _fit(x, y, degree)
     without = (np.delete(np.arange(len(x)), k) for k in range(len(x)))
     shifts = [abs(_fit(x[kept], y[kept], degree)[0] - fitted[0]) for kept in without]
@@ -291,18 +199,6 @@ def mesh_following(thickness: float, along: int = 32, through: int = 4) -> Mesh:
 
     The layer in which the clamp bends the filament is as short as the filament is thin, so that equal elements would
     lose it; the explicit step is that of the shortest edge, which stays the height.
-
-    Parameters
-    ----------
-    thickness : float
-        h0/L.
-    along, through : int
-        Elements over half the span and through the thickness.
-
-    Raises
-    ------
-    SoftcatError
-        If the elements cannot be halved for the coarser companion.
     """
     if along < 2 or along % 2 or through < 4 or through % 4:
         raise SoftcatError(
@@ -339,100 +235,53 @@ SLENDER = ("groups.delta", "filament.thickness")
 """Variables that tend to the slender limit when they go to zero."""
 
 _TIGHTER = 0.1
-_MOST_STEPS = 5_000
+_MAX_STEPS = 5_000
 """A run that takes more of them runs away; on a finer grid it would hardly end."""
 
 
 @dataclass(frozen=True)
 class TheoryError:
-    """One theory at one value of the variable.
+    """One theory at one value of the variable."""
 
-    Attributes
-    ----------
-    row : FilamentRow
-        Its run as the program chooses cells and tolerance: what it costs.
-    error : RelativeError
-        Of the same theory with twice the cells and a tenth of the tolerance, against the finer elements; of the
-        program's own run where that is not to be trusted, or runs away.
-    grid : float
-        Largest change of that error, in magnitude, when the program's own cells and tolerance are taken; NaN
-        where there is no other.
-    """
-
-    row: FilamentRow
+    row: FilamentRow  # Its run as the program chooses cells and tolerance: what it costs
+    # Of the same theory with twice the cells and a tenth of the tolerance, against the finer elements; of the
+    # program's own run where that is not to be trusted, or runs away.
     error: RelativeError
+    # Largest change of that error, in magnitude, when the program's own cells and tolerance are taken; NaN where
+    # there is no other.
     grid: float
 
 
 @dataclass(frozen=True)
 class Measured:
-    """One value of the variable.
+    """One value of the variable."""
 
-    Attributes
-    ----------
-    text : str
-        As it was written.
-    value : float
-        As a number.
-    comparison : Comparison
-        The finer elements, and the filaments as the program runs them.
-    coarse : ElementRun
-        Half as many elements both ways.
-    mesh : RelativeError
-        Of the coarser elements against the finer, as though they were a theory.
-    theories : tuple of TheoryError
-        In the order of ``comparison.filaments``.
-    """
-
-    text: str
-    value: float
-    comparison: Comparison
-    coarse: ElementRun
-    mesh: RelativeError
-    theories: tuple[TheoryError, ...]
+    text: str  # As it was written
+    value: float  # As a number
+    comparison: Comparison  # The finer elements, and the filaments as the program runs them
+    coarse: ElementRun  # Half as many elements both ways
+    mesh: RelativeError  # Of the coarser elements against the finer, as though they were a theory
+    theories: tuple[TheoryError, ...]  # In the order of ``comparison.filaments``
 
 
 @dataclass(frozen=True)
 class Unmeasured:
-    """A value at which the elements, or a filament, could not be run.
+    """A value at which the elements, or a filament, could not be run."""
 
-    Attributes
-    ----------
-    text : str
-        As it was written.
-    value : float
-        As a number.
-    reason : str
-        Why.
-    """
-
-    text: str
-    value: float
-    reason: str
+    text: str  # As it was written
+    value: float  # As a number
+    reason: str  # Why
 
 
 @dataclass(frozen=True)
 class TheoryEnd:
-    """Errors of the one-dimensional theories over one variable.
+    """Errors of the one-dimensional theories over one variable."""
 
-    Attributes
-    ----------
-    scene : Scene
-        What was asked, before it was varied.
-    variation : Variation
-        The variable and its values.
-    measured : tuple of Measured
-        By increasing value.
-    unmeasured : tuple of Unmeasured
-        By increasing value.
-    limits : dict of str to tuple of Limit or None
-        By theory, at the moments of :class:`RelativeError`; empty unless the variable is the thickness.
-    """
-
-    scene: Scene
-    variation: Variation
-    measured: tuple[Measured, ...]
-    unmeasured: tuple[Unmeasured, ...]
+    scene: Scene  # What was asked, before it was varied
+    variation: Variation  # The variable and its values
+    measured: tuple[Measured, ...]  # By increasing value
+    unmeasured: tuple[Unmeasured, ...]  # By increasing value
+    # By theory, at the moments of :class:`RelativeError`; empty unless the variable is the thickness.
     limits: dict[str, tuple[Limit | None, ...]]
 
     @property
@@ -453,32 +302,7 @@ def where_theory_ends(
     clamp: Clamp = Clamp.THINNING,
     progress: Callable[[str, Scene], Listening] | None = None,
 ) -> TheoryEnd:
-    """Run elements on two meshes, and the filament in each of its theories, at every value of a variable.
-
-    Parameters
-    ----------
-    scene : Scene
-        As it is without the variation.
-    variation : Variation
-        What is varied.
-    scene_with : callable
-        The scene with one change, ``path=value``.
-    folder : pathlib.Path
-        Where the elements keep their states; made if need be. What is finished there is not run again.
-    along, through : int
-        The finer mesh; its grading follows the thickness, the coarser has half of both.
-    clamp : Clamp
-        What the clamped face of the elements may do.
-    progress : callable, optional
-        Given the value and its scene, what is told about its runs.
-
-    Raises
-    ------
-    SceneError
-        If a value makes no scene, or one that the elements or the filament cannot have; before anything is run.
-    SoftcatError
-        If the mesh cannot be halved, or nothing could be measured at any value.
-    """
+    """Run elements on two meshes, and the filament in each of its theories, at every value of a variable."""
     cases = [(text, scene_with(change)) for text, change in variation.changes()]
     numbered = sorted((number_at(case, variation.path, text), text, case) for text, case in cases if _possible(case))
     meshes = [mesh_following(problem_of(case).thickness, along, through) for *_, case in numbered]
@@ -548,7 +372,7 @@ def _theory(row: FilamentRow, elements: ElementRun) -> TheoryError:
     run = row.trajectory
     chosen = relative_error(elements.time, row.midpoint, elements.midpoint)
     # What is not to be trusted is not made better by a finer grid.
-    if not run.outcome.is_success or run.summary["steps"] > _MOST_STEPS:
+    if not run.outcome.is_success or run.summary["steps"] > _MAX_STEPS:
         return TheoryError(row, replace(chosen, trusted=run.outcome.is_success), math.nan)
     finer = {"numerics.cells": 2 * run.summary["cells"], "numerics.rtol": _TIGHTER * run.summary["rtol"]}
     refined = simulated(without_estimate(run.scene.replace(finer)))

@@ -43,27 +43,13 @@ Measure = Callable[[Task], Measured]
 
 @dataclass(frozen=True)
 class Reference:
-    """A midpoint for vanishing cells and steps.
+    """A midpoint for vanishing cells and steps."""
 
-    Attributes
-    ----------
-    midpoint : ndarray, shape (frames,)
-        In rest lengths.
-    space : float
-        How much the answer may still change with the grid, of its largest.
-    time : float
-        How far the two families are apart on one grid, of the largest; NaN if the second gave no answer.
-    families : tuple of str
-        Of the two.
-    note : str
-        What was run.
-    """
-
-    midpoint: Floats
-    space: float
-    time: float
-    families: tuple[str, str]
-    note: str
+    midpoint: Floats  # shape (frames,); In rest lengths
+    space: float  # How much the answer may still change with the grid, of its largest
+    time: float  # How far the two families are apart on one grid, of the largest; NaN if the second gave no answer
+    families: tuple[str, str]  # Of the two
+    note: str  # What was run
 
     @property
     def floor(self) -> float:
@@ -84,24 +70,7 @@ class Reference:
 
 
 def reference_of(measure: Measure, grading: float, section: int, *, compiled: bool) -> Reference:
-    """Measure the reference.
-
-    Parameters
-    ----------
-    measure : callable
-        Runs a task.
-    grading : float
-        Of all grids, so that they are nested.
-    section : int
-        Fibres of the scene itself, 0 if it has none.
-    compiled : bool
-        Whether there is a compiler.
-
-    Raises
-    ------
-    SoftcatError
-        If the scene cannot be solved tightly, or its midpoint does not move.
-    """
+    """Measure the reference."""
     first = "compiled-rodas5p" if compiled else "rosenbrock"
     found = [_solved(measure, Task(first, n, grading, section * n // _GRIDS[0], rtol=_TIGHT)) for n in _GRIDS]
     scale = float(np.max(np.abs(found[-1])))
@@ -120,15 +89,15 @@ def _of_time(measure: Measure, task: Task, scale: float) -> tuple[float, str]:
     own = _solved(measure, task)
     for rtol in _BDF_TOLERANCES:
         other = measure(Task("idas", task.cells, task.grading, task.section, rtol=rtol))
-        if not other.complaint:
+        if not other.message:
             return float(np.max(np.abs(np.array(other.midpoint) - own)) / scale), f"IDAS at rtol {rtol:.0e}"
-    return float("nan"), f"IDAS gave no answer ({other.complaint})"
+    return float("nan"), f"IDAS gave no answer ({other.message})"
 
 
 def _solved(measure: Measure, task: Task) -> Floats:
     found = measure(task)
-    if found.complaint:
-        raise SoftcatError(f"no reference: {task.program}, {task.text}: {found.complaint}")
+    if found.message:
+        raise SoftcatError(f"no reference: {task.program}, {task.text}: {found.message}")
     return np.array(found.midpoint)
 
 
@@ -139,17 +108,7 @@ DIED = "its process died"
 
 
 class Worker:
-    """One process at a time that measures tasks; started when it is first needed, and again after it was ended.
-
-    Parameters
-    ----------
-    scene : pathlib.Path
-        A scene file.
-    limit : float
-        How long one integration may take [s].
-    variables : mapping, optional
-        Of the process's environment, beside ours.
-    """
+    """One process at a time that measures tasks; started when it is first needed, and again after it was ended."""
 
     def __init__(self, scene: Path, limit: float, variables: Mapping[str, str] | None = None) -> None:
         self._command = [sys.executable, "-m", _MODULE, str(scene), repr(limit)]
@@ -180,7 +139,7 @@ class Worker:
             return replace(self._lost(found, self._limit, "integrating"), build=build)
         measured = Measured.from_document(found)
         if measured.first > self._limit:
-            return replace(measured, midpoint=(), complaint=f"stopped: it took {measured.first:.3g} s")
+            return replace(measured, midpoint=(), message=f"stopped: it took {measured.first:.3g} s")
         return measured
 
     def end(self) -> None:
@@ -223,7 +182,7 @@ class Worker:
         code = self._child.wait() if gone and self._child is not None else None
         self.end()
         text = f"{DIED} while {doing} (status {code})" if gone else f"stopped after {seconds:.3g} s, {doing}"
-        return Measured(seconds, complaint=text)
+        return Measured(seconds, message=text)
 
 
 def _read(child: subprocess.Popen[str], lines: queue.SimpleQueue[str]) -> None:
@@ -270,7 +229,7 @@ class Curve:
     @property
     def refusal(self) -> str:
         """Why it has no answer at all; empty if it has one."""
-        return "" if any(isfinite(row.error) for row in self.rows) else self.rows[0].measured.complaint
+        return "" if any(isfinite(row.error) for row in self.rows) else self.rows[0].measured.message
 
 
 @dataclass(frozen=True)
@@ -293,30 +252,14 @@ class WorkPrecision:
 
 @dataclass
 class Kept:
-    """Measurements of one study that outlive an interruption, in a file if there is one.
+    """Measurements of one study that outlive an interruption, in a file if there is one."""
 
-    Attributes
-    ----------
-    key : str
-        Hash of what is measured: points of another study are not used.
-    path : pathlib.Path or None
-        The file.
-    points : dict
-        By task as JSON.
-    """
-
-    key: str
-    path: Path | None = None
-    points: dict[str, dict[str, Any]] = field(default_factory=dict)
+    key: str  # Hash of what is measured: points of another study are not used
+    path: Path | None = None  # The file
+    points: dict[str, dict[str, Any]] = field(default_factory=dict)  # By task as JSON
 
     def read(self) -> None:
-        """Take up what an interrupted study left.
-
-        Raises
-        ------
-        SoftcatError
-            If the file is damaged or of another study.
-        """
+        """Take up what an interrupted study left."""
         if self.path is None or not self.path.exists():
             return
         try:
@@ -335,7 +278,7 @@ class Kept:
             if name in self.points:
                 return Measured.from_document(self.points[name])
             found = measure(task)
-            if not found.complaint.startswith(DIED):
+            if not found.message.startswith(DIED):
                 self.points[name] = found.document()
                 self._write()
             return found
@@ -367,7 +310,7 @@ class Plan:
     cold: bool = True
 
     @property
-    def most_steps(self) -> int:
+    def max_steps(self) -> int:
         """How many measurements there can be, for a progress bar."""
         return 1 + len(self.programs) * (len(self.cells) * len(self.tolerances) + self.cold)
 
@@ -375,28 +318,7 @@ class Plan:
 def study(
     name: str, asked: Scene, plan: Plan, kept: Kept, tell: Callable[[str], None] = lambda what: None
 ) -> WorkPrecision:
-    """Measure a scene with every program.
-
-    Parameters
-    ----------
-    name : str
-        Of the scene.
-    asked : Scene
-        The scene; its effects are chosen once, its cells, fibres, integrator and tolerance are varied.
-    plan : Plan
-        What is measured.
-    kept : Kept
-        What has been measured already.
-    tell : callable
-        Told what begins.
-
-    Raises
-    ------
-    SceneError
-        If the scene cannot have its effects.
-    SoftcatError
-        If there is no reference.
-    """
+    """Measure a scene with every program."""
     effects = choose_effects(asked)
     lengths = choose_grid(asked.replace({"numerics.cells": _GRADED}), effects).cell_length
     grading = float(lengths[0] / lengths[-1])
@@ -438,11 +360,11 @@ def _rows(
         for task in ladder:
             tell(f"{program.name}: {task.text}")
             measured = measure(task)
-            error = float("inf") if measured.complaint else reference.error_of(measured.midpoint)
+            error = float("inf") if measured.message else reference.error_of(measured.midpoint)
             yield Row(task, measured, error)
-            if measured.complaint.startswith(_HOPELESS):
+            if measured.message.startswith(_HOPELESS):
                 return
-            stopped = stopped + 1 if measured.complaint.startswith("stopped") else 0
+            stopped = stopped + 1 if measured.message.startswith("stopped") else 0
             gains_nothing = error > _GAIN * best and isfinite(error) and task.rtol < min(1e-3, best)
             if stopped == _TWICE or gains_nothing:
                 break

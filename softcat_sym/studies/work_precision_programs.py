@@ -44,30 +44,14 @@ from softcat_sym.solvers.solution import Silence, Solution
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """One program with one set of its numbers.
+    """One program with one set of its numbers."""
 
-    Attributes
-    ----------
-    program : str
-        Key of a program, such as ``"compiled-rodas5p"``.
-    cells : int
-        Per half span.
-    grading : float
-        Length of the cells at midspan over that at the clamps.
-    section : int
-        Fibres through the thickness, or the order of their polynomial; 0 where a section has no choice.
-    by_order : bool
-        Whether `section` is an order.
-    rtol : float
-        Relative tolerance; of RK4 its step over the longest stable one.
-    """
-
-    program: str
-    cells: int
-    grading: float
-    section: int = 0
-    by_order: bool = False
-    rtol: float = 1e-3
+    program: str  # Key of a program, such as ``"compiled-rodas5p"``
+    cells: int  # Per half span
+    grading: float  # Length of the cells at midspan over that at the clamps
+    section: int = 0  # Fibres through the thickness, or the order of their polynomial; 0 where a section has no choice
+    by_order: bool = False  # Whether `section` is an order
+    rtol: float = 1e-3  # Relative tolerance; of RK4 its step over the longest stable one
 
     @property
     def text(self) -> str:
@@ -88,34 +72,16 @@ STEPPED = frozenset({"compiled-rk4", "numpy-rk4"})
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What came of a task.
+    """What came of a task."""
 
-    Attributes
-    ----------
-    seconds : float
-        Median wall time of the integration of several warm runs [s]; of what failed, how long it took to.
-    build : float
-        Wall time of everything before, the first time in a process, libraries found in the cache [s].
-    steps, evaluations : int
-        Steps, and right-hand sides without those of Jacobians; 0 where nobody counts.
-    repeats : int
-        Runs of which `seconds` is the median.
-    midpoint : tuple of float
-        Height of midspan at the output times, in rest lengths; empty if it failed.
-    complaint : str
-        Why it failed, else empty.
-    first : float
-        Wall time of the first integration, before anything is warm [s].
-    """
-
-    seconds: float
-    build: float = 0.0
-    steps: int = 0
+    seconds: float  # Median wall time of the integration of several warm runs [s]; of what failed, how long it took to
+    build: float = 0.0  # Wall time of everything before, the first time in a process, libraries found in the cache [s]
+    steps: int = 0  # Steps, and right-hand sides without those of Jacobians; 0 where nobody counts
     evaluations: int = 0
-    repeats: int = 0
-    midpoint: tuple[float, ...] = ()
-    complaint: str = ""
-    first: float = 0.0
+    repeats: int = 0  # Runs of which `seconds` is the median
+    midpoint: tuple[float, ...] = ()  # Height of midspan at the output times, in rest lengths; empty if it failed
+    message: str = ""  # Why it failed, else empty
+    first: float = 0.0  # Wall time of the first integration, before anything is warm [s]
 
     @property
     def microseconds(self) -> float | None:
@@ -128,13 +94,7 @@ class Measured:
 
     @classmethod
     def from_document(cls, values: dict[str, Any]) -> Measured:
-        """From plain values.
-
-        Raises
-        ------
-        TypeError
-            If they are those of something else.
-        """
+        """From plain values."""
         return cls(**{**values, "midpoint": tuple(values["midpoint"])})
 
 
@@ -161,25 +121,7 @@ _JACOBIAN = ct.CFUNCTYPE(ct.c_int, ct.POINTER(Filament), ct.c_double, Doubles, D
 
 
 class CompiledRates:
-    """Rates and Jacobian of a compiled filament that has no algebraic unknowns.
-
-    Parameters
-    ----------
-    prepared : Prepared
-        A compiled run, with a start.
-
-    Attributes
-    ----------
-    size : int
-        Numbers in a state, held ones included.
-    band : int
-        How far from the diagonal the Jacobian reaches.
-
-    Raises
-    ------
-    SoftcatError
-        If the run is not compiled, has no start, or has algebraic unknowns.
-    """
+    """Rates and Jacobian of a compiled filament that has no algebraic unknowns."""
 
     def __init__(self, prepared: Prepared) -> None:
         whole = prepared.integration
@@ -294,18 +236,7 @@ class CompiledRates:
 
 
 def stable_step(jacobian: Floats) -> float:
-    """The longest step of RK4 that lets no mode of a linear system grow.
-
-    Parameters
-    ----------
-    jacobian : ndarray, shape (n, n)
-        Of the rates.
-
-    Returns
-    -------
-    float
-        Infinite where nothing moves. |1 + q + q^2/2 + q^3/6 + q^4/24| <= 1 for q = step times each eigenvalue.
-    """
+    """The longest step of RK4 that lets no mode of a linear system grow."""
     modes = np.linalg.eigvals(jacobian)
     # What grows by itself grows whatever the step.
     modes = modes[modes.real <= 1e-6 * np.abs(modes)]
@@ -350,25 +281,13 @@ class Solved:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A row of the diagram.
+    """A row of the diagram."""
 
-    Attributes
-    ----------
-    key, name : str
-        In tables of ours, and for people.
-    kind : str
-        ``own``: what the package runs; ``rival``: what it does not.
-    backend : str
-        ``numerics.backend`` of the scene on which it runs.
-    solver : str
-        ``numerics.solver`` of the same.
-    """
-
-    key: str
+    key: str  # In tables of ours, and for people
     name: str
-    kind: Kind
-    backend: str
-    solver: str
+    kind: Kind  # ``own``: what the package runs; ``rival``: what it does not
+    backend: str  # ``numerics.backend`` of the scene on which it runs
+    solver: str  # ``numerics.solver`` of the same
 
 
 PROGRAMS: tuple[Program, ...] = (
@@ -390,13 +309,7 @@ _SCIPY = {"scipy-radau": "Radau", "scipy-bdf": "BDF", "scipy-lsoda": "LSODA"}
 
 
 def program_of(key: str) -> Program:
-    """The program with this key.
-
-    Raises
-    ------
-    KeyError
-        If there is none.
-    """
+    """The program with this key."""
     return _BY_KEY[key]
 
 
@@ -418,28 +331,14 @@ class _Rodas4(CModel):
 
 
 class Bench:
-    """Makes programs ready for a scene, one after another; what they share is built once.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked; its effects are a list.
-    limit : float
-        How long an integration may take [s].
-    """
+    """Makes programs ready for a scene, one after another; what they share is built once."""
 
     def __init__(self, scene: Scene, limit: float) -> None:
         self._scene, self._limit = scene, limit
         self._built: tuple[Scene, Assembled] | None = None
 
     def ready(self, task: Task) -> Callable[[], Solved]:
-        """Build all that a program needs; what is returned does nothing but integrate.
-
-        Raises
-        ------
-        SoftcatError
-            If the program cannot solve the scene, or would take longer than the limit.
-        """
+        """Build all that a program needs; what is returned does nothing but integrate."""
         prepared = self._prepare(task)
         if prepared.start is None:
             raise SoftcatError("no shape in balance was found to begin from")
@@ -546,18 +445,12 @@ class _InNumpy:
 def _own(prepared: Prepared) -> Solved:
     solution = prepared.solve(Silence())
     if solution.outcome is not Outcome.solved:
-        raise SoftcatError(f"{solution.outcome.name}: {solution.complaint}")
+        raise SoftcatError(f"{solution.outcome.name}: {solution.message}")
     return Solved(midpoint_heights(prepared.graph, solution), solution.steps)
 
 
 def _scipy(prepared: Prepared, method: str) -> Callable[[], Solved]:
-    """One of SciPy's integrators with an exact Jacobian, banded for LSODA, sparse for the others.
-
-    Raises
-    ------
-    SoftcatError
-        If SciPy is missing, or gives up.
-    """
+    """One of SciPy's integrators with an exact Jacobian, banded for LSODA, sparse for the others."""
     try:
         from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
     except ImportError:
@@ -581,7 +474,7 @@ def _stable(prepared: Prepared, rates: CompiledRates) -> float:
     whole = prepared.integration
     solution = prepared.solve(Silence())
     if not isinstance(whole, CompiledIntegration) or solution.outcome is not Outcome.solved:
-        raise SoftcatError(f"no run to find the stable step of: {solution.complaint}")
+        raise SoftcatError(f"no run to find the stable step of: {solution.message}")
     found = []
     for frame in (0, len(solution.time) // 2, len(solution.time) - 1):
         state = whole.filament.sites.state(solution.x[:, frame], solution.z[:, frame]).ravel()
@@ -610,7 +503,7 @@ def serve(scene: str, limit: float, asked: TextIO, answers: TextIO) -> None:
             solve = bench.ready(Task(**json.loads(line)))
         except _EXPECTED as error:
             _tell(answers, time.perf_counter() - began)
-            _tell(answers, asdict(Measured(0.0, complaint=_words(error))))
+            _tell(answers, asdict(Measured(0.0, message=_words(error))))
             continue
         build = time.perf_counter() - began
         _tell(answers, build)
@@ -623,7 +516,7 @@ def measure(solve: Callable[[], Solved], build: float) -> Measured:
     try:
         found = solve()
     except _EXPECTED as error:
-        return Measured(time.perf_counter() - began, build, complaint=_words(error))
+        return Measured(time.perf_counter() - began, build, message=_words(error))
     first = spent = time.perf_counter() - began
     seconds: list[float] = []
     while len(seconds) < _REPEATS and spent < _LONG:

@@ -70,7 +70,7 @@ class Answer:
     name: str
     scene: str
     accuracy: float
-    complaints: tuple[str, ...]
+    messages: tuple[str, ...]
     chosen: tuple[str, ...] = ()
     repeats: tuple[str, ...] = ()
     error: float = np.nan
@@ -98,13 +98,13 @@ def answer_of(name: str, text: str) -> Answer:
     turning = not isinstance(auto, str) and ASIDE in auto.summary["effects"]
     everything = [e.name for e in REGISTRY if e.applies(scene) and (e.name != ASIDE or turning)]
     complete = _run(scene.replace({"run.effects": everything}))
-    complaints = tuple(
-        f"{what}: {run if isinstance(run, str) else run.summary['complaint'] or run.outcome.name}"
+    messages = tuple(
+        f"{what}: {run if isinstance(run, str) else run.summary['message'] or run.outcome.name}"
         for what, run in (("everything", complete), ("auto", auto))
         if isinstance(run, str) or not run.outcome.is_success
     )
-    if isinstance(complete, str) or isinstance(auto, str) or complaints:
-        return Answer(name, text, scene.run.accuracy, complaints)
+    if isinstance(complete, str) or isinstance(auto, str) or messages:
+        return Answer(name, text, scene.run.accuracy, messages)
     chosen, error = tuple(auto.summary["effects"]), difference(auto, complete)
     finer = np.nan
     if error > scene.run.accuracy:
@@ -115,7 +115,7 @@ def answer_of(name: str, text: str) -> Answer:
         name=name,
         scene=text,
         accuracy=scene.run.accuracy,
-        complaints=(),
+        messages=(),
         chosen=chosen,
         repeats=tuple(auto.summary["repeats"]),
         error=error,

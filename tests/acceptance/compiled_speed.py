@@ -21,7 +21,7 @@ from tests.rivals.radau import Solved
 from tests.rivals.scenes import Physics
 
 REPEATS = 7
-MOST_STEPS = 1_000_000
+MAX_STEPS = 1_000_000
 _LOOP = """\
 #include "softcat_model.h"
 
@@ -111,7 +111,7 @@ class Bare:
             absolute=prepared.settings.atol,
             work_absolute=0.0,
             kinks=whole.kinks,
-            most_steps=MOST_STEPS,
+            max_steps=MAX_STEPS,
             method=method,
         )
 

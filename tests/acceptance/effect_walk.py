@@ -52,7 +52,7 @@ def _without_scene(effect: Effect) -> list[str]:
         return [f"scene: {effect.example} cannot have it"]
     if reason := effect.indispensable(dispensing(effect)):
         return [f"scene: {effect.example} cannot do without it, so that nothing shows: {reason}"]
-    asked = scene if not effect.spared(scene) else scene.replace({"run.effects": list(lists(effect)[0])})
+    asked = scene if not effect.saved(scene) else scene.replace({"run.effects": list(lists(effect)[0])})
     if effect.name not in choose_effects(asked).names:
         return [f"scene: {effect.example} does not take it in"]
     return []

@@ -120,7 +120,7 @@ def _run(name: str, scene: sc.Scene) -> tuple[sc.Trajectory | None, Calibrated]:
     told = run.summary
     estimate, wall = told["error_estimate"] or {}, told["wall_s"]
     unjudged = not run.outcome.is_success or estimate.get("total") is None
-    why = (told["complaint"] or "no estimate") if unjudged else ""
+    why = (told["message"] or "no estimate") if unjudged else ""
     resolution = told["resolution"] or {}
     return run, Calibrated(
         name, accuracy, run.outcome.name, why, np.nan, estimate, resolution, wall["solve"], wall["estimate"]

@@ -26,7 +26,7 @@ Law = Literal["bingham", "maxwell"]
 _DEGREE = 3
 _POINTS, _MASS_POINTS = 2, 4
 _NOTHING = 1e-30
-_MOST_STEPS = 1_000_000
+_MAX_STEPS = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -153,7 +153,7 @@ class SplineFilament:
 
     def solve(self, times: Floats, rtol: float, atol: float) -> Answer:
         """Integrate by CasADi's Rosenbrock method, which the package's scheme is given too."""
-        options = {"reltol": rtol, "abstol": atol, "max_num_steps": _MOST_STEPS}
+        options = {"reltol": rtol, "abstol": atol, "max_num_steps": _MAX_STEPS}
         integrator = ca.integrator("spline", "rosenbrock", self._dae, float(times[0]), times.tolist(), options)
         velocities, momenta = (sum(free.shape[1] for free in self._free) for _ in range(2))
         rest = momenta + self._free[1].shape[1] + 2 * len(self._weight)

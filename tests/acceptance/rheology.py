@@ -101,7 +101,7 @@ def _with_units(numbers: Mapping[str, Any]) -> dict[str, Any]:
 def solved(asked: sc.Scene) -> xr.Dataset:
     """Data of a run that succeeded."""
     done = sc.simulate(asked)
-    assert done.outcome is sc.Outcome.solved, f"{done.outcome.name}: {done.summary['complaint']}"
+    assert done.outcome is sc.Outcome.solved, f"{done.outcome.name}: {done.summary['message']}"
     return done.data
 
 

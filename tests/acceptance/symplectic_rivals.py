@@ -43,7 +43,7 @@ _COLLOCATION: dict[int, tuple[Floats, Floats]] = {
     ),
 }
 _ITERATIONS, _MANY = 30, 6
-_MOST_STEPS = 1_000_000_000
+_MAX_STEPS = 1_000_000_000
 
 _ELASTIC = "elastic"
 SCENES: dict[str, dict[str, Any]] = {
@@ -139,7 +139,7 @@ class Swing:
             absolute=rtol * self._absolute,
             work_absolute=0.0,
             kinks=np.zeros(0),
-            most_steps=_MOST_STEPS,
+            max_steps=_MAX_STEPS,
         )
         states = self._model.integrate(run, status).states
         if status.code:

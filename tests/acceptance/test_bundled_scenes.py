@@ -28,7 +28,7 @@ WITHOUT_INERTIA = ["bending", "finite-stretch", "thinning", "large-rotation", "s
 def run(name: str, *changes: str) -> Trajectory:
     """A bundled scene run once on twenty cells, without an estimate; the same run is not made twice."""
     done = sc.simulate(sc.load_scene(name, ["numerics.cells=20", "numerics.estimate=false", *changes]))
-    assert done.outcome is sc.Outcome.solved, done.summary["complaint"]
+    assert done.outcome is sc.Outcome.solved, done.summary["message"]
     return done
 
 

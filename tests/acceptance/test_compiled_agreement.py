@@ -31,7 +31,7 @@ def test_trajectories_are_the_same_to_the_accuracy_asked() -> None:
     rows, worst = [], {}
     for name in NAMES:
         one, other = (run(name, backend) for backend in ("compiled", "interpreted"))
-        assert one.outcome is other.outcome is sc.Outcome.solved, (name, one.summary["complaint"])
+        assert one.outcome is other.outcome is sc.Outcome.solved, (name, one.summary["message"])
         assert one.summary["backend"] == "compiled", one.summary["backend_reason"]
         assert other.summary["backend"] == "interpreted"
         assert list(one.summary["effects"]) == list(other.summary["effects"]), name

@@ -32,7 +32,7 @@ def test_no_limit_is_of_an_unknown_effect() -> None:
 
 
 @pytest.mark.parametrize(
-    ("changes", "complaint"),
+    ("changes", "message"),
     [
         ({"example": "no-such-scene"}, "scene: no bundled scene"),
         ({"applies": lambda scene: False}, "scene: maxwell-slow cannot have it"),
@@ -44,9 +44,9 @@ def test_no_limit_is_of_an_unknown_effect() -> None:
         ({"derivation": "03_small_deflection"}, "derivation: 03_small_deflection does not say"),
     ],
 )
-def test_one_that_lacks_any_is_caught(changes: dict[str, object], complaint: str) -> None:
+def test_one_that_lacks_any_is_caught(changes: dict[str, object], message: str) -> None:
     made_up = replace(WHOLE, **changes)  # type: ignore[arg-type]
-    assert any(complaint in fault for fault in lacking(made_up, LIMITS))
+    assert any(message in fault for fault in lacking(made_up, LIMITS))
 
 
 def test_a_limit_taken_out_of_the_table_is_missed() -> None:

@@ -42,7 +42,7 @@ def row(title: str, run: Trajectory) -> Row:
     stretch = run.data.stretch.values[-1]
     neck = neck_strain(stretch, np.diff(run.data.X_node.values), neck_length(run.scene))
     last = f"{-curve(scene, run)[1][-1]:.5g}"
-    return [title, sag, last, f"{stretch.max():.4g}", f"{neck:.3g}", run.outcome.name, run.summary["complaint"]]
+    return [title, sag, last, f"{stretch.max():.4g}", f"{neck:.3g}", run.outcome.name, run.summary["message"]]
 
 
 def of_elements(G: float, mesh: Mesh) -> Row:

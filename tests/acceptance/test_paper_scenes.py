@@ -41,7 +41,7 @@ def test_edge_of_rupture_is_refused_as_localised() -> None:
         published = {"run.effects": "paper", "numerics.cells": cells, "numerics.grading": 1.0}
         run = sc.simulate(sc.load_scene("edge-of-rupture", published))
         sag = -run.summary["midpoint_final_m"] / run.scene.filament.span
-        rows.append([cells, f"{sag:.3g}", run.outcome.name, run.summary["complaint"]])
+        rows.append([cells, f"{sag:.3g}", run.outcome.name, run.summary["message"]])
     show("edge-of-rupture: the answer depends on the grid", ("N", "sag/L at 460", "outcome", "because"), rows)
     assert run.outcome is sc.Outcome.localised
     assert not run.outcome.is_success

@@ -42,7 +42,7 @@ def studied() -> tuple[Answer, ...]:
 
 def answered() -> list[Answer]:
     """Scenes that have an answer: both runs succeed."""
-    return [answer for answer in studied() if not answer.complaints]
+    return [answer for answer in studied() if not answer.messages]
 
 
 def is_within(answer: Answer) -> bool:
@@ -56,14 +56,14 @@ def without_worth(answer: Answer) -> dict[str, float]:
 
 
 def test_auto_is_within_the_accuracy_of_everything() -> None:
-    found, silent = answered(), [answer for answer in studied() if answer.complaints]
+    found, silent = answered(), [answer for answer in studied() if answer.messages]
     missed = [answer for answer in found if not is_within(answer)]
     by_grid = [answer for answer in found if is_within(answer) and answer.error > answer.accuracy]
     rows = [(a.name, f"{a.accuracy:g}", f"{a.error:.1e}", f"{a.finer:.1e}", ", ".join(a.chosen)) for a in missed]
     show("exceptions: beyond the accuracy", ("scene", "accuracy", "error", "on a finer grid", "chosen"), rows)
     rows = [(a.name, f"{a.accuracy:g}", f"{a.error:.1e}", f"{a.finer:.1e}") for a in by_grid]
     show("within it on a finer grid", ("scene", "accuracy", "error", "on a finer grid"), rows)
-    show("without an answer", ("scene", "why"), [(a.name, a.complaints[0][:100]) for a in silent])
+    show("without an answer", ("scene", "why"), [(a.name, a.messages[0][:100]) for a in silent])
     share = 1 - len(missed) / len(found)
     repeated = sum(bool(answer.repeats) for answer in found)
     print(f"\n{len(found)} scenes with an answer, {share:.1%} within the accuracy asked; {repeated} were repeated")

@@ -53,7 +53,7 @@ def test_the_estimate_of_a_beam_is_its_error() -> None:
 def test_a_beam_is_refined_until_it_is_as_accurate_as_was_asked() -> None:
     for accuracy in (1e-3, 1e-4, 1e-5):
         run = simulate(beam(accuracy))
-        assert run.outcome.is_success, run.summary["complaint"]
+        assert run.outcome.is_success, run.summary["message"]
         assert abs(float(run.data.midpoint[-1]) / -1e-4 - 1) < accuracy
     assert run.summary["refinements"]
     assert run.summary["cells"] == run.summary["resolution"]["cells"] > 40
@@ -85,7 +85,7 @@ def test_an_accuracy_missed_by_little_is_an_answer(times: float, outcome: str, m
     run = simulate(beam(error / times))
     assert run.outcome.name == outcome
     assert not run.summary["refinements"]
-    told = [text for text in (*run.summary["warnings"], run.summary["complaint"]) if "accuracy" in text]
+    told = [text for text in (*run.summary["warnings"], run.summary["message"]) if "accuracy" in text]
     assert len(told) == (times > 1)
     assert not any("leave out" in text or "by hand" in text for text in (*told, run.summary["advice"]))
     if times == 1.5:
@@ -97,7 +97,7 @@ def test_a_hinge_that_necks_as_the_grid_lets_it_is_no_success() -> None:
     by_hand = {"numerics.cells": 80, "numerics.grading": 10, "numerics.fibres": 8}
     run = simulate(load_scene("arrested-underdamped", by_hand))
     assert run.outcome.name == "inaccurate"
-    assert "numerics.grading" in run.summary["complaint"]
+    assert "numerics.grading" in run.summary["message"]
 
 
 def test_what_cannot_be_reached_is_inaccurate(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -107,7 +107,7 @@ def test_what_cannot_be_reached_is_inaccurate(monkeypatch: pytest.MonkeyPatch) -
     run = simulate(load_scene("cold-honey", HONEY | {"run.accuracy": 1e-6}))
     assert run.outcome.name == "inaccurate"
     assert run.summary["regime"] is None
-    assert "1e-06" in run.summary["complaint"]
+    assert "1e-06" in run.summary["message"]
 
 
 def test_without_an_estimate_nothing_runs_beside() -> None:

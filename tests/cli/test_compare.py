@@ -86,8 +86,8 @@ def test_ctrl_c_keeps_the_checkpoint_and_the_same_command_goes_on(
         patch.setattr(IntegrationProgress, "update", stop)
         assert compare(monkeypatch, *arguments, "-o", str(broken)) == 130
     assert [path.name for path in broken.iterdir()] == ["elements.npz"]
-    complaint = capsys.readouterr().err
-    assert "interrupted" in complaint and str(broken / "elements.npz") in complaint
+    message = capsys.readouterr().err
+    assert "interrupted" in message and str(broken / "elements.npz") in message
     assert compare(monkeypatch, *arguments, "-o", str(broken)) == 0
     assert "go on from" in capsys.readouterr().out
     for name in ("compare_midpoint.csv", "compare_clamp_strain.csv", "compare_plastic_rate.csv"):
@@ -105,7 +105,7 @@ def test_an_answer_not_to_be_trusted_exits_1_and_still_writes(
 
 
 @pytest.mark.parametrize(
-    ("arguments", "complaint"),
+    ("arguments", "message"),
     [
         (("no-yield", "--mesh", "64"), "no mesh"),
         (("no-yield", "--mesh", "0x4"), "0 elements along"),
@@ -122,7 +122,7 @@ def test_an_answer_not_to_be_trusted_exits_1_and_still_writes(
 )
 def test_bad_input_is_one_message_and_leaves_nothing(
     arguments: tuple[str, ...],
-    complaint: str,
+    message: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
@@ -130,7 +130,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     output = tmp_path / "out"
     assert compare(monkeypatch, *arguments, "-o", str(output)) == 2
     said = capsys.readouterr().err
-    assert complaint in said and "Traceback" not in said
+    assert message in said and "Traceback" not in said
     assert not output.exists()
 
 

@@ -51,8 +51,8 @@ def test_missing_calculix_is_one_message_and_leaves_nothing(
 ) -> None:
     monkeypatch.setattr("softcat_sym.reference.calculix.find_calculix", lambda: None)
     assert compare(monkeypatch, "-o", str(tmp_path / "out"), "--engine", "calculix", *SHORT) == 2
-    complaint = capsys.readouterr().err
-    assert "calculix-ccx" in complaint and "--deck-only" in complaint and "Traceback" not in complaint
+    message = capsys.readouterr().err
+    assert "calculix-ccx" in message and "--deck-only" in message and "Traceback" not in message
     assert not (tmp_path / "out").exists()
 
 

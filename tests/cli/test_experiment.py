@@ -75,18 +75,18 @@ BAD = {
     "frames": ((*SCENE, *FILM, "--frames-at-most", "1"), "--frames-at-most"),
     "rough": ((*SCENE, *FILM, "--rough", "0.5"), "at least one"),
     "sag": ((*SCENE, *FILM, "--sag", "-1 mm"), "not positive"),
-    "sag in words": ((*SCENE, *FILM, "--sag-at-most", "little"), "sag_at_most"),
+    "sag in words": ((*SCENE, *FILM, "--sag-at-most", "little"), "max_sag"),
     "sag too small": ((*SCENE, *FILM, "--sag-at-most", "1 nm"), "sags more than"),
     "set": ((*SCENE, *FILM, *sets("material.visosity=1 Pa*s")), "material.visosity"),
 }
 
 
-@pytest.mark.parametrize(("arguments", "complaint"), BAD.values(), ids=BAD)
+@pytest.mark.parametrize(("arguments", "message"), BAD.values(), ids=BAD)
 def test_bad_input_is_one_message_and_leaves_nothing(
-    arguments: tuple[str, ...], complaint: str, softcat: Softcat, tmp_path: Path
+    arguments: tuple[str, ...], message: str, softcat: Softcat, tmp_path: Path
 ) -> None:
     output = tmp_path / "out"
     done = softcat("experiment", *arguments, "-o", str(output))
     assert done.status == 2 and done.out == ""
-    assert complaint in " ".join(done.err.replace("│", " ").split())
+    assert message in " ".join(done.err.replace("│", " ").split())
     assert not output.exists()

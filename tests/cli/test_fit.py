@@ -161,9 +161,9 @@ BAD = {
 }
 
 
-@pytest.mark.parametrize(("arguments", "complaint"), BAD.values(), ids=BAD)
+@pytest.mark.parametrize(("arguments", "message"), BAD.values(), ids=BAD)
 def test_bad_input_is_one_message_and_leaves_nothing(
-    arguments: tuple[str, ...], complaint: str, softcat: Softcat, tmp_path: Path
+    arguments: tuple[str, ...], message: str, softcat: Softcat, tmp_path: Path
 ) -> None:
     film = write_film(tmp_path / "film.csv").read_text().splitlines()
     header, first = film[0], film[1]
@@ -183,7 +183,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     output = tmp_path / "out"
     done = softcat("fit", *words, "-o", str(output))
     assert done.status == 2 and done.out == ""
-    assert complaint in done.err.replace("\n", " ")
+    assert message in done.err.replace("\n", " ")
     assert not output.exists()
 
 

@@ -89,12 +89,12 @@ BAD = {
 }
 
 
-@pytest.mark.parametrize(("arguments", "complaint"), BAD.values(), ids=BAD)
+@pytest.mark.parametrize(("arguments", "message"), BAD.values(), ids=BAD)
 def test_bad_input_is_one_message_and_leaves_nothing(
-    arguments: list[str], complaint: str, softcat: Softcat, tmp_path: Path
+    arguments: list[str], message: str, softcat: Softcat, tmp_path: Path
 ) -> None:
     film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
     done = softcat("fit", str(film), *SCENE, *arguments, *QUICK, "-o", str(output))
     assert done.status == 2 and done.out == ""
-    assert complaint in " ".join(done.err.replace("│", " ").split())
+    assert message in " ".join(done.err.replace("│", " ").split())
     assert not output.exists()

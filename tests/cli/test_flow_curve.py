@@ -87,7 +87,7 @@ def test_a_scene_is_handed_on(
 
 
 @pytest.mark.parametrize(
-    ("arguments", "complaint"),
+    ("arguments", "message"),
     [
         (("nowhere.csv",), "no such file"),
         (("PASTE", "--law", "binham"), "did you mean 'bingham'"),
@@ -102,7 +102,7 @@ def test_a_scene_is_handed_on(
 )
 def test_bad_input_is_one_message_and_leaves_nothing(
     arguments: tuple[str, ...],
-    complaint: str,
+    message: str,
     paste: Path,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -113,7 +113,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     output = tmp_path / "out"
     assert flow_curve(monkeypatch, *(files.get(word, word) for word in arguments), "-o", str(output)) == 2
     said = capsys.readouterr().err
-    assert complaint in said and "Traceback" not in said
+    assert message in said and "Traceback" not in said
     assert not output.exists()
 
 

@@ -131,10 +131,10 @@ def test_an_interrupted_run_writes_nothing_but_its_state(tmp_path: Path) -> None
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         time.sleep(6)
         process.send_signal(signal.SIGINT)
-        _, complaint = process.communicate(timeout=60)
+        _, message = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert "interrupted" in complaint
-    assert "Traceback" not in complaint
+    assert "interrupted" in message
+    assert "Traceback" not in message
     assert not output.exists() or os.listdir(output) == ["checkpoint"]  # noqa: PTH208
 
 

@@ -94,6 +94,6 @@ def interpreted(scene: Scene) -> tuple[Floats, Floats, Floats]:
     asked = scene.replace({"numerics.backend": "interpreted", "numerics.solver": "rosenbrock"})
     prepared = build(asked, choose_effects(asked))
     solution = prepared.solve(Silence())
-    assert solution.outcome.is_success, solution.complaint
+    assert solution.outcome.is_success, solution.message
     seen = prepared.graph.observe(solution.time, solution.x, solution.z, prepared.p)
     return solution.time * prepared.scale, seen["x"], seen["y"]

@@ -61,7 +61,7 @@ class Options(c.Structure):
         ("first_step", c.c_double),
         ("smallest_step", c.c_double),
         ("largest_step", c.c_double),
-        ("most_steps", c.c_long),
+        ("max_steps", c.c_long),
         ("method", c.c_int),
         ("kinks", _Doubles),
         ("kink_count", c.c_int),
@@ -199,7 +199,7 @@ class Settings:
     first_step: float = 0.0
     smallest_step: float = 0.0
     largest_step: float = 0.0
-    most_steps: int = 0
+    max_steps: int = 0
     method: int = RODAS5P
     kinks: Sequence[float] = ()
     stop: c.c_int | None = None
@@ -209,7 +209,7 @@ class Settings:
         """As C sees them."""
         absolute = doubles(np.broadcast_to(np.asarray(self.absolute, dtype=float), (slots,)))
         made = Options(self.relative, absolute, 0.0, self.first_step, self.smallest_step, self.largest_step)
-        made.most_steps, made.method = self.most_steps, self.method
+        made.max_steps, made.method = self.max_steps, self.method
         made.kinks, made.kink_count = doubles(self.kinks), len(self.kinks)
         made.stop = c.pointer(self.stop) if self.stop is not None else None
         return made

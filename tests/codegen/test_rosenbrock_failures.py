@@ -16,7 +16,7 @@ from tests.codegen.rosenbrock_library import PROBLEMS, RUNTIME, Settings, consis
 
 def test_step_limit_leaves_what_was_reached() -> None:
     """The state is that of the last accepted step, later rows are untouched."""
-    run = integrate(problem("smooth"), [1.0, 1.0], [0.0, 2.0], Settings(most_steps=4))
+    run = integrate(problem("smooth"), [1.0, 1.0], [0.0, 2.0], Settings(max_steps=4))
     assert run.status.code == rosenbrock.STEP_LIMIT
     assert run.status.steps + run.status.rejected == 4
     again = integrate(problem("smooth"), [1.0, 1.0], [0.0, run.status.reached], Settings(relative=1e-10))

@@ -228,8 +228,8 @@ def test_stopping_depth_ends_at_its_own_threshold(equation: regimes.Equation, th
 def test_paper_value_of_the_stopping_depth() -> None:
     assert float(regimes.STOPPING_DEPTH.right.subs(G, 0.4)) == pytest.approx(0.05, abs=2e-3)
     scene = load_scene("arrested-overdamped", {"groups.duration": 1e9})
-    foreseen = expected_regime(scene, ("inertia", "bending", "viscous-flow", "yielding")).stopping_depth_paper
-    assert foreseen == pytest.approx(float(regimes.STOPPING_DEPTH.right.subs(G, 0.4)))
+    forecast_motion = expected_regime(scene, ("inertia", "bending", "viscous-flow", "yielding")).stopping_depth_paper
+    assert forecast_motion == pytest.approx(float(regimes.STOPPING_DEPTH.right.subs(G, 0.4)))
 
 
 def test_catenary_in_its_parameter() -> None:

@@ -29,7 +29,7 @@ def same_as_single_runs(ensemble: Ensemble, rtol: float = 0.0) -> None:
         assert float(row.midpoint_final) == pytest.approx(single.summary["midpoint_final_m"], rel=rtol, abs=0)
         assert float(row.time_final) == single.summary["time_final_s"]
         assert str(row.outcome.values) == single.outcome.name == ensemble.outcomes[number].name
-        assert str(row.complaint.values) == single.summary["complaint"]
+        assert str(row.message.values) == single.summary["message"]
         assert int(row.steps) == single.summary["steps"]
         assert str(row.effects.values).split(", ") == list(single.summary["effects"])
         # The largest energy of two frames is no larger than that of all.
@@ -109,7 +109,7 @@ def test_failures_are_rows_and_the_others_go_on(monkeypatch: pytest.MonkeyPatch)
     names = ensemble.data.outcome.values.tolist()
     assert (names[0], names[2]) == ("solved", "solved")
     assert not ensemble.outcomes[1].is_success
-    assert "stopped after t =" in str(ensemble.data.complaint.values[1])
+    assert "stopped after t =" in str(ensemble.data.message.values[1])
     lost = np.isnan(ensemble.data.midpoint.values)
     assert lost[1].any() and not lost[1].all() and not lost[[0, 2]].any()
     assert np.isfinite(ensemble.data.midpoint_final.values).all()
@@ -128,7 +128,7 @@ def test_a_rupture_is_a_row() -> None:
     table = {"groups.G": [0.4, 4.0], "groups.V": [30.0, 1.0], "run.duration": [0.1, 1.0]}
     ensemble = sc.simulate_many(scene, table)
     assert [one.name for one in ensemble.outcomes] == ["solved", "localised"]
-    assert "carries" in str(ensemble.data.complaint.values[1])
+    assert "carries" in str(ensemble.data.message.values[1])
 
 
 def test_refusals_come_before_any_run(monkeypatch: pytest.MonkeyPatch) -> None:

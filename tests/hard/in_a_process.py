@@ -25,7 +25,7 @@ class Seen:
     """What came of a case: its outcome, error, estimate, seconds of the run, and what it breaks."""
 
     outcome: str
-    complaint: str = ""
+    message: str = ""
     is_success: bool = False
     error: float | None = None
     estimate: float | None = None
@@ -74,7 +74,7 @@ def _serve(there: Connection) -> None:
             told, found = run.summary, run.summary["error_estimate"]
             seen = Seen(
                 run.outcome.name,
-                f"{told['complaint']}; {told['advice']}",
+                f"{told['message']}; {told['advice']}",
                 run.outcome.is_success,
                 estimate=found["total"] if found else None,
                 seconds=time.process_time() - began,
@@ -95,4 +95,4 @@ def _judged(case: Case, run: sc.Trajectory | None, seen: Seen) -> Seen:
         error = case.judge(run) if case.judge is not None else None
     except (AssertionError, SceneError) as fault:
         broken.append(f"nothing to judge by: {fault}")
-    return Seen(seen.outcome, seen.complaint, True, error, seen.estimate, seen.seconds, tuple(broken))
+    return Seen(seen.outcome, seen.message, True, error, seen.estimate, seen.seconds, tuple(broken))

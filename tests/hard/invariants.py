@@ -15,7 +15,7 @@ REACTIONS = 0.05
 """Of the weight: forces in the end cells are rebuilt from means over cells in which moment and curvature are steepest
 (a falling fluid: 0.024 on 40 cells, 0.008 on 160), and time integrals from frames."""
 
-_LEAST_FRAMES, _ROUGH = 20, 0.3
+_MIN_FRAMES, _ROUGH = 20, 0.3
 
 
 def violations(run: Trajectory) -> dict[str, str]:
@@ -69,7 +69,7 @@ def _unbalanced(run: Trajectory) -> str:
         return f"{error:.2g}" if error > REACTIONS else ""
     middle = y[:, y.shape[1] // 2]
     rough = np.sum(np.abs(np.diff(middle, 2))) > _ROUGH * np.sum(np.abs(np.diff(middle)))
-    if len(time) < _LEAST_FRAMES or rough or run.scene.ends.motion:
+    if len(time) < _MIN_FRAMES or rough or run.scene.ends.motion:
         return ""
     phase = np.pi * time / time[-1]
     window = np.sin(phase) ** 4

@@ -66,7 +66,7 @@ def refined(run: Trajectory) -> float:
         finer["fibres"] = 3 * at["fibres"] // 4 * 2
     scene = without_estimate(run.scene.replace({f"numerics.{name}": value for name, value in finer.items()}))
     again = sc.simulate(scene.replace({"run.effects": list(run.summary["effects"])}))
-    assert again.outcome.is_success, f"the finer run: {again.outcome.name}, {again.summary['complaint']}"
+    assert again.outcome.is_success, f"the finer run: {again.outcome.name}, {again.summary['message']}"
     return _apart(heights(run), heights(again)) / (1 - (2 / 3) ** 2)
 
 
@@ -79,5 +79,5 @@ def _apart(ours: Array, truth: Array) -> float:
 @cache
 def _answer(scene: sc.Scene) -> Array:
     run = sc.simulate(scene)
-    assert run.outcome.is_success, f"the limiting case: {run.outcome.name}, {run.summary['complaint']}"
+    assert run.outcome.is_success, f"the limiting case: {run.outcome.name}, {run.summary['message']}"
     return heights(run)

@@ -41,8 +41,8 @@ def _fault(case: Case, seen: Seen) -> str:
     """What is wrong with an answer or a refusal; empty for a sound one."""
     if not seen.is_success:
         if seen.outcome not in case.refusals:
-            return f"must be answered: {seen.outcome}: {seen.complaint}"
-        return "" if case.says in seen.complaint else f"does not say {case.says!r}: {seen.complaint}"
+            return f"must be answered: {seen.outcome}: {seen.message}"
+        return "" if case.says in seen.message else f"does not say {case.says!r}: {seen.message}"
     if seen.broken:
         return "broken: " + ", ".join(seen.broken)
     if case.judge is None:

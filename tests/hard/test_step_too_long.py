@@ -51,4 +51,4 @@ def test_a_string_without_bending_that_is_pushed_is_refused_with_the_reason() ->
     scene = asked("elastic", E=100, T=2, frames=21, effects=string, ends=inwards, numerics={"estimate": False})
     run = sc.simulate(scene)
     assert run.outcome is sc.Outcome.compressed
-    assert "without bending" in run.summary["complaint"]
+    assert "without bending" in run.summary["message"]

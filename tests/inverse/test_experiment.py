@@ -56,7 +56,7 @@ def test_what_film_tells_what_of_a_maxwell_fluid() -> None:
     scene = _maxwell("maxwell-slow", 20)
     within = {"duration": ("0.1 s", f"{scene.run.duration!r} s"), "frame_rate": ("1 Hz", "1 kHz")}
     found = {
-        name: design_experiment(scene, [name], _NOISE, within, nuisance=[other], frames_at_most=100)
+        name: design_experiment(scene, [name], _NOISE, within, nuisance=[other], max_frames=100)
         for name, other in (("youngs_modulus", "viscosity"), ("viscosity", "youngs_modulus"))
     }
     elastic, viscous = found["youngs_modulus"], found["viscosity"]
@@ -64,7 +64,7 @@ def test_what_film_tells_what_of_a_maxwell_fluid() -> None:
     assert elastic.best.errors["material.youngs_modulus"] < viscous.best.errors["material.youngs_modulus"]
     assert viscous.best.errors["material.viscosity"] < elastic.best.errors["material.viscosity"]
     assert elastic.counted == ("material.youngs_modulus",)
-    assert elastic.at_bounds == {"frames_at_most": "upper"}
+    assert elastic.at_bounds == {"max_frames": "upper"}
 
 
 def _brute_force(scene: sc.Scene, noise: float, frames: int) -> float:
@@ -90,7 +90,7 @@ def test_the_optimum_beats_a_grid() -> None:
         ["youngs_modulus", "viscosity"],
         "10 um",
         within | {"frame_rate": ("10 Hz", "400 Hz")},
-        frames_at_most=101,
+        max_frames=101,
         told=told.append,
     )
     assert found.best.worst <= _brute_force(scene, _NOISE, 101) * 1.01
@@ -147,8 +147,8 @@ def test_refusals() -> None:
     """Every fault at once, with what would do."""
     scene = _maxwell()
     with pytest.raises(sc.SceneError) as caught:
-        design_experiment(scene, ["time_offset"], "0 mm", {}, frames_at_most=1, rough=0.5)
-    assert [fault.path for fault in caught.value.faults] == ["free", "noise", "frames_at_most", "rough"]
+        design_experiment(scene, ["time_offset"], "0 mm", {}, max_frames=1, rough=0.5)
+    assert [fault.path for fault in caught.value.faults] == ["free", "noise", "max_frames", "rough"]
     with pytest.raises(sc.SceneError) as caught:
         within = {"spann": ("1 mm", "2 mm"), "thickness": ("2 mm", "1 mm"), "duration": "5 m"}
         design_experiment(scene, ["viscosity"], "1 um", within)

@@ -22,7 +22,7 @@ def fitted(*free: str, wave: float = 0.0) -> Fit:
 
 def test_a_run_that_is_solved_changes_nothing() -> None:
     found = fitted()
-    assert (found.outcome, found.complaint) == (FitOutcome.solved, "")
+    assert (found.outcome, found.message) == (FitOutcome.solved, "")
 
 
 def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -31,18 +31,18 @@ def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:
     assert found.parameters["viscosity"].verdict == "identified"
     assert found.outcome is FitOutcome.localised
     assert found.outcome.converged
-    assert "localised" in found.complaint and NECK in found.complaint
+    assert "localised" in found.message and NECK in found.message
 
 
 def test_lost_energy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
     found = fitted()
     assert found.outcome is FitOutcome.run_in_doubt
-    assert "energy residual 0.5" in found.complaint
+    assert "energy residual 0.5" in found.message
     # A graver word stays; the complaint is told beside it.
     other = fitted(wave=2e-3)
     assert other.outcome is FitOutcome.model_error
-    assert "energy residual 0.5" in other.complaint
+    assert "energy residual 0.5" in other.message
 
 
 def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:

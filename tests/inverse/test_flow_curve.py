@@ -48,7 +48,7 @@ def test_what_rheometers_write_is_read(tmp_path: Path, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "complaint"),
+    ("text", "message"),
     [
         ("", "holds no data"),
         ("# only a comment\n", "holds no data"),
@@ -71,10 +71,10 @@ def test_what_rheometers_write_is_read(tmp_path: Path, text: str) -> None:
         (HEADER + ROWS + "\0", "not text"),
     ],
 )
-def test_a_bad_file_is_one_clear_refusal(tmp_path: Path, text: str, complaint: str) -> None:
+def test_a_bad_file_is_one_clear_refusal(tmp_path: Path, text: str, message: str) -> None:
     path = tmp_path / "curve.csv"
     path.write_text(text)
-    with pytest.raises(SoftcatError, match=rf"(?s)flow curve {path}: .*{complaint}"):
+    with pytest.raises(SoftcatError, match=rf"(?s)flow curve {path}: .*{message}"):
         sc.fit_flow_curve(str(path))
 
 
@@ -102,7 +102,7 @@ def test_files_that_are_no_text_files(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("rate", "stress", "complaint"),
+    ("rate", "stress", "message"),
     [
         ([1, 2, 3, 4], [1, 2, 3], r"shape \(4,\).*shape \(3,\)"),
         ([[1, 2], [3, 4]], [[1, 2], [3, 4]], "two lists"),
@@ -112,8 +112,8 @@ def test_files_that_are_no_text_files(tmp_path: Path) -> None:
         ([], [], "0 distinct"),
     ],
 )
-def test_bad_points_are_refused(rate: list[float], stress: list[float], complaint: str) -> None:
-    with pytest.raises(SoftcatError, match=rf"(?s){complaint}"):
+def test_bad_points_are_refused(rate: list[float], stress: list[float], message: str) -> None:
+    with pytest.raises(SoftcatError, match=rf"(?s){message}"):
         FlowCurve(rate, stress)  # type: ignore[arg-type]
 
 

@@ -88,7 +88,7 @@ def test_derivatives_of_what_moves_lengths_starts_and_units(scene: str, names: t
     q = model.typical.copy()
     q[[name == "time_offset" for name in model.names]] = -0.01
     midpoint, derivatives = model.with_derivatives(q)
-    assert not model.complaint
+    assert not model.message
     found = _differences(model, q)
     largest = np.max(np.abs(derivatives), axis=0)
     assert np.all(largest > 0)
@@ -142,13 +142,13 @@ def test_absurd_values_have_no_answer() -> None:
     begun = time.perf_counter()
     midpoint, derivatives = model.with_derivatives(np.array([-6.5]))
     assert time.perf_counter() - begun < 5
-    assert "steps" in model.complaint
+    assert "steps" in model.message
     assert np.isfinite(midpoint[1])
     assert np.isfinite(derivatives[1]).all()
     assert np.isnan(midpoint[-1])
     assert np.isnan(derivatives[-1]).all()
     np.testing.assert_array_equal(model.midpoints(np.zeros(1)), sound)
-    assert not model.complaint
+    assert not model.message
 
 
 @pytest.mark.slow
@@ -158,7 +158,7 @@ def test_neighbours_that_are_lost_are_found_again() -> None:
     model = _model(scene, "viscosity", "yield_stress", times=np.linspace(0, 0.5, 9) * scene.run.duration, rtol=1e-4)
     midpoint = model.midpoints(np.zeros(2))
     again, derivatives = model.with_derivatives(np.zeros(2))
-    assert not model.complaint
+    assert not model.message
     assert np.isfinite(derivatives).all()
     np.testing.assert_allclose(again, midpoint, atol=1e-3 * np.max(np.abs(midpoint)))
 
@@ -169,7 +169,7 @@ def test_what_fails_is_no_number(backend: str) -> None:
     model = _model(_scene("continual-descent"), "viscosity", backend=backend)
     model.__dict__["_most_steps"] = 10
     midpoint, derivatives = model.with_derivatives(np.zeros(1))
-    assert model.complaint
+    assert model.message
     assert np.isnan(midpoint[-1])
     assert np.isnan(derivatives[-1]).all()
     assert np.isnan(model.gradient(np.zeros(1), np.ones(len(midpoint)))).all()
@@ -183,7 +183,7 @@ def test_a_filament_that_would_be_slack_has_no_answer() -> None:
     below = model.free[0].scaled(0.9)
     assert below < model.lower[0]
     assert np.isnan(model.midpoints(np.array([below]))).all()
-    assert "slack" in model.complaint
+    assert "slack" in model.message
 
 
 def test_an_evaluation_is_kept() -> None:

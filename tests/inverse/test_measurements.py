@@ -31,7 +31,7 @@ def of_checked(time: Floats, midpoint: Floats, scene: Scene) -> Series:
 
 
 @pytest.mark.parametrize(
-    ("time", "midpoint", "std", "complaint"),
+    ("time", "midpoint", "std", "message"),
     [
         ([0, 1, 2], [0, 1, 2, 3, 4], None, r"time of shape \(3,\), midpoint of shape \(5,\)"),
         ([[0, 1], [2, 3]], [[0, 1], [2, 3]], None, "lists of the same length"),
@@ -45,8 +45,8 @@ def of_checked(time: Floats, midpoint: Floats, scene: Scene) -> Series:
         ([0, 1, 2, 3, 4], [0.3] * 5, None, "0.3 m at every time"),
     ],
 )
-def test_a_bad_series_is_refused(time: object, midpoint: object, std: object, complaint: str) -> None:
-    with pytest.raises(SoftcatError, match=rf"(?s)measurements: {complaint}|{complaint}"):
+def test_a_bad_series_is_refused(time: object, midpoint: object, std: object, message: str) -> None:
+    with pytest.raises(SoftcatError, match=rf"(?s)measurements: {message}|{message}"):
         Series(time, midpoint, std)  # type: ignore[arg-type]
 
 
@@ -130,7 +130,7 @@ def test_heights_from_another_level_are_not_guessed_at(scene: Scene) -> None:
 
 
 @pytest.mark.parametrize(
-    ("time", "length", "complaint"),
+    ("time", "length", "message"),
     [
         (
             1.0,
@@ -152,8 +152,8 @@ def test_heights_from_another_level_are_not_guessed_at(scene: Scene) -> None:
     ],
     ids=["mm as m", "no unit does", "ms as s", "s as ms", "faster than free fall"],
 )
-def test_wrong_units_are_named(scene: Scene, time: float, length: float, complaint: str) -> None:
-    with pytest.raises(SoftcatError, match=complaint):
+def test_wrong_units_are_named(scene: Scene, time: float, length: float, message: str) -> None:
+    with pytest.raises(SoftcatError, match=message):
         of_checked(time * TIME, length * FALL, scene)
 
 

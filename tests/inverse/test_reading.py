@@ -147,7 +147,7 @@ def test_repeated_times_are_averaged_with_their_weights(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "complaint"),
+    ("text", "message"),
     [
         ("", "holds no data"),
         ("# only a comment\n", "holds no data"),
@@ -192,9 +192,9 @@ def test_repeated_times_are_averaged_with_their_weights(tmp_path: Path) -> None:
         (HEADER + "a,b\n" * 9, "18 faults.*and 10 more"),
     ],
 )
-def test_a_bad_file_is_one_clear_refusal(tmp_path: Path, text: str, complaint: str) -> None:
+def test_a_bad_file_is_one_clear_refusal(tmp_path: Path, text: str, message: str) -> None:
     path = written(tmp_path, text)
-    with pytest.raises(SoftcatError, match=rf"(?s)measurements {path}: .*{complaint}"):
+    with pytest.raises(SoftcatError, match=rf"(?s)measurements {path}: .*{message}"):
         read_measurements(path)
 
 

@@ -91,7 +91,7 @@ def run(asked: Scene, grid: Grid | None = None) -> Trajectory:
 
 def sag(trajectory: Trajectory) -> float:
     """Final depth of the midpoint [m]."""
-    assert trajectory.outcome.is_success, trajectory.summary["complaint"]
+    assert trajectory.outcome.is_success, trajectory.summary["message"]
     return -float(trajectory.data["midpoint"][-1])
 
 

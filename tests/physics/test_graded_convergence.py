@@ -48,7 +48,7 @@ def depth(asked: Scene, grid: Grid) -> float:
     graph = assemble(equations, grid, effects.names, choose_theory(asked, equations))
     prepared = prepare(asked, graph, choose_settings(asked, effects))
     solution = prepared.solve(Silence())
-    assert solution.outcome.is_success, solution.complaint
+    assert solution.outcome.is_success, solution.message
     shown = graph.observe(solution.time, solution.x, solution.z, prepared.p)
     middle = int(np.flatnonzero(grid.nodes == 0.0)[0])
     return -float(shown["y"][-1, middle]) / asked.filament.span

@@ -155,7 +155,7 @@ def test_every_law_has_it_in_both_theories_and_backends(law: str, theory: str) -
         asked = {"effects": effects, "frames": 41, "accuracy": 1e-3}
         scene = strand(law, run=asked, numerics={"backend": backend, "cells": 8})
         run = simulate(scene)
-        assert run.outcome.is_success, run.summary["complaint"]
+        assert run.outcome.is_success, run.summary["message"]
         assert run.summary["energy_residual"] < 1e-3
         assert float(run.data.energy_dissipated[-1]) > 0
         runs.append(run.data.midpoint.values)

@@ -77,7 +77,7 @@ def viscous_string(*effects: str, E_star: float, final_sag: float) -> tuple[np.n
             rtol=1e-7,
         )
     )
-    assert done.outcome.is_success, done.summary["complaint"]
+    assert done.outcome.is_success, done.summary["message"]
     return done.data["time"].values, -done.data["midpoint"].values, eta
 
 

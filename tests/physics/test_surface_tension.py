@@ -101,7 +101,7 @@ def test_the_small_deflection_model_takes_it_as_one_tension() -> None:
 
 def energy_closes(asked: Scene) -> sc.Trajectory:
     done = sc.simulate(asked)
-    assert done.outcome.is_success, done.summary["complaint"]
+    assert done.outcome.is_success, done.summary["message"]
     assert done.summary["energy_residual"] < 1e-5
     return done
 
@@ -159,7 +159,7 @@ def test_a_free_end_of_a_bingham_strand_is_pulled_in_until_it_holds(gam: float, 
         cells=10,
     )
     done = sc.simulate(pulled(asked, gam * limit))
-    assert done.outcome.is_success, done.summary["complaint"]
+    assert done.outcome.is_success, done.summary["message"]
     thicker = done.data["thickness"].values[-1] / 0.02
     print(f"gamma/(R sigma_Y) = {gam}: R/R0 = {thicker.min():.5f} to {thicker.max():.5f}, expected {stops}")
     np.testing.assert_allclose(thicker, stops, rtol=1e-3)
@@ -209,7 +209,7 @@ def test_a_viscous_thread_with_a_free_end_thickens_at_gam_over_two_eta(inertia: 
         }
     )
     done = sc.simulate(thread)
-    assert done.outcome.is_success, done.summary["complaint"]
+    assert done.outcome.is_success, done.summary["message"]
     thicker = done.data["thickness"].values.mean(axis=1) / 0.02
     print(np.array2string(thicker, precision=5))
     np.testing.assert_allclose(thicker, [1.0, 1.1, 1.2, 1.3], rtol=2e-3)

@@ -146,7 +146,7 @@ def test_every_law_is_what_the_stretching_filament_becomes(law: str, moves: bool
     effects = ("bending", *flow, *(("inertia",) if moves else ()))
     plain = simulate(law_scene(law, ends, section, effects, 0.02 if moves else 1.0))
     stretching = simulate(law_scene(law, ends, section, (*effects, "extensibility"), 0.02 if moves else 1.0))
-    assert plain.outcome.is_success, plain.summary["complaint"]
+    assert plain.outcome.is_success, plain.summary["message"]
     heights = [np.asarray(done.data["y"].values) for done in (plain, stretching)]
     difference = float(np.max(np.abs(heights[0] - heights[1])) / np.max(np.abs(heights[1])))
     sags = np.max(np.abs(heights[1]), axis=1)

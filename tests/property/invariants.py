@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from softcat_sym.results.fields import least_energy
+from softcat_sym.results.fields import min_energy
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.scene import scene as geometry
 from softcat_sym.scene.scene import Scene
@@ -31,7 +31,7 @@ BACK = 1e-3
 """How much of the largest energy dissipation may seem to lose between two frames, times the accuracy asked."""
 
 
-def complaints(trajectory: Trajectory) -> list[str]:
+def messages(trajectory: Trajectory) -> list[str]:
     """What does not hold; empty if all does."""
     checks = (_times, _bounds, _supports, _energy, _dissipation, _symmetry)
     scene = trajectory.scene
@@ -108,7 +108,7 @@ def _energy(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
     data = trajectory.data
     balance = sum(data[name].values for name in _STORED) - data["work_external"].values
     off, scale = np.max(np.abs(balance - balance[0])), _largest_energy(data)
-    if off > scene.run.accuracy * max(scale, least_energy(scene)):
+    if off > scene.run.accuracy * max(scale, min_energy(scene)):
         reported = trajectory.summary["energy_residual"]
         yield f"an energy residual of {off / scale:.2g}, reported {reported:.2g}"
 

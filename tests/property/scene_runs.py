@@ -12,7 +12,7 @@ import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.scene import Scene
 
-from .invariants import complaints, is_balanced
+from .invariants import is_balanced, messages
 
 REFUSED = "refused"
 
@@ -77,9 +77,9 @@ def _run(table: dict[str, Any], folder: str) -> dict[str, Any]:
     broken = _there_and_back(scene, folder)
     run = sc.simulate(scene)
     balanced = is_balanced(scene, run)
-    found: dict[str, Any] = {"outcome": run.outcome.name, "reason": run.summary["complaint"]}
+    found: dict[str, Any] = {"outcome": run.outcome.name, "reason": run.summary["message"]}
     if run.outcome.is_success:
-        broken += complaints(run)
+        broken += messages(run)
         found["residual"] = run.summary["energy_residual"] if balanced else None
     return found | {"broken": tuple(broken)}
 

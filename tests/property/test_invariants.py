@@ -17,7 +17,7 @@ from softcat_sym.scene.scene import Scene
 from tests.limited_process import LimitedProcess
 
 from . import scene_runs
-from .invariants import complaints, is_balanced
+from .invariants import is_balanced, messages
 from .limited import answer_within, serve
 
 TABLE: dict[str, Any] = {
@@ -36,7 +36,7 @@ def run() -> Trajectory:
 
 def test_a_good_run_has_no_complaints(run: Trajectory) -> None:
     assert run.outcome.is_success
-    assert complaints(run) == []
+    assert messages(run) == []
 
 
 def infinite(data: xr.Dataset) -> None:
@@ -87,7 +87,7 @@ def leaning(data: xr.Dataset) -> None:
 def test_what_is_broken_is_seen(run: Trajectory, spoil: Callable[[xr.Dataset], None], says: str) -> None:
     data = run.data.copy(deep=True)
     spoil(data)
-    assert any(says in text for text in complaints(dataclasses.replace(run, data=data)))
+    assert any(says in text for text in messages(dataclasses.replace(run, data=data)))
 
 
 def test_a_foreign_exception_and_an_untrue_file_are_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

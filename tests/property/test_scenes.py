@@ -140,7 +140,7 @@ def report(found: list[Answer]) -> None:
     refused = Counter(one.reason.splitlines()[-1].strip()[:110] for one in found if one.outcome == REFUSED)
     show("refused", ("times", "reason"), [(count, reason) for reason, count in refused.most_common()])
     failed_runs = [(one.outcome, one.law, one.reason[:100]) for one in found if one.outcome not in ("solved", REFUSED)]
-    show("without success", ("outcome", "law", "complaint"), sorted(failed_runs))
+    show("without success", ("outcome", "law", "message"), sorted(failed_runs))
     for one in found:
         if one.broken:
             print(f"\nbroken: {'; '.join(one.broken)}\n{one.scene}")

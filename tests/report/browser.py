@@ -37,7 +37,7 @@ class Browser:
         self._reading, self._writing, self._rest, self._count = reading, writing, b"", 0
         self._session: str | None = None
         self.requests: list[str] = []
-        self.complaints: list[str] = []
+        self.messages: list[str] = []
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Network", "Log"):
@@ -105,7 +105,7 @@ class Browser:
         elif event.get("method") == "Runtime.exceptionThrown" or (
             event.get("method") == "Log.entryAdded" and told["entry"]["level"] == "error"
         ):
-            self.complaints.append(json.dumps(told))
+            self.messages.append(json.dumps(told))
 
     def _next(self) -> dict[str, Any]:
         while b"\0" not in self._rest:

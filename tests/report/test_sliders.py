@@ -170,5 +170,5 @@ def test_a_handle_that_is_dragged_shows_the_numbers_of_its_member(tmp_path: Path
         assert "diverged" in chromium.ask("document.getElementById('which').textContent")
         chromium.ask("document.getElementById('time').value = 0; document.getElementById('play').click()")
         chromium.until("Number(document.getElementById('time').value) > 0.05")
-        assert chromium.complaints == []
+        assert chromium.messages == []
         assert [address for address in chromium.requests if not address.startswith(("file:", "about:"))] == []

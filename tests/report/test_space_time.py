@@ -11,7 +11,7 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import LogNorm
 from PIL import Image
 
-from softcat_sym.plotting.space_time import MOST_FRAMES, ROWS, maps_of, space_time_figure, time_to_nine_tenths
+from softcat_sym.plotting.space_time import MAX_FRAMES, ROWS, maps_of, space_time_figure, time_to_nine_tenths
 from softcat_sym.plotting.style import png
 
 
@@ -106,7 +106,7 @@ def test_long_runs_are_thinned_to_the_pixels_there_are_and_cost_less_than_a_seco
     figure = space_time_figure(run, summary, scene)
     assert png(figure).startswith(b"\x89PNG")
     assert time.process_time() - began < 1.0
-    assert meshes(figure)[0].get_array().shape[1] <= MOST_FRAMES
+    assert meshes(figure)[0].get_array().shape[1] <= MAX_FRAMES
 
 
 @pytest.mark.parametrize("frames", [1, 2])

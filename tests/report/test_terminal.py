@@ -89,7 +89,7 @@ def test_what_was_left_out_is_one_number_and_shown_where_it_exceeds_the_accuracy
 
 
 def test_a_refused_answer_is_stamped_on_its_first_line(summary, scene):
-    summary |= {"outcome": "localised", "regime": None, "complaint": "a neck", "advice": "do not trust it"}
+    summary |= {"outcome": "localised", "regime": None, "message": "a neck", "advice": "do not trust it"}
     screen = console()
     print_summary(summary, scene, console=screen)
     lines = written(screen).splitlines()
@@ -118,7 +118,7 @@ def test_a_clean_run_is_told_in_a_few_lines_and_in_full_where_asked(summary, sce
 
 
 def test_no_line_is_wider_than_the_screen_or_ends_in_blanks(summary, scene):
-    summary |= {"outcome": "localised", "advice": "do not trust the sag, " * 12, "complaint": "a neck " * 20}
+    summary |= {"outcome": "localised", "advice": "do not trust the sag, " * 12, "message": "a neck " * 20}
     screen = console(60)
     print_summary(summary, scene, [Path("a") / "b"], verbose=True, console=screen)
     assert all(len(line) <= 60 and line == line.rstrip() for line in written(screen).splitlines())

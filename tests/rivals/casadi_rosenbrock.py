@@ -20,7 +20,7 @@ from .kirchhoff_c import PORTABLE
 from .radau import Solved
 from .scenes import Physics, converged_midpoint, prepare
 
-_MOST_STEPS = 1_000_000
+_MAX_STEPS = 1_000_000
 REPEATS = 7
 
 # rtol and atol: of those tried, rtol in 1e-2, 3e-3, 1e-3, 3e-4, 1e-4 and atol/rtol in 1e-3, 1e-2, 1e-1, 1, the pair of
@@ -152,7 +152,7 @@ def integrator(prepared: Prepared, solver: str, options: dict[str, Any]) -> ca.F
     dae = {"t": graph.t, "x": graph.x, "p": graph.p, "ode": graph.ode}
     if graph.is_dae:
         dae |= {"z": graph.z, "alg": graph.alg}
-    every = {"max_num_steps": _MOST_STEPS, **options}
+    every = {"max_num_steps": _MAX_STEPS, **options}
     return ca.integrator("filament", solver, dae, 0, [float(prepared.times[-1])], every)
 
 

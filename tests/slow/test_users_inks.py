@@ -24,10 +24,10 @@ from .users_inks import users_inks
 
 pytestmark = pytest.mark.slow
 
-MOST_SECONDS, MOST_FAILURES = 60.0, 2
+MAX_SECONDS, MAX_FAILURES = 60.0, 2
 LEAST, MOST, SHARE = 0.35, 1.5, 0.95
 
-GIVEN_UP, REFERENCE = 2 * MOST_SECONDS, 180.0
+GIVEN_UP, REFERENCE = 2 * MAX_SECONDS, 180.0
 """Seconds of the processor after which a run, or its reference, is stopped."""
 
 Answer = TypeVar("Answer")
@@ -74,7 +74,7 @@ def test_users_inks() -> None:
         told = run.summary
         total, at = (told["error_estimate"] or {}).get("total"), told["resolution"] or {}
         failed += [] if run.outcome.is_success else [name]
-        dear += [name] if took > MOST_SECONDS else []
+        dear += [name] if took > MAX_SECONDS else []
         true, why = np.nan, ""
         if referred and run.outcome.is_success and total:
             none = (np.nan, f"no reference within {REFERENCE:g} s")
@@ -90,11 +90,11 @@ def test_users_inks() -> None:
     show("forty users' inks at the default accuracy", head, rows)
     ratio = np.array(ratios)
     within = float(np.mean((ratio >= LEAST) & (ratio <= MOST))) if len(ratio) else np.nan
-    print(f"\n{len(failed)} fail: {failed}; over {MOST_SECONDS:g} s: {dear}")
+    print(f"\n{len(failed)} fail: {failed}; over {MAX_SECONDS:g} s: {dear}")
     print(
         f"true over estimated: {within:.0%} of {len(ratio)} within {LEAST} to {MOST}, "
         f"at the most {max(ratios, default=0):.2f}"
     )
-    assert len(failed) <= MOST_FAILURES
+    assert len(failed) <= MAX_FAILURES
     assert not dear
     assert not len(ratio) or np.mean(ratio <= MOST) >= SHARE

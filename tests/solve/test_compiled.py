@@ -108,9 +108,9 @@ def test_too_many_steps_is_a_step_limit_that_keeps_the_sound_part(monkeypatch: p
     assert cut.x.shape[1] == cut.quad.shape[1] == frames
     np.testing.assert_array_equal(cut.x, whole.x[:, :frames])
     np.testing.assert_array_equal(cut.quad, whole.quad[:, :frames])
-    assert cut.complaint.startswith("stopped after t = ")
-    assert "] at X/L = " in cut.complaint
-    reached = float(cut.complaint.removeprefix("stopped after t = ").split(" s")[0])
+    assert cut.message.startswith("stopped after t = ")
+    assert "] at X/L = " in cut.message
+    reached = float(cut.message.removeprefix("stopped after t = ").split(" s")[0])
     assert cut.time[-1] * run.scale <= reached * (1 + 1e-5) < whole.time[frames] * run.scale
 
 
@@ -122,7 +122,7 @@ def test_what_is_no_number_is_non_finite() -> None:
     assert solution.outcome is Outcome.non_finite
     assert len(solution.time) == 1
     assert np.all(np.isfinite(solution.x))
-    assert "not finite" in solution.complaint
+    assert "not finite" in solution.message
 
 
 class Failing:
@@ -154,7 +154,7 @@ def test_every_failure_is_an_outcome_with_the_frames_before_it(code: int) -> Non
     assert len(solution.time) == solution.x.shape[1] == solution.quad.shape[1] == 2
     assert np.all(np.isfinite(solution.x))
     message = integration(run).filament.model.message(code)
-    assert solution.complaint == f"stopped after t = {1.5 * run.times[1] * run.scale:.6g} s; {message}"
+    assert solution.message == f"stopped after t = {1.5 * run.times[1] * run.scale:.6g} s; {message}"
 
 
 @pytest.mark.parametrize("code", [c_model.MEMORY, c_model.ARGUMENT])

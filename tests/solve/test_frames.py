@@ -20,7 +20,7 @@ def test_the_number_of_frames_is_exact(solver: str, frames: int) -> None:
     run = prepared(scene_of(frames=frames, cells=4), solver=solver)
     solution = run.solve(Silence())
     assert solution.outcome is Outcome.solved
-    assert solution.complaint == ""
+    assert solution.message == ""
     np.testing.assert_allclose(solution.time, run.times, rtol=1e-12)
     assert len(run.times) == frames
     for states in (solution.x, solution.z, solution.quad):

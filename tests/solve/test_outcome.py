@@ -48,8 +48,8 @@ def test_too_many_steps_is_a_step_limit(solver: str, monkeypatch: pytest.MonkeyP
     scene = scene_of(frames=5)
     solution = prepared(scene, solver=solver).solve(Silence())
     assert solution.outcome is Outcome.step_limit
-    assert "stopped after t = 0 s" in solution.complaint
-    assert "] at X/L = " in solution.complaint
+    assert "stopped after t = 0 s" in solution.message
+    assert "] at X/L = " in solution.message
     assert len(solution.time) == 1
 
 
@@ -75,8 +75,8 @@ def test_a_run_that_breaks_keeps_its_sound_part(solver: str, monkeypatch: pytest
         assert states.shape[1] == 6
         assert np.all(np.isfinite(states))
     np.testing.assert_allclose(solution.time, run.times[:6], rtol=1e-12)
-    assert f"stopped after t = {solution.time[-1] * broken.scale:.6g} s" in solution.complaint
-    assert "fastest: " in solution.complaint
+    assert f"stopped after t = {solution.time[-1] * broken.scale:.6g} s" in solution.message
+    assert "fastest: " in solution.message
 
 
 @pytest.mark.parametrize("solver", ["cvodes", "rosenbrock"])
@@ -122,7 +122,7 @@ def test_a_string_without_inertia_has_no_shape_to_begin_with(law: str) -> None:
     solution = run.solve(Silence())
     assert solution.outcome is Outcome.no_equilibrium
     assert len(solution.time) == 1
-    assert "t = 0 s" in solution.complaint
+    assert "t = 0 s" in solution.message
 
 
 def test_a_string_under_its_whole_weight_hangs_as_a_cable() -> None:

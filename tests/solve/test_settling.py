@@ -214,7 +214,7 @@ def test_a_run_with_inertia_begins_at_rest_too() -> None:
     """The thick sheet is let go where it hangs, and stays there."""
     names = [*THEORIES["shearing"], "inertia"]
     still = simulate(thick_and_slack("shearing").replace({"run.effects": names, "run.duration": "0.02 s"}))
-    assert still.outcome.is_success, still.summary["complaint"]
+    assert still.outcome.is_success, still.summary["message"]
     heights = still.data["midpoint"].values
     assert heights[0] < -0.06
     np.testing.assert_allclose(heights, heights[0], rtol=1e-4)

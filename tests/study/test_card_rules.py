@@ -55,7 +55,7 @@ def at_rest(modulus: str, **more: str) -> Scene:
 
 def run_of(scene: Scene) -> Trajectory:
     run = simulate(without_estimate(scene))
-    assert run.outcome.is_success, run.summary["complaint"]
+    assert run.outcome.is_success, run.summary["message"]
     return run
 
 

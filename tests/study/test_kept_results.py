@@ -112,7 +112,7 @@ def test_a_run_is_read_back_to_the_last_bit() -> None:
     run, form = sc.simulate(scene), trajectory_form(scene)
     again = form.read(form.write(run))
     xr.testing.assert_identical(run.data, again.data)
-    assert (again.summary, again.outcome, again.overlooked) == (run.summary, run.outcome, run.overlooked)
+    assert (again.summary, again.outcome, again.missing_effect) == (run.summary, run.outcome, run.missing_effect)
 
 
 def test_a_model_goes_on_from_where_its_last_evaluation_began(tmp_path: Path) -> None:

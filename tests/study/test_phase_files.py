@@ -39,7 +39,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     assert sum(int(row["runs"]) for row in rows) == plane["runs"]
     for row in rows:
         assert bool(row["regime"]) is (row["outcome"] == "solved")
-        assert row["regime"] or row["complaint"]
+        assert row["regime"] or row["message"]
     assert {"localised", "no-yield", "descending"} <= set(plane["marks"])
     assert f"{plane['nodes_saved']} of" in plane["caption"] or "were saved" in plane["caption"]
     assert "refinement saved" in done.out
@@ -51,7 +51,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "complaint"),
+    ("arguments", "message"),
     [
         (("--plane", "G-tau"), "G-delta, G-V"),
         (("--resolution", "2"), "4 to 640"),
@@ -59,8 +59,8 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
         (("--workers", "0"), "workers"),
     ],
 )
-def test_refusals_write_nothing(softcat: Softcat, tmp_path: Path, arguments: tuple[str, ...], complaint: str) -> None:
+def test_refusals_write_nothing(softcat: Softcat, tmp_path: Path, arguments: tuple[str, ...], message: str) -> None:
     done = softcat("phase", *arguments, "-o", str(tmp_path / "out"))
     assert done.status == 2
-    assert complaint in done.err
+    assert message in done.err
     assert not (tmp_path / "out").exists()

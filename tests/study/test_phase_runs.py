@@ -65,7 +65,7 @@ def test_a_run_that_is_no_answer_has_no_regime() -> None:
         [Place(0.4, 0.3, 0.03), Place(3.0, 1.0, 0.03), Place(1.0, 26.0, 0.03)]
     )
     assert (necked.regime, necked.mark, necked.runs) == (None, "localised", 2)
-    assert necked.complaint
+    assert necked.message
     assert (fallen.regime, fallen.runs) == ("descending", 2)
     assert fallen.drawn_out == duration_at(SCENE, fallen.place)
     assert fallen.sag == pytest.approx(PASSED, abs=0.05)

@@ -79,13 +79,13 @@ def test_reference_of_a_known_order_is_extrapolated_to_the_limit() -> None:
 
 def test_a_second_family_without_an_answer_is_said() -> None:
     def measure(task: Task) -> Measured:
-        return Measured(1.0, complaint="gave up") if task.program == "idas" else Measured(1.0, midpoint=(0.0, -1.0))
+        return Measured(1.0, message="gave up") if task.program == "idas" else Measured(1.0, midpoint=(0.0, -1.0))
 
     found = reference_of(measure, 1.0, 0, compiled=True)
     assert math.isnan(found.time)
     assert "gave no answer (gave up)" in found.note
     with pytest.raises(SoftcatError, match="no reference"):
-        reference_of(lambda task: Measured(1.0, complaint="bad"), 1.0, 0, compiled=True)
+        reference_of(lambda task: Measured(1.0, message="bad"), 1.0, 0, compiled=True)
     with pytest.raises(SoftcatError, match="does not move"):
         reference_of(lambda task: Measured(1.0, midpoint=(0.0, 0.0)), 1.0, 0, compiled=True)
 
@@ -98,7 +98,7 @@ def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
         def measure(task: Task) -> Measured:
             error = answers.get(task.rtol)
             if error is None:
-                return Measured(10.0, complaint="stopped after 10 s, integrating")
+                return Measured(10.0, message="stopped after 10 s, integrating")
             return Measured(1.0, midpoint=(0.0, -1.0, -2.0 * (1 + error)))
 
         program = next(program for program in PROGRAMS if program.key == "cvodes")
@@ -134,13 +134,13 @@ def test_what_takes_too_long_is_ended_and_the_next_begins_anew(tmp_path: Path, m
     with Worker(path, 1.0) as worker:
         # Over ten thousand steps of 640 cells: more than a minute.
         long = worker.measure(Task("cvodes", 640, 30.0, rtol=1e-11))
-        assert long.complaint == "stopped after 1 s, integrating"
+        assert long.message == "stopped after 1 s, integrating"
         assert long.midpoint == ()
-        assert not worker.measure(Task("cvodes", 10, 1.0, rtol=1e-2)).complaint
+        assert not worker.measure(Task("cvodes", 10, 1.0, rtol=1e-2)).message
         # Killed from outside: listed, and the next task gets a new process.
         worker._running().kill()
-        assert worker.measure(TASK).complaint.startswith(DIED)
-        assert not worker.measure(Task("cvodes", 10, 1.0, rtol=1e-2)).complaint
+        assert worker.measure(TASK).message.startswith(DIED)
+        assert not worker.measure(Task("cvodes", 10, 1.0, rtol=1e-2)).message
 
 
 @pytest.mark.slow
@@ -149,7 +149,7 @@ def test_a_run_over_the_limit_counts_as_stopped(tmp_path: Path) -> None:
     path.write_text(sc.load_scene("continual-descent", {"run.effects": "paper"}).to_toml())
     with Worker(path, 1e-4) as worker:
         found = worker.measure(Task("cvodes", 10, 1.0, rtol=1e-2))
-    assert found.complaint.startswith("stopped: it took")
+    assert found.message.startswith("stopped: it took")
     assert found.midpoint == ()
 
 

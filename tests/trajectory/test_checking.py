@@ -13,7 +13,7 @@ from softcat_sym import simulate
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Estimate
 from softcat_sym.results.trajectory import Trajectory
-from softcat_sym.results.verdict import overlooked
+from softcat_sym.results.verdict import missing_effect
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
 
@@ -49,7 +49,7 @@ def beam_modulus(thickness: float, sag: float, right: str = "clamped") -> float:
 def run(scene: Scene) -> Trajectory:
     """One run for all that is left out of it."""
     done = simulate(scene)
-    assert done.outcome.is_success, done.summary["complaint"]
+    assert done.outcome.is_success, done.summary["message"]
     return done
 
 
@@ -167,7 +167,7 @@ def with_auto(**changes: Any) -> tuple[Scene, Any]:
 def test_more_than_the_accuracy_is_overlooked(value: float, told: bool) -> None:
     scene, effects = with_auto()
     assert "thinning" not in effects.names
-    found = overlooked(scene, effects, {"thinning": Estimate(value, "half the strain")}, Outcome.solved)
+    found = missing_effect(scene, effects, {"thinning": Estimate(value, "half the strain")}, Outcome.solved)
     assert set(found) == ({"thinning"} if told else set())
     assert all("worth about 1 % of the sag" in text for text in found.values())
 
@@ -176,16 +176,16 @@ def test_more_than_the_accuracy_is_overlooked(value: float, told: bool) -> None:
 def test_what_the_user_has_left_out_is_not_overlooked(asked: dict[str, Any]) -> None:
     scene = with_auto()[0].replace(asked)
     measured = {"shear": Estimate(1.0, "much")}
-    assert overlooked(scene, choose_effects(scene), measured, Outcome.solved) == {}
-    assert overlooked(scene, choose_effects(scene), measured, Outcome.no_convergence) == {}
+    assert missing_effect(scene, choose_effects(scene), measured, Outcome.solved) == {}
+    assert missing_effect(scene, choose_effects(scene), measured, Outcome.no_convergence) == {}
 
 
 def test_a_run_that_fails_wants_the_published_theory() -> None:
     scene, effects = with_auto()
     measured = {name: Estimate(1e-9, "nothing") for name in ("thinning", "large-rotation", "shear", "rotary-inertia")}
     for outcome in (Outcome.no_convergence, Outcome.no_equilibrium, Outcome.step_limit, Outcome.non_finite):
-        assert set(overlooked(scene, effects, measured, outcome)) == {"thinning", "large-rotation"}
-    assert overlooked(scene, effects, measured, Outcome.energy_drift) == {}
+        assert set(missing_effect(scene, effects, measured, outcome)) == {"thinning", "large-rotation"}
+    assert missing_effect(scene, effects, measured, Outcome.energy_drift) == {}
 
 
 def test_a_neck_wants_its_gradient_and_nothing_else() -> None:
@@ -193,7 +193,7 @@ def test_a_neck_wants_its_gradient_and_nothing_else() -> None:
     scene, effects = with_auto(material=maxwell)
     assert not {"necking-gradient", "thinning"} & set(effects.names)
     measured = {name: Estimate(0.0, "") for name in ("necking-gradient", "thinning")}
-    assert set(overlooked(scene, effects, measured, Outcome.localised)) == {"necking-gradient"}
+    assert set(missing_effect(scene, effects, measured, Outcome.localised)) == {"necking-gradient"}
 
 
 def test_the_ramp_left_out_of_what_hangs_at_once_is_everything() -> None:

@@ -250,7 +250,7 @@ def test_a_failed_run_is_written_too(tmp_path: Path, monkeypatch: pytest.MonkeyP
     summary = json.loads((tmp_path / "summary.json").read_text(encoding="utf-8"))
     assert summary["outcome"] == "step_limit" == failed.outcome.name
     assert summary["advice"] == Outcome.step_limit.value
-    assert "stopped after t" in summary["complaint"]
+    assert "stopped after t" in summary["message"]
     assert reread(tmp_path).sizes["time"] == len(failed.data["time"]) < 13
     assert summary["time_final_s"] == float(failed.data["time"][-1])
 

@@ -69,7 +69,7 @@ def test_what_a_run_shows_to_matter_is_taken_in(effect: str, monkeypatch: pytest
     assert text.removeprefix(f"{effect}: ") in done.summary["effects"][effect]
     assert done.summary["warnings"] == []
     assert effect not in done.summary["checked"]
-    assert done.overlooked == {}
+    assert done.missing_effect == {}
     # Whichever way it was chosen, it is the same filament.
     assert list(done.summary["effects"]) == list(foresighted.summary["effects"])
     assert_same(done, foresighted)
@@ -127,7 +127,7 @@ def test_two_repeats_are_worth_a_warning(monkeypatch: pytest.MonkeyPatch) -> Non
     blind(monkeypatch, *FORESEES_NOTHING)
     scene = beam(0.01, 1e-4, "maxwell")
     told = iter([{"viscous-flow": "seen first"}, {"gravity-ramp": "seen then"}, {}])
-    monkeypatch.setattr(trajectory, "overlooked", lambda *_: next(told))
+    monkeypatch.setattr(trajectory, "missing_effect", lambda *_: next(told))
     done = simulate(scene)
     assert done.outcome is Outcome.solved
     assert done.summary["repeats"] == ["viscous-flow: seen first", "gravity-ramp: seen then"]
@@ -145,18 +145,18 @@ def test_what_is_overlooked_after_two_repeats_is_no_success(monkeypatch: pytest.
         runs.append(effects.names)
         return {order[len(runs) - 1]: "there something = 0.3"}
 
-    monkeypatch.setattr(trajectory, "overlooked", always_one_more)
+    monkeypatch.setattr(trajectory, "missing_effect", always_one_more)
     done = simulate(beam(0.01, 1e-4, "maxwell"))
     assert len(runs) == 3
     assert [set(later) - set(earlier) for earlier, later in pairwise(runs)] == [
         {"viscous-flow"},
         {"gravity-ramp"},
     ]
-    assert done.outcome is Outcome.overlooked
+    assert done.outcome is Outcome.missing_effect
     assert not done.outcome.is_success
-    assert done.summary["outcome"] == done.data.attrs["outcome"] == "overlooked"
+    assert done.summary["outcome"] == done.data.attrs["outcome"] == "missing_effect"
     assert done.summary["regime"] is None
-    assert done.summary["complaint"] == "extensibility: there something = 0.3"
+    assert done.summary["message"] == "extensibility: there something = 0.3"
     assert "run.effects" in done.summary["advice"]
     assert len(done.summary["repeats"]) == 2
     assert len(done.summary["warnings"]) == 1

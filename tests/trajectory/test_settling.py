@@ -134,9 +134,9 @@ def test_what_is_foreseen_is_no_less_than_what_comes(name: str, end: float) -> N
         if t > end:
             break
         means = [move(t / STRIDE**2), move(t / STRIDE), move(t)]
-        foreseen, comes = still_to_move(means, end / t, noise, flows=True), abs(move(end) - move(t))
-        assert foreseen >= 0.98 * comes
-        longest = n if foreseen > 0.01 else longest
+        forecast_motion, comes = still_to_move(means, end / t, noise, flows=True), abs(move(end) - move(t))
+        assert forecast_motion >= 0.98 * comes
+        longest = n if forecast_motion > 0.01 else longest
     if name == "exponential":
         # It is not called moving for much longer than it moves, 2 log(100) = 9.2, or than noise could hide.
         assert 1.5 * STRIDE**longest < max(20, 6e-4 * end)

@@ -241,7 +241,7 @@ def test_a_balance_that_does_not_close_is_told(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
     drifted = simulate(scene_of())
     assert drifted.outcome is Outcome.energy_drift
-    assert "0.5" in drifted.summary["complaint"]
+    assert "0.5" in drifted.summary["message"]
     # the printed closure has no energy to be judged by
     assert simulate(scene_of(run={"closure": "printed"})).outcome is Outcome.solved
 
@@ -260,7 +260,7 @@ def test_a_neck_is_worse_than_any_other_verdict(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(verdict, "neck_that_the_grid_decides", lambda stretch, length, neck: "a neck at X")
     necked = simulate(scene_of())
     assert necked.outcome is Outcome.localised
-    assert "a neck at X" in necked.summary["complaint"]
+    assert "a neck at X" in necked.summary["message"]
 
 
 @pytest.mark.parametrize("cells", [10, 40, 160])
@@ -278,9 +278,9 @@ def test_the_strain_of_a_neck_does_not_depend_on_the_grid(cells: int) -> None:
 @pytest.mark.parametrize(("opening", "refused"), [(0.39, False), (0.41, True)])
 def test_the_gradient_spreads_a_hinge_until_it_is_drawn_out(opening: float, refused: bool) -> None:
     stretch, length = profile([0.0] * 9 + [opening])
-    complaint = neck_that_the_grid_decides(stretch, length, length[0])
-    assert bool(complaint) is refused
-    assert ("X/L = " in complaint) is refused
+    message = neck_that_the_grid_decides(stretch, length, length[0])
+    assert bool(message) is refused
+    assert ("X/L = " in message) is refused
     assert "carries 100%" in neck_that_the_grid_decides(stretch, length, None)
 
 
