@@ -188,7 +188,7 @@ EngineOption = Annotated[
     Engine, typer.Option("--engine", help="Our own elements, CalculiX (Debian: calculix-ccx), or both.")
 ]
 DeckOption = Annotated[
-    bool, typer.Option("--deck-only", help="Write CalculiX's input deck into DIR/calculix, and run nothing.")
+    bool, typer.Option("--write-input-only", help="Write CalculiX's input deck into DIR/calculix, and run nothing.")
 ]
 
 

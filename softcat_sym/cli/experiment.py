@@ -43,14 +43,14 @@ NuisanceOption = Annotated[
     typer.Option("--nuisance", metavar="NAME", help="Not known either, but not wanted: time_offset. Repeatable."),
 ]
 FramesOption = Annotated[
-    int | None, typer.Option("--frames-at-most", metavar="NUMBER", min=2, help="That the camera keeps.")
+    int | None, typer.Option("--max-frames", metavar="NUMBER", min=2, help="That the camera keeps.")
 ]
 RoughOption = Annotated[
     float, typer.Option("--rough", metavar="FACTOR", help="By which the scene's values may be wrong either way.")
 ]
 DepthOption = Annotated[
     str | None,
-    typer.Option("--sag-at-most", metavar="LENGTH", help="What the designed filament may sag: '5 mm', '5 %' of span."),
+    typer.Option("--max-sag", metavar="LENGTH", help="What the designed filament may sag: '5 mm', '5 %' of span."),
 ]
 SagOption = Annotated[
     str | None,

@@ -73,7 +73,7 @@ ScaleOption = Annotated[
 ]
 StartsOption = Annotated[int, typer.Option("--starts", min=0, help="Starts besides the scene and the closed form.")]
 NoProfilesOption = Annotated[
-    bool, typer.Option("--no-profiles", help="Intervals from the curvature alone: sooner, and less true.")
+    bool, typer.Option("--no-profile-likelihood", help="Intervals from the curvature alone: sooner, and less true.")
 ]
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")]
 

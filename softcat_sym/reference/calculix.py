@@ -292,7 +292,7 @@ def require_calculix() -> str:
     if found is None:
         raise SoftcatError(
             f"CalculiX is not installed: there is no program {_PROGRAM!r} on the path. On Debian and Ubuntu: "
-            "apt-get install calculix-ccx. The deck can be written without it: --deck-only"
+            "apt-get install calculix-ccx. The deck can be written without it: --write-input-only"
         )
     return found
 

@@ -40,7 +40,7 @@ def test_deck_alone_needs_no_calculix(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("softcat_sym.reference.calculix.find_calculix", lambda: None)
-    assert compare(monkeypatch, "-o", str(tmp_path / "out"), "--deck-only", *SHORT) == 0
+    assert compare(monkeypatch, "-o", str(tmp_path / "out"), "--write-input-only", *SHORT) == 0
     assert files(tmp_path / "out") == {"scene.toml", "calculix/deck.inp"}
     assert "C3D20R" in (tmp_path / "out" / "calculix" / "deck.inp").read_text()
     assert "calculix/deck.inp" in capsys.readouterr().out
@@ -52,14 +52,14 @@ def test_missing_calculix_is_one_message_and_leaves_nothing(
     monkeypatch.setattr("softcat_sym.reference.calculix.find_calculix", lambda: None)
     assert compare(monkeypatch, "-o", str(tmp_path / "out"), "--engine", "calculix", *SHORT) == 2
     message = capsys.readouterr().err
-    assert "calculix-ccx" in message and "--deck-only" in message and "Traceback" not in message
+    assert "calculix-ccx" in message and "--write-input-only" in message and "Traceback" not in message
     assert not (tmp_path / "out").exists()
 
 
 def test_what_the_elements_do_not_know_has_no_deck(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    changes = ("--set", "filament.section=circle", "--deck-only")
+    changes = ("--set", "filament.section=circle", "--write-input-only")
     assert compare(monkeypatch, "-o", str(tmp_path / "out"), *changes) == 2
     assert "filament.section" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

@@ -41,7 +41,7 @@ def test_files_and_what_is_said(softcat: Softcat, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_limit_of_the_sag_noise_of_the_sag_and_the_critical_span(softcat: Softcat, tmp_path: Path) -> None:
-    limited = ("--sag-at-most", "2 mm", "--noise", "1 %", "--span", "0.1:0.2 m", "--sag", "4 mm", "-q")
+    limited = ("--max-sag", "2 mm", "--noise", "1 %", "--span", "0.1:0.2 m", "--sag", "4 mm", "-q")
     # The last of an option counts.
     done = softcat("experiment", *SCENE, *FILM, *limited, "-o", str(tmp_path))
     assert (done.status, done.out, done.err) == (0, "", "")
@@ -72,11 +72,11 @@ BAD = {
     "empty end": ((*SCENE, *FILM, "--thickness", ":2 mm"), "within filament.thickness"),
     "rate in s": ((*SCENE, *FILM, "--frame-rate", "1:2 s"), "frequency"),
     "thick": ((*SCENE, *FILM, "--thickness", "1:2 m"), "a thickness below the span"),
-    "frames": ((*SCENE, *FILM, "--frames-at-most", "1"), "--frames-at-most"),
+    "frames": ((*SCENE, *FILM, "--max-frames", "1"), "--max-frames"),
     "rough": ((*SCENE, *FILM, "--rough", "0.5"), "at least one"),
     "sag": ((*SCENE, *FILM, "--sag", "-1 mm"), "not positive"),
-    "sag in words": ((*SCENE, *FILM, "--sag-at-most", "little"), "max_sag"),
-    "sag too small": ((*SCENE, *FILM, "--sag-at-most", "1 nm"), "sags more than"),
+    "sag in words": ((*SCENE, *FILM, "--max-sag", "little"), "max_sag"),
+    "sag too small": ((*SCENE, *FILM, "--max-sag", "1 nm"), "sags more than"),
     "set": ((*SCENE, *FILM, *sets("material.visosity=1 Pa*s")), "material.visosity"),
 }
 

@@ -98,7 +98,7 @@ def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Sof
     (tmp_path / "out").mkdir()
     for name in ("profiles.png", "features_2.png", "mine.png"):
         (tmp_path / "out" / name).write_bytes(b"old")
-    words = ("--starts", "0", "--no-profiles", "-q", "--bounds", "viscosity=5:50 kPa*s", "--loss", "soft-l1")
+    words = ("--starts", "0", "--no-profile-likelihood", "-q", "--bounds", "viscosity=5:50 kPa*s", "--loss", "soft-l1")
     done = softcat("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(tmp_path / "out"), *words)
     assert (done.status, done.out, done.err) == (0, "", "")
     left = {path.name for path in (tmp_path / "out").iterdir()}
@@ -114,7 +114,18 @@ def test_a_fit_that_does_not_converge_is_not_trusted(
     outcome = filament_fit.FitOutcome.not_converged
     monkeypatch.setattr(filament_fit, "_outcome", lambda *_: outcome)
     film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
-    words = ("fit", str(film), *SCENE, "--free", "viscosity", "-o", str(output), "--starts", "0", "--no-profiles")
+    words = (
+        "fit",
+        str(film),
+        *SCENE,
+        "--free",
+        "viscosity",
+        "-o",
+        str(output),
+        "--starts",
+        "0",
+        "--no-profile-likelihood",
+    )
     done = softcat(*words, "-q")
     assert done.status == 1 and "not converged" in done.err
     assert json.loads((output / "fit.json").read_text())["outcome"] == "not converged"

@@ -16,7 +16,7 @@ from tests.cli.in_process import Softcat, sets
 from tests.inverse.filmed import CHEAP, TRUTH, write_film
 
 SCENE = ("--scene", "continual-descent", *sets(*CHEAP))
-QUICK = ("--starts", "0", "--no-profiles")
+QUICK = ("--starts", "0", "--no-profile-likelihood")
 
 
 @pytest.fixture

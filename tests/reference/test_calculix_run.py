@@ -37,7 +37,7 @@ def stand_in(folder: Path, monkeypatch: pytest.MonkeyPatch, body: str) -> None:
 
 def test_missing_program_is_named_with_its_package(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(SoftcatError, match=r"apt-get install calculix-ccx.*--deck-only"):
+    with pytest.raises(SoftcatError, match=r"apt-get install calculix-ccx.*--write-input-only"):
         run_calculix(SCENE, MESH)
 
 
