@@ -156,6 +156,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         *(too_few_frames(time, per_period) if outcome.is_success and not fades else []),
     ]
     summary = {
+        "schema": 2,
         "title": scene.title,
         "outcome": outcome.name,
         "advice": outcome.value,
