@@ -1,9 +1,9 @@
 """The golden record: what the program answers, number by number, so that moves and replacements can be held against it.
 
 ``python -m tests.golden.golden check`` computes everything anew and compares it with the JSON files beside this one;
-``record`` writes these files. ``--sections scenes,code`` takes only some; ``--exact FILE`` compares bit for bit with what
-an earlier call wrote into that scratch file, on the same machine. Only the public door is used: ``import softcat_sym``,
-and the ``softcat`` command line with its files.
+``record`` writes these files. ``--sections scenes,code`` takes only some; ``--exact FILE`` compares bit for bit with
+what an earlier call wrote into that scratch file, on the same machine. Only the public door is used:
+``import softcat_sym``, and the ``softcat`` command line with its files.
 """
 
 from __future__ import annotations
@@ -38,22 +38,23 @@ RENAMED: dict[str, str] = {}
 OPTIONS = {"no_profiles": "--no-profiles", "max_sag": "--sag"}
 """Command-line options that may get another name."""
 
-COMPILED = ("native", "texts")
-"""What of the cache may be used again: compiled libraries and their sources. Finished runs may not."""
+COMPILED, SOURCES = "native", "texts"
+"""What of the cache may be used again, but for the sources where they are the subject; finished runs may not."""
 
-WORDS = frozenset(
-    "outcome regime solver backend closure verdict damping mark best handed_on arrested converged holds key law clamp mode".split()
-)
+WORDS = {
+    *("arrested", "backend", "best", "clamp", "closure", "converged", "damping", "handed_on", "holds", "key", "law"),
+    *("mark", "mode", "outcome", "regime", "solver", "verdict"),
+}
 """Keys whose text is an answer; all other text may be reworded."""
 
-TABLES = frozenset({"effects"})
+TABLES = {"effects"}
 """Keys whose own keys or entries are the answer, whatever text stands under them."""
 
-SKIPPED = frozenset(
-    """advice backend_reason complaint digest geometry memory peak_memory_MB members_per_second place processor_s resumed_members
-    seconds solve_s solver_reason text versions wall_s workers path schema""".split()
-)
-"""Keys of wall times, of memory and of the machine."""
+SKIPPED = {
+    *("digest", "geometry", "memory", "members_per_second", "path", "peak_memory_MB", "place", "processor_s"),
+    *("resumed_members", "schema", "seconds", "solve_s", "time_ratio", "versions", "wall_s", "workers"),
+}
+"""Keys of times, of memory and of the machine."""
 
 TOLERANCE = {"scenes": 1e-8, "accuracy": 1e-8, "fits": 1e-8, "studies": 1e-8, "elements": 1e-8, "code": 0.0}
 """Largest difference allowed, relative to the largest value of an array."""
@@ -354,7 +355,7 @@ def rounded(value: object) -> object:
 
 def cases(section: str) -> dict[str, Case]:
     """Compute a section; nothing that was finished earlier is used again."""
-    cache, used_again = Path(os.environ["SOFTCAT_CACHE"]), () if section == "code" else COMPILED
+    cache, used_again = Path(os.environ["SOFTCAT_CACHE"]), {COMPILED} if section == "code" else {COMPILED, SOURCES}
     for path in cache.iterdir() if cache.is_dir() else ():
         if path.name not in used_again:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
