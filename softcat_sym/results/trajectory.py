@@ -39,7 +39,7 @@ class Trajectory:
         What ``summary.json`` holds.
     outcome : Outcome
         Whether the answer may be used, and otherwise what to do.
-    overlooked : dict of str to str
+    missing_effect : dict of str to str
         Effects that ``auto`` has left out and that the run shows to matter, and how; empty in what `simulate` returns
         with success.
     heights : ndarray or None

@@ -32,7 +32,7 @@ import softcat_sym as sc
 
 # Whoever renames a key, an option or a folder of the program changes these tables, and nothing else here.
 
-RENAMED = {"message": "complaint", "missing_effect": "overlooked"}
+RENAMED = {"missing_effect": "overlooked"}
 """Keys of results (JSON, CSV, netCDF) as they are called now: as they were called when the record was taken."""
 
 OPTIONS = {"no_profiles": "--no-profile-likelihood", "max_sag": "--sag"}
