@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -82,6 +82,9 @@ OutputOption = Annotated[
         parser=directory,
     ),
 ]
+FreshOption = Annotated[
+    bool, typer.Option("--fresh", help="Run everything, also what an earlier command has finished; see softcat cache.")
+]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
 VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Say everything, reasons and formulas too.")]
 
@@ -152,6 +155,20 @@ def check_directory(directory: Path) -> None:
         raise NotADirectoryError(f"{parent} is not a directory")
     if not os.access(parent, os.W_OK):
         raise PermissionError(f"{parent} cannot be written")
+
+
+@contextlib.contextmanager
+def study(output: Path, *, fresh: bool) -> Iterator[None]:
+    """Make DIR, and take finished runs from the store unless fresh ones are asked for; Ctrl-C says how to go on."""
+    from softcat_sym import store
+    from softcat_sym.files import made
+
+    with store.fresh(fresh), made(output):
+        try:
+            yield
+        except KeyboardInterrupt:
+            print_error("interrupted; the same command goes on from what was finished")
+            raise typer.Exit(INTERRUPTED) from None
 
 
 def print_error(text: str) -> None:
