@@ -17,6 +17,7 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping
 from contextvars import ContextVar
 from dataclasses import dataclass, fields, is_dataclass
+from enum import Enum
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -151,6 +152,8 @@ def _plain(value: object) -> object:
         return [value.dtype.str, value.shape, _plain(value.tobytes())]
     if isinstance(value, np.generic):
         return value.item()
+    if isinstance(value, Enum):
+        return [type(value).__name__, value.name]
     if isinstance(value, bytes):
         return hashlib.sha256(value).hexdigest()
     raise TypeError(f"no part of a key: {type(value).__name__}")

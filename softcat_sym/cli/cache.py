@@ -25,7 +25,7 @@ def cache(
         typer.Option("--clear", help="Delete libraries, C texts and results; nothing else in the folder."),
     ] = False,
 ) -> None:
-    """Show the compiled libraries and results of studies that are kept, or clear them.
+    """Show the libraries and results that are kept, or clear them.
 
     Folder: SOFTCAT_CACHE, else softcat_sym in XDG_CACHE_HOME or ~/.cache. Limit: SOFTCAT_CACHE_LIMIT (512 MB); beyond
     it the libraries go that were not used for longest. Results of studies take at most 1 GB beside them.
