@@ -478,13 +478,13 @@ class CompiledIntegration:
         self._watched(run, room, scale, progress)
         refuse(status.code, self.filament.model.message(status.code))
         frames = max(1, int(np.count_nonzero(run.times <= status.reached)))
-        x, z = self.filament.sites.vectors(room.states[1:frames])
+        x, z = self.filament.sites.vectors(room.states[:frames])
+        x[:, 0], z[:, 0] = start.x, start.z
         quad = np.zeros((POWERS, frames))
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
         if status.code != SOLVED:
             outcome, message = _OUTCOMES[status.code], self._message(status, scale)
-        x, z = np.hstack([start.x[:, None], x]), np.hstack([start.z[:, None], z])
         return Solution(run.times[:frames], x, z, quad, outcome, message, int(status.steps))
 
     def _watched(self, run: Run, room: Answer, scale: float, progress: Progress) -> None:
