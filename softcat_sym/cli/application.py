@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
 
 EVERYDAY, FITTING, VALIDATION, DEVELOPER = "Everyday", "Fitting", "Validation", "Developer"
+
+
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
 
 class _GroupedCommands(TyperGroup):
@@ -169,6 +173,16 @@ def study(output: Path, *, fresh: bool) -> Iterator[None]:
         except KeyboardInterrupt:
             print_error("interrupted; the same command goes on from what was finished")
             raise typer.Exit(INTERRUPTED) from None
+
+
+def read_pair(text: str) -> tuple[str, str] | None:
+    """Split ``low:high unit``; a lower value without a unit has that of the upper one. None if it is no pair."""
+    ends = [end.strip() for end in text.split(":")]
+    if len(ends) != 2 or not all(ends):
+        return None
+    low, high = ends
+    unit = re.sub(rf"^{_NUMBER}\s*", "", high)
+    return (f"{low} {unit}".strip() if re.fullmatch(_NUMBER, low) else low, high)
 
 
 def print_error(text: str) -> None:

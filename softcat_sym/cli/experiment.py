@@ -14,10 +14,10 @@ from softcat_sym.cli.application import (
     SceneArgument,
     SetOption,
     app,
+    read_pair,
     scene_and_directory,
     study,
 )
-from softcat_sym.cli.pairs import read_pair
 
 if TYPE_CHECKING:
     from softcat_sym.design.critical_span import CriticalSpan

@@ -18,11 +18,11 @@ from softcat_sym.cli.application import (
     SetOption,
     app,
     print_error,
+    read_pair,
     scene_and_directory,
     study,
 )
 from softcat_sym.cli.completing import complete_scene
-from softcat_sym.cli.pairs import read_pair
 from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
