@@ -7,10 +7,14 @@ import os
 import secrets
 import select
 import stat
+import sys
+import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from pathlib import Path
+
+from softcat_sym.errors import SoftcatError
 
 _waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", default=None)
 """Files that are written but not in their place yet, and their places; None where each goes there at once."""
@@ -33,14 +37,30 @@ def read_limited(path: str | os.PathLike[str], size: int) -> bytes:
         return file.read(size)
 
 
-def replace_atomically(path: Path, content: bytes) -> Path:
+def cache_folder() -> Path:
+    """SOFTCAT_CACHE, else ``softcat_sym`` in XDG_CACHE_HOME, else in ``~/.cache``; it may not exist yet."""
+    chosen, shared = os.environ.get("SOFTCAT_CACHE"), os.environ.get("XDG_CACHE_HOME")
+    if chosen:
+        try:
+            return Path(chosen).expanduser().absolute()
+        except RuntimeError as error:
+            raise SoftcatError(f"SOFTCAT_CACHE is {chosen!r}: {error}") from error
+    if shared:
+        return Path(shared).absolute() / "softcat_sym"
+    try:
+        return Path.home() / ".cache" / "softcat_sym"
+    except RuntimeError:  # a user without a home, as in some containers
+        return Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
+
+
+def replace_atomically(path: Path, content: bytes, *, at_once: bool = False) -> Path:
     """Write a file next to its place, then move it there; a reader sees the old file or the new one."""
 
     def fill(passing: Path) -> None:
         with passing.open("xb") as stream:
             stream.write(content)
 
-    return fill_atomically(path, fill)
+    return fill_atomically(path, fill, at_once=at_once)
 
 
 def write_all(directory: str | Path, contents: Mapping[str, bytes]) -> list[Path]:
@@ -90,11 +110,14 @@ def written_together() -> Iterator[None]:
             passing.unlink(missing_ok=True)
 
 
-def fill_atomically(path: Path, fill: Callable[[Path], object]) -> Path:
-    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later."""
+def fill_atomically(path: Path, fill: Callable[[Path], object], *, at_once: bool = False) -> Path:
+    """Let `fill` write a file next to its place, then move it there; within :func:`written_together`, later.
+
+    What is written `at_once` does not wait for the others.
+    """
     # A name of its own keeps two runs into one folder apart. Not tempfile: its files are readable by their owner only.
     passing = path.with_name(f".{path.stem}.{secrets.token_hex(4)}.part{path.suffix}")
-    waiting, kept = _waiting.get(), False
+    waiting, kept = None if at_once else _waiting.get(), False
     try:
         fill(passing)
         if waiting is None:

@@ -96,6 +96,20 @@ def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
         repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.missing_effect.items()))
 
 
+def identity_of(scene: Scene) -> tuple[str, list[str]]:
+    """Return what decides a run, for the key of its result: the scene as resolved, but not its title."""
+    return scene.model_copy(update={"title": ""}).to_toml(), list(scene.notes)
+
+
+def recalled(scene: Scene, progress: Progress | None = None) -> Trajectory:
+    """Run a filament for a study: as :func:`simulated`, but taken from the store if it was run before."""
+    from softcat_sym import store
+    from softcat_sym.results.files import trajectory_form
+
+    key = store.key_of("run", identity_of(scene))
+    return store.stored(key, lambda: simulated(scene, progress), trajectory_form(scene))
+
+
 def without_estimate(scene: Scene) -> Scene:
     """The same scene, run once and at the program's first guess: for runs whose error something else bounds."""
     return scene.replace({"numerics.estimate": False})

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -12,11 +10,9 @@ from softcat_sym.clock import Clock
 from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.results.fields import midpoint_heights
-from softcat_sym.results.files import trajectory_form
 from softcat_sym.results.motion import settling_time
 from softcat_sym.results.trajectory import Trajectory, judge
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.solvers.checkpoint import kept
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, assembled, prepare
 from softcat_sym.solvers.settings import choose_backend, settings_for
@@ -52,30 +48,7 @@ def run_once(
     scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0
 ) -> Trajectory:
     """Integrate once, and judge the answer."""
-
-    def identity() -> Iterator[str]:
-        yield from ("run", scene.to_toml(), resolved.to_toml(), *run_texts(effects))
-
-    def run() -> Trajectory:
-        return _run_once(scene, resolved, effects, clock, progress, max(times, scene.run.frames))
-
-    return kept(identity, run, trajectory_form(scene))
-
-
-def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:
-    """When a filament has settled [s], found on half the cells: its frames are spaced evenly up to then."""
-    coarse = scene.replace({"numerics.cells": max(_MIN_CELLS, choose_cells(scene, effects) // 2)})
-    return settling_time(coarse, effects, build(coarse, effects), progress)
-
-
-def run_texts(effects: Effects) -> tuple[str, str]:
-    """What tells the effects of one run from those of another: their names and why, and what was left out."""
-    return json.dumps(effects.reasons), json.dumps(effects.left_out)
-
-
-def _run_once(
-    scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int
-) -> Trajectory:
+    times = max(times, scene.run.frames)
     stride = (times - 1) // (scene.run.frames - 1)
     tried = resolved if stride == 1 else resolved.replace({"run.frames": times})
     for left in reversed(range(_TRIES)):
@@ -95,3 +68,9 @@ def _run_once(
         # elastic may be undefined, where the step is too long: both ask for shorter ones.
         tried = tried.replace({"numerics.rtol": prepared.settings.rtol / _TIGHTER})
     return replace(trajectory, heights=heights)
+
+
+def rest_of(scene: Scene, effects: Effects, progress: Progress) -> float | None:
+    """When a filament has settled [s], found on half the cells: its frames are spaced evenly up to then."""
+    coarse = scene.replace({"numerics.cells": max(_MIN_CELLS, choose_cells(scene, effects) // 2)})
+    return settling_time(coarse, effects, build(coarse, effects), progress)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from softcat_sym import progress
+from softcat_sym import progress, store
 from softcat_sym.codegen.compiler import find_compiler
 
 HERE = Path(__file__).parent
@@ -55,6 +57,16 @@ COMPILING = (
 def pytest_configure() -> None:
     """No plain lines of progress on a slow machine, where tests ask that nothing else is told."""
     progress._PLAIN_DELAY = math.inf
+
+
+@pytest.fixture(autouse=True)
+def results_of_studies(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """The store of this test alone: none takes what another has run."""
+    name = hashlib.sha256(request.node.nodeid.encode()).hexdigest()[:16]
+    folder = tmp_path_factory.getbasetemp() / f"results-{name}"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(store, "folder", lambda: folder)
+        yield folder
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

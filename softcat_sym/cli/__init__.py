@@ -7,12 +7,9 @@ nobody reads on, as in ``softcat scenes | head -1``.
 
 from __future__ import annotations
 
-import contextlib
 import errno
-import gc
 import os
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import NoReturn
 
@@ -53,23 +50,9 @@ def main() -> NoReturn:
     print_whatever_the_terminal_takes()
     # Commands draw into files: a name of a window system that is not there would only keep matplotlib from loading.
     os.environ["MPLBACKEND"] = "agg"
-    with ended_like_ctrl_c() as ending, _collecting_seldom():
+    with ended_like_ctrl_c() as ending:
         status = _status()
     sys.exit(ending.status if status == INTERRUPTED else status)
-
-
-@contextlib.contextmanager
-def _collecting_seldom() -> Iterator[None]:
-    """Look for unreachable cycles a hundredth as often: SymPy's imports alone would be searched for them 600 times.
-
-    A tenth of a short run is that search, which finds next to nothing.
-    """
-    before = gc.get_threshold()
-    gc.set_threshold(100 * before[0], *before[1:])
-    try:
-        yield
-    finally:
-        gc.set_threshold(*before)
 
 
 def _status() -> int | str | None:

@@ -21,12 +21,9 @@ from softcat_sym.cli.application import (
 if TYPE_CHECKING:
     from softcat_sym.studies.work_precision import Plan
 
-_POINTS = "accuracy-points.json"
-
 LimitOption = Annotated[
     float, typer.Option("--limit", metavar="SECONDS", min=0.01, help="An integration that takes longer is stopped.")
 ]
-ResumeOption = Annotated[bool, typer.Option("--resume", help="Go on from what an interrupted command kept in DIR.")]
 CellsOption = Annotated[
     str | None,
     typer.Option("--cells", metavar="N,N,...", help="Cells per half span.", show_default="10,20,40,60,100,200"),
@@ -50,7 +47,6 @@ def accuracy(
     rtol: ToleranceOption = None,
     program: ProgramOption = None,
     warm_only: WarmOption = False,
-    resume: ResumeOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
@@ -58,26 +54,21 @@ def accuracy(
 
     DIR gets accuracy.csv, accuracy.json and accuracy.png.
     The error is of space and time together, against a converged answer in which two families of methods agree. What
-    takes longer than the limit, or cannot solve the scene, is listed. It takes minutes; after Ctrl-C --resume goes on.
+    takes longer than the limit, or cannot solve the scene, is listed. It takes minutes, and begins anew each time.
     """
     from softcat_sym.plotting.accuracy import print_accuracy, write_accuracy
     from softcat_sym.plotting.terminal import StepProgress
-    from softcat_sym.studies.work_precision import kept_points, study
+    from softcat_sym.studies.work_precision import study
 
     plan = _plan(cells, rtol, program, limit, cold=not warm_only)
     asked, output = scene_and_directory(scene, changes, output, "accuracy")
-    points = output / _POINTS
-    kept = kept_points(asked, limit, points)
-    if resume:
-        kept.read()
     try:
         with StepProgress(plan.max_steps, "accuracy", quiet=quiet) as progress:
-            found = study(scene, asked, plan, kept, progress.step)
+            found = study(scene, asked, plan, progress.step)
     except KeyboardInterrupt:
-        print_error(f"interrupted; {len(kept.points)} points are kept in {points}: go on with --resume")
+        print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
     written = write_accuracy(found, output)
-    points.unlink(missing_ok=True)
     if not quiet:
         print_accuracy(found)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")

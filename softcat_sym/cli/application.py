@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 BAD_INPUT, UNTRUSTED, INTERRUPTED = 2, 1, 130
 
 EVERYDAY, FITTING, VALIDATION, DEVELOPER = "Everyday", "Fitting", "Validation", "Developer"
+
+
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
 
 class _GroupedCommands(TyperGroup):
@@ -81,6 +85,9 @@ OutputOption = Annotated[
         show_default="softcat-out/SCENE-COMMAND",
         parser=directory,
     ),
+]
+FreshOption = Annotated[
+    bool, typer.Option("--fresh", help="Run everything, also what an earlier command has finished; see softcat cache.")
 ]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
 VerboseOption = Annotated[bool, typer.Option("--verbose", "-v", help="Say everything, reasons and formulas too.")]
@@ -152,6 +159,30 @@ def check_directory(directory: Path) -> None:
         raise NotADirectoryError(f"{parent} is not a directory")
     if not os.access(parent, os.W_OK):
         raise PermissionError(f"{parent} cannot be written")
+
+
+@contextlib.contextmanager
+def study(output: Path, *, fresh: bool) -> Iterator[None]:
+    """Make DIR, and take finished runs from the store unless fresh ones are asked for; Ctrl-C says how to go on."""
+    from softcat_sym import store
+    from softcat_sym.files import made
+
+    with store.fresh(fresh), made(output):
+        try:
+            yield
+        except KeyboardInterrupt:
+            print_error("interrupted; the same command goes on from what was finished")
+            raise typer.Exit(INTERRUPTED) from None
+
+
+def read_pair(text: str) -> tuple[str, str] | None:
+    """Split ``low:high unit``; a lower value without a unit has that of the upper one. None if it is no pair."""
+    ends = [end.strip() for end in text.split(":")]
+    if len(ends) != 2 or not all(ends):
+        return None
+    low, high = ends
+    unit = re.sub(rf"^{_NUMBER}\s*", "", high)
+    return (f"{low} {unit}".strip() if re.fullmatch(_NUMBER, low) else low, high)
 
 
 def print_error(text: str) -> None:

@@ -21,14 +21,16 @@ _BESIDE = {"elements": "states of finite elements", "answers": "answers of accep
 @app.command(rich_help_panel=DEVELOPER)
 def cache(
     clear: Annotated[
-        bool, typer.Option("--clear", help="Delete the compiled libraries and C texts; nothing else in the folder.")
+        bool,
+        typer.Option("--clear", help="Delete libraries, C texts and results; nothing else in the folder."),
     ] = False,
 ) -> None:
-    """Show the compiled libraries that are kept, or clear them.
+    """Show the libraries and results that are kept, or clear them.
 
     Folder: SOFTCAT_CACHE, else softcat_sym in XDG_CACHE_HOME or ~/.cache. Limit: SOFTCAT_CACHE_LIMIT (512 MB); beyond
-    it the libraries go that were not used for longest.
+    it the libraries go that were not used for longest. Results of studies take at most 1 GB beside them.
     """
+    from softcat_sym import store
     from softcat_sym.codegen.compiler import cache_folder
     from softcat_sym.codegen.library import cache_entries, clear_cache, size_text
 
@@ -37,6 +39,8 @@ def cache(
         entries = cache_entries()
         freed = clear_cache()
         typer.echo(f"deleted {_count(len(entries))} from {folder / 'native'}: {size_text(freed)} freed")
+        count = len(store.entries())
+        typer.echo(f"deleted {_results(count)} from {store.folder()}: {size_text(store.clear())} freed")
     else:
         _show(cache_entries())
     for line in _beside(folder):
@@ -46,6 +50,7 @@ def cache(
 def _show(entries: Sequence[CacheEntry]) -> None:
     from datetime import datetime
 
+    from softcat_sym import store
     from softcat_sym.codegen.compiler import cache_folder, compiler_name
     from softcat_sym.codegen.library import cache_limit, kept_texts, size_text
 
@@ -54,6 +59,10 @@ def _show(entries: Sequence[CacheEntry]) -> None:
     typer.echo(f"compiler   {compiler_name() or 'none'}")
     typer.echo(f"libraries  {len(entries)}, {size_text(total)} of at most {size_text(limit)}")
     typer.echo(f"C texts    {len(texts)}, {size_text(sum(path.stat().st_size for path in texts))}")
+    results = store.entries()
+    typer.echo(
+        f"results    {len(results)}, {size_text(sum(size for _, size in results))} of at most {size_text(store.LIMIT)}"
+    )
     if entries:
         typer.echo(f"\n{'key':12}  {'size':>9}  {'last used':16}  made from")
     for entry in entries[:_SHOWN]:
@@ -65,6 +74,10 @@ def _show(entries: Sequence[CacheEntry]) -> None:
 
 def _count(entries: int) -> str:
     return f"{entries} compiled {'library' if entries == 1 else 'libraries'}"
+
+
+def _results(count: int) -> str:
+    return f"{count} {'result' if count == 1 else 'results'} of studies"
 
 
 def _beside(folder: Path) -> list[str]:

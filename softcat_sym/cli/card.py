@@ -11,6 +11,7 @@ import typer
 
 from softcat_sym.cli.application import (
     EVERYDAY,
+    FreshOption,
     OptionalScene,
     OutputOption,
     QuietOption,
@@ -19,8 +20,8 @@ from softcat_sym.cli.application import (
     judge,
     output_directory,
     scene_and_directory,
+    study,
 )
-from softcat_sym.cli.going_on import ResumeOption, going_on
 
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
@@ -81,14 +82,14 @@ def card(
     ends: Ends = None,
     duration: Duration = None,
     no_span: NoSpan = False,
-    resume: ResumeOption = False,
+    fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Tell how far, when and over which gap a filament sags.
 
     One page: sag, arrest, longest span, the field's rules beside the solver: card.html, .json, .csv, .png in DIR.
-    Finished runs are kept in DIR/parts until the card is written: after Ctrl-C --resume goes on, to the same card.
+    After Ctrl-C the same command goes on from the runs that were finished, to the same card.
     """
     flags = {
         "density": density,
@@ -111,7 +112,7 @@ def card(
     asked, output, notes = _asked(scene, flags, changes or [], output)
     command = _command(scene, flags, sag, changes or [])
     order = _Order(asked, scene or "", None if no_span else sag, notes, not no_span)
-    _make(order, output, command, resume=resume, quiet=quiet)
+    _make(order, output, command, fresh=fresh, quiet=quiet)
 
 
 @dataclass(frozen=True)
@@ -143,7 +144,7 @@ def _asked(
     return asked, output_directory(output, "card", asked=asked), notes
 
 
-def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: bool) -> None:
+def _make(order: _Order, output: Path, command: str, *, fresh: bool, quiet: bool) -> None:
     from softcat_sym.plotting.card import write_card
     from softcat_sym.plotting.card_terminal import print_card
     from softcat_sym.plotting.terminal import FitProgressBar as Bar
@@ -160,8 +161,7 @@ def _make(order: _Order, output: Path, command: str, *, resume: bool, quiet: boo
         bars[0].stage(what, 0, 1)
 
     bars: list[Bar] = []
-    asked = {"scene": order.scene.to_toml(), "sag": order.sag, "seek": order.seek}
-    with going_on(output, "card", asked, resume=resume), ExitStack() as stack:
+    with study(output, fresh=fresh), ExitStack() as stack:
         found = made(
             order.scene,
             order.sag,

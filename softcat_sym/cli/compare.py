@@ -10,19 +10,18 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from softcat_sym.cli.application import (
-    INTERRUPTED,
     VALIDATION,
+    FreshOption,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
     judge,
-    print_error,
     scene_and_directory,
     scene_of,
+    study,
 )
-from softcat_sym.cli.going_on import going_on
 
 if TYPE_CHECKING:
     from softcat_sym.reference.element_loop import Clamp, Mesh
@@ -39,26 +38,20 @@ class Engine(StrEnum):
 
 
 def compare_in_calculix(
-    asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, deck_only: bool, quiet: bool
+    asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, deck_only: bool, fresh: bool, quiet: bool
 ) -> None:
     """Run CalculiX and the filament, with our elements if wanted; write, print and judge. Or write the deck alone."""
     if deck_only:
         _write_deck(asked, output, mesh, clamp, quiet=quiet)
         return
-    from softcat_sym.ensemble.block_store import FOLDER
     from softcat_sym.plotting.compare_files import calculix_table, write_calculix_comparison
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.compare import compare_with_calculix
 
     checkpoint = output / "elements.npz" if engine is Engine.BOTH else None
-    told = {"scene": asked.to_toml(), "mesh": str(mesh), "clamp": clamp.value, "engine": engine.value}
-
-    def left() -> str:
-        kept = [one.name for one in (checkpoint, output / FOLDER) if one is not None and one.exists()]
-        return f"{' and '.join(kept)} in {output}: the same command goes on from there" if kept else ""
-
-    # The same command goes on, as with our elements.
-    with going_on(output, "compare", told, resume=True, left=left):
+    if fresh and checkpoint is not None:
+        checkpoint.unlink(missing_ok=True)
+    with study(output, fresh=fresh):
         comparison = compare_with_calculix(
             asked,
             mesh,
@@ -88,7 +81,7 @@ def _write_deck(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: 
         typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
 
 
-def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
+def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, fresh: bool, quiet: bool) -> None:
     """Run the elements, or go on with them, and the filament; write, print and judge."""
     from softcat_sym.plotting.compare_files import write_comparison
     from softcat_sym.plotting.terminal import IntegrationProgress
@@ -96,9 +89,11 @@ def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, 
     from softcat_sym.studies.compare import compare as against_elements
 
     checkpoint = output / "elements.npz"
+    if fresh:
+        checkpoint.unlink(missing_ok=True)
     if checkpoint.is_file() and not quiet:
         typer.echo(f"the elements go on from {checkpoint}")
-    try:
+    with study(output, fresh=fresh):
         comparison = against_elements(
             asked,
             mesh,
@@ -106,10 +101,6 @@ def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, 
             checkpoint=checkpoint,
             progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
         )
-    except KeyboardInterrupt:
-        kept = f"the same command goes on from {checkpoint}" if checkpoint.is_file() else "nothing was written"
-        print_error(f"interrupted; {kept}")
-        raise typer.Exit(INTERRUPTED) from None
     written = write_comparison(comparison, output)
     if vtk_available():
         written.append(write_vtk(asked, comparison.elements, output / "vtk")[0])
@@ -123,7 +114,15 @@ def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, 
 
 
 def compare_varied(
-    name: str, changes: list[str] | None, vary: str, output: Path | None, mesh: Mesh, clamp: Clamp, *, quiet: bool
+    name: str,
+    changes: list[str] | None,
+    vary: str,
+    output: Path | None,
+    mesh: Mesh,
+    clamp: Clamp,
+    *,
+    fresh: bool,
+    quiet: bool,
 ) -> None:
     """Measure the theories at every value; compare.json, a chart and tables in DIR.
 
@@ -143,7 +142,10 @@ def compare_varied(
         return scene_of(name, [*(changes or []), change])
 
     folder = output / "elements"
-    try:
+    if fresh:
+        for path in folder.glob("*.npz"):
+            path.unlink()
+    with study(output, fresh=fresh):
         end = where_theory_ends(
             asked,
             variation,
@@ -154,10 +156,6 @@ def compare_varied(
             clamp=clamp,
             progress=listening,
         )
-    except KeyboardInterrupt:
-        kept = f"the same command goes on from {folder}" if folder.is_dir() else "nothing was written"
-        print_error(f"interrupted; {kept}")
-        raise typer.Exit(INTERRUPTED) from None
     written = write_theory_end(end, output)
     if not quiet:
         print_theory_end(end)
@@ -201,6 +199,7 @@ def compare(
     fixed_face: FaceOption = False,
     engine: EngineOption = Engine.ELEMENTS,
     deck_only: DeckOption = False,
+    fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
@@ -210,7 +209,7 @@ def compare(
     Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
     their state in DIR/elements.npz: after Ctrl-C the same command goes on from there. Where meshio is installed, meshes
     and fields go to DIR/vtk for ParaView. With --engine calculix a solver that is not ours takes the elements'
-    place; its finished run is kept in DIR/parts until all is there, one that is interrupted begins again.
+    place; its finished run goes to the store, one that is interrupted begins again.
 
     With --vary the errors of the theories stand against one variable, beside those of half as many elements and what
     each run costs; where the filament gets thinner, the slender limit is extrapolated.
@@ -221,14 +220,14 @@ def compare(
     if vary is not None:
         if deck_only or engine is not Engine.ELEMENTS:
             raise typer.BadParameter("it varies the runs of our own elements only", param_hint="--vary")
-        compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, quiet=quiet)
+        compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
         return
     asked, output = scene_and_directory(scene, changes, output, "compare")
     size = _mesh(mesh or "64x4")
     if deck_only or engine is not Engine.ELEMENTS:
-        compare_in_calculix(asked, output, size, face, engine=engine, deck_only=deck_only, quiet=quiet)
+        compare_in_calculix(asked, output, size, face, engine=engine, deck_only=deck_only, fresh=fresh, quiet=quiet)
     else:
-        compare_with_elements(asked, output, size, face, quiet=quiet)
+        compare_with_elements(asked, output, size, face, fresh=fresh, quiet=quiet)
 
 
 def _mesh(text: str) -> Mesh:

@@ -8,6 +8,7 @@ import typer
 
 from softcat_sym.cli.application import (
     VALIDATION,
+    FreshOption,
     OptionalScene,
     OutputOption,
     QuietOption,
@@ -17,8 +18,8 @@ from softcat_sym.cli.application import (
     output_directory,
     scene_and_directory,
     scene_of,
+    study,
 )
-from softcat_sym.cli.going_on import ResumeOption, going_on
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
@@ -35,31 +36,30 @@ def effects(
     scene: OptionalScene = None,
     output: OutputOption = None,
     bundled: Annotated[bool, typer.Option("--bundled", help="All bundled scenes instead, with a table.")] = False,
-    resume: ResumeOption = False,
+    fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Tell what each effect is worth, and what it costs.
 
     Each is put in or left out in turn: effects.csv, .json and .png in DIR.
-    Finished runs are kept in DIR/parts until all are there: after Ctrl-C --resume goes on, and only the run that was
-    interrupted, whose time is asked, is made again. With --bundled --set changes every scene, and a scene that cannot
-    be priced is a line of the table. It takes many minutes; the same command goes on, with or without --resume.
+    After Ctrl-C the same command takes finished answers from the store; times are always measured anew. With --bundled
+    --set changes every scene, and a scene that cannot be priced is a line of the table; it takes many minutes.
     """
     if bundled is (scene is not None):
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
     if scene is None:
-        _all(output, changes or [], quiet=quiet)
+        _all(output, changes or [], fresh=fresh, quiet=quiet)
     else:
-        _one(scene, *scene_and_directory(scene, changes, output, "effects"), resume=resume, quiet=quiet)
+        _one(scene, *scene_and_directory(scene, changes, output, "effects"), fresh=fresh, quiet=quiet)
 
 
-def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) -> None:
+def _one(name: str, asked: Scene, output: Path, *, fresh: bool, quiet: bool) -> None:
     from softcat_sym.plotting.pricing import print_pricing, write_pricing
     from softcat_sym.plotting.terminal import FitProgressBar
     from softcat_sym.studies.pricing import price_effects
 
-    with going_on(output, "effects", {"scene": asked.to_toml()}, resume=resume):
+    with study(output, fresh=fresh):
         pricing = price_effects(asked, _listening(asked, "", quiet=quiet), name)
         with FitProgressBar(quiet=quiet) as progress:
             progress.stage("drawing", 0, 1)
@@ -70,8 +70,8 @@ def _one(name: str, asked: Scene, output: Path, *, resume: bool, quiet: bool) ->
     judge(pricing.base.outcome, pricing.base.message, quiet=quiet)
 
 
-def _all(output: Path | None, changes: list[str], *, quiet: bool) -> None:
-    from softcat_sym.plotting.pricing import kept_pricings, write_pricings
+def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -> None:
+    from softcat_sym.plotting.pricing import write_pricings
     from softcat_sym.scene.bundled import bundled_names
     from softcat_sym.studies.pricing import price_bundled
 
@@ -84,19 +84,10 @@ def _all(output: Path | None, changes: list[str], *, quiet: bool) -> None:
         names = bundled_names()
         return _listening(asked, f"{names.index(name) + 1} of {len(names)}, {name}, ", quiet=quiet)
 
-    # Every run is kept under its own scene: whatever is there may be gone on from.
-    with going_on(output, "effects --bundled", {}, resume=True, left=lambda: _left(output)):
-        written = write_pricings(price_bundled(bundled_names(), listening, changes, kept_pricings(output)), output)
+    with study(output, fresh=fresh):
+        written = write_pricings(price_bundled(bundled_names(), listening, changes), output)
     if not quiet:
         typer.echo(f"wrote {len(written)} files to {output}, among them {written[-1].name}")
-
-
-def _left(output: Path) -> str:
-    """What an interrupted command over all scenes leaves behind beside its parts."""
-    from softcat_sym.plotting.pricing import kept_pricings
-
-    kept = len(kept_pricings(output))
-    return f"{kept} scenes are in {output}: the same command goes on from there" if kept else ""
 
 
 def _refusal(name: str, changes: list[str]) -> SoftcatError | None:

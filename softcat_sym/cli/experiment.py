@@ -8,15 +8,16 @@ import typer
 
 from softcat_sym.cli.application import (
     FITTING,
+    FreshOption,
     OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
+    read_pair,
     scene_and_directory,
+    study,
 )
-from softcat_sym.cli.going_on import ResumeOption, going_on
-from softcat_sym.cli.pairs import read_pair
 
 if TYPE_CHECKING:
     from softcat_sym.design.critical_span import CriticalSpan
@@ -73,7 +74,7 @@ def experiment(
     rough: RoughOption = 1.0,
     max_sag: DepthOption = None,
     sag: SagOption = None,
-    resume: ResumeOption = False,
+    fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
@@ -81,7 +82,7 @@ def experiment(
 
     DIR gets experiment.json, scene.toml, a picture and a table.
     The scene holds rough values. Among what is allowed, the least worst relative error is chosen; the rest stays.
-    After Ctrl-C --resume goes on from what was tried, which is kept in DIR/parts until the design is written.
+    After Ctrl-C the same command goes on from what was tried.
     """
     asked, output = scene_and_directory(scene, changes, output, "experiment")
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
@@ -90,8 +91,7 @@ def experiment(
     from softcat_sym.plotting.terminal import FitProgressBar as Bar
 
     how = _How(nuisance=nuisance or [], max_frames=max_frames, rough=rough, max_sag=max_sag)
-    told = {"scene": asked.to_toml(), "free": free, "noise": noise, "within": within, "how": how, "sag": sag}
-    with going_on(output, "experiment", told, resume=resume), Bar(quiet=quiet) as progress:
+    with study(output, fresh=fresh), Bar(quiet=quiet) as progress:
         # The quicker of the two first.
         critical = None if sag is None else _critical(asked, sag, progress)
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
-import importlib.metadata
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from collections.abc import Callable
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,6 +12,7 @@ import typer
 from softcat_sym.cli.application import (
     INTERRUPTED,
     VALIDATION,
+    FreshOption,
     OutputOption,
     QuietOption,
     app,
@@ -22,7 +21,6 @@ from softcat_sym.cli.application import (
 )
 
 if TYPE_CHECKING:
-    from softcat_sym.ensemble.block_store import KeptBlocks
     from softcat_sym.studies.paper_figures import FigureScene, FilmedScene
 
 _NUMBERS = ("2", "3a", "3b", "4")
@@ -35,31 +33,32 @@ def figures(
         list[str] | None,
         typer.Option("--only", metavar="NUMBER", help=f"Only this figure: {', '.join(_NUMBERS)}. Repeatable."),
     ] = None,
+    fresh: FreshOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Draw the paper's figures 2, 3(a), 3(b) and 4.
 
     Each as PNG and PDF, its data as CSV, facts and caption as JSON.
-    Figure 3(a) runs a thousand filaments, a minute or two, kept in DIR/parts until it is there. Figures 3(b) and 4 run
-    finite elements, a minute or so a scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command
-    goes on from there; figures that are there need not be asked for again.
+    Figure 3(a) runs a thousand filaments, a minute or two. Figures 3(b) and 4 run finite elements, a minute or so a
+    scene; these keep their state in DIR/elements-*.npz. After Ctrl-C the same command goes on from what was finished;
+    figures that are there need not be asked for again.
     """
     asked = only or list(_NUMBERS)
     unknown = [number for number in asked if number not in _NUMBERS]
     if unknown:
         raise typer.BadParameter(f"no figure {unknown[0]!r}: take {', '.join(_NUMBERS)}", param_hint="--only")
     output = output_directory(output, "figures")
-    from softcat_sym.files import write_all
+    from softcat_sym import store
+    from softcat_sym.files import made, write_all
 
     filmed: dict[str, FilmedScene] = {}
     waiting = [number for number in _NUMBERS if number in asked]
     try:
         while waiting:
-            with _kept(output):
+            with store.fresh(fresh), made(output):
                 contents, said = _MADE[waiting[0]](output, filmed, quiet)
                 written = write_all(output, contents)
-            if waiting.pop(0) == "3a":
-                _parts(output).clear()
+            waiting.pop(0)
             if not quiet:
                 typer.echo(said)
                 typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
@@ -77,16 +76,7 @@ def _left(output: Path, asked: list[str], waiting: list[str]) -> str:
     if waiting != asked:
         done = " and ".join(number for number in asked if number not in waiting)
         return f"figure {done} is written; softcat figures -o {output} {again} goes on from {output}"
-    kept = any(output.glob("elements-*.npz")) or any(output.glob("parts/*"))
-    return f"the same command goes on from {output}" if kept else "nothing was written"
-
-
-def _parts(output: Path) -> KeptBlocks:
-    """Finished runs of figure 3(a); those of another program are refused."""
-    from softcat_sym.ensemble.block_store import KeptBlocks
-
-    digest = hashlib.sha256(f"figure 3(a)\n{importlib.metadata.version('softcat_sym')}".encode()).hexdigest()
-    return KeptBlocks(output, digest, {"what": "runs of figure 3(a)"}, resume=True)
+    return "the same command goes on from what was finished"
 
 
 def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
@@ -103,7 +93,7 @@ def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: boo
 
 def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 3(a)."""
-    del filmed
+    del output, filmed
     from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
     from softcat_sym.plotting.figure_phase import caption, phase_files
     from softcat_sym.scene.reading import load_scene
@@ -111,7 +101,7 @@ def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
 
     scene = load_scene("arrested-overdamped", list(SETTINGS))
     with nullcontext(NobodyListens()) if quiet else MembersBar("figure 3(a)") as progress:
-        diagram = phase_diagram(scene, kept=_parts(output), progress=progress)
+        diagram = phase_diagram(scene, progress=progress)
     return phase_files(diagram), caption(diagram)
 
 
@@ -151,17 +141,3 @@ _MADE: dict[str, Callable[[Path, dict[str, FilmedScene], bool], _Made]] = {
     "3b": _midpoints,
     "4": _snapshots,
 }
-
-
-@contextmanager
-def _kept(folder: Path) -> Iterator[None]:
-    """Make a folder; if what follows fails and leaves it empty, it is taken away again."""
-    made = [path for path in (folder, *folder.parents) if not path.exists()]
-    folder.mkdir(parents=True, exist_ok=True)
-    try:
-        yield
-    except BaseException:
-        for path in made:
-            if not any(path.iterdir()):
-                path.rmdir()
-        raise

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 import sys
-from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypedDict
 
@@ -13,16 +12,17 @@ import typer
 from softcat_sym.cli.application import (
     FITTING,
     UNTRUSTED,
+    FreshOption,
     OutputOption,
     QuietOption,
     SetOption,
     app,
     print_error,
+    read_pair,
     scene_and_directory,
+    study,
 )
 from softcat_sym.cli.completing import complete_scene
-from softcat_sym.cli.going_on import ResumeOption, going_on
-from softcat_sym.cli.pairs import read_pair
 from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def fit(
     starts: StartsOption = STARTS,
     no_profiles: NoProfilesOption = False,
     seed: SeedOption = 0,
-    resume: ResumeOption = False,
+    fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
@@ -99,8 +99,8 @@ def fit(
 
     DIR gets fit.json, fit.html, scene.toml, pictures and a table.
     With several --law the best is written as the fit; laws.csv, laws.png, fit.json and fit.html rank them all. Exit
-    status 0 if an optimum was found. What the data do not tell is said, not answered. Ctrl-C loses nothing: what was
-    evaluated is in DIR/parts until the fit is written, and --resume goes on from there, to the same numbers.
+    status 0 if an optimum was found. What the data do not tell is said, not answered. After Ctrl-C the same command
+    goes on from what was evaluated, to the same numbers.
     """
     names, several = free or [], law or []
     if not names and not several:
@@ -113,17 +113,10 @@ def fit(
 
     how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
     films = read_measurements(data)
-    told = {
-        "scene": asked.to_toml(),
-        "films": [sha256(path.read_bytes()).hexdigest() for path in data],
-        "free": names,
-        "laws": several,
-        "how": how | {"loss": repr(charged)},
-    }
-    with going_on(output, "fit", told, resume=resume), FitProgressBar(quiet=quiet) as progress:
+    with study(output, fresh=fresh), FitProgressBar(quiet=quiet) as progress:
         found, compared = _found(films, asked, names, several, how, progress)
         progress.stage("drawing", 0, 1)
-        command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--resume")])
+        command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
         written = write_fit(found, output, command, compared)
     _tell(found, compared, written, output, quiet=quiet)
 

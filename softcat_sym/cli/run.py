@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -21,27 +20,18 @@ from softcat_sym.cli.application import (
     print_error,
     scene_and_directory,
 )
-from softcat_sym.cli.without_dask import without_dask
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from softcat_sym.plotting.animation_frames import FilmOrder
     from softcat_sym.plotting.style import PicturedScene, Summary
-    from softcat_sym.scene.scene import Scene
-    from softcat_sym.solvers.checkpoint import Checkpoints
-
-_FOLDER = "checkpoint"
 
 RunOutputOption = Annotated[
     Path | None,
     typer.Option(
         "--output", "-o", metavar="DIR", help="Where the files go.", show_default="softcat-out/SCENE", parser=directory
     ),
-]
-ResumeOption = Annotated[
-    bool,
-    typer.Option("--resume", help="Go on from where the same command was interrupted; states are in DIR/checkpoint."),
 ]
 AnimateOption = Annotated[
     str | None,
@@ -63,7 +53,6 @@ def run(
     scene: SceneArgument,
     output: RunOutputOption = None,
     changes: SetOption = None,
-    resume: ResumeOption = False,
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
@@ -73,32 +62,24 @@ def run(
     """Simulate one filament.
 
     DIR gets trajectory.nc, summary.json, scene.toml, pictures and a table.
-    A run of more than five seconds keeps what it has reached in DIR/checkpoint until its answer is written.
     """
     order, drawn = pictures_asked(animate, animate_seconds, style)
     asked, output = scene_and_directory(scene, changes, output, "run")
-    checkpoints = _checkpoints(asked, output, resume=resume)
     from softcat_sym.files import made, written_together
     from softcat_sym.plotting.run_files import write_run
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
-    from softcat_sym.solvers.checkpoint import Resumable
 
     try:
-        with without_dask(), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+        with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
             progress.doing("reading")
-            trajectory = simulated(asked, Resumable(progress, checkpoints))
+            trajectory = simulated(asked, progress)
             progress.stage("drawing pictures")
             with made(output), written_together():
                 written = write_run(trajectory, output, drawn)
     except KeyboardInterrupt:
-        print_error(f"interrupted; {_kept(checkpoints)}")
+        print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
-    except OSError:
-        if checkpoints.kept or checkpoints.resumed:
-            print_error(_kept(checkpoints))
-        raise
-    checkpoints.clear()
     if order is not None:
         _film_of_a_run(order, output, (trajectory.data, written.summary, asked), quiet=quiet)
     if not quiet:
@@ -106,8 +87,6 @@ def run(
 
         films = (output / order.name,) if order else ()
         print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
-        if resume:
-            typer.echo(_resumed(checkpoints))
     judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 
@@ -145,25 +124,3 @@ def _film_of_a_run(
         again = f"softcat draw {output} -o {output} --animate {order.name}"
         print_error(f"interrupted; the run is in {output}, its film is not: {again}")
         raise typer.Exit(INTERRUPTED) from None
-
-
-def _checkpoints(asked: Scene, output: Path, *, resume: bool) -> Checkpoints:
-    """The folder of the states of this run; what it is asked, and of which program, is its owner."""
-    from softcat_sym.solvers.checkpoint import Checkpoints
-
-    version = importlib.metadata.version("softcat_sym")
-    return Checkpoints(output / _FOLDER, f"{version}\n{asked.to_toml()}".encode(), resume=resume)
-
-
-def _kept(checkpoints: Checkpoints) -> str:
-    """What an interrupted run leaves behind."""
-    if checkpoints.kept or checkpoints.resumed:
-        return f"what was reached is in {checkpoints.folder}: the same command with --resume goes on from there"
-    return f"{checkpoints.trouble}; nothing was written" if checkpoints.trouble else "nothing was written"
-
-
-def _resumed(checkpoints: Checkpoints) -> str:
-    """Whether it went on from a state, or began anew."""
-    if checkpoints.resumed:
-        return f"went on from {checkpoints.folder}"
-    return f"there was no state in {checkpoints.folder}: begun anew"

@@ -10,8 +10,8 @@ import typer
 
 from softcat_sym.cli.application import (
     EVERYDAY,
-    INTERRUPTED,
     UNTRUSTED,
+    FreshOption,
     OutputOption,
     QuietOption,
     SceneArgument,
@@ -19,6 +19,7 @@ from softcat_sym.cli.application import (
     app,
     print_error,
     scene_and_directory,
+    study,
 )
 from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
@@ -54,9 +55,6 @@ SchedulerOption = Annotated[
 ClusterOption = Annotated[
     int | None, typer.Option("--local-cluster", metavar="N", help="Run on a Dask cluster of N processes, begun for it.")
 ]
-ResumeOption = Annotated[
-    bool, typer.Option("--resume", help="Go on from where the same command was interrupted; see DIR/parts.")
-]
 
 
 @app.command(rich_help_panel=EVERYDAY)
@@ -76,7 +74,7 @@ def sweep(
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
     local_cluster: ClusterOption = None,
-    resume: ResumeOption = False,
+    fresh: FreshOption = False,
     changes: SetOption = None,
     quiet: QuietOption = False,
 ) -> None:
@@ -86,8 +84,7 @@ def sweep(
     Members run once through the compiled solver, in threads, without the error estimate that `softcat run` makes by
     companions on other grids: ask for it with --estimate. A member whose values make no sense, that fails or is no
     answer is a row like the others. Memory stays the same however many there are; fewer frames make it faster:
-    --set run.frames=41. Finished blocks are kept in DIR/parts until all are there: an interrupted sweep goes on with
-    --resume.
+    --set run.frames=41. After Ctrl-C the same command goes on from the members that were finished.
     """
     from softcat_sym.ensemble.executor import check_workplace
     from softcat_sym.studies.sweep_table import plan_sweep
@@ -97,31 +94,23 @@ def sweep(
         raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
     asked, output = scene_and_directory(scene, changes, output, "sweep")
     plan = plan_sweep(asked, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
-    done = _run(plan, output, (workers, scheduler, local_cluster), resume=resume, quiet=quiet)
+    done = _run(plan, output, (workers, scheduler, local_cluster), fresh=fresh, quiet=quiet)
     if not done.counts.outcomes.get("solved"):
         print_error("no member is an answer; sweep.csv tells of each why")
         raise typer.Exit(UNTRUSTED)
 
 
 def _run(
-    plan: SweepPlan, output: Path, where: tuple[int | None, str | None, int | None], *, resume: bool, quiet: bool
+    plan: SweepPlan, output: Path, where: tuple[int | None, str | None, int | None], *, fresh: bool, quiet: bool
 ) -> Sweep:
-    from softcat_sym.ensemble.block_store import kept_text
     from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
     from softcat_sym.plotting.sweep import print_sweep, write_sweep
     from softcat_sym.studies.sweep import run_sweep
 
-    try:
+    with study(output, fresh=fresh):
         with nullcontext(NobodyListens()) if quiet else MembersBar("sweep") as bar:
-            done = run_sweep(plan, output, where, bar, resume=resume)
+            done = run_sweep(plan, output, where, bar)
         written = write_sweep(done, output)
-    except KeyboardInterrupt:
-        print_error(f"interrupted; {kept_text(output) or 'nothing was written'}")
-        raise typer.Exit(INTERRUPTED) from None
-    except OSError:
-        if kept := kept_text(output):
-            print_error(kept)
-        raise
     if not quiet:
         print_sweep(done)
         names = ["sweep.nc", "sweep.csv", *(path.name for path in written)]

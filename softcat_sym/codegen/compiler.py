@@ -25,6 +25,7 @@ from pathlib import Path
 from types import FrameType
 
 from softcat_sym.errors import SoftcatError
+from softcat_sym.files import cache_folder as cache_folder
 from softcat_sym.files import replace_atomically
 from softcat_sym.interrupts import interrupts_go_to
 
@@ -33,22 +34,6 @@ COMPILERS = "compilers.json"
 """What is known of compilers, beside the libraries."""
 
 _LOCK, _MOMENT = "lock", 5.0
-
-
-def cache_folder() -> Path:
-    """SOFTCAT_CACHE, else ``softcat_sym`` in XDG_CACHE_HOME, else in ``~/.cache``; it may not exist yet."""
-    chosen, shared = os.environ.get("SOFTCAT_CACHE"), os.environ.get("XDG_CACHE_HOME")
-    if chosen:
-        try:
-            return Path(chosen).expanduser().absolute()
-        except RuntimeError as error:
-            raise SoftcatError(f"SOFTCAT_CACHE is {chosen!r}: {error}") from error
-    if shared:
-        return Path(shared).absolute() / "softcat_sym"
-    try:
-        return Path.home() / ".cache" / "softcat_sym"
-    except RuntimeError:  # a user without a home, as in some containers
-        return Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
 
 
 def libraries() -> Path:

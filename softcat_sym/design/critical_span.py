@@ -11,6 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
+from softcat_sym import store
 from softcat_sym.design.information import (
     DURATION,
     FRAME_RATE,
@@ -27,8 +28,7 @@ from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
-from softcat_sym.simulate import simulated, without_estimate
-from softcat_sym.solvers.checkpoint import json_form, kept
+from softcat_sym.simulate import identity_of, simulated, without_estimate
 
 _MOST = 60
 
@@ -81,12 +81,13 @@ def with_span(scene: Scene, span: float) -> Scene:
     return scene.replace({SPAN: f"{span!r} m"})
 
 
-_SAG = json_form(asdict, lambda told: Sag(told["value"], tuple(told["effects"]), told["note"]))
+_SAG = store.json_form(asdict, lambda told: Sag(told["value"], tuple(told["effects"]), told["note"]))
 
 
 def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
     """Run a filament as the program chooses to, and measure its sag."""
-    return kept(lambda: ("sag", scene.to_toml(), str(at_end)), lambda: _sag_of_run(scene, at_end=at_end), _SAG)
+    key = store.key_of("sag", identity_of(scene), at_end)
+    return store.stored(key, lambda: _sag_of_run(scene, at_end=at_end), _SAG)
 
 
 def _sag_of_run(scene: Scene, *, at_end: bool) -> Sag:

@@ -9,6 +9,7 @@ from itertools import product
 
 import numpy as np
 
+from softcat_sym import store
 from softcat_sym.design.critical_span import LIMITS, Limit, length_text, read_limit, sentences
 from softcat_sym.design.information import (
     DURATION,
@@ -35,8 +36,7 @@ from softcat_sym.fitting.identifiability import MAX_ERROR, Information, informat
 from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
-from softcat_sym.simulate import simulated, without_estimate
-from softcat_sym.solvers.checkpoint import json_form, kept
+from softcat_sym.simulate import identity_of, simulated, without_estimate
 
 _GRID = {1: 9, 2: 5}
 _FINEST = math.log(1.05)
@@ -77,7 +77,7 @@ def pattern_search(value: Callable[[Point], float], lower: Floats, upper: Floats
     return best
 
 
-_TRIAL = json_form(asdict, lambda told: Trial(**told))
+_TRIAL = store.json_form(asdict, lambda told: Trial(**told))
 _ROUNDING = 1e-9
 _MARGIN = 0.01
 
@@ -95,10 +95,10 @@ class Judge:
     rough: float  # Factor by which the rough values may be wrong either way; one: not at all
     max_sag: Limit | None = None  # That no film may show more than, at any of the rough values
 
-    def kept(self, what: str, compute: Callable[[], Trial]) -> Trial:
-        """Return a trial of these rough values and demands, from where it is kept if it is."""
+    def stored(self, what: object, compute: Callable[[], Trial]) -> Trial:
+        """Return a trial of these rough values and demands, from the store if it was made before."""
         demands = (self.names, self.counted, self.noise, self.ranges, self.max_frames, self.rough, self.max_sag)
-        return kept(lambda: ("trial", self.scene.to_toml(), repr(demands), what), compute, _TRIAL)
+        return store.stored(store.key_of("trial", identity_of(self.scene), demands, what), compute, _TRIAL)
 
     def best_film(self, span: float, thickness: float) -> Trial:
         """The best duration and frame rate of one filament, from one run for each set of rough values."""
@@ -320,10 +320,10 @@ def _searched(judge: Judge, told: Told | None) -> list[Trial]:
 
     def value(point: tuple[float, ...]) -> float:
         span, thickness = _filament(judge, point)
-        trial = judge.kept(f"film of {span!r} {thickness!r}", lambda: judge.best_film(span, thickness))
+        trial = judge.stored(["film", span, thickness], lambda: judge.best_film(span, thickness))
         if trial.worst < min((one.worst for one in tried), default=math.inf):
             rough = trial
-            trial = judge.kept(f"checked {rough!r}", lambda: judge.checked(judge.exactly(rough)[0]))
+            trial = judge.stored(["checked", rough], lambda: judge.checked(judge.exactly(rough)[0]))
         tried.append(trial)
         if told is not None:
             told(trial)

@@ -110,7 +110,7 @@ _DEAF = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
 
 _ADDRESS = re.compile(r"(?:tcp|tls|ws|wss)://\S+:\d{1,5}/?")
 
-_DIES = "every worker that ran this member died (killed, or out of memory)"
+_DIES = "the workers that ran this member and those beside it died (killed, or out of memory); run it again"
 
 
 class Cluster:
@@ -130,12 +130,8 @@ class Cluster:
     def run(
         self, work: Work[Item, Done], blocks: Iterable[Block[Item]], told: Told
     ) -> Iterator[tuple[int, Sequence[Done]]]:
-        """The number and the results of each block, as workers finish them.
-
-        A block whose workers die, again and again, is run once more, a member at a time and with nothing else on the
-        cluster: only the member at fault is lost.
-        """
-        waiting, sent, suspects = iter(blocks), dict[Any, Block[Item]](), list[Block[Item]]()
+        """The number and the results of each block, as workers finish them; where these die, its members are lost."""
+        waiting, sent = iter(blocks), dict[Any, Block[Item]]()
         try:
             self._send(work, waiting, sent)
             while sent:
@@ -143,25 +139,11 @@ class Cluster:
                 block = sent.pop(future)
                 results = _results(future)
                 self._send(work, waiting, sent)
-                if results is None:
-                    suspects.append(block)
-                    continue
                 told(len(block.items))
-                yield block.number, results
-            for block in suspects:
-                yield block.number, [self._alone(work, item, sent, told) for item in block.items]
+                yield block.number, [work.lost(item, _DIES) for item in block.items] if results is None else results
         finally:
             if sent:
                 self._client.cancel(list(sent), force=True)
-
-    def _alone(self, work: Work[Item, Done], item: Item, sent: dict[Any, Block[Item]], told: Told) -> Done:
-        """Run an item with nothing else beside it, so that nothing else is blamed for its end."""
-        self._send(work, iter([Block(0, (item,))]), sent)
-        future = self._next(list(sent))
-        del sent[future]
-        results = _results(future)
-        told(1)
-        return work.lost(item, _DIES) if results is None else results[0]
 
     def _send(self, work: Work[Item, Done], waiting: Iterator[Block[Item]], sent: dict[Any, Block[Item]]) -> None:
         """Send blocks until there are enough for every thread of the cluster."""
@@ -185,12 +167,10 @@ class Cluster:
                 lonely = 0.0 if self._client.nthreads() else lonely + _LOOK
             if self._client.status != "running":
                 raise SoftcatError(
-                    f"{self._what}: the scheduler is gone; start it again, then give the same command with --resume"
+                    f"{self._what}: the scheduler is gone; start it again, then give the same command again"
                 )
             if lonely > _ALONE:
-                raise SoftcatError(
-                    f"{self._what}: no worker is left; start some, then give the same command with --resume"
-                )
+                raise SoftcatError(f"{self._what}: no worker is left; start some, then give the same command again")
 
 
 def _run(work: Work[Item, Done], items: Sequence[Item]) -> Sequence[Done]:

@@ -29,8 +29,7 @@ from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.results.verdict import shortest_hinge_cell
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.single_run import build, run_once, run_texts
-from softcat_sym.solvers.checkpoint import Form, kept, packed, unpacked
+from softcat_sym.single_run import build, run_once
 from softcat_sym.solvers.settings import choose_backend
 from softcat_sym.solvers.solution import Progress, Silence
 
@@ -184,8 +183,6 @@ _STATES_PER_CELL = 10
 CERTAIN = 3.0
 """An estimate is up to three times too large: one above so many times the accuracy tells that it is missed for sure."""
 
-_MIDPOINT: Form[Floats] = Form(lambda heights: packed({"heights": heights}), lambda kept: unpacked(kept)["heights"])
-
 
 def as_accurate_as_asked(
     first: Trajectory, effects: Effects, clock: Clock, progress: Progress | None = None
@@ -238,9 +235,7 @@ class _Runs:
             self._beside += 1
             usual = 3 if at.fibres or at.order else 2
             self._progress.stage(f"estimating {self._beside} of {max(usual, self._beside)}")
-            self._known[key] = kept(
-                lambda: ("companion", key, *run_texts(self._effects)), lambda: self._midpoint(scene), _MIDPOINT
-            )
+            self._known[key] = self._midpoint(scene)
         return self._known[key] if self._known[key].size else None
 
     def _midpoint(self, scene: Scene) -> Floats:

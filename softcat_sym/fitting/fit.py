@@ -27,7 +27,7 @@ from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
 
 
@@ -196,7 +196,7 @@ def _judged(film: Filmed, scene: Scene | None) -> tuple[Outcome, str]:
     if scene is None:
         return Outcome.solved, ""
     try:
-        run = simulated(without_estimate(scene))
+        run = recalled(without_estimate(scene))
     except SceneError as refusal:
         return Outcome.no_equilibrium, str(refusal)
     return run.outcome, str(run.summary["message"])

@@ -22,8 +22,10 @@ from softcat_sym.fitting.integration import (
     timing_of,
 )
 from softcat_sym.scene.scene import Scene, rest_length
-from softcat_sym.solvers.checkpoint import Arrays, Form, kept, packed, unpacked
+from softcat_sym.simulate import identity_of
 from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.solution import watched
+from softcat_sym.store import Arrays, Form, key_of, packed, stored, unpacked
 
 _STEP = 1e-6  # in unknowns of order one, of the interpolation, which is smooth
 _STENCIL = 4
@@ -144,21 +146,25 @@ _FORM: Form[Arrays] = Form(packed, unpacked)
 _X, _Z = "start x", "start z"
 
 
-class KeptEvaluations:
+class StoredEvaluations:
     """Each evaluation with where it left the filament: the start of the next is followed from there."""
 
-    def __init__(self, filament: FrozenFilament, texts: tuple[str, ...]) -> None:
-        self._filament, self._texts = filament, texts
+    def __init__(self, filament: FrozenFilament, model: tuple[object, ...]) -> None:
+        self._filament, self._model = filament, model
         self._first = filament.near
 
-    def of(self, what: tuple[str | bytes, ...], compute: Callable[[], Arrays]) -> Arrays:
-        """Return an evaluation, from where it is kept if it is."""
+    def of(self, what: tuple[object, ...], compute: Callable[[], Arrays]) -> Arrays:
+        """Return an evaluation, from the store if it was made before."""
+        near = self._filament.near
+        begun = None if near is None else [near.x, near.z]
 
         def evaluated() -> Arrays:
-            arrays, near = compute(), self._filament.near
+            with watched() as interrupts:
+                arrays, near = compute(), self._filament.near
+                interrupts.check()
             return arrays if near is None else {**arrays, _X: near.x, _Z: near.z}
 
-        found = kept(lambda: ("evaluation", *self._texts, *what), evaluated, _FORM)
+        found = stored(key_of("evaluation", self._model, begun, what), evaluated, _FORM)
         self._filament.near = Start(np.asarray(found[_X]), np.asarray(found[_Z])) if _X in found else None
         return found
 
@@ -206,7 +212,7 @@ class ForwardModel(Unknowns):
         if self.times.ndim != 1 or not np.all(np.isfinite(self.times)):
             raise SoftcatError("times: give a row of finite times in s")
         self._filament: FrozenFilament = frozen_filament(scene, self.free, backend, rtol)
-        self._kept = KeptEvaluations(self._filament, (scene.to_toml(), repr(self.free), repr(rtol), self.backend))
+        self._stored = StoredEvaluations(self._filament, (identity_of(scene), self.free, rtol, self.backend))
         self._seen = _seen_of(self._filament.graph)
         self._shifts = any(one.path == TIME_OFFSET for one in self.free)
         self._last: tuple[bytes, _Answer] | None = None
@@ -266,7 +272,7 @@ class ForwardModel(Unknowns):
             found = ForwardShapes(self._filament, self.free, times, x, self._max_steps).heights(q)
             return {"height": found[0], "derivatives": found[1]}
 
-        found = self._kept.of(("shapes", q.tobytes(), times.tobytes(), x.tobytes()), heights)
+        found = self._stored.of(("shapes", q, times, x), heights)
         return found["height"], found["derivatives"]
 
     def _answer(self, q: Floats, *, slopes: bool) -> _Answer:
@@ -283,7 +289,7 @@ class ForwardModel(Unknowns):
             arrays = {"midpoint": answer.midpoint, "message": np.array(answer.message)}
             return arrays if answer.derivatives is None else {**arrays, "derivatives": answer.derivatives}
 
-        found = self._kept.of(("midpoint", str(slopes), q.tobytes(), self.times.tobytes()), midpoint)
+        found = self._stored.of(("midpoint", slopes, q, self.times), midpoint)
         return _Answer(found["midpoint"], found.get("derivatives"), str(found["message"]))
 
     def _integrated(self, q: Floats, *, slopes: bool) -> _Answer:
@@ -318,7 +324,7 @@ class ForwardModel(Unknowns):
             path = self._filament.integrator.run(point.begin(timing.model), self._seen, _MAX_STEPS)
             return _MAX_STEPS if path.message or not path.steps else max(_MIN_STEPS, _TIMES_TYPICAL * path.steps)
 
-        return self._kept.aside(counted)
+        return self._stored.aside(counted)
 
     def _of_scene(self, q: Floats) -> Floats:
         return np.array([x for one, x in zip(self.free, np.asarray(q), strict=True) if not one.of_measurement])

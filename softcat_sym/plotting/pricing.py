@@ -7,7 +7,7 @@ import io
 import json
 import math
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from softcat_sym.files import write_all
 from softcat_sym.plotting import style
 from softcat_sym.plotting.style import HEADING, axes_in_inches, head, label_points, new_figure, png, significant
-from softcat_sym.studies.pricing import DEFINITION, KeptPricing, Pricing, Unpriced, percent, pricing_identity, reading
+from softcat_sym.studies.pricing import DEFINITION, Pricing, Unpriced, percent, reading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -58,18 +58,16 @@ def document(pricing: Pricing) -> dict[str, Any]:
     }
 
 
-def pricing_table(pricings: Iterable[Pricing | KeptPricing | Unpriced]) -> str:
+def pricing_table(pricings: Iterable[Pricing | Unpriced]) -> str:
     """Lay many scenes out as Markdown, a line for each."""
     lines = [_HEAD, ("---",) * len(_HEAD), *map(table_line, pricings)]
     return "".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |\n" for line in lines)
 
 
-def table_line(one: Pricing | KeptPricing | Unpriced) -> tuple[str, ...]:
+def table_line(one: Pricing | Unpriced) -> tuple[str, ...]:
     """The line of one scene in the table over many."""
     if isinstance(one, Unpriced):
         return (one.name, "", "", "", f"not priced: {one.reason}")
-    if isinstance(one, KeptPricing):
-        return one.line
     ratio = None if one.everything.fails else one.everything.time_ratio
     time = "–" if ratio is None else f"× {ratio:.2g}"
     return (one.name or one.scene.title, in_short(one), _largest(one), time, reading(one))
@@ -351,37 +349,22 @@ def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
     return write_all(directory, contents)
 
 
-def write_pricings(pricings: Iterable[Pricing | KeptPricing | Unpriced], directory: str | Path) -> list[Path]:
+def write_pricings(pricings: Iterable[Pricing | Unpriced], directory: str | Path) -> list[Path]:
     """Write ``effects_<scene>.json`` and ``.png`` of each scene as it comes, and ``pricing.md`` over all so far."""
-    done: list[Pricing | KeptPricing | Unpriced] = []
+    done: list[Pricing | Unpriced] = []
     written: dict[Path, None] = {}
     for one in pricings:
         done.append(one)
         contents = {"pricing.md": pricing_table(done).encode()}
-        if not isinstance(one, KeptPricing | Unpriced):
-            more = {"identity": pricing_identity(one.scene), "line": list(table_line(one))}
-            contents[f"effects_{one.name}.json"] = _json(one, more)
+        if not isinstance(one, Unpriced):
+            contents[f"effects_{one.name}.json"] = _json(one)
             contents[f"effects_{one.name}.png"] = png(pricing_figure(one))
         written |= dict.fromkeys(write_all(directory, contents))
     return list(written)
 
 
-def kept_pricings(directory: str | Path) -> dict[str, KeptPricing]:
-    """Find the scenes that an earlier command has priced into this folder, by name."""
-    kept = {}
-    for path in sorted(Path(directory).glob("effects_*.json")):
-        try:
-            found = json.loads(path.read_text(encoding="utf-8"))
-            one = KeptPricing(str(found["scene"]), str(found["identity"]), tuple(map(str, found["line"])))
-        except (OSError, ValueError, KeyError, TypeError):
-            continue
-        if path.with_suffix(".png").is_file():
-            kept[one.name] = one
-    return kept
-
-
-def _json(pricing: Pricing, more: Mapping[str, Any] | None = None) -> bytes:
-    return (json.dumps({**document(pricing), **(more or {})}, indent=2, allow_nan=False) + "\n").encode()
+def _json(pricing: Pricing) -> bytes:
+    return (json.dumps(document(pricing), indent=2, allow_nan=False) + "\n").encode()
 
 
 def _share(value: float | None) -> str:

@@ -14,8 +14,8 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.files import replace_atomically
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.checkpoint import Form, packed, unpacked
 from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.store import Form, packed, unpacked
 
 if TYPE_CHECKING:
     import os
@@ -60,7 +60,7 @@ _TOLD = "told"
 
 
 def trajectory_form(scene: Scene) -> Form[Trajectory]:
-    """Return the form of runs of a scene."""
+    """Return the form of runs of a scene, whatever its title was when it was run."""
     return Form(_written, lambda content: _read(scene, content))
 
 
@@ -83,7 +83,9 @@ def _read(scene: Scene, content: bytes) -> Trajectory:
     variables = {name: (dims, arrays[name], attrs) for name, (dims, attrs) in told["variables"].items()}
     coordinates = {name: variables.pop(name) for name in told["coordinates"]}
     data = xr.Dataset(variables, coords=coordinates, attrs=told["attrs"])
-    return Trajectory(scene, data, told["summary"], Outcome[told["outcome"]], told["missing_effect"])
+    data.attrs |= {"title": scene.title, "scene": scene.to_toml()}
+    summary = told["summary"] | {"title": scene.title}
+    return Trajectory(scene, data, summary, Outcome[told["outcome"]], told["missing_effect"])
 
 
 _PLACES: Final = ("time", "X_node", "X_cell", "x", "y", "midpoint")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes as ct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
@@ -24,11 +24,10 @@ from softcat_sym.codegen.model import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.errors import SoftcatError
-from softcat_sym.solvers.checkpoint import Checkpoint, checkpoint_of
 from softcat_sym.solvers.initial_state import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import POWERS, Flagged, Progress, Reached, Solution, at_start, watched
+from softcat_sym.solvers.solution import POWERS, Flagged, Progress, Solution, watched
 
 Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)
@@ -412,34 +411,6 @@ class CompiledFilament:
 
 
 @dataclass(frozen=True)
-class _UnderWay:
-    """A run that is being integrated."""
-
-    filament: CompiledFilament  # What it is
-    run: Run  # From where on
-    room: Answer  # Where the frames go
-    known: Reached  # The frames before, the one it begins from included
-
-    def reached(self, time: float) -> Reached:
-        """All frames up to a time."""
-        new = int(np.count_nonzero(self.run.times <= time))
-        known, steps = self.known, self.known.steps + int(self.room.status.steps)
-        if new <= 1:
-            return replace(known, steps=steps)
-        x, z = self.filament.sites.vectors(self.room.states[1:new])
-        quad = np.zeros((POWERS, new - 1))
-        quad[: self.room.work.shape[1]] = self.room.work[1:new].T
-        quad += known.quad[:, -1:]
-        return Reached(np.hstack([known.x, x]), np.hstack([known.z, z]), np.hstack([known.quad, quad]), steps)
-
-    def to_go_on_from(self, time: float) -> Reached:
-        """The same, but that it does not end on a kink: where f jumps, algebraic unknowns are yet to jump with it."""
-        past = self.run.times[self.run.times <= time]
-        on_kink = len(past) > 1 and bool(np.any(self.run.kinks == past[-1]))
-        return self.reached(past[-2] if on_kink else time)
-
-
-@dataclass(frozen=True)
 class CompiledIntegration:
     """A prepared run of the C model.
 
@@ -465,15 +436,8 @@ class CompiledIntegration:
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
-        asked = self._asked(start, p, np.linspace(0.0, duration, self.frames), scale)
-        checkpoint = checkpoint_of(progress, lambda: self._identity(asked))
-        known = checkpoint.before if checkpoint is not None else None
-        known = known or at_start(start.x, start.z)
-        if known.frames == self.frames:
-            return Solution(asked.times, known.x, known.z, known.quad, Outcome.solved, "", known.steps)
-        state = self.filament.sites.state(known.x[:, -1], known.z[:, -1])
-        run = replace(asked, state=state, times=asked.times[known.frames - 1 :])
-        return self._integrated(run, asked.times, known, scale, progress, checkpoint)
+        run = self._asked(start, p, np.linspace(0.0, duration, self.frames), scale)
+        return self._integrated(run, start, scale, progress)
 
     def piece(
         self,
@@ -490,7 +454,7 @@ class CompiledIntegration:
         first = max(first, begin + _BESIDE * (end - begin))
         every = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
         run = self._asked(start, p, every, scale)
-        return self._integrated(run, every, at_start(start.x, start.z), scale, progress, None)
+        return self._integrated(run, start, scale, progress)
 
     def _asked(self, start: Start, p: Floats, times: Floats, scale: float) -> Run:
         return Run(
@@ -507,75 +471,44 @@ class CompiledIntegration:
             max_step=(self.settings.max_step or 0.0) / scale,
         )
 
-    def _integrated(
-        self,
-        run: Run,
-        times: Floats,
-        known: Reached,
-        scale: float,
-        progress: Progress,
-        checkpoint: Checkpoint | None,
-    ) -> Solution:
-        """Integrate, and put what comes of it behind what is known already."""
+    def _integrated(self, run: Run, start: Start, scale: float, progress: Progress) -> Solution:
+        """Integrate, and put what comes of it behind the start."""
         status = Status()
-        under_way = _UnderWay(self.filament, run, self.filament.model.room(run, status), known)
-        self._watched(under_way, scale, progress, checkpoint)
+        room = self.filament.model.room(run, status)
+        self._watched(run, room, scale, progress)
         refuse(status.code, self.filament.model.message(status.code))
-        found = under_way.reached(status.reached)
+        frames = max(1, int(np.count_nonzero(run.times <= status.reached)))
+        x, z = self.filament.sites.vectors(room.states[:frames])
+        x[:, 0], z[:, 0] = start.x, start.z
+        quad = np.zeros((POWERS, frames))
+        quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
         if status.code != SOLVED:
             outcome, message = _OUTCOMES[status.code], self._message(status, scale)
-        return Solution(times[: found.frames], found.x, found.z, found.quad, outcome, message, found.steps)
+        return Solution(run.times[:frames], x, z, quad, outcome, message, int(status.steps))
 
-    def _identity(self, run: Run) -> Iterator[bytes]:
-        """All that decides the numbers."""
-        yield from (text.encode() for text in (self.filament.model.model.text, *runtime_sources().values()))
-        yield from (part.tobytes() for part in (run.parameters, run.places, run.state, run.times, run.kinks))
-        yield np.array(
-            [
-                run.relative,
-                run.work_absolute,
-                run.max_step,
-                run.method,
-                run.max_steps,
-                *np.atleast_1d(run.absolute),
-            ]
-        ).tobytes()
-
-    def _watched(self, under_way: _UnderWay, scale: float, progress: Progress, checkpoint: Checkpoint | None) -> None:
+    def _watched(self, run: Run, room: Answer, scale: float, progress: Progress) -> None:
         """Integrate in a thread, so that Ctrl-C is heard and progress is told meanwhile; a flagged one needs none."""
-        status, integrate = under_way.room.status, self.filament.model.integrate
+        status, integrate = room.status, self.filament.model.integrate
 
         def tell() -> None:
             reached = status.reached * scale
             progress.update(reached, reached / status.steps if status.steps else None)
 
         if isinstance(progress, Flagged):
-            integrate(under_way.run, status, progress.flag, under_way.room)
+            integrate(run, status, progress.flag, room)
             tell()
             return
         stop = ct.c_int(0)
-        try:
-            with ThreadPoolExecutor(1) as pool:
-                answer = pool.submit(integrate, under_way.run, status, stop, under_way.room)
-                try:
-                    # Of the look before: what was written into memory then is there by now.
-                    seen = under_way.run.times[0]
-                    while not wait([answer], _LOOK).done:
-                        tell()
-                        if checkpoint is not None:
-                            checkpoint.offer(partial(under_way.to_go_on_from, seen))
-                            seen = status.reached
-                finally:
-                    stop.value = 1
-        except KeyboardInterrupt:
-            if checkpoint is not None:
-                checkpoint.leave(partial(under_way.to_go_on_from, status.reached))
-            raise
+        with ThreadPoolExecutor(1) as pool:
+            answer = pool.submit(integrate, run, status, stop, room)
+            try:
+                while not wait([answer], _LOOK).done:
+                    tell()
+            finally:
+                stop.value = 1
         tell()
         answer.result()
-        if checkpoint is not None and status.code == SOLVED:
-            checkpoint.finish(partial(under_way.reached, status.reached))
 
     def _message(self, status: Status, scale: float) -> str:
         """Time, worst component and what went wrong."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 import contextlib
 import io
 import itertools
-from collections.abc import Callable, Iterator
-from functools import cached_property, partial
-from importlib.metadata import version
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import casadi as ca
@@ -15,12 +15,11 @@ import numpy as np
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.solvers.checkpoint import checkpoint_of
 from softcat_sym.solvers.compiled import External
 from softcat_sym.solvers.initial_state import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import Progress, Record, Solution, State, at_start, watched
+from softcat_sym.solvers.solution import Progress, Record, Solution, State, watched
 
 _LARGE = 1000
 _BESIDE = 8 * float(np.finfo(float).eps)
@@ -157,26 +156,14 @@ class Integration:
             Told after every chunk.
         """
         interval = duration / (self._frames - 1)
-        checkpoint = checkpoint_of(progress, lambda: self._identity(start, p, duration))
-        known = checkpoint.before if checkpoint is not None else None
-        record = Record(known or at_start(start.x, start.z))
+        record = Record(start.x, start.z)
 
         def tell(simulated: float) -> None:
             """After every chunk of that many seconds."""
             done = min(record.reached, self._frames - 1) * interval * scale
             progress.update(done, simulated / record.last_steps if record.last_steps else None)
-            if checkpoint is not None:
-                checkpoint.offer(partial(record.so_far, self._frames))
 
-        try:
-            solution = self._through(record, p, interval, scale, tell)
-        except KeyboardInterrupt:
-            if checkpoint is not None:
-                checkpoint.leave(partial(record.so_far, self._frames))
-            raise
-        if checkpoint is not None and solution.outcome.is_success:
-            checkpoint.finish(partial(record.so_far, self._frames))
-        return solution
+        return self._through(record, p, interval, scale, tell)
 
     def piece(
         self,
@@ -189,7 +176,7 @@ class Integration:
     ) -> Solution:
         """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
         begin, first, end = times
-        record = Record(at_start(start.x, start.z))
+        record = Record(start.x, start.z)
         inside = self._kinks[(self._kinks > begin) & (self._kinks < first)].tolist()
         state = record.last
         try:
@@ -202,14 +189,11 @@ class Integration:
             record.extend(state.x[:, None], state.z[:, None], state.quad[:, None], 0)
             record.extend(*self._sampling(samples).advance(state, p, first, (end - first) / samples))
         except RuntimeError as error:
-            found = record.so_far(samples + 2)
-            return Solution(
-                np.full(found.frames, begin), found.x, found.z, found.quad, Outcome.no_convergence, str(error), 0
-            )
+            found = record.solution(0.0, samples + 2, Outcome.no_convergence, str(error))
+            return replace(found, time=np.full(len(found.time), begin), steps=0)
         progress.update(end * scale, None)
-        found = record.so_far(samples + 2)
         time = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
-        return Solution(time, found.x, found.z, found.quad, Outcome.solved, "", found.steps)
+        return replace(record.solution(0.0, samples + 2, Outcome.solved, ""), time=time)
 
     @cached_property
     def _single(self) -> FrameIntegrator:
@@ -220,15 +204,6 @@ class Integration:
         if self._samples is None or self._samples.intervals != samples:
             self._samples = FrameIntegrator(self._graph, self._settings, samples, self._external)
         return self._samples
-
-    def _identity(self, start: Start, p: Floats, duration: float) -> Iterator[bytes]:
-        """All that decides the numbers."""
-        graph = self._graph
-        ends = [graph.ode, graph.alg, graph.quad]
-        yield ca.Function("filament", [graph.t, graph.x, graph.z, graph.p], ends).serialize().encode()
-        chosen = (version("casadi"), self._settings, self._frames, self._chunk.intervals, self._external is None)
-        yield repr(chosen).encode()
-        yield from (part.tobytes() for part in (p, start.x, start.z, self._kinks, np.array(duration)))
 
     def _through(
         self, record: Record, p: Floats, interval: float, scale: float, tell: Callable[[float], None]

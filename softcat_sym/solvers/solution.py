@@ -117,26 +117,6 @@ POWERS = 3
 
 
 @dataclass(frozen=True)
-class Reached:
-    """Where an integration stands, and how it got there; the first frame is its start."""
-
-    x: Floats  # Differential and algebraic states, and quadratures
-    z: Floats
-    quad: Floats
-    steps: int  # Taken so far
-
-    @property
-    def frames(self) -> int:
-        """How many there are."""
-        return int(self.x.shape[1])
-
-
-def at_start(x: Floats, z: Floats) -> Reached:
-    """The first frame."""
-    return Reached(x[:, None], z[:, None], np.zeros((POWERS, 1)), 0)
-
-
-@dataclass(frozen=True)
 class State:
     """Where an integration stands at one output time."""
 
@@ -148,9 +128,9 @@ class State:
 class Record:
     """Frames gathered so far."""
 
-    def __init__(self, first: Reached) -> None:
-        self._x, self._z, self._quad = [first.x], [first.z], [first.quad]
-        self.reached, self.steps, self.last_steps = first.frames - 1, first.steps, 0
+    def __init__(self, x: Floats, z: Floats) -> None:
+        self._x, self._z, self._quad = [x[:, None]], [z[:, None]], [np.zeros((POWERS, 1))]
+        self.reached = self.steps = self.last_steps = 0
 
     @property
     def last(self) -> State:
@@ -166,13 +146,7 @@ class Record:
         self.steps += steps
         self.last_steps = steps
 
-    def so_far(self, frames: int) -> Reached:
-        """All frames; the last chunk may overshoot the run: whatever lies beyond `frames` is dropped."""
-        x, z, quad = (np.concatenate(parts, axis=1)[:, :frames] for parts in (self._x, self._z, self._quad))
-        return Reached(x, z, quad, self.steps)
-
     def solution(self, interval: float, frames: int, outcome: Outcome, message: str) -> Solution:
-        """The answer, with `frames` output times `interval` apart."""
-        found = self.so_far(frames)
-        time = np.arange(found.frames, dtype=float) * interval
-        return Solution(time, found.x, found.z, found.quad, outcome, message, found.steps)
+        """The answer, with output times `interval` apart; the last chunk may overshoot: only `frames` are kept."""
+        x, z, quad = (np.concatenate(parts, axis=1)[:, :frames] for parts in (self._x, self._z, self._quad))
+        return Solution(np.arange(x.shape[1], dtype=float) * interval, x, z, quad, outcome, message, self.steps)

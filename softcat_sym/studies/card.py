@@ -11,7 +11,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.scene.material import CONSTANTS
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene, gravity_time
-from softcat_sym.simulate import simulated
+from softcat_sym.simulate import recalled
 from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.studies.card_rules import (
     MEASURES,
@@ -214,7 +214,7 @@ def card(
     limit = LIMIT if sag is None else sag
     _check_limit(limit)
     with (listening or _nobody)("the filament itself") as listener:
-        run = simulated(scene, listener)
+        run = recalled(scene, listener)
     descent = descent_of(run)
     longest, why = _longest_span(scene, limit, told, given=sag is not None) if span else (None, "not sought")
     certificate = None if descent is None else certificate_of(run, descent)

@@ -28,7 +28,7 @@ from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, turned_back
 from softcat_sym.scene.scene import Scene, undeformed_area
-from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.studies.pricing import dependants, ordered, with_effects
 
 if TYPE_CHECKING:
@@ -583,7 +583,7 @@ class Solver:
 
     def _variant(self, causes: frozenset[str], ends: str) -> Trajectory | None:
         try:
-            run = simulated(without_estimate(self._changed(causes, ends)))
+            run = recalled(without_estimate(self._changed(causes, ends)))
         except SoftcatError:
             return None
         return run if run.outcome.is_success else None

@@ -17,7 +17,7 @@ import numpy as np
 from softcat_sym.fitting.closed_form import ClosedForm, Constants, closed_form
 from softcat_sym.fitting.features import Features, read_features
 from softcat_sym.scene.reading import load_scene
-from softcat_sym.simulate import simulated
+from softcat_sym.simulate import recalled
 
 SLENDERNESS = (0.001, 0.0025, 0.01)
 LOADS = (1e-6, 1e-5, 1e-4, 1e-3)
@@ -70,7 +70,7 @@ def _point(delta: float, load: float, tau_star: float, told: Callable[[str], Non
         "run.effects": "paper",
         "numerics.estimate": False,
     }
-    run = simulated(load_scene("maxwell-slow", changes))
+    run = recalled(load_scene("maxwell-slow", changes))
     scene = run.scene
     time, midpoint = run.data.time.values, run.data.midpoint.values
     std = np.full_like(midpoint, RESOLUTION * abs(midpoint[-1]))

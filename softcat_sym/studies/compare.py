@@ -16,9 +16,9 @@ from softcat_sym.files import folder_of
 from softcat_sym.reference.calculix import STEP, CalculixRun, require_calculix, run_calculix
 from softcat_sym.reference.element_loop import Clamp, Mesh, problem_of
 from softcat_sym.reference.elements import ElementRun, run_elements
-from softcat_sym.simulate import simulated
-from softcat_sym.solvers.checkpoint import Form, kept, packed, unpacked
+from softcat_sym.simulate import identity_of, simulated
 from softcat_sym.solvers.solution import Progress, Silence
+from softcat_sym.store import Form, key_of, packed, stored, unpacked
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -123,10 +123,10 @@ _ARRAYS = ("time", "midpoint", "X", "x", "y")
 _FILE = "file "
 
 
-def kept_calculix(scene: Scene, mesh: Mesh, clamp: Clamp, step: float, progress: Progress) -> CalculixRun:
-    """Run a scene in CalculiX, or take up what is kept of it."""
-    return kept(
-        lambda: ("calculix", scene.to_toml(), str(mesh), clamp.value, repr(step)),
+def stored_calculix(scene: Scene, mesh: Mesh, clamp: Clamp, step: float, progress: Progress) -> CalculixRun:
+    """Run a scene in CalculiX, or take it from the store."""
+    return stored(
+        key_of("calculix", identity_of(scene), mesh, clamp, step),
         lambda: run_calculix(scene, mesh, clamp=clamp, step=step, progress=progress),
         Form(_written, lambda content: _read(content, mesh, clamp)),
     )
@@ -192,7 +192,7 @@ def compare_with_calculix(
     choose_effects(scene)
     listening = progress or _nobody
     with listening("CalculiX") as listener:
-        calculix = kept_calculix(scene, mesh or Mesh(), clamp, step, listener)
+        calculix = stored_calculix(scene, mesh or Mesh(), clamp, step, listener)
     elements = None
     if with_elements:
         with folder_of(checkpoint), listening("elements") as listener:

@@ -39,7 +39,7 @@ from softcat_sym.reference.elements import ElementRun, March, run_of
 from softcat_sym.reference.material_point import point_code
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, groups_of
-from softcat_sym.simulate import simulated
+from softcat_sym.simulate import recalled
 from softcat_sym.solvers.quasi_static import fundamental_solutions
 from softcat_sym.solvers.solution import Progress
 
@@ -239,7 +239,7 @@ def film_scene(of: FigureScene, folder: Path, listening: Listening, mesh: Mesh =
     filaments = {}
     for theory, changes in THEORIES.items():
         with listening(f"{of.name}: {theory}", scene.run.duration) as listener:
-            filaments[theory] = simulated(load_scene(of.name, {**_CHANGES, **changes}), listener)
+            filaments[theory] = recalled(load_scene(of.name, {**_CHANGES, **changes}), listener)
     return FilmedScene(of, scene, film, filaments)
 
 
@@ -350,7 +350,7 @@ def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
             "model": model,
             "numerics.estimate": False,
         }
-        runs[model] = simulated(load_scene("maxwell-slow", changes))
+        runs[model] = recalled(load_scene("maxwell-slow", changes))
     scene = runs["filament"].scene
     unit, span = gravity_time(scene), scene.filament.span
     full, reduced = (

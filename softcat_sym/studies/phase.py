@@ -17,7 +17,6 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
 from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, weight_stress
-from softcat_sym.ensemble.block_store import KeptBlocks
 from softcat_sym.ensemble.ensemble import MembersProgress, NobodyListens
 from softcat_sym.ensemble.executor import workplace
 from softcat_sym.physics import regimes
@@ -30,7 +29,6 @@ from softcat_sym.studies.phase_runs import (
     CLAMPS_ONLY,
     DESCENDING,
     PLANES,
-    KeptRuns,
     Node,
     PhasePlane,
     PhaseRun,
@@ -331,16 +329,14 @@ def phase_diagram(
     workers: int | None = None,
     scheduler: str | None = None,
     local_cluster: int | None = None,
-    kept: KeptBlocks | None = None,
     progress: MembersProgress | None = None,
 ) -> PhaseDiagram:
     """Regimes over one or more planes."""
     chosen, cells = planes_of(planes), checked_resolution(resolution)
     refuse_scene(scene)
-    known = KeptRuns(kept) if kept is not None else None
     with watched() as interrupts, workplace(workers, scheduler, local_cluster) as place:
         try:
-            runner = PhaseRunner(scene, place.size(), progress or NobodyListens(), place, known)
+            runner = PhaseRunner(scene, place.size(), progress or NobodyListens(), place)
             sheets = tuple(_sheet(scene, plane, cells, runner) for plane in chosen)
             return PhaseDiagram(scene, sheets, descent_run(scene), place.size())
         finally:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
 from typing import Any, Final
@@ -12,7 +11,6 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.ensemble.block_store import KeptBlocks
 from softcat_sym.ensemble.ensemble import MembersProgress, Stop, Workshop, side_by_side
 from softcat_sym.ensemble.executor import Count, Embedded, Told, Workplace, blocks_of, run_blocks
 from softcat_sym.ensemble.table import Member, members_of
@@ -21,9 +19,11 @@ from softcat_sym.results.fields import energy_residual, min_energy, node_positio
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, regime_of, seen
 from softcat_sym.results.verdict import measures, missing_effect, verdict
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, rest_length
+from softcat_sym.simulate import identity_of
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Solution
+from softcat_sym.store import json_form, keep, key_of, recall
 
 MIN_RESOLUTION, MAX_RESOLUTION = 4, 640
 
@@ -302,6 +302,9 @@ CLAMPS_ONLY = "descending-at-clamps"
 Watched = tuple[Place, float]
 """A filament's groups, and how long it is watched [s]."""
 
+LOST = "lost"
+"""Outcome of a run whose worker died."""
+
 _BLOCK = 16
 """Filaments that are run, kept and lost together: some tenths of a second."""
 
@@ -352,27 +355,28 @@ class PhaseRunner:
         workers: int,
         progress: MembersProgress,
         place: Workplace | None = None,
-        kept: KeptRuns | None = None,
     ) -> None:
-        self._scene, self._progress = scene, progress
-        self._place, self._kept = place or Embedded(workers), kept
+        self._scene, self._progress, self._place = scene, progress, place or Embedded(workers)
         self._work = PhaseWork(scene)
 
     def run(self, places: Sequence[Place], durations: Sequence[float] | None = None) -> list[PhaseRun]:
         """Run one filament for each place."""
         watched = durations or [duration_at(self._scene, place) for place in places]
         asked = list(zip(places, watched, strict=True))
-        found = {} if self._kept is None else {one: self._kept.runs[one] for one in asked if one in self._kept.runs}
+        identity = identity_of(self._scene)
+        keys = {one: key_of("phase", identity, one) for one in asked}
+        known = {one: recall(key) for one, key in keys.items()}
+        found = {one: _FORM.read(content) for one, content in known.items() if content is not None}
         blocks = blocks_of([one for one in asked if one not in found], _BLOCK)
 
-        def keep(number: int, runs: Sequence[PhaseRun]) -> None:
-            finished = dict(zip(blocks[number].items, runs, strict=True))
-            found.update(finished)
-            if self._kept is not None:
-                self._kept.keep(finished)
+        def keep_all(number: int, runs: Sequence[PhaseRun]) -> None:
+            for one, run in zip(blocks[number].items, runs, strict=True):
+                found[one] = run
+                if run.outcome != LOST:
+                    keep(keys[one], _FORM.write(run))
 
         told = Count(len(asked), len(found), self._progress)
-        run_blocks(self._work, blocks, self._place, told, keep)
+        run_blocks(self._work, blocks, self._place, told, keep_all)
         return [found[one] for one in asked]
 
 
@@ -395,7 +399,7 @@ class PhaseWork:
         """The run of a filament that has killed whoever ran it: no answer."""
         place, duration = item
         none = LocalStrains(0.0, 0.0)
-        return PhaseRun(place, None, "lost", why, duration, None, 1, 0.0, 0.0, 0.0, none, none, 0)
+        return PhaseRun(place, None, LOST, why, duration, None, 1, 0.0, 0.0, 0.0, none, none, 0)
 
 
 def _one(place: Place, member: Member, workshop: Workshop, stop: Stop) -> PhaseRun:
@@ -459,29 +463,9 @@ def _strains(fields: dict[str, Floats], cell: int) -> LocalStrains:
     return LocalStrains(centreline, centreline + abs(curvature) * thickness / 2)
 
 
-class KeptRuns:
-    """Finished runs in a folder, that an interrupted diagram goes on from; whatever its planes and resolution."""
-
-    def __init__(self, blocks: KeptBlocks) -> None:
-        self._blocks = blocks
-        numbers = blocks.numbers()
-        self._next = max(numbers, default=-1) + 1
-        self.runs: dict[Watched, PhaseRun] = {}
-        for number in sorted(numbers):
-            content = blocks.read(number)
-            if content is not None:
-                self.runs |= {(run.place, asked): run for asked, run in map(_read_run, json.loads(content))}
-
-    def keep(self, runs: Mapping[Watched, PhaseRun]) -> None:
-        """Write finished runs whole or not at all."""
-        listed = [{**asdict(run), "asked": asked} for (_, asked), run in runs.items()]
-        self._blocks.keep(self._next, json.dumps(listed).encode())
-        self._next += 1
-        self.runs |= runs
-
-
-def _read_run(told: dict[str, Any]) -> tuple[float, PhaseRun]:
-    """The duration that was asked, and the run."""
-    asked = float(told.pop("asked"))
+def _read_run(told: dict[str, Any]) -> PhaseRun:
     parts = {"place": Place(**told["place"])} | {name: LocalStrains(**told[name]) for name in ("clamp", "midspan")}
-    return asked, PhaseRun(**{**told, **parts})
+    return PhaseRun(**{**told, **parts})
+
+
+_FORM = json_form(asdict, _read_run)

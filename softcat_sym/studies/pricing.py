@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-import importlib.metadata
+import math
 import time
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
@@ -24,11 +23,11 @@ from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled
-from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate
 from softcat_sym.single_run import build
-from softcat_sym.solvers.checkpoint import Form, json_form, kept
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence, watched
+from softcat_sym.store import json_form, key_of, stored
 
 if TYPE_CHECKING:
     from softcat_sym.results.trajectory import Trajectory
@@ -123,41 +122,42 @@ class PricedRun:
         return float(heights.max()) if heights.size else 0.0
 
 
-def plain(run: PricedRun) -> dict[str, Any]:
-    """A run as lists, text and numbers."""
+def _plain(run: PricedRun) -> dict[str, Any]:
+    """A run as lists, text and numbers; not its time, which is measured anew."""
     told = {"time": run.time.tolist(), "midpoint": run.midpoint.tolist(), "outcome": run.outcome.name}
-    return asdict(run) | told
+    return asdict(run) | told | {"solve": math.nan}
 
 
-def from_plain(told: dict[str, Any]) -> PricedRun:
-    """The run that :func:`plain` has told of."""
+def _read(told: dict[str, Any]) -> PricedRun:
     arrays = {name: np.array(told[name], dtype=float) for name in ("time", "midpoint")}
     return PricedRun(**{**told, **arrays, "effects": tuple(told["effects"]), "outcome": Outcome[told["outcome"]]})
 
 
-_FORM = json_form(plain, from_plain)
+_FORM = json_form(_plain, _read)
 
 
 def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None) -> PricedRun:
     """Run a scene with a list of effects and take down what it cost."""
-
-    def price() -> PricedRun:
-        with watched() as interrupts:
-            try:
-                return _priced(scene, progress, first)
-            finally:
-                interrupts.check()
-
-    return kept(lambda: ("priced run", scene.to_toml(), str(first is None)), price, _FORM)
+    with watched() as interrupts:
+        try:
+            run = stored(
+                key_of("priced run", identity_of(scene), first is None), lambda: _priced(scene, progress, first), _FORM
+            )
+            if math.isnan(run.solve):
+                # The answer is from the store; a time is worth something only beside others of the same command.
+                prepared = build(scene, choose_effects(scene))
+                run = replace(run, solve=median(_times(prepared, progress, [])))
+            return run
+        finally:
+            interrupts.check()
 
 
 def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> PricedRun:
     run = first or simulated(without_estimate(scene), progress)
     prepared = build(scene, choose_effects(scene))
     graph = prepared.graph
-    seconds = [float(run.summary["wall_s"]["solve"])]
-    if seconds[0] < _SHORT:
-        seconds += [_seconds(prepared, progress) for _ in range(_REPEATS - 1)]
+    # What was given may come from the store: its time is not of this command.
+    known = [] if first else [float(run.summary["wall_s"]["solve"])]
     return PricedRun(
         effects=tuple(run.summary["effects"]),
         time=run.data["time"].values,
@@ -165,32 +165,26 @@ def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> Price
         states=int(graph.x.numel()),
         algebraic=int(graph.z.numel()),
         instructions=graph.instructions,
-        solve=median(seconds),
+        solve=median(_times(prepared, progress, known)),
         solver=run.summary["solver"],
         outcome=run.outcome,
         message=run.summary["message"],
     )
 
 
-def _seconds(prepared: Prepared, progress: Progress) -> float:
-    """Wall time of one more integration [s]."""
-    start = time.perf_counter()
-    prepared.solve(progress)
-    return time.perf_counter() - start
-
-
-_BASE_FORM: Form[tuple[int, float, PricedRun]] = json_form(
-    lambda found: [*found[:2], plain(found[2])], lambda told: (int(told[0]), told[1], from_plain(told[2]))
-)
+def _times(prepared: Prepared, progress: Progress, known: list[float]) -> list[float]:
+    """Wall times of the integration [s], those that are known among them; several where it is short."""
+    found = [*known]
+    while not found or (found[0] < _SHORT and len(found) < _REPEATS):
+        start = time.perf_counter()
+        prepared.solve(progress)
+        found.append(time.perf_counter() - start)
+    return found
 
 
 def base_run(scene: Scene, listener: Progress) -> tuple[int, float, PricedRun]:
-    """Run a scene as it is."""
-    return kept(lambda: ("base", scene.to_toml()), lambda: _base_run(scene, listener), _BASE_FORM)
-
-
-def _base_run(scene: Scene, listener: Progress) -> tuple[int, float, PricedRun]:
-    first = simulated(scene, listener)
+    """Run a scene as it is: its cells, their grading, and the run."""
+    first = recalled(scene, listener)
     names, cells = tuple(first.summary["effects"]), int(first.summary["cells"])
     listed = on_grid(scene, names, cells)
     # Theories grade their grids differently: on one grid only physics differs.
@@ -552,39 +546,15 @@ class Unpriced:
     reason: str  # Why
 
 
-@dataclass(frozen=True)
-class KeptPricing:
-    """A scene that was priced before, of which the files are there."""
-
-    name: str  # Of the scene
-    identity: str  # As from :func:`pricing_identity`
-    line: tuple[str, ...]  # Of the table over all scenes
-
-
-def pricing_identity(scene: Scene) -> str:
-    """Tell one pricing from another: the same scene, priced by the same program."""
-    version = importlib.metadata.version("softcat_sym")
-    return hashlib.sha256(f"{version}\n{scene.to_toml()}".encode()).hexdigest()[:16]
-
-
 def price_bundled(
-    names: Iterable[str],
-    listening: Callable[[str, Scene], Listening] | None = None,
-    changes: Iterable[str] = (),
-    kept: Mapping[str, KeptPricing] | None = None,
-) -> Iterator[Pricing | KeptPricing | Unpriced]:
+    names: Iterable[str], listening: Callable[[str, Scene], Listening] | None = None, changes: Iterable[str] = ()
+) -> Iterator[Pricing | Unpriced]:
     """Price scenes by name, one at a time, so that each can be written before the next begins."""
     overrides = list(changes)
     for name in names:
         try:
             scene = load_scene(name, overrides)
-            before = (kept or {}).get(name)
-            if before is not None and before.identity == pricing_identity(scene):
-                yield before
-            else:
-                yield price_effects(scene, listening and listening(name, scene), name)
-        except SoftcatError as error:
-            yield Unpriced(name, " ".join(str(error).split()))
-        # CasADi's own: an integrator that cannot even begin.
-        except RuntimeError as error:
+            yield price_effects(scene, listening and listening(name, scene), name)
+        # RuntimeError is CasADi's own: an integrator that cannot even begin.
+        except (SoftcatError, RuntimeError) as error:
             yield Unpriced(name, " ".join(str(error).split()))

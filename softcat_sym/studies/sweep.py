@@ -13,15 +13,14 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
-from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import IO, TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym import store
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.ensemble.block_store import KeptBlocks
 from softcat_sym.ensemble.ensemble import MembersProgress, NobodyListens, Stop, Workshop, side_by_side
 from softcat_sym.ensemble.executor import Count, Told, check_workplace, run_blocks, workplace
 from softcat_sym.ensemble.table import Choosing, Member, Row, members_of, pattern_of
@@ -154,15 +153,7 @@ def packed(results: Sequence[MemberResult]) -> bytes:
     if known:
         nothing = np.full_like(known[0], np.nan)
         columns["shapes"] = np.stack([nothing if one.shapes is None else one.shapes for one in results])
-    stream = BytesIO()
-    np.savez_compressed(stream, allow_pickle=False, **columns)
-    return stream.getvalue()
-
-
-def unpacked(content: bytes) -> Columns:
-    """Read the columns of a block."""
-    with np.load(BytesIO(content), allow_pickle=False) as archive:
-        return {name: archive[name] for name in archive.files}
+    return store.packed(columns)
 
 
 @dataclass(frozen=True)
@@ -310,22 +301,37 @@ class Counts:
         self.regimes.update(regime for regime in part["regime"].tolist() if regime)
 
 
-def parts_of(plan: SweepPlan, kept: KeptBlocks) -> Iterator[tuple[int, Columns]]:
+class _Blocks:
+    """Finished blocks in a file, in whatever order they are finished: memory stays the same however many there are."""
+
+    def __init__(self, file: IO[bytes]) -> None:
+        self._file, self._places = file, dict[int, tuple[int, int]]()
+
+    def put(self, number: int, content: bytes) -> None:
+        """Add a block."""
+        self._places[number] = self._file.seek(0, 2), len(content)
+        self._file.write(content)
+
+    def read(self, number: int) -> bytes:
+        """Read a block."""
+        start, size = self._places[number]
+        self._file.seek(start)
+        return self._file.read(size)
+
+
+def parts_of(plan: SweepPlan, blocks: _Blocks) -> Iterator[tuple[int, Columns]]:
     """The first member and the columns of each part, varied values included, in order."""
     varied = columns_of(plan)
     for number in range(plan.blocks):
-        content = kept.read(number)
-        if content is None:
-            raise SoftcatError(f"a part of the sweep in {kept.folder} is gone; the same command with --resume mends it")
         rows = plan.block(number).items
-        part = unpacked(content)
+        part = store.unpacked(blocks.read(number))
         for column in varied:
             values = [row[column.key] for row in rows]
             part[column.key] = np.array(list(map(str, values))) if column.is_text else column.numbers(values)
         yield number * plan.block_size, part
 
 
-def write_store(plan: SweepPlan, kept: KeptBlocks, directory: Path) -> Counts:
+def write_store(plan: SweepPlan, blocks: _Blocks, directory: Path) -> Counts:
     """Join the parts into ``sweep.nc``."""
     counts = Counts()
 
@@ -334,7 +340,7 @@ def write_store(plan: SweepPlan, kept: KeptBlocks, directory: Path) -> Counts:
 
         with h5netcdf.File(passing, "w") as file:
             _make(file, plan)
-            for start, part in parts_of(plan, kept):
+            for start, part in parts_of(plan, blocks):
                 _put(file, plan, start, part)
                 counts.add(part)
 
@@ -342,31 +348,14 @@ def write_store(plan: SweepPlan, kept: KeptBlocks, directory: Path) -> Counts:
     return counts
 
 
-def counts_of(plan: SweepPlan, directory: Path) -> Counts | None:
-    """How the members of a finished sweep ended; None if there is no store of this plan."""
-    import h5netcdf
-
-    try:
-        with h5netcdf.File(directory / STORE, "r") as file:
-            if file.attrs.get("plan") != plan.digest:
-                return None
-            counts = Counts()
-            for start in range(0, plan.members, _CHUNK):
-                rows = slice(start, start + _CHUNK)
-                counts.add({name: np.asarray(file.variables[name][rows]).astype(str) for name in TEXTS})
-            return counts
-    except (OSError, KeyError):
-        return None
-
-
-def write_table(plan: SweepPlan, kept: KeptBlocks, directory: Path) -> None:
+def write_table(plan: SweepPlan, blocks: _Blocks, directory: Path) -> None:
     """Write ``sweep.csv``: a row for each member."""
 
     def fill(passing: Path) -> None:
         with passing.open("x", newline="", encoding="utf-8") as stream:
             writer = csv.writer(stream, lineterminator="\n")
             writer.writerow(["member", *(_headed(column) for column in columns_of(plan)), *map(_named, _ABOUT)])
-            for start, part in parts_of(plan, kept):
+            for start, part in parts_of(plan, blocks):
                 columns = [part[name].tolist() for name in (*plan.keys, *_ABOUT)]
                 for k, row in enumerate(zip(*columns, strict=True)):
                     writer.writerow([start + k, *map(_cell, row)])
@@ -548,7 +537,7 @@ def sweep(
     workers: int | None = None,
     scheduler: str | None = None,
     local_cluster: int | None = None,
-    resume: bool = False,
+    fresh: bool = False,
     progress: MembersProgress | None = None,
 ) -> Sweep:
     """Run a filament for every value of some parameters, block by block in constant memory; results go to disk.
@@ -563,76 +552,80 @@ def sweep(
         ``{"groups.G": "0.01:3:40:log", "material.yield_stress": ["5 kPa", 1e4]}``, plain numbers in SI; or texts
         ``"KEY=a:b:n:log"``, ``"KEY=v1,v2"``; or a CSV file whose header names the keys.
     directory : str or pathlib.Path, optional
-        For ``sweep.nc`` and ``sweep.csv``, else in memory; `resume` goes on from what an interruption left there.
+        For ``sweep.nc`` and ``sweep.csv``, else in memory.
     mode, samples, seed
         ``"grid"``: every combination; ``"zip"``: side by side; ``"lhs"``: so many samples of a Latin hypercube.
     shapes, estimate : bool
         Keep 21 x 41 points of shape; run each by :func:`simulate`, its error estimated, not as :func:`simulate_many`.
     workers, scheduler, local_cluster : optional
         Threads, all cores by default; or the address of a Dask cluster, ``"tcp://host:8786"``; or how many processes.
+    fresh : bool
+        Run every member, finished ones too: otherwise these are taken from the store, as after an interruption.
     progress : MembersProgress, optional
         Told about members done and time left, such as :class:`softcat_sym.ensemble.MembersBar`.
 
     Raises
     ------
     SoftcatError, KeyboardInterrupt
-        If the plan makes no sense or is not the one in `directory`, before anything runs; if the user stops it.
+        If the plan makes no sense, before anything runs; if the user stops it.
     """
     check_workplace(workers, scheduler, local_cluster)
     plan = plan_sweep(as_scene(scene), vary, mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
     where, listener = (workers, scheduler, local_cluster), progress or NobodyListens()
-    if directory is not None:
-        return run_sweep(plan, Path(directory), where, listener, resume=resume)
-    with tempfile.TemporaryDirectory(prefix="softcat-sweep-") as passing:
+    with store.fresh(fresh), contextlib.ExitStack() as stack:
+        if directory is not None:
+            return run_sweep(plan, Path(directory), where, listener)
+        passing = stack.enter_context(tempfile.TemporaryDirectory(prefix="softcat-sweep-"))
         return run_sweep(plan, Path(passing), where, listener).in_memory()
 
 
 def run_sweep(
-    plan: SweepPlan,
-    directory: Path,
-    where: tuple[int | None, str | None, int | None],
-    listener: MembersProgress,
-    *,
-    resume: bool = False,
+    plan: SweepPlan, directory: Path, where: tuple[int | None, str | None, int | None], listener: MembersProgress
 ) -> Sweep:
-    """Run what of a plan is not there yet, and join it."""
+    """Run what of a plan is not in the store yet, and write all of it."""
     begun = time.perf_counter()
-    kept = KeptBlocks(directory, plan.digest, plan.described(), resume=resume)
-    if resume and not kept.numbers() and (counts := counts_of(plan, directory)) is not None:
-        spent = time.perf_counter() - begun
-        return Sweep(plan, directory / STORE, counts, plan.members, "finished before", spent, peak_memory())
-    known = kept.sound() if resume else set()
-    if not known:
-        refuse_plan(plan)
-    before = sum(len(plan.block(number).items) for number in known)
-    with watched() as interrupts:
+    refuse_plan(plan)
+    # A file without a name: whatever ends the program, nothing of it is left.
+    with made(directory), tempfile.TemporaryFile(dir=directory) as passing, watched() as interrupts:
+        blocks = _Blocks(passing)
+        missing = []
+        for number in range(plan.blocks):
+            content = store.recall(plan.key(plan.block(number)))
+            if content is None:
+                missing.append(number)
+            else:
+                blocks.put(number, content)
+        before = plan.members - sum(len(plan.block(number).items) for number in missing)
         try:
-            place = _run_missing(plan, kept, where, Count(plan.members, before, listener), known)
+            place = _run_missing(plan, blocks, where, Count(plan.members, before, listener), missing)
         finally:
             interrupts.check()
-    with written_together():
-        counts = write_store(plan, kept, directory)
-        write_table(plan, kept, directory)
-    wall = time.perf_counter() - begun
-    kept.clear()
-    return Sweep(plan, directory / STORE, counts, before, place, wall, peak_memory())
+        with written_together():
+            counts = write_store(plan, blocks, directory)
+            write_table(plan, blocks, directory)
+    return Sweep(plan, directory / STORE, counts, before, place, time.perf_counter() - begun, peak_memory())
 
 
 def _run_missing(
-    plan: SweepPlan, kept: KeptBlocks, where: tuple[int | None, str | None, int | None], told: Count, known: set[int]
+    plan: SweepPlan,
+    blocks: _Blocks,
+    where: tuple[int | None, str | None, int | None],
+    told: Count,
+    missing: Sequence[int],
 ) -> str:
     """Run the blocks that are not there, and keep each as soon as it is finished; where that was."""
-    missing = [number for number in range(plan.blocks) if number not in known]
     if not missing:
         return "nothing left to run"
     work = SweepWork(plan.scene, plan.digest, plan.shapes, plan.estimate)
 
-    def keep(number: int, results: Sequence[MemberResult]) -> None:
-        with made(kept.directory):
-            kept.keep(number, packed(results))
+    def finished(number: int, results: Sequence[MemberResult]) -> None:
+        content = packed(results)
+        blocks.put(number, content)
+        if all(one.outcome != LOST for one in results):
+            store.keep(plan.key(plan.block(number)), content)
 
     with workplace(*where) as place:
-        run_blocks(work, (plan.block(number) for number in missing), place, told, keep)
+        run_blocks(work, (plan.block(number) for number in missing), place, told, finished)
         return place.named()
 
 

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import importlib.metadata
-import json
 import math
 import re
 import tomllib
@@ -26,6 +23,8 @@ from softcat_sym.scene.material import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.toml import read_overrides
 from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si, to_si_of_any
+from softcat_sym.simulate import identity_of
+from softcat_sym.store import key_of
 
 _FORM = (
     "KEY=a:b:n, KEY=a:b:n:log or KEY=v1,v2,v3, such as groups.G=0.01:3:40:log or 'material.yield_stress=5:20 kPa:10'"
@@ -399,11 +398,14 @@ class SweepPlan:
 
     @cached_property
     def digest(self) -> str:
-        """Hash of all that decides the results, this package's version included."""
-        versions = {name: importlib.metadata.version(name) for name in ("softcat_sym", "casadi", "numpy")}
+        """Hash of all that decides the results."""
         axes = [axis.described() for axis in self.axes]
-        told = [versions, self.scene.to_toml(), axes, self.mode, self.samples, self.seed, self.shapes, self.estimate]
-        return hashlib.sha256(json.dumps([*told, self.block_size], default=repr).encode()).hexdigest()
+        how = [self.mode, self.samples, self.seed, self.shapes, self.estimate, self.block_size]
+        return key_of("plan of a sweep", identity_of(self.scene), axes, how)
+
+    def key(self, block: Block[Row]) -> str:
+        """Key of the results of a block."""
+        return key_of("sweep", identity_of(self.scene), block.items, self.shapes, self.estimate)
 
 
 def plan_sweep(

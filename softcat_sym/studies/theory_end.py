@@ -17,7 +17,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of
 from softcat_sym.reference.elements import ElementRun, run_elements
 from softcat_sym.reference.material_point import point_code
-from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.studies.compare import Comparison, FilamentRow, Listening, aligned, compare, late, moments
 
 if TYPE_CHECKING:
@@ -375,7 +375,7 @@ def _theory(row: FilamentRow, elements: ElementRun) -> TheoryError:
     if not run.outcome.is_success or run.summary["steps"] > _MAX_STEPS:
         return TheoryError(row, replace(chosen, trusted=run.outcome.is_success), math.nan)
     finer = {"numerics.cells": 2 * run.summary["cells"], "numerics.rtol": _TIGHTER * run.summary["rtol"]}
-    refined = simulated(without_estimate(run.scene.replace(finer)))
+    refined = recalled(without_estimate(run.scene.replace(finer)))
     time, own = refined.data["time"].values, refined.data["midpoint"].values
     error = relative_error(elements.time, aligned(time, own, elements.time), elements.midpoint)
     apart = np.abs(np.subtract(chosen.values, error.values))

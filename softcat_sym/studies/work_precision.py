@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-import hashlib
+import functools
 import json
 import os
 import queue
@@ -13,7 +13,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 from math import isfinite
 from pathlib import Path
 from types import TracebackType
@@ -27,7 +27,6 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.errors import SoftcatError
-from softcat_sym.files import replace_atomically
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.work_precision_programs import PROGRAMS, STEPPED, Measured, Program, Task
 
@@ -206,7 +205,6 @@ _HOPELESS = ("cannot", "scene", "SciPy is")
 """How a complaint begins that no other grid or tolerance would mend."""
 
 _REFERENCE_LIMIT = 120.0  # s for each run that the reference needs
-_VERSION = 1
 
 
 @dataclass(frozen=True)
@@ -250,54 +248,6 @@ class WorkPrecision:
         return min(rows, key=lambda pair: pair[1].measured.seconds, default=None)
 
 
-@dataclass
-class Kept:
-    """Measurements of one study that outlive an interruption, in a file if there is one."""
-
-    key: str  # Hash of what is measured: points of another study are not used
-    path: Path | None = None  # The file
-    points: dict[str, dict[str, Any]] = field(default_factory=dict)  # By task as JSON
-
-    def read(self) -> None:
-        """Take up what an interrupted study left."""
-        if self.path is None or not self.path.exists():
-            return
-        try:
-            found = json.loads(self.path.read_text(encoding="utf-8"))
-            same, self.points = found["key"] == self.key, dict(found["points"])
-        except (ValueError, KeyError, TypeError) as error:
-            raise SoftcatError(f"{self.path} holds no points of a study ({error}); delete it") from error
-        if not same:
-            raise SoftcatError(f"{self.path} is of another scene, limit or version; delete it, or leave out --resume")
-
-    def through(self, what: str, measure: Callable[[Task], Measured]) -> Callable[[Task], Measured]:
-        """`measure`, asked only for what is not there yet; a process that died is asked again next time."""
-
-        def kept(task: Task) -> Measured:
-            name = json.dumps([what, asdict(task)], sort_keys=True)
-            if name in self.points:
-                return Measured.from_document(self.points[name])
-            found = measure(task)
-            if not found.message.startswith(DIED):
-                self.points[name] = found.document()
-                self._write()
-            return found
-
-        return kept
-
-    def _write(self) -> None:
-        if self.path is not None:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            text = json.dumps({"key": self.key, "points": self.points})
-            replace_atomically(self.path, text.encode())
-
-
-def kept_points(scene: Scene, limit: float, path: Path | None) -> Kept:
-    """Where the points of a study of this scene are kept."""
-    content = json.dumps([_VERSION, scene.to_toml(), limit])
-    return Kept(hashlib.sha256(content.encode()).hexdigest(), path)
-
-
 @dataclass(frozen=True)
 class Plan:
     """What is measured: numbers of cells, tolerances, programs; and how long one integration may take [s]."""
@@ -315,10 +265,8 @@ class Plan:
         return 1 + len(self.programs) * (len(self.cells) * len(self.tolerances) + self.cold)
 
 
-def study(
-    name: str, asked: Scene, plan: Plan, kept: Kept, tell: Callable[[str], None] = lambda what: None
-) -> WorkPrecision:
-    """Measure a scene with every program."""
+def study(name: str, asked: Scene, plan: Plan, tell: Callable[[str], None] = lambda what: None) -> WorkPrecision:
+    """Measure a scene with every program; times are worth something side by side only, and nothing of it is kept."""
     effects = choose_effects(asked)
     lengths = choose_grid(asked.replace({"numerics.cells": _GRADED}), effects).cell_length
     grading = float(lengths[0] / lengths[-1])
@@ -329,15 +277,15 @@ def study(
         path.write_text(scene.to_toml(), encoding="utf-8")
         with Worker(path, _REFERENCE_LIMIT) as worker:
             tell("the reference")
-            measure = kept.through("reference", worker.measure)
+            measure = functools.cache(worker.measure)
             reference = reference_of(measure, grading, section, compiled=find_compiler() is not None)
         curves = []
         with Worker(path, plan.limit) as worker:
-            measure = kept.through("warm", worker.measure)
+            measure = functools.cache(worker.measure)
             for program in PROGRAMS:
                 if program.key in plan.programs:
                     rows = tuple(_rows(program, plan, (grading, section), reference, measure, tell))
-                    cold = _cold(program, rows, path, plan, kept, tell) if plan.cold else None
+                    cold = _cold(program, rows, path, plan, tell) if plan.cold else None
                     curves.append(Curve(program, rows, cold))
     return WorkPrecision(name, asked, effects.names, grading, plan.limit, reference, tuple(curves))
 
@@ -397,7 +345,7 @@ def _fibres(cells: int, section: int) -> tuple[int, ...]:
 
 
 def _cold(
-    program: Program, rows: Sequence[Row], scene: Path, plan: Plan, kept: Kept, tell: Callable[[str], None]
+    program: Program, rows: Sequence[Row], scene: Path, plan: Plan, tell: Callable[[str], None]
 ) -> Measured | None:
     """The first sound run again in a new process that has compiled nothing yet; None if there is none."""
     task = next((row.task for row in rows if isfinite(row.error) and row.task.cells >= min(_GRADED, *plan.cells)), None)
@@ -408,4 +356,4 @@ def _cold(
         tempfile.TemporaryDirectory() as cache,
         Worker(scene, plan.limit, {"SOFTCAT_CACHE": cache}) as worker,
     ):
-        return kept.through("cold", worker.measure)(task)
+        return worker.measure(task)

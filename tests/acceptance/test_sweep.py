@@ -105,14 +105,16 @@ def test_a_killed_worker_loses_nothing(tmp_path: Path) -> None:
     assert off == 0.0 and one.identical(other)
 
 
-def test_a_member_that_kills_every_worker_is_a_row() -> None:
-    """Its block mates are answers, and it ends."""
+def test_a_member_that_kills_every_worker_loses_its_block_alone() -> None:
     items = list(range(40))
     with workplace(local_cluster=2) as place:
         found = dict(place.run(DeadlyWork(17), blocks_of(items, 8), lambda _: None))
     results = [result for number in range(5) for result in found[number]]
-    assert results[17].startswith("17 lost: every worker that ran this member died")
-    assert results[:17] + results[18:] == [str(2 * item) for item in items if item != 17]
+    lost = {item: one for item, one in enumerate(results) if "lost" in one}
+    assert all(one.startswith(f"{item} lost: the workers that ran this member") for item, one in lost.items())
+    # Blocks of eight; one that was beside it in a worker that died may be blamed, too.
+    assert set(range(16, 24)) <= set(lost)
+    assert all(results[item] == str(2 * item) for item in items if item not in lost)
 
 
 def test_ten_thousand_filaments_in_constant_memory(tmp_path: Path) -> None:
@@ -139,29 +141,30 @@ def test_ten_thousand_filaments_in_constant_memory(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_an_interrupted_sweep_gone_on_from_gives_the_same_file(
-    number: signal.Signals, status: int, tmp_path: Path
+    number: signal.Signals, status: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     scene = ("continual-descent", *(word for key, value in QUICK.items() for word in ("--set", f"{key}={value}")))
     asked = ("sweep", *scene, "--vary", VARY[0], "--vary", VARY[1], "--shapes")
     whole, broken = tmp_path / "whole", tmp_path / "broken"
+    results = tmp_path / "cache of broken" / "results"
     for output in (whole, broken):
+        monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / f"cache of {output.name}"))
         with softcat(*asked, "-o", str(output)) as process:
             if output is whole:
                 out, err = process.communicate(timeout=300)
                 assert process.returncode == 0, out + err
                 continue
-            until(lambda: len(list((broken / "parts").glob("part-*"))) >= 3, process)
+            until(lambda: len(list(results.glob("*"))) >= 3, process)
             left, out, err = ended(process, number)
     assert (left, out) == (status, "")
-    assert "finished blocks are in" in err and "--resume" in err and "Traceback" not in err
-    kept = len(list((broken / "parts").glob("part-*")))
+    assert err == "softcat: interrupted; the same command goes on from what was finished\n"
+    kept = len(list(results.iterdir()))
     assert 3 <= kept < MEMBERS // 10
-    with softcat(*asked, "-o", str(broken), "--resume") as process:
+    with softcat(*asked, "-o", str(broken)) as process:
         out, err = process.communicate(timeout=300)
     assert process.returncode == 0, out + err
     assert f"{10 * kept} of them from before" in out
     assert stored(broken).identical(stored(whole))
-    assert not (broken / "parts").exists()
 
 
 def test_a_phase_diagram_is_the_same_on_a_cluster() -> None:
@@ -172,9 +175,10 @@ def test_a_phase_diagram_is_the_same_on_a_cluster() -> None:
     assert (here.workers, there.workers) == (2, 2)
 
 
-def test_ctrl_c_in_a_terminal_ends_a_local_cluster_quietly(tmp_path: Path) -> None:
+def test_ctrl_c_in_a_terminal_ends_a_local_cluster_quietly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """There it reaches the workers too."""
     output = tmp_path / "out"
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
     scene = [word for key, value in QUICK.items() for word in ("--set", f"{key}={value}")]
     code = "import sys; sys.argv[0] = 'softcat'; from softcat_sym.cli import main; main()"
     asked = ["sweep", "continual-descent", *scene, "--vary", VARY[0], "--vary", VARY[1], "--local-cluster", "2"]
@@ -185,8 +189,8 @@ def test_ctrl_c_in_a_terminal_ends_a_local_cluster_quietly(tmp_path: Path) -> No
         text=True,
         start_new_session=True,
     ) as process:
-        until(lambda: len(list((output / "parts").glob("part-*"))) >= 2, process)
+        until(lambda: len(list((tmp_path / "cache" / "results").glob("*"))) >= 2, process)
         os.killpg(process.pid, signal.SIGINT)
         out, err = process.communicate(timeout=60)
     assert (process.returncode, out) == (130, "")
-    assert err.startswith("softcat: interrupted;") and "--resume" in err and err.count("\n") == 1
+    assert err.startswith("softcat: interrupted;") and err.count("\n") == 1

@@ -12,7 +12,7 @@ import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.plotting.accuracy import best, knee_sentence, program_rows
 from softcat_sym.scene.scene import groups_of
-from softcat_sym.studies.work_precision import LEVELS, Plan, WorkPrecision, kept_points, study
+from softcat_sym.studies.work_precision import LEVELS, Plan, WorkPrecision, study
 from tests.oracle.rk4_filament import run as paper_rk4
 
 from .table import show
@@ -27,7 +27,7 @@ PLAN = Plan(cells=(20, 40, 60, 80), tolerances=(1e-2, 1e-3, 1e-4, 1e-5), orders=
 
 def measured(effects: str) -> WorkPrecision:
     scene = sc.load_scene(NAME, {"run.effects": effects})
-    return study(NAME, scene, PLAN, kept_points(scene, PLAN.limit, None))
+    return study(NAME, scene, PLAN)
 
 
 def judged(found: WorkPrecision, effects: str) -> tuple[float, float]:
@@ -100,7 +100,7 @@ def test_a_tighter_limit_lists_what_it_stops() -> None:
     """A rival that is stopped is a line of the table with its reason, not a gap."""
     scene = sc.load_scene(NAME, {"run.effects": "paper"})
     plan = replace(PLAN, cells=(40,), tolerances=(1e-2,), programs=("compiled-rk4", "cvodes"), limit=0.05)
-    found = study(NAME, scene, plan, kept_points(scene, plan.limit, None))
+    found = study(NAME, scene, plan)
     (rk4,) = (curve for curve in found.curves if curve.program.key == "compiled-rk4")
     assert "steps would take" in rk4.refusal
     assert all(row.error == inf for row in rk4.rows)

@@ -4,10 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -54,30 +50,6 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
             assert level["best"]["error"] <= level["error"]
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
-def test_an_interrupted_study_goes_on(softcat: Softcat, tmp_path: Path) -> None:
-    asked = ["accuracy", "continual-descent", "-q", "-o", str(tmp_path), *ASKED, "--program", "compiled-rodas5p"]
-    asked += sets(*SHORT)
-    points = tmp_path / "accuracy-points.json"
-    command = str(Path(sys.executable).with_name("softcat"))
-    child = subprocess.Popen([command, *asked], stderr=subprocess.PIPE, text=True)
-    deadline = time.monotonic() + 120
-    while not points.exists() and child.poll() is None and time.monotonic() < deadline:
-        time.sleep(0.02)
-    child.send_signal(signal.SIGINT)
-    _, said = child.communicate(timeout=60)
-    assert child.returncode == 130
-    assert "go on with --resume" in said
-    assert {path.name for path in tmp_path.iterdir()} == {points.name}
-    kept = json.loads(points.read_text())["points"]
-    assert kept
-    assert softcat(*asked, "--resume", *sets("run.frames=7")).status == 2
-    done = softcat(*asked, "--resume")
-    assert (done.status, done.err) == (0, "")
-    assert {path.name for path in tmp_path.iterdir()} == FILES
-
-
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -105,10 +77,3 @@ def test_a_place_that_cannot_be_written_is_refused_at_once(softcat: Softcat, tmp
     done = softcat("accuracy", "continual-descent", "-o", str(tmp_path / "file" / "out"))
     assert done.status == 2
     assert "not a directory" in done.err
-
-
-def test_points_of_another_study_are_refused(softcat: Softcat, tmp_path: Path) -> None:
-    (tmp_path / "accuracy-points.json").write_text('{"key": "another", "points": {}}')
-    done = softcat("accuracy", "continual-descent", "-o", str(tmp_path), "--resume")
-    assert done.status == 2
-    assert "another scene, limit or version" in done.err

@@ -93,4 +93,4 @@ def test_a_folder_of_others_is_not_cleared(softcat: Softcat, cache: Path) -> Non
 
 
 def test_the_help_names_the_command(softcat: Softcat) -> None:
-    assert "Show the compiled libraries that are kept, or clear them." in softcat("--help").out
+    assert "Show the libraries and results that are kept, or clear them." in softcat("--help").out

@@ -87,7 +87,7 @@ def test_ctrl_c_keeps_the_checkpoint_and_the_same_command_goes_on(
         assert compare(monkeypatch, *arguments, "-o", str(broken)) == 130
     assert [path.name for path in broken.iterdir()] == ["elements.npz"]
     message = capsys.readouterr().err
-    assert "interrupted" in message and str(broken / "elements.npz") in message
+    assert "interrupted; the same command goes on" in message and (broken / "elements.npz").is_file()
     assert compare(monkeypatch, *arguments, "-o", str(broken)) == 0
     assert "go on from" in capsys.readouterr().out
     for name in ("compare_midpoint.csv", "compare_clamp_strain.csv", "compare_plastic_rate.csv"):

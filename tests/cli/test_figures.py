@@ -113,5 +113,5 @@ def test_interrupted_figures_say_how_to_go_on(
     monkeypatch.setattr(progress.IntegrationProgress, "update", stop)
     done = Softcat(monkeypatch, capsys)("figures", "--only", "4", "-o", str(tmp_path / "out"))
     assert done.status == 130
-    assert f"goes on from {tmp_path / 'out'}" in done.err
+    assert "the same command goes on" in done.err
     assert [path.name.split("-")[0] for path in (tmp_path / "out").iterdir()] == ["elements"]

@@ -14,14 +14,13 @@ from pathlib import Path
 PATIENCE = 120.0
 """Seconds that a busy machine is given."""
 
-_OFTEN = "from softcat_sym.solvers.checkpoint import Checkpoints\nCheckpoints.__init__.__kwdefaults__['every'] = 0.1\n"
 _MAIN = "import sys\nsys.argv[0] = 'softcat'\nfrom softcat_sym.cli import main\nmain()\n"
 
 
 @contextmanager
-def softcat(*arguments: str, ignoring: bool = False, often: bool = False) -> Iterator[subprocess.Popen[str]]:
-    """Start the command; `ignoring` as in the background of a script, `often` with ten checkpoints a second."""
-    code = (_OFTEN if often else "") + _MAIN
+def softcat(*arguments: str, ignoring: bool = False) -> Iterator[subprocess.Popen[str]]:
+    """Start the command; `ignoring` as in the background of a script."""
+    code = _MAIN
     before = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\nimport os, sys\n"
     command = [sys.executable, "-c", code, *arguments]
     if ignoring:

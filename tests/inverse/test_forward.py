@@ -167,7 +167,7 @@ def test_neighbours_that_are_lost_are_found_again() -> None:
 def test_what_fails_is_no_number(backend: str) -> None:
     """Whichever solver gives up."""
     model = _model(_scene("continual-descent"), "viscosity", backend=backend)
-    model.__dict__["_most_steps"] = 10
+    model.__dict__["_max_steps"] = 10
     midpoint, derivatives = model.with_derivatives(np.zeros(1))
     assert model.message
     assert np.isnan(midpoint[-1])
@@ -228,7 +228,7 @@ def test_ctrl_c_is_heard(backend: str) -> None:
     """While it integrates, tightly and for long."""
     scene = sc.load_scene("arrested-underdamped", {"run.effects": "paper", "numerics.cells": 60})
     model = _model(scene, "youngs_modulus", backend=backend, times=np.linspace(0, 20, 5), rtol=1e-10)
-    model.__dict__["_most_steps"] = 1_000_000
+    model.__dict__["_max_steps"] = 1_000_000
     timer = threading.Timer(0.5, _thread.interrupt_main)
     timer.start()
     begun = time.perf_counter()

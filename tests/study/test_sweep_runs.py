@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import subprocess
 import sys
@@ -14,12 +13,11 @@ import pytest
 import xarray as xr
 
 import softcat_sym as sc
-from softcat_sym.ensemble.block_store import kept_text
+from softcat_sym import store
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.solvers.compiled import CModel
 from softcat_sym.studies import sweep as work
 from softcat_sym.studies.phase import SETTINGS, phase_diagram
-from softcat_sym.studies.phase_runs import KeptRuns
 from softcat_sym.studies.sweep import time_to_share
 
 QUICK = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 21, "numerics.estimate": False}
@@ -157,29 +155,23 @@ def test_what_makes_no_sense_at_all_is_refused_at_once(tmp_path: Path, monkeypat
     assert not (tmp_path / "out").exists()
 
 
-def test_an_interrupted_sweep_goes_on_where_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupted_sweep_goes_on_where_it_was(
+    tmp_path: Path, results_of_studies: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     vary = {"groups.G": "0.05:0.5:35:log"}
     whole, broken = tmp_path / "whole", tmp_path / "broken"
     sc.sweep(SCENE, vary, whole, shapes=True)
+    store.clear()
     with pytest.raises(KeyboardInterrupt):
         sc.sweep(SCENE, vary, broken, shapes=True, progress=Listener(25))
-    assert sorted(path.name for path in broken.iterdir()) == ["parts"]
-    assert "2 finished blocks are" in kept_text(broken) and "--resume" in kept_text(broken)
-    manifest = json.loads((broken / "parts" / "manifest.json").read_text())
-    assert (manifest["members"], manifest["axes"][0]["key"]) == (35, "groups.G")
-    for options, other, said in (
-        ({}, vary, "this very plan: add --resume"),
-        ({}, {"groups.G": [0.3]}, "another plan"),
-        ({"resume": True}, {"groups.G": [0.3]}, "another plan"),
-    ):
-        with pytest.raises(SoftcatError, match=said):
-            sc.sweep(SCENE, other, broken, shapes=True, **options)  # type: ignore[arg-type]
-    harmed = broken / "parts" / "part-000001.bin"
+    assert not broken.exists()
+    # Of the two blocks that were finished one is harmed.
+    harmed = max(results_of_studies.iterdir(), key=lambda path: path.stat().st_mtime_ns)
     harmed.write_bytes(harmed.read_bytes()[:-7])
     listener, ran = Listener(), list[object]()
     integrate = CModel.integrate
     monkeypatch.setattr(CModel, "integrate", lambda *given: ran.append(1) or integrate(*given))
-    done = sc.sweep(SCENE, vary, broken, shapes=True, resume=True, progress=listener)
+    done = sc.sweep(SCENE, vary, broken, shapes=True, progress=listener)
     # The one block that was there and sound is not run again.
     assert (len(ran), done.resumed) == (25, 10)
     assert [told[0] for told in listener.told] == list(range(11, 36))
@@ -187,7 +179,7 @@ def test_an_interrupted_sweep_goes_on_where_it_was(tmp_path: Path, monkeypatch: 
     assert stored(broken).identical(stored(whole))
     assert sorted(path.name for path in broken.iterdir()) == ["sweep.csv", "sweep.nc"]
     ran.clear()
-    again = sc.sweep(SCENE, vary, broken, shapes=True, resume=True)
+    again = sc.sweep(SCENE, vary, broken, shapes=True)
     assert (len(ran), again.resumed, again.counts) == (0, 35, done.counts)
 
 
@@ -198,22 +190,16 @@ def test_without_a_directory_the_data_stay_in_memory() -> None:
     assert [str(one) for one in done.data.outcome.values] == ["solved", "refused"]
 
 
-def test_a_phase_diagram_goes_on_from_its_finished_runs(tmp_path: Path) -> None:
-    from softcat_sym.ensemble.block_store import KeptBlocks
-
+def test_a_phase_diagram_goes_on_from_its_finished_runs(results_of_studies: Path) -> None:
     scene = sc.load_scene("arrested-overdamped", [*SETTINGS, "numerics.cells=10", "run.frames=41"])
-
-    def kept(*, resume: bool) -> KeptBlocks:
-        return KeptBlocks(tmp_path, "mine", {}, resume=resume)
-
     with pytest.raises(KeyboardInterrupt):
-        phase_diagram(scene, ["G-V"], 4, workers=1, kept=kept(resume=False), progress=Listener(20))
-    known = KeptRuns(kept(resume=True)).runs
-    assert len(known) == 16
+        phase_diagram(scene, ["G-V"], 4, workers=1, progress=Listener(20))
+    assert len(list(results_of_studies.iterdir())) == 16
     listener = Listener()
-    resumed = phase_diagram(scene, ["G-V"], 4, workers=1, kept=kept(resume=True), progress=listener)
+    resumed = phase_diagram(scene.replace({"title": "the same"}), ["G-V"], 4, workers=1, progress=listener)
     assert listener.told[0][0] == 17
-    fresh = phase_diagram(scene, ["G-V"], 4, workers=1)
+    with store.fresh():
+        fresh = phase_diagram(scene, ["G-V"], 4, workers=1)
     assert resumed.sheets[0].points == fresh.sheets[0].points
 
 

@@ -20,40 +20,12 @@ from softcat_sym.studies.work_precision import (
     Worker,
     WorkPrecision,
     _rows,
-    kept_points,
     reference_of,
 )
 from softcat_sym.studies.work_precision_programs import PROGRAMS, Measured, Task
 
 TASK = Task("cvodes", 40, 1.0)
 REFERENCE = Reference(np.array([0.0, -1.0, -2.0]), 1e-6, 2e-6, ("Rosenbrock", "BDF"), "made up")
-
-
-def test_points_are_kept_as_they_come_and_not_measured_again(tmp_path: Path) -> None:
-    scene, path, asked = sc.load_scene("cold-honey"), tmp_path / "new" / "points.json", []
-
-    def measure(task: Task) -> Measured:
-        asked.append(task)
-        return Measured(0.5, midpoint=(0.0, -0.25))
-
-    first = kept_points(scene, 10.0, path)
-    found = first.through("warm", measure)(TASK)
-    again = kept_points(scene, 10.0, path)
-    again.read()
-    assert again.through("warm", measure)(TASK) == found
-    assert asked == [TASK]
-    again.through("cold", measure)(TASK)
-    assert len(asked) == 2
-
-
-def test_points_of_another_study_are_refused(tmp_path: Path) -> None:
-    scene, path = sc.load_scene("cold-honey"), tmp_path / "points.json"
-    kept_points(scene, 10.0, path).through("warm", lambda task: Measured(1.0))(TASK)
-    with pytest.raises(SoftcatError, match="another scene, limit or version"):
-        kept_points(scene, 20.0, path).read()
-    path.write_text('{"key": 1')
-    with pytest.raises(SoftcatError, match="holds no points"):
-        kept_points(scene, 10.0, path).read()
 
 
 def test_error_is_the_largest_of_the_largest() -> None:

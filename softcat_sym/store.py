@@ -1,0 +1,185 @@
+"""Finished runs of studies, kept by content in the user's cache: a study given again takes them from here.
+
+A key is a hash of all that decides a result, the program's own text included. What is kept is JSON or arrays, never a
+pickle. An entry that is harmed counts as not there, and what cannot be written is computed again another time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import hashlib
+import importlib.metadata
+import io
+import json
+import os
+import zlib
+from collections.abc import Callable, Iterator, Mapping
+from contextvars import ContextVar
+from dataclasses import dataclass, fields, is_dataclass
+from enum import Enum
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from softcat_sym.files import cache_folder, replace_atomically
+
+Result = TypeVar("Result")
+Arrays = Mapping[str, npt.NDArray[Any]]
+
+LIMIT = 10**9
+"""Bytes that results may take together; beyond it those go that were not used for longest."""
+
+_NO_PHYSICS = ("cli", "plotting")
+_VERSIONS = ("casadi", "numpy", "sympy")
+_DIGEST = 32
+_QUICKLY = 1
+_TRIMMING = "00", "40", "80", "c0"
+"""Beginnings of the keys after which the limit is looked at: one in 64."""
+
+_fresh: ContextVar[bool] = ContextVar("fresh", default=False)
+
+
+@contextlib.contextmanager
+def fresh(wanted: bool = True) -> Iterator[None]:
+    """Let nothing be recalled meanwhile; what is computed replaces what was kept."""
+    before = _fresh.set(wanted or _fresh.get())
+    try:
+        yield
+    finally:
+        _fresh.reset(before)
+
+
+@dataclass(frozen=True)
+class Form(Generic[Result]):
+    """How a result is written, so that reading it gives the same to the last bit."""
+
+    write: Callable[[Result], bytes]
+    read: Callable[[bytes], Result]
+
+
+def stored(key: str, compute: Callable[[], Result], form: Form[Result]) -> Result:
+    """Return the result of a key: from the store, else what `compute` returns, which is then kept."""
+    content = recall(key)
+    if content is not None:
+        return form.read(content)
+    result = compute()
+    keep(key, form.write(result))
+    return result
+
+
+def key_of(what: str, *parts: object) -> str:
+    """Hash of what is asked for; parts are text, numbers, bytes, arrays, dataclasses, and lists or tables of these."""
+    told = json.dumps([what, _program(), *parts], default=_plain, sort_keys=True)
+    return hashlib.sha256(told.encode()).hexdigest()
+
+
+def folder() -> Path:
+    """The folder of the results, in the user's cache; it may not exist yet."""
+    return cache_folder() / "results"
+
+
+def recall(key: str) -> bytes | None:
+    """Return what was kept under a key; None if nothing was, or if it was harmed."""
+    if _fresh.get():
+        return None
+    path = folder() / key
+    try:
+        content = path.read_bytes()
+    except OSError:
+        return None
+    if content[:_DIGEST] != _digest(key, content[_DIGEST:]):
+        return None
+    with contextlib.suppress(OSError):  # a cache that is only read is as good
+        os.utime(path)
+    return zlib.decompress(content[_DIGEST:])
+
+
+def keep(key: str, content: bytes) -> None:
+    """Keep a result whole or not at all; where that is impossible, as on a full disk, it will be computed again."""
+    packed = zlib.compress(content, _QUICKLY)
+    with contextlib.suppress(OSError):
+        folder().mkdir(mode=0o700, parents=True, exist_ok=True)
+        replace_atomically(folder() / key, _digest(key, packed) + packed, at_once=True)
+        if key.startswith(_TRIMMING):
+            _trim()
+
+
+def entries() -> list[tuple[Path, int]]:
+    """Files of all results with their sizes, the last used first."""
+    found = []
+    with contextlib.suppress(FileNotFoundError):
+        for path in folder().iterdir():
+            with contextlib.suppress(OSError):  # another process dropped it
+                told = path.stat()
+                found.append((told.st_mtime, path, told.st_size))
+    return [(path, size) for _, path, size in sorted(found, reverse=True)]
+
+
+def clear() -> int:
+    """Delete every result, and say how many bytes that freed."""
+    freed = 0
+    for path, size in entries():
+        path.unlink(missing_ok=True)
+        freed += size
+    return freed
+
+
+def packed(arrays: Arrays) -> bytes:
+    """Write arrays of numbers or text."""
+    stream = io.BytesIO()
+    np.savez(stream, **arrays)  # type: ignore[arg-type]
+    return stream.getvalue()
+
+
+def unpacked(content: bytes) -> dict[str, npt.NDArray[Any]]:
+    """Read what :func:`packed` wrote."""
+    with np.load(io.BytesIO(content), allow_pickle=False) as archive:
+        return {name: archive[name] for name in archive.files}
+
+
+def json_form(write: Callable[[Result], Any], read: Callable[[Any], Result]) -> Form[Result]:
+    """Return the form of what becomes plain lists, dictionaries, text and numbers; infinities and NaN are kept."""
+    return Form(lambda result: json.dumps(write(result)).encode(), lambda content: read(json.loads(content)))
+
+
+def _plain(value: object) -> object:
+    if is_dataclass(value) and not isinstance(value, type):
+        return {type(value).__name__: {one.name: getattr(value, one.name) for one in fields(value)}}
+    if isinstance(value, np.ndarray):
+        return [value.dtype.str, value.shape, _plain(value.tobytes())]
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, Enum):
+        return [type(value).__name__, value.name]
+    if isinstance(value, bytes):
+        return hashlib.sha256(value).hexdigest()
+    raise TypeError(f"no part of a key: {type(value).__name__}")
+
+
+@functools.cache
+def _program() -> list[str]:
+    """Hash of the code that decides results, and versions of what it calculates with."""
+    package, digest = Path(__file__).parent, hashlib.sha256()
+    files = [path for path in package.rglob("*") if path.suffix in (".py", ".c", ".h")]
+    for path in sorted(files):
+        place = path.relative_to(package)
+        if place.parts[0] not in _NO_PHYSICS:
+            content = path.read_bytes()
+            digest.update(f"{place.as_posix()} {len(content)}\n".encode() + content)
+    return [digest.hexdigest(), *(importlib.metadata.version(name) for name in _VERSIONS)]
+
+
+def _digest(key: str, packed: bytes) -> bytes:
+    """Hash of a result under its key, so that one in the place of another is found out, too."""
+    return hashlib.sha256(key.encode() + packed).digest()
+
+
+def _trim() -> None:
+    total = 0
+    for path, size in entries():
+        total += size
+        if total > LIMIT:
+            path.unlink(missing_ok=True)
