@@ -275,7 +275,7 @@ def elements(softcat: Commands) -> Iterator[tuple[str, Case]]:
 
 
 def code(softcat: Commands) -> Iterator[tuple[str, Case]]:
-    """Generated C without its comments, which may be reworded, and the parameters beside it."""
+    """Generated C without its comments, which may be reworded."""
     for name, more in {"arrested-overdamped": (), "toothpaste": (), "glass-rod": ("--rhs",)}.items():
         done = softcat(name, "generate", name, *more)
         sources = sorted(path for path in done.iterdir() if path.suffix in {".c", ".h"})
