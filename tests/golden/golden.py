@@ -38,6 +38,11 @@ RENAMED = {"missing_effect": "overlooked"}
 OPTIONS = {"no_profiles": "--no-profile-likelihood", "max_sag": "--sag"}
 """Command-line options that may get another name."""
 
+PROGRAM = "from softcat_sym.cli import main; main()"
+"""The `softcat` command of the interpreter that runs this."""
+SAMPLES = Path(sc.__file__).parent / "samples"
+"""Where the film, the flow curve and the ink are that come with the package."""
+
 COMPILED, SOURCES = "native", "texts"
 """What of the cache may be used again, but for the sources where they are the subject; finished runs may not."""
 
@@ -68,7 +73,6 @@ SMALL = {"numerics.cells": 8, "numerics.estimate": False, "run.frames": 41}
 """Coarse and once: where neither the resolution nor the error estimate is the subject."""
 
 HERE = Path(__file__).parent
-SAMPLES = Path(sc.__file__).parent / "samples"
 SHOWN, MOST = 21, 45
 """Of an array of more than the latter, the former are recorded, and its norm."""
 
@@ -84,7 +88,7 @@ def leaves(thing: object, path: str = "") -> Iterator[tuple[str, Any]]:
     elif isinstance(thing, Mapping):
         for name, part in thing.items():
             if name not in SKIPPED:
-                old = RENAMED.get(name, name)
+                old = RENAMED.get(str(name), str(name))
                 yield from leaves(part, f"{path}/{old}" if path else old)
     elif isinstance(thing, str):
         if key in WORDS:
@@ -158,8 +162,7 @@ class Commands:
         """Run a command; return the folder that it wrote."""
         output = self.folder / name
         sets = [text for key, value in (changes or {}).items() for text in ("--set", f"{key}={json.dumps(value)}")]
-        program = "from softcat_sym.cli import main; main()"
-        command = [sys.executable, "-c", program, *map(str, arguments), *sets, "-q", "-o", str(output)]
+        command = [sys.executable, "-c", PROGRAM, *map(str, arguments), *sets, "-q", "-o", str(output)]
         done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=self.folder)
         if done.returncode not in (0, 1) or not output.is_dir():
             raise RuntimeError(f"{' '.join(command[3:])} ended with {done.returncode}:\n{done.stderr}")
@@ -243,8 +246,8 @@ def studies(softcat: Commands) -> Iterator[tuple[str, Case]]:
     vary = ("--vary", "filament.thickness=4:8 mm:3", "--vary", "material.yield_stress=5:12 kPa:3", "--workers", 1)
     done = softcat("sweep", "sweep", "arrested-overdamped", *vary, changes=SMALL)
     yield "sweep", files(done, "sweep.json", "sweep.csv")
-    vary = ("--vary", "filament.span=60:100 mm", "--mode", "lhs", "--samples", 5, "--seed", 3, "--workers", 1)
-    done = softcat("hypercube", "sweep", "cold-honey", *vary, changes=SMALL)
+    cube = ("--vary", "filament.span=60:100 mm", "--mode", "lhs", "--samples", 5, "--seed", 3, "--workers", 1)
+    done = softcat("hypercube", "sweep", "cold-honey", *cube, changes=SMALL)
     yield "sweep, hypercube", files(done, "sweep.json", "sweep.csv")
     many = {"material.viscosity": [20.0, 30.0, 40.0]}
     found = sc.simulate_many(sc.load_scene("cold-honey", SMALL), many, workers=1)
@@ -272,7 +275,7 @@ def elements(softcat: Commands) -> Iterator[tuple[str, Case]]:
 
 
 def code(softcat: Commands) -> Iterator[tuple[str, Case]]:
-    """Generated C without its comments, which may be reworded, and the parameters beside it."""
+    """Generated C without its comments, which may be reworded."""
     for name, more in {"arrested-overdamped": (), "toothpaste": (), "glass-rod": ("--rhs",)}.items():
         done = softcat(name, "generate", name, *more)
         sources = sorted(path for path in done.iterdir() if path.suffix in {".c", ".h"})
