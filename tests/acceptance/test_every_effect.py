@@ -55,7 +55,7 @@ def test_a_limit_taken_out_of_the_table_is_missed() -> None:
 
 
 @pytest.mark.parametrize(
-    ("objects", "code"), [("`motion.NOTHING`", "motion.NOTHING"), ("`motion.MOTION`", "motion.other")]
+    ("objects", "code"), [("`kinematics.NOTHING`", "kinematics.NOTHING"), ("`kinematics.MOTION`", "kinematics.other")]
 )
 def test_a_notebook_that_only_says_so_is_caught(tmp_path: Path, objects: str, code: str) -> None:
     notebook = f"# %% [markdown]\n# Effects derived here: `inertia` ({objects}).\n\n# %%\n{code}\n"

@@ -15,14 +15,9 @@ from scipy.integrate import quad, solve_ivp
 from softcat_sym.physics import closures as closure
 from softcat_sym.physics import closures as layers
 from softcat_sym.physics import closures as paper_section
-from softcat_sym.physics import energy
-from softcat_sym.physics import laws as rheology
-from softcat_sym.physics import sections as section
-from softcat_sym.physics.equation import check
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
 from softcat_sym.physics.symbols import A0, E, M, T, c, eta, h0, s, sigma_Y, theta_X, zeta
 
-MODULES = (section, rheology, closure, layers, paper_section, energy)
 SHAPES = [(RECTANGLE, UNIFORM), (SHEET, WIDE), (CIRCLE, UNIFORM)]
 each_shape = pytest.mark.parametrize(("shape", "shrinking"), SHAPES, ids=[shape.name for shape, _ in SHAPES])
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(60)
@@ -57,13 +52,6 @@ def path(time: float) -> tuple[float, float, float, float]:
 def lever(shrinking: Contraction, stretch: float) -> float:
     """h/(2 s)."""
     return THICKNESS / 2 * stretch ** (-2 if shrinking is WIDE else -1.5)
-
-
-@pytest.mark.parametrize("module", MODULES, ids=lambda m: m.__name__.rsplit(".", 1)[-1])
-def test_every_term_has_one_dimension(module) -> None:
-    assert module.EQUATIONS
-    for equation in module.EQUATIONS:
-        check(equation)
 
 
 @pytest.mark.parametrize("order", range(6))
