@@ -196,7 +196,7 @@ def test_the_source_is_named(tmp_path: Any) -> None:
 
 
 @given(st.text(max_size=20) | st.builds("1 {}".format, st.text(alphabet="mskgPaN*/^()-+ 123.degCµ²_'\"#", max_size=12)))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_no_text_escapes_as_another_exception(text: str) -> None:
     for path in ("filament.span", "load.gravity", "run.effects", "title", "material.law"):
         faults_of(spoiled({path: text}))
@@ -210,7 +210,7 @@ def test_no_text_escapes_as_another_exception(text: str) -> None:
     ),
     st.sampled_from(["filament", "material", "run.frames", "ends.motion", "groups", "groups.G", "initial.P", "load"]),
 )
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_no_value_escapes_as_another_exception(value: object, path: str) -> None:
     faults_of(spoiled({path: value}, BINGHAM))
 

@@ -32,8 +32,6 @@ COARSE = 10
 TIGHTER = 10
 """By how much the time steps are refined there, so that a hundredth of the accuracy is not their noise."""
 
-SOURCES = ("scene", "equations", "effects", "printing", "graph", "codegen", "solve", "trajectory", "simulate.py")
-"""Parts of the package that an answer depends on."""
 
 _QUICK = 0.1  # s of solving
 
@@ -88,7 +86,7 @@ def answers(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Answer]:
 
 
 def _kept(job: tuple[str, str]) -> Answer:
-    return Answer(**kept(job, fingerprint(SOURCES, __file__), lambda: asdict(answer_of(*job))))
+    return Answer(**kept(job, fingerprint(__file__), lambda: asdict(answer_of(*job))))
 
 
 def answer_of(name: str, text: str) -> Answer:

@@ -38,8 +38,6 @@ ASTRAY = 0.1
 SETS, PROFILED = 200, 20
 """Films for each scene, and how many of them get profiles too."""
 
-SOURCES = ("scene", "equations", "effects", "printing", "graph", "codegen", "native", "solve", "inverse")
-"""Parts of the package that an answer depends on."""
 
 _TOGETHER = 10  # films in one job
 
@@ -130,7 +128,7 @@ def _several(job: tuple[int, Sequence[int], int]) -> list[Fitted]:
     question = [f"{number} {one} {one < profiled}" for one in films]
     rows = kept(
         question,
-        fingerprint(SOURCES, __file__),
+        fingerprint(__file__),
         lambda: [asdict(fitted(number, one, profiles=one < profiled)) for one in films],
     )
     return [Fitted(**row) for row in rows]

@@ -27,7 +27,6 @@ FINER, MORE_FIBRES, TIGHTER = 2, 2, 10
 RUN, REFERENCE = 600.0, 1800.0
 """Seconds of the processor for a run with its estimates, and for its reference, which is eight times as much of one."""
 
-SOURCES = ("accuracy", "scene", "equations", "effects", "graph", "codegen", "solve", "trajectory", "simulate.py")
 
 
 @dataclass(frozen=True)
@@ -73,7 +72,7 @@ class Calibrated:
 
 def calibrations(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Calibrated]:
     """Calibrate scenes, side by side; answers are kept, so that an interrupted study goes on."""
-    sources = fingerprint(SOURCES, __file__)
+    sources = fingerprint(__file__)
 
     def one(ask: Ask, question: tuple[str, str, float]) -> Calibrated:
         return Calibrated(**kept(tuple(map(str, question)), sources, lambda: asdict(_within_limits(ask, question))))

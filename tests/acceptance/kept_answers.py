@@ -43,13 +43,10 @@ def kept(question: Sequence[str], sources: str, answer: Callable[[], Any]) -> An
 
 
 @cache
-def fingerprint(parts: tuple[str, ...], study: str) -> str:
-    """Fingerprint of parts of the package, folders or files, and of the study's own file."""
+def fingerprint(study: str) -> str:
+    """Fingerprint of the package and of the study's own file."""
     package = Path(sc.__file__).parent
-    found = [package / part for part in parts]
-    inside = [file for place in found for file in ([place] if place.is_file() else place.rglob("*"))]
-    files = [file for file in inside if file.suffix in (".py", ".c", ".h")]
     digest = hashlib.sha256(Path(study).read_bytes())
-    for file in sorted(files):
+    for file in sorted(file for file in package.rglob("*") if file.suffix in (".py", ".c", ".h")):
         digest.update(file.read_bytes())
     return digest.hexdigest()
