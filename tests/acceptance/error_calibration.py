@@ -28,7 +28,6 @@ RUN, REFERENCE = 600.0, 1800.0
 """Seconds of the processor for a run with its estimates, and for its reference, which is eight times as much of one."""
 
 
-
 @dataclass(frozen=True)
 class Calibrated:
     """A scene at an accuracy, its estimated error and its true one.

@@ -102,32 +102,32 @@ def test_an_initial_plastic_bend_is_a_natural_curvature(effects: tuple[str, ...]
     assert error < 2e-3
 
 
-@pytest.mark.parametrize("section", ["rectangle", "circle", "sheet"])
-@pytest.mark.parametrize("effects", [GEOMETRY, (*GEOMETRY, "shear")], ids=["paper", "shear"])
-def test_elastic_beam_of_every_section(section: str, effects: tuple[str, ...]) -> None:
+def test_elastic_beam_of_every_section() -> None:
     """Sag rho g A L^4/(384 E' I) of a clamped beam, E' = E/(1 - nu^2) for a sheet."""
-    thickness, poisson = 0.01, 0.3
-    stiff = 1e10
-    data = solved(
-        scene(
-            {"law": "elastic", "youngs_modulus": stiff, "poisson": poisson},
-            {"thickness": thickness, "section": section},
-            effects=effects,
-            load=LEVEL,
-            run=STATIC,
-            cells=80,
-        )
-    )
-    modulus = stiff / (1 - poisson**2) if section == "sheet" else stiff
-    gyration = thickness**2 / (16 if section == "circle" else 12)
-    exact = STRESS / (384 * modulus * gyration)
-    found = -float(data["midpoint"].values[-1])
-    show(
-        f"{section}",
-        ["sag [m]", "linear beam [m]", "ratio - 1"],
-        [[f"{found:.6e}", f"{exact:.6e}", f"{found / exact - 1:+.1e}"]],
-    )
-    assert found == pytest.approx(exact, rel=2e-3)
+    for section in ["rectangle", "circle", "sheet"]:
+        for effects in [GEOMETRY, (*GEOMETRY, "shear")]:
+            thickness, poisson = 0.01, 0.3
+            stiff = 1e10
+            data = solved(
+                scene(
+                    {"law": "elastic", "youngs_modulus": stiff, "poisson": poisson},
+                    {"thickness": thickness, "section": section},
+                    effects=effects,
+                    load=LEVEL,
+                    run=STATIC,
+                    cells=80,
+                )
+            )
+            modulus = stiff / (1 - poisson**2) if section == "sheet" else stiff
+            gyration = thickness**2 / (16 if section == "circle" else 12)
+            exact = STRESS / (384 * modulus * gyration)
+            found = -float(data["midpoint"].values[-1])
+            show(
+                f"{section}",
+                ["sag [m]", "linear beam [m]", "ratio - 1"],
+                [[f"{found:.6e}", f"{exact:.6e}", f"{found / exact - 1:+.1e}"]],
+            )
+            assert found == pytest.approx(exact, rel=2e-3)
 
 
 @pytest.mark.parametrize("law", ["newtonian", "maxwell", "bingham", "herschel-bulkley"])

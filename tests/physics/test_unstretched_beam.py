@@ -39,14 +39,14 @@ def beam(ends: tuple[str, str] = ("clamped", "clamped"), section: str = "rectang
     return scene(thickness=THICKNESS, section=section, ends=ends, **given)
 
 
-@pytest.mark.parametrize("section", ["rectangle", "circle"])
-@pytest.mark.parametrize("ends", list(CONSTANT), ids="-".join)
-def test_static_sag_is_of_second_order_in_the_cells(ends: tuple[str, str], section: str) -> None:
-    errors = [sag(run(beam(ends, section, cells=cells))) / TINY - 1 for cells in (10, 20, 40)]
-    orders = np.log2(np.abs(errors[:-1]) / np.abs(errors[1:]))
-    print(f"{'-'.join(ends)} {section}: errors {errors}, orders {orders}")
-    assert abs(errors[-1]) < 2e-3
-    assert np.all(np.abs(orders - 2) < 0.05)
+def test_static_sag_is_of_second_order_in_the_cells() -> None:
+    for section in ["rectangle", "circle"]:
+        for ends in list(CONSTANT):
+            errors = [sag(run(beam(ends, section, cells=cells))) / TINY - 1 for cells in (10, 20, 40)]
+            orders = np.log2(np.abs(errors[:-1]) / np.abs(errors[1:]))
+            print(f"{'-'.join(ends)} {section}: errors {errors}, orders {orders}")
+            assert abs(errors[-1]) < 2e-3
+            assert np.all(np.abs(orders - 2) < 0.05)
 
 
 def test_the_tip_of_a_cantilever_sags_by_an_eighth() -> None:

@@ -31,7 +31,6 @@ UNANSWERED = 0.05
 """Share of scenes that may be refused or end without success."""
 
 
-
 def drawn(number: int, quick: bool) -> list[dict[str, Any]]:
     """Raw scenes, always the same: drawn first, so that they can be run side by side.
 
