@@ -106,6 +106,7 @@ def test_consistent_start_is_found_from_afar() -> None:
     np.testing.assert_allclose(state, [1.0, 0.0], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_sanitised(tmp_path: Path) -> None:
     """All of it under AddressSanitizer, its leak check, and UBSan, also where an allocation fails."""
     compiler = find_compiler()

@@ -76,7 +76,7 @@ def test_graded_and_equal_cells_have_one_limit(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("asked", "effects"),
-    [(DESCENT, "paper"), (ARREST, "paper"), (ARREST, "auto")],
+    [(DESCENT, "paper"), (ARREST, "paper"), pytest.param(ARREST, "auto", marks=pytest.mark.slow)],
     ids=["descent", "arrest", "arrest that shears"],
 )
 def test_chosen_grading_is_worth_twice_the_cells(asked: Scene, effects: str) -> None:

@@ -99,7 +99,7 @@ def test_looser_tolerances_take_fewer_steps_and_err_more() -> None:
 def test_too_many_steps_is_a_step_limit_that_keeps_the_sound_part(monkeypatch: pytest.MonkeyPatch) -> None:
     run = prepared(scene_of(frames=11))
     whole = run.solve(Silence())
-    monkeypatch.setattr(compiled, "_MOST_STEPS", 1)
+    monkeypatch.setattr(compiled, "_MAX_STEPS", 1)
     monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", whole.steps // 22)
     cut = run.solve(Silence())
     assert cut.outcome is Outcome.step_limit
