@@ -30,27 +30,7 @@ RUN, REFERENCE = 600.0, 1800.0
 
 @dataclass(frozen=True)
 class Calibrated:
-    """A scene at an accuracy, its estimated error and its true one.
-
-    Attributes
-    ----------
-    name : str
-        Of the scene.
-    accuracy : float
-        Asked.
-    outcome : str
-        Of the run.
-    why_not : str
-        Why there is nothing to compare; empty if there is.
-    true : float
-        Largest difference from the reference over the run, relative to the largest midpoint.
-    estimate : dict
-        As in the summary.
-    resolution : dict
-        Of the run.
-    seconds, estimating : float
-        Of its solution, and of all that estimating it took.
-    """
+    """A scene at an accuracy, its estimated error and its true one."""
 
     name: str
     accuracy: float

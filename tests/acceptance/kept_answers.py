@@ -18,17 +18,7 @@ from softcat_sym.codegen.compiler import cache_folder
 
 
 def kept(question: Sequence[str], sources: str, answer: Callable[[], Any]) -> Any:
-    """Look an answer up, or find and keep it.
-
-    Parameters
-    ----------
-    question : sequence of str
-        All that the answer depends on besides the sources.
-    sources : str
-        From `fingerprint`.
-    answer : callable
-        Gives what JSON can hold.
-    """
+    """Look an answer up, or find and keep it."""
     key = hashlib.sha256("\n".join((sources, *question)).encode()).hexdigest()
     path = cache_folder() / "answers" / f"{key}.json"
     if path.is_file():

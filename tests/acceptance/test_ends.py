@@ -29,13 +29,7 @@ def shape(
     gravity: float = 10.0,
     grids: tuple[int, int] = GRIDS,
 ) -> tuple[Array, Array]:
-    """Static shape of an elastic filament from its left support, on the nodes of the coarser of two grids.
-
-    Returns
-    -------
-    tuple of ndarray, shape (2, nodes)
-        On the finer grid, and without a grid.
-    """
+    """Static shape of an elastic filament from its left support, on the nodes of the coarser of two grids."""
     found = []
     for cells in grids:
         material = {"law": "elastic", "youngs_modulus": E}
