@@ -21,9 +21,9 @@
 #
 # The names on the left of each comparison are derived here; those on the right are the very objects the solver runs.
 #
-# Effects derived here: `inertia` (`motion.MOTION`), `bending` (`balance.internal_force`), `large-rotation`
-# (`kinematics.LARGE_ROTATION`), `gravity-ramp` (`loading.ramped_gravity`, `loading.ramp_rate`),
-# `gravity-shaking` (`loading.shaking`, `loading.shaking_rate`).
+# Effects derived here: `inertia` (`kinematics.MOTION`), `bending` (`kinematics.internal_force`), `large-rotation`
+# (`kinematics.LARGE_ROTATION`), `gravity-ramp` (`loads.ramped_gravity`, `loads.ramp_rate`),
+# `gravity-shaking` (`loads.shaking`, `loads.shaking_rate`).
 
 # %%
 import math

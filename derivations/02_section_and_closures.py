@@ -21,9 +21,9 @@
 # $s$ stands for $s_X$. Means over the section are $\langle f\rangle = \int_{-1}^1 f(\zeta)\,w(\zeta)\,d\zeta$, where
 # $\zeta = 2z/h$.
 #
-# Effects derived here: `extensibility` (`balance.internal_force`), `finite-stretch` (`kinematics.TRUE_STRAIN`),
-# `thinning` (`section.UNIFORM`, `section.WIDE`), `yielding` (`laws.bingham.bingham_rate`,
-# `laws.bingham.bingham_means`).
+# Effects derived here: `extensibility` (`kinematics.internal_force`), `finite-stretch` (`kinematics.TRUE_STRAIN`),
+# `thinning` (`sections.UNIFORM`, `sections.WIDE`), `yielding` (`laws.bingham_rate`,
+# `laws.bingham_means`).
 
 # %%
 from dataclasses import replace

@@ -19,7 +19,7 @@
 # Proved here: what the constants measured in shear are worth in tension, what a wide sheet makes of a rule, which law
 # becomes which, and how a string of a power-law fluid sags.
 #
-# Effects derived here: `viscous-flow` (`laws.power_law.power_law_rate`, `laws.maxwell.maxwell_rate`), `viscous-stress`
+# Effects derived here: `viscous-flow` (`laws.power_law_rate`, `laws.maxwell_rate`), `viscous-stress`
 # (`laws.law_of`), `solid-damping` (`filament.Terms`).
 
 # %%

@@ -159,41 +159,6 @@ def _start(scene: Scene, exported: Exported) -> Floats:
 
 PRODUCTS_COMMAND = "softcat generate --bundled -o generated"
 NAME = "filament"
-ALWAYS = "arrested-overdamped"
-"""The examples call it."""
-
-
-@dataclass(frozen=True)
-class Product:
-    """A structure, under the name of the first scene that has it."""
-
-    scene: str  # That scene
-    description: Description  # What C is told of it
-
-    @property
-    def features(self) -> frozenset[str]:
-        """What it shows: law, section, ends, effects, what its supports and its body have."""
-        described = self.description
-        scene, structure = described.scene, described.structure
-        supports, body = structure.body.supports, structure.body
-        flags = {
-            "profile": body.profile.nodes is not None,
-            "point mass": body.weighted,
-            "path": supports.rows > 0,
-            "lowered": supports.lowered,
-            "turned": supports.right_turned,
-            "apart": supports.apart,
-            "curved": "curvature" in described.model.parameters,
-        }
-        return frozenset(
-            {
-                f"law {scene.material.law}",
-                f"section {scene.filament.section}",
-                f"ends {structure.ends[0].name} {structure.ends[1].name}",
-                *(f"effect {effect}" for effect in described.effects.names),
-                *(flag for flag, there in flags.items() if there),
-            }
-        )
 
 
 def bundled(told: Callable[[str], None] = lambda _: None) -> dict[str, Description]:
@@ -208,40 +173,25 @@ def bundled(told: Callable[[str], None] = lambda _: None) -> dict[str, Descripti
     return described
 
 
-def chosen(described: dict[str, Description]) -> list[Product]:
-    """Structures that show every feature at least once: those first that show most for their size."""
-    products: dict[str, Product] = {}
-    for scene, description in described.items():
-        products.setdefault(description.digest, Product(scene, description))
-    waiting = {product.scene: product for product in products.values()}
-    taken = [waiting.pop(ALWAYS)]
-    missing = frozenset().union(*(product.features for product in waiting.values())) - taken[0].features
-    while missing:
-        best = max(waiting.values(), key=lambda one: len(one.features & missing) / len(one.description.model.text))
-        taken.append(waiting.pop(best.scene))
-        missing -= best.features
-    return sorted(taken, key=lambda product: product.scene)
-
-
-def product_files(product: Product) -> dict[str, str]:
-    """The files of one structure by their paths."""
-    from softcat_sym.codegen.export import model_files
-
-    files = model_files(product.description, NAME, PRODUCTS_COMMAND)
-    return {f"{product.scene}/{file}": text for file, text in files.items()}
-
-
 def contents(described: dict[str, Description]) -> dict[str, str]:
-    """Everything but the examples, which are written by hand, by path."""
-    from softcat_sym.codegen.export import runtime_files
+    """The runtime, and each structure in a folder named after the first scene that has it, by path."""
+    from softcat_sym.codegen.export import model_files, runtime_files
 
-    folder = resources.files("softcat_sym.codegen") / "templates"
-    products = chosen(described)
+    templates = resources.files("softcat_sym.codegen") / "templates"
     files = {f"runtime/{file}": text for file, text in runtime_files().items()}
-    files["runtime/main.c"] = (folder / "main.c").read_text(encoding="utf-8")
-    for product in products:
-        files |= product_files(product)
-    files["README.md"] = _readme((folder / "products.md").read_text(encoding="utf-8"), described, products)
+    files["runtime/main.c"] = (templates / "main.c").read_text(encoding="utf-8")
+    folders: dict[str, str] = {}
+    rows = []
+    for scene, one in described.items():
+        if one.digest not in folders:
+            folders[one.digest] = scene
+            model = model_files(one, NAME, PRODUCTS_COMMAND)
+            files |= {f"{scene}/{file}": text for file, text in model.items()}
+        material, section = one.scene.material, one.scene.filament.section
+        rows.append(f"| {scene} | {material.law} | {section} | {folders[one.digest]} |")
+    text = (templates / "products.md").read_text(encoding="utf-8").replace("@COMMAND@", PRODUCTS_COMMAND)
+    text = text.replace("@COUNT@", str(len(folders))).replace("@SCENES@", str(len(described)))
+    files["README.md"] = text.replace("@TABLE@", "\n".join(rows))
     return files
 
 
@@ -256,22 +206,3 @@ def write(directory: str | Path, told: Callable[[str], None] = lambda _: None) -
             inside = {Path(path).name: text.encode() for path, text in files.items() if Path(path).parent == folder}
             written += write_all(root / folder, inside)
     return written
-
-
-def _readme(text: str, described: dict[str, Description], products: list[Product]) -> str:
-    folders = {product.description.digest: product.scene for product in products}
-    rows = [
-        f"| {name} | {one.scene.material.law} | {one.scene.filament.section} | {one.digest[:8]} "
-        f"| {folders.get(one.digest, '')} |"
-        for name, one in described.items()
-    ]
-    count = len({one.digest for one in described.values()})
-    filled = {
-        "@COMMAND@": PRODUCTS_COMMAND,
-        "@COUNT@": str(count),
-        "@SCENES@": str(len(described)),
-        "@TABLE@": "\n".join(rows),
-    }
-    for mark, value in filled.items():
-        text = text.replace(mark, value)
-    return text

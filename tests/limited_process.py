@@ -21,14 +21,7 @@ PATIENCE = 20.0
 
 
 class LimitedProcess:
-    """One process, replaced by a fresh one when it hangs or dies.
-
-    Parameters
-    ----------
-    serve : callable
-        Runs in the process: sends one message when it is ready, then answers what it receives until the pipe ends, each
-        under :func:`limit_this_process`.
-    """
+    """One process, replaced by a fresh one when it hangs or dies."""
 
     def __init__(self, serve: Callable[[Connection], None]) -> None:
         self._serve = serve
@@ -44,13 +37,7 @@ class LimitedProcess:
             self._here.recv()
 
     def ask(self, question: object, limits: Sequence[float]) -> tuple[list[Any], str]:
-        """Send a question; as many answers as there are limits, in seconds of the processor.
-
-        Returns
-        -------
-        list, str
-            The answers that came in time, and how the process died of its own if it did.
-        """
+        """Send a question; as many answers as there are limits, in seconds of the processor."""
         answers: list[Any] = []
         try:
             self._here.send(question)

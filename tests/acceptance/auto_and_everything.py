@@ -32,40 +32,13 @@ COARSE = 10
 TIGHTER = 10
 """By how much the time steps are refined there, so that a hundredth of the accuracy is not their noise."""
 
-SOURCES = ("scene", "equations", "effects", "printing", "graph", "codegen", "solve", "trajectory", "simulate.py")
-"""Parts of the package that an answer depends on."""
 
 _QUICK = 0.1  # s of solving
 
 
 @dataclass(frozen=True)
 class Answer:
-    """One scene.
-
-    Attributes
-    ----------
-    name, scene : str
-        Its name, and the scene as TOML.
-    accuracy : float
-        Asked.
-    complaints : tuple of str
-        Why ``auto`` or the run with everything has no answer; then nothing else is known.
-    chosen : tuple of str
-        What ``auto`` ended with.
-    repeats : tuple of str
-        What it had overlooked at first.
-    error : float
-        Largest difference of its midpoint from that of everything, over the largest of the latter; each on the grid
-        that it gets by itself.
-    finer : float
-        The same on one grid for both, twice as fine as that of ``auto``; only looked at where `error` is beyond the
-        accuracy: two theories that agree have different errors of the grid.
-    seconds, everything_seconds : float
-        Solving, and whatever trials took. Equations, graph and C text are made once for all filaments of a kind.
-    idle : dict of str to float
-        Change of the answer when a chosen effect is left out (with what needs it); infinite if there is no answer then;
-        None where the coarse run has no answer itself.
-    """
+    """One scene."""
 
     name: str
     scene: str
@@ -88,7 +61,7 @@ def answers(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Answer]:
 
 
 def _kept(job: tuple[str, str]) -> Answer:
-    return Answer(**kept(job, fingerprint(SOURCES, __file__), lambda: asdict(answer_of(*job))))
+    return Answer(**kept(job, fingerprint(__file__), lambda: asdict(answer_of(*job))))
 
 
 def answer_of(name: str, text: str) -> Answer:

@@ -85,15 +85,7 @@ def compiled(name: str, physics: Physics = "paper", cells: int = scenes.CELLS, r
 
 
 class Bare:
-    """The compiled solver from the start to the end in one call, without powers, as the rivals solve.
-
-    Parameters
-    ----------
-    prepared : Prepared
-        With a compiled integration.
-    method : int
-        Of the runtime, as ``softcat_settings.method`` numbers them.
-    """
+    """The compiled solver from the start to the end in one call, without powers, as the rivals solve."""
 
     def __init__(self, prepared: Prepared, method: int = 0) -> None:
         whole = prepared.integration
@@ -116,13 +108,7 @@ class Bare:
         )
 
     def solve(self) -> Solved:
-        """Integrate.
-
-        Raises
-        ------
-        RuntimeError
-            If it gives up.
-        """
+        """Integrate."""
         status = Status()
         began = time.perf_counter()
         states = self._model.integrate(self._run, status).states

@@ -38,29 +38,13 @@ ASTRAY = 0.1
 SETS, PROFILED = 200, 20
 """Films for each scene, and how many of them get profiles too."""
 
-SOURCES = ("scene", "equations", "effects", "printing", "graph", "codegen", "native", "solve", "inverse")
-"""Parts of the package that an answer depends on."""
 
 _TOGETHER = 10  # films in one job
 
 
 @dataclass(frozen=True)
 class Case:
-    """One material, and what of it is free.
-
-    Attributes
-    ----------
-    scene : str
-        Bundled.
-    free : tuple of str
-        Names.
-    share : float
-        How much of the scene's duration is filmed, from its begin. Of `maxwell-fast` only the first tenth tells the
-        modulus: at 1 % noise and 100 frames its standard error is 7 % then, and a factor e for the whole scene.
-    rtol : float or None
-        Of the integrator, for film and fit alike. A filament that rings is followed four times as fast with this one as
-        with the one that a fit gets by itself.
-    """
+    """One material, and what of it is free."""
 
     scene: str
     free: tuple[str, ...]
@@ -79,27 +63,7 @@ CASES = (
 
 @dataclass(frozen=True)
 class Fitted:
-    """One film.
-
-    Attributes
-    ----------
-    frames : int
-        How many.
-    error : list of float
-        Logarithm of each estimate over the truth.
-    interval : list of (float, float)
-        Logarithms of the ends of each Student interval over the truth; NaN where it does not end.
-    profiled : dict of str to (float, float)
-        Likewise, of the profiles that there are.
-    words : list of str
-        Verdicts.
-    white : str
-        Verdict on the residuals.
-    noise : float
-        Estimated over true standard deviation.
-    seconds : float
-        What the fit took.
-    """
+    """One film."""
 
     frames: int
     error: list[float]
@@ -130,7 +94,7 @@ def _several(job: tuple[int, Sequence[int], int]) -> list[Fitted]:
     question = [f"{number} {one} {one < profiled}" for one in films]
     rows = kept(
         question,
-        fingerprint(SOURCES, __file__),
+        fingerprint(__file__),
         lambda: [asdict(fitted(number, one, profiles=one < profiled)) for one in films],
     )
     return [Fitted(**row) for row in rows]

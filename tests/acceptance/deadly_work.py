@@ -11,13 +11,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class DeadlyWork:
-    """Doubles numbers; one of them ends the process.
-
-    Attributes
-    ----------
-    poison : int
-        Which.
-    """
+    """Doubles numbers; one of them ends the process."""
 
     poison: int
 

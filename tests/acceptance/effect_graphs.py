@@ -57,13 +57,7 @@ def dispensing(effect: Effect) -> Scene:
 
 @cache
 def graph_of(scene_name: str, names: tuple[str, ...]) -> Graph:
-    """The scene's graph on few cells, with these effects and no other.
-
-    Raises
-    ------
-    ValueError
-        If the scene takes in others.
-    """
+    """The scene's graph on few cells, with these effects and no other."""
     asked = with_effects(load_scene(scene_name), names).replace({"numerics.cells": CELLS, "numerics.grading": 1.0})
     effects = choose_effects(asked)
     if effects.names != names:

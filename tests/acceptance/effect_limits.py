@@ -18,25 +18,7 @@ from .rheology import STRING
 
 @dataclass(frozen=True)
 class Limit:
-    """An effect that fades.
-
-    Attributes
-    ----------
-    effect, what : str
-        Its name, and the filament on which it fades.
-    coefficient : str
-        What goes to zero.
-    values : tuple of float
-        Its values, falling.
-    exponent, band : float
-        Of the coefficient in theory, and how far the one measured between the last two values may be from it.
-    pair : callable
-        Coefficient to the sags with and without the effect.
-    prefactor : callable or None
-        Of theory.
-    share : float
-        Relative difference from it that is allowed at the last value.
-    """
+    """An effect that fades."""
 
     effect: str
     what: str
@@ -51,15 +33,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class Faded:
-    """What a limit was measured to be.
-
-    Attributes
-    ----------
-    shares : tuple of float
-        Of the effect, at each value of the coefficient.
-    exponents : tuple of float
-        Between neighbouring values.
-    """
+    """What a limit was measured to be."""
 
     shares: tuple[float, ...]
     exponents: tuple[float, ...]

@@ -27,17 +27,7 @@ _CELL = re.compile(r"^# %%(.*)$", re.MULTILINE)
 
 
 def lacking(effect: Effect, limits: Sequence[Limit], notebooks: Path = NOTEBOOKS) -> list[str]:
-    """Whatever of the three the effect lacks; empty if it has them all.
-
-    Parameters
-    ----------
-    effect : Effect
-        Registered or not.
-    limits : sequence of Limit
-        Table of limits.
-    notebooks : Path
-        Folder of the derivations.
-    """
+    """Whatever of the three the effect lacks; empty if it has them all."""
     missing = [*_without_scene(effect), *_without_derivation(effect, notebooks)]
     if not any(limit.effect == effect.name for limit in limits):
         missing.append("limit: none in the table")

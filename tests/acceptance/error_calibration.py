@@ -27,32 +27,10 @@ FINER, MORE_FIBRES, TIGHTER = 2, 2, 10
 RUN, REFERENCE = 600.0, 1800.0
 """Seconds of the processor for a run with its estimates, and for its reference, which is eight times as much of one."""
 
-SOURCES = ("accuracy", "scene", "equations", "effects", "graph", "codegen", "solve", "trajectory", "simulate.py")
-
 
 @dataclass(frozen=True)
 class Calibrated:
-    """A scene at an accuracy, its estimated error and its true one.
-
-    Attributes
-    ----------
-    name : str
-        Of the scene.
-    accuracy : float
-        Asked.
-    outcome : str
-        Of the run.
-    why_not : str
-        Why there is nothing to compare; empty if there is.
-    true : float
-        Largest difference from the reference over the run, relative to the largest midpoint.
-    estimate : dict
-        As in the summary.
-    resolution : dict
-        Of the run.
-    seconds, estimating : float
-        Of its solution, and of all that estimating it took.
-    """
+    """A scene at an accuracy, its estimated error and its true one."""
 
     name: str
     accuracy: float
@@ -73,7 +51,7 @@ class Calibrated:
 
 def calibrations(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Calibrated]:
     """Calibrate scenes, side by side; answers are kept, so that an interrupted study goes on."""
-    sources = fingerprint(SOURCES, __file__)
+    sources = fingerprint(__file__)
 
     def one(ask: Ask, question: tuple[str, str, float]) -> Calibrated:
         return Calibrated(**kept(tuple(map(str, question)), sources, lambda: asdict(_within_limits(ask, question))))

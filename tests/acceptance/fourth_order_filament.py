@@ -31,23 +31,7 @@ _MAX_STEPS = 1_000_000
 
 @dataclass(frozen=True)
 class Constants:
-    """A half filament without units: lengths in rest lengths, stresses in Young's modulus, time in any scale T.
-
-    Attributes
-    ----------
-    law : str
-        What flows, if anything.
-    half_thickness : float
-        h0/(2 L).
-    yield_strain : float
-        sY/E, of the Bingham law.
-    flow : float
-        E T/eta.
-    gravity, ramp : float
-        g T^2/L; duration of the quintic step over T, 0 for a load at once.
-    wave_speed_squared : float
-        E T^2/(rho L^2).
-    """
+    """A half filament without units: lengths in rest lengths, stresses in Young's modulus, time in any scale T."""
 
     law: Law
     half_thickness: float
@@ -60,21 +44,7 @@ class Constants:
 
 @dataclass(frozen=True)
 class Answer:
-    """Of one run.
-
-    Attributes
-    ----------
-    midpoint : ndarray, shape (frames,)
-        Height of midspan.
-    residual : ndarray, shape (frames,)
-        Energies, with the dissipated one, less the work of the load.
-    energy : float
-        Largest of them all, to compare with.
-    seconds : float
-        Of the processor, integration alone.
-    steps : int
-        Taken.
-    """
+    """Of one run."""
 
     midpoint: Floats
     residual: Floats
@@ -84,15 +54,7 @@ class Answer:
 
 
 class SplineFilament:
-    """The filament on cells between `nodes`, from the plane of symmetry to the clamp.
-
-    Parameters
-    ----------
-    nodes : ndarray, shape (cells + 1,)
-        X/L from 0 to 1/2.
-    constants : Constants
-        Of the filament.
-    """
+    """The filament on cells between `nodes`, from the plane of symmetry to the clamp."""
 
     def __init__(self, nodes: Floats, constants: Constants) -> None:
         self._constants = constants

@@ -18,17 +18,7 @@ from softcat_sym.codegen.compiler import cache_folder
 
 
 def kept(question: Sequence[str], sources: str, answer: Callable[[], Any]) -> Any:
-    """Look an answer up, or find and keep it.
-
-    Parameters
-    ----------
-    question : sequence of str
-        All that the answer depends on besides the sources.
-    sources : str
-        From `fingerprint`.
-    answer : callable
-        Gives what JSON can hold.
-    """
+    """Look an answer up, or find and keep it."""
     key = hashlib.sha256("\n".join((sources, *question)).encode()).hexdigest()
     path = cache_folder() / "answers" / f"{key}.json"
     if path.is_file():
@@ -43,13 +33,10 @@ def kept(question: Sequence[str], sources: str, answer: Callable[[], Any]) -> An
 
 
 @cache
-def fingerprint(parts: tuple[str, ...], study: str) -> str:
-    """Fingerprint of parts of the package, folders or files, and of the study's own file."""
+def fingerprint(study: str) -> str:
+    """Fingerprint of the package and of the study's own file."""
     package = Path(sc.__file__).parent
-    found = [package / part for part in parts]
-    inside = [file for place in found for file in ([place] if place.is_file() else place.rglob("*"))]
-    files = [file for file in inside if file.suffix in (".py", ".c", ".h")]
     digest = hashlib.sha256(Path(study).read_bytes())
-    for file in sorted(files):
+    for file in sorted(file for file in package.rglob("*") if file.suffix in (".py", ".c", ".h")):
         digest.update(file.read_bytes())
     return digest.hexdigest()

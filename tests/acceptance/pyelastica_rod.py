@@ -98,20 +98,7 @@ def largest_step(elements: int, E: float) -> float:
 
 
 def fall(elements: int, E: float, fraction: float, kind: Rod) -> Fall:
-    """Let the rod fall from rest.
-
-    Parameters
-    ----------
-    elements : int
-        Of the whole span; even, so that midspan is a node.
-    E : float
-        Modulus [Pa].
-    fraction : float
-        Time step over the stability limit.
-    kind : str
-        ``"manual"``: clamps and material as documented. ``"second order"``: the end stiffness mended. ``"our
-        material"``: that, and the filament's section.
-    """
+    """Let the rod fall from rest."""
     simulator, rod = set_up(elements, E, kind)
     stepper, now, found = ea.PositionVerlet(), np.float64(0.0), []
     limit = fraction * largest_step(elements, E)

@@ -20,17 +20,7 @@ Floats = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Tolerances:
-    """How exact it is to be.
-
-    Attributes
-    ----------
-    rtol, atol : float
-        Of Radau.
-    difference : float
-        Step of the logarithms in the two-point Jacobian.
-    gain : float
-        `ftol` of `least_squares`; `xtol` and `gtol` are the same.
-    """
+    """How exact it is to be."""
 
     rtol: float
     atol: float
@@ -47,17 +37,7 @@ class Found:
 
 
 class RadauFit:
-    """The rival's half filament with logarithms of its constants as unknowns.
-
-    Parameters
-    ----------
-    prepared : Prepared
-        The filament with the constants of the start: its grid, parameters and unit of time are taken.
-    series : Series
-        What was filmed.
-    names : tuple of str
-        What is free.
-    """
+    """The rival's half filament with logarithms of its constants as unknowns."""
 
     def __init__(self, prepared: Prepared, series: Series, names: tuple[str, ...]) -> None:
         self._nodes = prepared.graph.grid.nodes
@@ -68,13 +48,7 @@ class RadauFit:
         self.runs = 0
 
     def residuals(self, q: Floats, tolerances: Tolerances) -> Floats:
-        """(model - measured)/standard error.
-
-        Raises
-        ------
-        RuntimeError
-            If SciPy gives up.
-        """
+        """(model - measured)/standard error."""
         self.runs += 1
         moved = {name: self._given[name] * float(np.exp(x)) for name, x in zip(self._names, q, strict=True)}
         filament = NumpyFilament(numbers_of(self._nodes, {**self._given, **moved}))

@@ -63,15 +63,7 @@ def scene(
     cells: int = 20,
     rtol: float | None = None,
 ) -> sc.Scene:
-    """A scene in SI numbers, run without an estimate; 1 m, 1000 kg/m^3, 10 m/s^2, 1 s and 2 frames if not given.
-
-    Parameters
-    ----------
-    material : mapping
-        The consistency of a law with an index is its ``viscosity``.
-    ends : mapping
-        ``motion`` in rows of numbers.
-    """
+    """A scene in SI numbers, run without an estimate; 1 m, 1000 kg/m^3, 10 m/s^2, 1 s and 2 frames if not given."""
     named = effects if isinstance(effects, str) else list(effects)
     table: dict[str, Any] = {
         "filament": _with_units({"span": 1.0, "density": 1000.0, **filament}),

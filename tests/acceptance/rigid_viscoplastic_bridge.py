@@ -55,17 +55,7 @@ def _neutral(n: float, m: Array) -> Array:
 
 
 class Bridge:
-    """One bridge on the midpoints of equal cells over half its span.
-
-    Parameters
-    ----------
-    gamma : float
-        Load, rho g L/sY over h/L.
-    clamped : bool
-        Ends that keep their angle; else pins.
-    points : int
-        Over half the span.
-    """
+    """One bridge on the midpoints of equal cells over half its span."""
 
     def __init__(self, gamma: float, clamped: bool, points: int = POINTS) -> None:
         self.gamma, self.clamped = gamma, clamped

@@ -95,17 +95,7 @@ class Path:
 
 
 class Swing:
-    """A filament of the published theory under its full weight, ready to swing.
-
-    Parameters
-    ----------
-    name : str
-        One of SCENES.
-    cells : int
-        Per half span.
-    periods, frames : int
-        How long, and frames in each.
-    """
+    """A filament of the published theory under its full weight, ready to swing."""
 
     def __init__(self, name: str, cells: int, periods: int, frames: int) -> None:
         self.prepared = swinging(name, 1, 1, "paper", {"cells": cells})
@@ -196,13 +186,7 @@ class _Gauss:
         return np.asarray(np.linalg.inv(np.eye(size) - self._length * np.kron(self._a, self._swing.jacobian(x))))
 
     def step(self, x: Floats) -> Floats:
-        """One step.
-
-        Raises
-        ------
-        RuntimeError
-            If even a new Jacobian does not make the stages converge.
-        """
+        """One step."""
         guess = self._ahead @ self._k
         found, turns = self._solve(x, guess)
         if found is None or turns > _MANY:

@@ -50,7 +50,8 @@ def rows(found: Card) -> list[tuple[str, ...]]:
     return told
 
 
-@pytest.mark.parametrize(("ends", "share"), [("pinned", 1.0), pytest.param("clamped", 0.2, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize(("ends", "share"), [("pinned", 1.0), ("clamped", 0.2)])
 def test_an_ink_at_the_published_limit_sags_by_the_published_share(ends: str, share: float) -> None:
     found = card(limit_ink(ends), "0.05 mm", span=False)
     assert found.run.outcome.is_success and found.descent is not None and found.error_estimate is not None

@@ -45,7 +45,7 @@ def scene_of(material: dict[str, object], effects: str) -> sc.Scene:
             "material": {"youngs_modulus": "4 MPa", **law},
             "load": {"ramp": "50 ms"},
             "run": {"duration": "0.5 s", "frames": 26, "effects": effects},
-            "numerics": {"cells": 20, "estimate": False},
+            "numerics": {"cells": 8, "estimate": False},
         }
     )
 

@@ -13,14 +13,14 @@ from .test_custom_law import PAIRS, difference, scene_of
 
 def heights(scene: sc.Scene, backend: str) -> np.ndarray:
     """Midpoint [m] over the run."""
-    numerics = {"backend": backend, "solver": "rosenbrock", "rtol": 1e-6, "cells": 20, "estimate": False}
+    numerics = {"backend": backend, "solver": "rosenbrock", "rtol": 1e-6, "cells": 8, "estimate": False}
     run = sc.simulate(scene.replace({"numerics": numerics}))
     assert run.outcome is sc.Outcome.solved
     assert run.summary["backend"] == backend
     return np.asarray(run.data.midpoint.values)
 
 
-@pytest.mark.parametrize("name", ["bingham", "herschel-bulkley"])
+@pytest.mark.parametrize("name", ["bingham", pytest.param("herschel-bulkley", marks=pytest.mark.slow)])
 def test_compiled_it_is_the_same_again(name: str) -> None:
     """The C of the filament holds the user's rule as it holds a built-in one."""
     built_in, own = (scene_of(dict(material), "paper") for material in PAIRS[name])

@@ -95,6 +95,7 @@ def test_filaments_a_second_and_what_a_second_thread_is_worth() -> None:
         assert gains[0] > THREADS_GAIN
 
 
+@pytest.mark.slow
 def test_what_python_costs_beside_the_compiled_solver(monkeypatch: pytest.MonkeyPatch) -> None:
     """Processor time of a member that is not the C integration's: tables, scenes, starts, checks, results."""
     spent: list[float] = []

@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.marks import few
+
 from .rheology import GEOMETRY, Array, flow_of, scene, solved
 from .table import show
 
@@ -50,7 +52,10 @@ def sags(material: dict[str, Any], effects: str | tuple[str, ...], rtol: float =
     return np.asarray(solved(asked)["midpoint"].values)
 
 
-@pytest.mark.parametrize("name", list(PAIRS))
+@pytest.mark.parametrize(
+    "name",
+    few(PAIRS, "Herschel-Bulkley, n = 1, and Bingham", "power law, n = 1, and Maxwell", "two equal modes and Maxwell"),
+)
 def test_a_law_is_the_one_it_contains(name: str) -> None:
     """With inertia and with every term of the published list; the difference falls with the tolerance."""
     one, other = PAIRS[name]

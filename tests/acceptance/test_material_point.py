@@ -94,27 +94,27 @@ def test_a_finite_path_of_shear_and_stretch_is_first_order_in_the_step() -> None
     assert errors[-2] / errors[-1] == pytest.approx(2 * np.ones(3), abs=0.05)
 
 
-@pytest.mark.parametrize("law", ["maxwell", "bingham", THINNING, THICKENING, SINH], ids=str)
-def test_every_step_however_long_solves_the_implicit_equations(law: str | PointLaw) -> None:
+def test_every_step_however_long_solves_the_implicit_equations() -> None:
     """Ee_trial - Ee_new = dt Lp(M_new), with matrix logarithms, for steps from 1e-5 to 1e5 relaxation times."""
-    rng = np.random.default_rng(5)
-    constants = OF_ITS_OWN if isinstance(law, PointLaw) else {"maxwell": MAXWELL, "bingham": BINGHAM}[law]
-    rest, flowed = MaterialPoint(law, constants), 0
-    for _ in range(200):
-        point = copy.copy(rest)
-        point.step(np.eye(2) + 0.1 * rng.normal(size=(2, 2)), 0.1)
-        before, deformation = point.state, np.eye(2) + 0.15 * rng.normal(size=(2, 2))
-        duration = 0.5 * 10 ** rng.uniform(-5, 5)
-        point.step(deformation, duration)
-        lost = _strain(deformation, before) - _strain(deformation, point.state)
-        tau = np.zeros((3, 3))
-        tau[:2, :2] = point.kirchhoff
-        deviator = tau - np.trace(tau) / 3 * np.eye(3)
-        size = math.sqrt(1.5 * np.sum(deviator**2))
-        flow = 1.5 * duration * point.rate * deviator[:2, :2] / max(size, 1e-300)
-        assert lost == pytest.approx(flow, rel=1e-9, abs=2e-12)
-        flowed += point.rate > 0
-    assert flowed > 150
+    for law in ["maxwell", "bingham", THINNING, THICKENING, SINH]:
+        rng = np.random.default_rng(5)
+        constants = OF_ITS_OWN if isinstance(law, PointLaw) else {"maxwell": MAXWELL, "bingham": BINGHAM}[law]
+        rest, flowed = MaterialPoint(law, constants), 0
+        for _ in range(200):
+            point = copy.copy(rest)
+            point.step(np.eye(2) + 0.1 * rng.normal(size=(2, 2)), 0.1)
+            before, deformation = point.state, np.eye(2) + 0.15 * rng.normal(size=(2, 2))
+            duration = 0.5 * 10 ** rng.uniform(-5, 5)
+            point.step(deformation, duration)
+            lost = _strain(deformation, before) - _strain(deformation, point.state)
+            tau = np.zeros((3, 3))
+            tau[:2, :2] = point.kirchhoff
+            deviator = tau - np.trace(tau) / 3 * np.eye(3)
+            size = math.sqrt(1.5 * np.sum(deviator**2))
+            flow = 1.5 * duration * point.rate * deviator[:2, :2] / max(size, 1e-300)
+            assert lost == pytest.approx(flow, rel=1e-9, abs=2e-12)
+            flowed += point.rate > 0
+        assert flowed > 150
 
 
 def _strain(deformation: Floats, state: Floats) -> Floats:

@@ -28,23 +28,7 @@ pytestmark = pytest.mark.slow
 
 @dataclass(frozen=True)
 class Case:
-    """A film, what is asked of it, and what it can tell.
-
-    Attributes
-    ----------
-    scene : str
-        Bundled.
-    effects : list of str
-        Physics.
-    free : tuple of str
-        What is asked.
-    words : tuple of str
-        Verdicts.
-    combination : mapping of str to float
-        Exponents of the product that is identified; empty if none is.
-    begin : float
-        Where the film begins, as a share of the scene's duration.
-    """
+    """A film, what is asked of it, and what it can tell."""
 
     scene: str
     effects: list[str]

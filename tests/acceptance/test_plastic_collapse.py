@@ -41,19 +41,7 @@ def growing(
     section: str = "rectangle",
     fibres: int | None = None,
 ) -> tuple[dict[float, float], sc.Trajectory]:
-    """Load over 16 M_p/L^2 where the sag passes each level (in h); the weight grows to 1.15 times that.
-
-    Parameters
-    ----------
-    moment : float
-        M_p/(sY A h) that the beam is expected to have.
-    effects : str or tuple of str
-        Of the run.
-    cells : int
-        Per half span.
-    viscosity : float
-        eta over sY times the duration of the ramp.
-    """
+    """Load over 16 M_p/L^2 where the sag passes each level (in h); the weight grows to 1.15 times that."""
     yield_stress = DENSITY * GRAVITY * SPAN / (16 * moment * SLENDERNESS * OVERLOAD)
     asked = scene(
         thickness=SLENDERNESS * SPAN,

@@ -126,12 +126,12 @@ def test_as_many_fibres_are_the_truth() -> None:
     assert max(errors(followed("rectangle", fibre_rule(SECTIONS["rectangle"], MANY)), truth("rectangle"))) < 1e-12
 
 
-@pytest.mark.parametrize("section", ["rectangle", "circle"])
-@pytest.mark.parametrize("order", [1, 3, 8])
-def test_an_order_with_as_many_points_is_fibres(section: str, order: int) -> None:
-    amplitudes = followed(section, order_rule(SECTIONS[section], order, order + 1))
-    fibres = followed(section, fibre_rule(SECTIONS[section], order + 1))
-    assert max(errors(amplitudes, fibres)) < 1e-12
+def test_an_order_with_as_many_points_is_fibres() -> None:
+    for section in ["rectangle", "circle"]:
+        for order in [1, 3, 8]:
+            amplitudes = followed(section, order_rule(SECTIONS[section], order, order + 1))
+            fibres = followed(section, fibre_rule(SECTIONS[section], order + 1))
+            assert max(errors(amplitudes, fibres)) < 1e-12
 
 
 def test_the_history_is_a_hard_one() -> None:

@@ -56,15 +56,15 @@ def histories(index: float, E: float, frames: int) -> tuple[Array, Array]:
     return data["time"].values, limit_of(*found)
 
 
-@pytest.mark.parametrize("index", INDICES)
-def test_power_law_string_with_its_spring(index: float) -> None:
+def test_power_law_string_with_its_spring() -> None:
     """The whole history, from the elastic sag on."""
-    E = 1e5 * STRESS
-    time, found = histories(index, E, 11)
-    error = found / power_law_sag(time, index, E) - 1
-    rows = [[f"{t:.1f}", f"{H:.6f}", f"{e:+.1e}"] for t, H, e in zip(time, found, error, strict=True)][::2]
-    show(f"power-law string, n = {index:g}, E* = 1e5", ("t [s]", "sag/L", "error"), rows)
-    assert np.max(np.abs(error)) < 1e-5
+    for index in INDICES:
+        E = 1e5 * STRESS
+        time, found = histories(index, E, 11)
+        error = found / power_law_sag(time, index, E) - 1
+        rows = [[f"{t:.1f}", f"{H:.6f}", f"{e:+.1e}"] for t, H, e in zip(time, found, error, strict=True)][::2]
+        show(f"power-law string, n = {index:g}, E* = 1e5", ("t [s]", "sag/L", "error"), rows)
+        assert np.max(np.abs(error)) < 1e-5
 
 
 def test_power_law_string_scaling_with_its_prefactor() -> None:

@@ -23,19 +23,7 @@ pytestmark = pytest.mark.slow
 
 @dataclass(frozen=True)
 class Film:
-    """How it was filmed, and what may be said of it.
-
-    Attributes
-    ----------
-    law : str
-        The true one.
-    noise : float
-        Standard deviation over the largest sag.
-    frames : int
-        How many.
-    verdicts : tuple of str
-        Those that are right.
-    """
+    """How it was filmed, and what may be said of it."""
 
     law: str
     noise: float

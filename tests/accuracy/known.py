@@ -17,19 +17,7 @@ LARGEST = 0.02
 
 @dataclass
 class Known:
-    """A runner with an error of each kind, relative to the largest midpoint.
-
-    Attributes
-    ----------
-    space, time, section : float
-        Errors at N = 1, rtol = 1, n = 1.
-    order : float
-        Of the grid.
-    fails_below : int
-        Cells below which it has no answer.
-    asked : list of Resolution
-        What was run.
-    """
+    """A runner with an error of each kind, relative to the largest midpoint."""
 
     space: float = 0.0
     time: float = 0.0

@@ -80,7 +80,7 @@ def test_what_the_user_fixed_is_kept_and_told() -> None:
 @pytest.mark.parametrize(("times", "outcome"), [(0.9, "solved"), (1.5, "solved"), (2.5, "inaccurate")])
 def test_an_accuracy_missed_by_little_is_an_answer(times: float, outcome: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Of a beam that may have no more cells: with a warning up to twice the accuracy, and no advice that is no use."""
-    monkeypatch.setattr(refining, "MOST_CELLS", 1)
+    monkeypatch.setattr(refining, "MAX_CELLS", 1)
     error = simulate(beam(1e-4)).summary["error_estimate"]["total"]
     run = simulate(beam(error / times))
     assert run.outcome.name == outcome
@@ -103,7 +103,7 @@ def test_a_hinge_that_necks_as_the_grid_lets_it_is_no_success() -> None:
 def test_what_cannot_be_reached_is_inaccurate(monkeypatch: pytest.MonkeyPatch) -> None:
     from softcat_sym.error_control import control as refining
 
-    monkeypatch.setattr(refining, "MOST_CELLS", 40)
+    monkeypatch.setattr(refining, "MAX_CELLS", 40)
     run = simulate(load_scene("cold-honey", HONEY | {"run.accuracy": 1e-6}))
     assert run.outcome.name == "inaccurate"
     assert run.summary["regime"] is None

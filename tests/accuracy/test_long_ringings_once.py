@@ -21,7 +21,7 @@ def test_a_long_ringing_is_integrated_once_to_be_told_and_to_be_judged(
     most: int, fewest: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Companions have its output times, also where memory limits their number (``most`` values)."""
-    monkeypatch.setattr("softcat_sym.error_control.control.MOST_NUMBERS", most)
+    monkeypatch.setattr("softcat_sym.error_control.control.MAX_NUMBERS", most)
     plain = CompiledIntegration.run
     begun: list[tuple[int, int]] = []
 

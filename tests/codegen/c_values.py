@@ -21,19 +21,7 @@ _BEYOND = 64
 
 @dataclass(frozen=True)
 class Values:
-    """Rates, their Jacobian, powers and their slopes.
-
-    Attributes
-    ----------
-    rates : ndarray, shape (unknowns,)
-        Rates and balances.
-    jacobian : ndarray, shape (unknowns, unknowns)
-        Their derivatives.
-    powers : ndarray, shape (3,)
-        Plastic power, power of the load and of the necking gradient.
-    slopes : ndarray, shape (3, unknowns)
-        Their derivatives.
-    """
+    """Rates, their Jacobian, powers and their slopes."""
 
     rates: Floats
     jacobian: Floats

@@ -17,21 +17,7 @@ _FUNCTIONS = "rates", "jacobian", "work", "work_slope"
 
 @dataclass(frozen=True)
 class Chain:
-    """A linear chain.
-
-    Attributes
-    ----------
-    sites, sections : int
-        Sites; last slots of a site that are section states.
-    rate, differential, held_first, held_last : list of int
-        As softcat_model has them, a number a slot.
-    pattern : sequence of (row, offset, column)
-        Entries of the Jacobian.
-    entries : np.ndarray
-        Their values, shape (sites, entries).
-    cubic : float
-        Strength of -y^3.
-    """
+    """A linear chain."""
 
     sites: int
     sections: int

@@ -28,23 +28,7 @@ STRAIN = 1e-3
 
 @dataclass(frozen=True)
 class Pair:
-    """A graph and the C of its structure.
-
-    Attributes
-    ----------
-    graph : Graph
-        Interpreted.
-    model : Model
-        The C text.
-    p : ndarray
-        Parameters.
-    places : ndarray, shape (sites, places)
-        Geometry.
-    sites : Sites
-        Where the unknowns of the graph are in the rows of the C.
-    start : Start
-        The filament at rest.
-    """
+    """A graph and the C of its structure."""
 
     graph: Graph
     model: Model
@@ -112,13 +96,7 @@ def pair_of(scene: Scene) -> Pair:
 
 
 def differences(pair: Pair, seeds: range, other: Pair | None = None) -> dict[str, float]:
-    """Largest difference of each result, over the largest value of its kind of unknown.
-
-    Parameters
-    ----------
-    other : Pair, optional
-        Whose C is taken in place of that of `pair`.
-    """
+    """Largest difference of each result, over the largest value of its kind of unknown."""
     in_c = (other or pair).in_c
     worst = dict.fromkeys(("rates", "jacobian", "powers", "slopes"), 0.0)
     kinds = np.array(pair.kinds)

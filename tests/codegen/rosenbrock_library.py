@@ -140,17 +140,7 @@ def ints(values: Sequence[int]) -> c.Array[c.c_int]:
 
 @dataclass(frozen=True)
 class Problem:
-    """A model, and the filament it is asked for.
-
-    Attributes
-    ----------
-    model : Model
-        As C sees it.
-    sites : int
-        Sites of the filament.
-    parameters, places : sequence of float
-        What the filament is given.
-    """
+    """A model, and the filament it is asked for."""
 
     model: Model
     sites: int = 1

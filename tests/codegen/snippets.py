@@ -18,13 +18,7 @@ Floats = npt.NDArray[np.float64]
 
 
 def text_of(code: Code, inputs: int, uniform: Sequence[bool] = ()) -> str:
-    """A C file with `void f(int n, const double *x, double *y)`: rows of x to rows of y, as a model has them.
-
-    Parameters
-    ----------
-    uniform : sequence of bool
-        Which inputs are the same in every row, and taken from the first.
-    """
+    """A C file with `void f(int n, const double *x, double *y)`: rows of x to rows of y, as a model has them."""
     same = list(uniform) or [False] * inputs
     given = [f"x[{k}]" if same[k] else f"x[{inputs} * i + {k}]" for k in range(inputs)]
     outputs = len(code.results)

@@ -120,10 +120,10 @@ def test_a_fibre_that_needs_the_sum_over_all_of_them_is_refused() -> None:
         statements(code_of([A], [ca.sin(A)]), ["z[k]"], [When.FIBRE], [Target("f[i]")])
 
 
-@pytest.mark.parametrize("value", [0.1, -0.1, 1e-300, 1 / 3, 5e-324, 1.7976931348623157e308, 12345678901234567.0])
-def test_numbers_are_read_as_the_same(value: float) -> None:
-    code = Code((Instruction("CONST", (), value),), (0,))
-    assert values(text_of(code, 1), np.zeros((1, 1)), 1)[0, 0] == value
+def test_numbers_are_read_as_the_same() -> None:
+    for value in [0.1, -0.1, 1e-300, 1 / 3, 5e-324, 1.7976931348623157e308, 12345678901234567.0]:
+        code = Code((Instruction("CONST", (), value),), (0,))
+        assert values(text_of(code, 1), np.zeros((1, 1)), 1)[0, 0] == value
 
 
 def test_infinity_has_a_text_and_what_is_no_number_has_none() -> None:

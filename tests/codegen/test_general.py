@@ -89,6 +89,7 @@ def test_the_text_grows_by_tables_only() -> None:
     assert 2 * many < len(straight.dump())
 
 
+@pytest.mark.slow
 def test_the_text_is_the_same_whatever_the_hash_seed() -> None:
     texts = {
         subprocess.run(

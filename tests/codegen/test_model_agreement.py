@@ -12,6 +12,7 @@ import pytest
 
 import softcat_sym as sc
 from tests.acceptance.table import show
+from tests.marks import few
 
 from .pairs import Pair, differences, pair_of
 
@@ -74,7 +75,10 @@ def check(title: str, pairs: dict[str, Pair]) -> None:
     show(title, header, rows)
 
 
-@pytest.mark.parametrize("kind", list(KINDS))
+QUICK = ("paper", "string", "fibres, necking", "profile, free end", "point mass, no inertia", "several modes")
+
+
+@pytest.mark.parametrize("kind", few(KINDS, *QUICK))
 def test_every_number_is_that_of_the_graph(kind: str) -> None:
     check(f"{kind}: C against the interpreted graph", {kind: pair_of(scene_of(kind, numerics__cells=6))})
 

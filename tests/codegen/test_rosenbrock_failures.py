@@ -67,20 +67,17 @@ def test_stop_flag() -> None:
     assert (run.status.code, run.status.steps) == (rosenbrock.STOPPED, 0)
 
 
-@pytest.mark.parametrize(
-    ("times", "settings"),
-    [
+def test_arguments_are_looked_at() -> None:
+    """What the header asks for is checked."""
+    for times, settings in [
         ([0.0, 1.0, 1.0], Settings()),
         ([0.0, np.nan], Settings()),
         ([0.0, 1.0], Settings(relative=0.0)),
         ([0.0, 1.0], Settings(absolute=-1.0)),
         ([0.0, 1.0], Settings(method=9)),
         ([0.0, 1.0], Settings(kinks=[0.5, 0.5])),
-    ],
-)
-def test_arguments_are_looked_at(times: list[float], settings: Settings) -> None:
-    """What the header asks for is checked."""
-    assert integrate(problem("smooth"), [1.0, 1.0], times, settings).status.code == rosenbrock.ARGUMENT
+    ]:
+        assert integrate(problem("smooth"), [1.0, 1.0], times, settings).status.code == rosenbrock.ARGUMENT
 
 
 def test_every_code_has_its_sentence() -> None:
@@ -90,16 +87,16 @@ def test_every_code_has_its_sentence() -> None:
     assert rosenbrock.library().softcat_message(99) == b"unknown code"
 
 
-@pytest.mark.parametrize("method", rosenbrock.METHODS)
-@pytest.mark.parametrize("late", [0.0, 1.0])
-def test_a_jump_of_pace_costs_nothing_where_it_is_announced(method: int, late: float) -> None:
+def test_a_jump_of_pace_costs_nothing_where_it_is_announced() -> None:
     """y' = 1 before, -2 after t = 1/3, whichever holds at that time: exact, without a rejected step."""
-    what, kink = problem("jump", 1.0 / 3.0, late), 1.0 / 3.0
-    told = integrate(what, [0.0], [0.0, 0.2, 1.0], Settings(method=method, kinks=[-1.0, kink, 7.0]))
-    np.testing.assert_allclose(told.states[:, 0], [0.0, 0.2, kink - 2.0 * (1.0 - kink)], atol=1e-14)
-    assert told.status.rejected == 0
-    untold = integrate(what, [0.0], [0.0, 0.2, 1.0], Settings(method=method))
-    assert untold.status.rejected > 3
+    for method in rosenbrock.METHODS:
+        for late in [0.0, 1.0]:
+            what, kink = problem("jump", 1.0 / 3.0, late), 1.0 / 3.0
+            told = integrate(what, [0.0], [0.0, 0.2, 1.0], Settings(method=method, kinks=[-1.0, kink, 7.0]))
+            np.testing.assert_allclose(told.states[:, 0], [0.0, 0.2, kink - 2.0 * (1.0 - kink)], atol=1e-14)
+            assert told.status.rejected == 0
+            untold = integrate(what, [0.0], [0.0, 0.2, 1.0], Settings(method=method))
+            assert untold.status.rejected > 3
 
 
 def test_consistent_start_is_found_from_afar() -> None:
@@ -109,6 +106,7 @@ def test_consistent_start_is_found_from_afar() -> None:
     np.testing.assert_allclose(state, [1.0, 0.0], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_sanitised(tmp_path: Path) -> None:
     """All of it under AddressSanitizer, its leak check, and UBSan, also where an allocation fails."""
     compiler = find_compiler()

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from softcat_sym.physics import closed_forms as asy
 from softcat_sym.physics.closed_forms import phi, phi_t, phi_tt
-from softcat_sym.physics.equation import Equation, check
+from softcat_sym.physics.equation import check
 from softcat_sym.physics.regimes import tau_star
 from softcat_sym.physics.rheometry import B, R, alpha, t_high, t_star
 
@@ -20,9 +20,9 @@ LOAD = 3.3e-5
 PAPER = {B: LOAD, alpha: asy.TOLERANCE}
 
 
-@pytest.mark.parametrize("equation", asy.ASYMPTOTICS_EQUATIONS, ids=lambda e: e.name)
-def test_every_term_has_one_dimension(equation: Equation) -> None:
-    check(equation)
+def test_every_term_has_one_dimension() -> None:
+    for equation in asy.ASYMPTOTICS_EQUATIONS:
+        check(equation)
 
 
 @pytest.mark.parametrize("tau", [0.01, 0.1, 3.0])

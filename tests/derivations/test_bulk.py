@@ -145,6 +145,6 @@ def test_plane_stress_is_the_general_law_with_a_free_width() -> None:
     assert STRESS(*six(strain))[2, 2] == pytest.approx(0, abs=1e-16)
 
 
-@pytest.mark.parametrize("equation", bulk.BULK_EQUATIONS, ids=lambda e: e.name)
-def test_dimensions(equation: bulk.Equation) -> None:
-    assert check(equation) is not None
+def test_dimensions() -> None:
+    for equation in bulk.BULK_EQUATIONS:
+        assert check(equation) is not None

@@ -38,13 +38,11 @@ def test_exact_stopping_depth_is_the_catenary_that_just_yields(G: float) -> None
     assert found.arrest_exact == pytest.approx(2 * math.sqrt(lowest**2 - 1), rel=1e-10)
 
 
-@pytest.mark.parametrize(
-    ("G", "paper", "exact"), [(1.32, True, True), (1.33, True, False), (1.41, True, False), (1.42, False, False)]
-)
-def test_depths_end_where_no_catenary_is_held(G: float, paper: bool, exact: bool) -> None:
-    found = expected_regime(sc.load_scene(PAPER, [f"groups.G={G}"]), PUBLISHED)
-    assert (found.stopping_depth_paper is not None, found.stopping_depth_exact is not None) == (paper, exact)
-    assert found.name == "descending"  # below the threshold by its hinges, beyond it for ever
+def test_depths_end_where_no_catenary_is_held() -> None:
+    for G, paper, exact in [(1.32, True, True), (1.33, True, False), (1.41, True, False), (1.42, False, False)]:
+        found = expected_regime(sc.load_scene(PAPER, [f"groups.G={G}"]), PUBLISHED)
+        assert (found.stopping_depth_paper is not None, found.stopping_depth_exact is not None) == (paper, exact)
+        assert found.name == "descending"  # below the threshold by its hinges, beyond it for ever
 
 
 # What runs have shown: the bundled scenes at their own accuracy, the others on 16 cells a half span.
@@ -64,15 +62,15 @@ SHOWN = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", list(BUNDLED))
-def test_bundled_scenes_are_foretold(name: str) -> None:
-    assert of(name, "run.effects=paper").name == BUNDLED[name]
+def test_bundled_scenes_are_foretold() -> None:
+    for name in list(BUNDLED):
+        assert of(name, "run.effects=paper").name == BUNDLED[name]
 
 
-@pytest.mark.parametrize(("G", "V"), list(SHOWN))
-def test_the_paper_s_filament_is_foretold(G: float, V: float) -> None:
-    scene = sc.load_scene(PAPER, list(grouped(G, V)))
-    assert expected_regime(scene, PUBLISHED).name == SHOWN[G, V]
+def test_the_paper_s_filament_is_foretold() -> None:
+    for G, V in list(SHOWN):
+        scene = sc.load_scene(PAPER, list(grouped(G, V)))
+        assert expected_regime(scene, PUBLISHED).name == SHOWN[G, V]
 
 
 @pytest.mark.parametrize("D", [0.0, 0.005, 0.05, 0.4, 0.85, 1.45, 2.2, 3.5, 6.0])
@@ -138,9 +136,8 @@ def warned(name: str, *changes: str) -> str:
     return " | ".join(theory_limits(scene, expected_regime(scene, choose_effects(scene).names)))
 
 
-@pytest.mark.parametrize(
-    ("G", "V", "ruptures"),
-    [
+def test_rupture_is_foretold_where_runs_have_shown_it() -> None:
+    for G, V, ruptures in [
         (0.25, 0.4, False),
         (0.4, 0.4, True),
         (0.4, 1, False),
@@ -148,12 +145,10 @@ def warned(name: str, *changes: str) -> str:
         (1.2, 2, True),
         (0.8, 3, True),
         (0.8, 26, False),
-    ],
-)
-def test_rupture_is_foretold_where_runs_have_shown_it(G: float, V: float, ruptures: bool) -> None:
-    scene = sc.load_scene(PAPER, list(grouped(G, V)))
-    told = " ".join(theory_limits(scene, expected_regime(scene, PUBLISHED)))
-    assert ("near rupture" in told) == ruptures
+    ]:
+        scene = sc.load_scene(PAPER, list(grouped(G, V)))
+        told = " ".join(theory_limits(scene, expected_regime(scene, PUBLISHED)))
+        assert ("near rupture" in told) == ruptures
 
 
 def test_warnings_of_bundled_scenes() -> None:

@@ -41,12 +41,12 @@ def frequency(scene: Scene) -> float:
     return found.frequency
 
 
-@pytest.mark.parametrize(("ends", "beta"), BETA.items())
-def test_a_beam_has_the_frequency_of_its_ends(ends: tuple[str, str], beta: float) -> None:
-    scene = strand(ends__left=ends[0], ends__right=ends[1])
-    wanted = beta**2 / 0.02**2 * math.sqrt(45e9 * (1e-3) ** 2 / 16 / 1050)
-    assert frequency(scene) == pytest.approx(wanted, rel=2e-6)
-    assert first_vibration(scene).material_share == pytest.approx(1.0, abs=1e-6)  # type: ignore[union-attr]
+def test_a_beam_has_the_frequency_of_its_ends() -> None:
+    for ends, beta in BETA.items():
+        scene = strand(ends__left=ends[0], ends__right=ends[1])
+        wanted = beta**2 / 0.02**2 * math.sqrt(45e9 * (1e-3) ** 2 / 16 / 1050)
+        assert frequency(scene) == pytest.approx(wanted, rel=2e-6)
+        assert first_vibration(scene).material_share == pytest.approx(1.0, abs=1e-6)  # type: ignore[union-attr]
 
 
 def test_a_taut_string_sings_by_its_tension_which_loses_nothing() -> None:

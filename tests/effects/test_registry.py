@@ -68,35 +68,35 @@ def test_the_registry_is_the_papers_list_and_what_goes_beyond() -> None:
     assert tuple(effect.name for effect in REGISTRY if effect.in_paper) == ALL
 
 
-@pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
-def test_every_effect_says_what_it_is(effect: object) -> None:
-    assert effect.summary  # type: ignore[attr-defined]
-    assert effect.source  # type: ignore[attr-defined]
-    assert effect.observable  # type: ignore[attr-defined]
-    assert set(effect.needs) <= set(NAMES) - {effect.name}  # type: ignore[attr-defined]
+def test_every_effect_says_what_it_is() -> None:
+    for effect in REGISTRY:
+        assert effect.summary  # type: ignore[attr-defined]
+        assert effect.source  # type: ignore[attr-defined]
+        assert effect.observable  # type: ignore[attr-defined]
+        assert set(effect.needs) <= set(NAMES) - {effect.name}  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
-def test_one_that_does_not_always_apply_says_why(effect: object) -> None:
-    laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
-    scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
-    scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
-    scenes.append(scenes[0].replace({"material.loss_tangent": 0.1}))
-    scenes.append(scenes[0].replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
-    scenes.append(scenes[0].replace({"surroundings.surface_tension": "20 mN/m"}))
-    applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
-    assert any(applies)
-    assert bool(effect.without_it) is not all(applies)  # type: ignore[attr-defined]
+def test_one_that_does_not_always_apply_says_why() -> None:
+    for effect in REGISTRY:
+        laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
+        scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
+        scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
+        scenes.append(scenes[0].replace({"material.loss_tangent": 0.1}))
+        scenes.append(scenes[0].replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
+        scenes.append(scenes[0].replace({"surroundings.surface_tension": "20 mN/m"}))
+        applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
+        assert any(applies)
+        assert bool(effect.without_it) is not all(applies)  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
-def test_every_effect_changes_the_terms(effect: object) -> None:
-    assert effect.contribute(Terms()) != Terms()  # type: ignore[attr-defined]
-    others = Terms()
-    for other in REGISTRY:
-        if other is not effect:
-            others = other.contribute(others)
-    assert effect.contribute(others) != others  # type: ignore[attr-defined]
+def test_every_effect_changes_the_terms() -> None:
+    for effect in REGISTRY:
+        assert effect.contribute(Terms()) != Terms()  # type: ignore[attr-defined]
+        others = Terms()
+        for other in REGISTRY:
+            if other is not effect:
+                others = other.contribute(others)
+        assert effect.contribute(others) != others  # type: ignore[attr-defined]
 
 
 def test_the_order_of_contributions_does_not_matter() -> None:
@@ -113,15 +113,14 @@ def test_the_order_of_contributions_does_not_matter() -> None:
     assert all(terms == results[0] for terms in results)
 
 
-@pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
-def test_contributing_twice_is_contributing_once(effect: object) -> None:
-    once = effect.contribute(Terms())  # type: ignore[attr-defined]
-    assert effect.contribute(once) == once  # type: ignore[attr-defined]
+def test_contributing_twice_is_contributing_once() -> None:
+    for effect in REGISTRY:
+        once = effect.contribute(Terms())  # type: ignore[attr-defined]
+        assert effect.contribute(once) == once  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize(
-    ("absent", "parameter"),
-    [
+def test_an_absent_effect_leaves_no_parameter() -> None:
+    for absent, parameter in [
         (("bending",), "thickness"),
         (("yielding",), "yield_stress"),
         (("viscous-flow", "yielding"), "viscosity"),
@@ -133,12 +132,10 @@ def test_contributing_twice_is_contributing_once(effect: object) -> None:
         (("gravity-shaking",), "shake_frequency"),
         (("surface-tension",), "surface_tension"),
         (("solid-damping",), "solid_viscosity"),
-    ],
-)
-def test_an_absent_effect_leaves_no_parameter(absent: tuple[str, ...], parameter: str) -> None:
-    everything = (*ALL, *(set(BEYOND) & {*absent}))
-    assert parameter in graph_of(everything).parameters
-    assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
+    ]:
+        everything = (*ALL, *(set(BEYOND) & {*absent}))
+        assert parameter in graph_of(everything).parameters
+        assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
 
 
 def test_an_absent_effect_beyond_the_paper_leaves_no_state() -> None:
@@ -167,20 +164,21 @@ def test_an_absent_gradient_leaves_no_power() -> None:
     assert not graph_of((*ALL, "necking-gradient")).powers[2].is_zero()
 
 
-@pytest.mark.parametrize(
-    ("absent", "state"),
-    [(("inertia",), "u["), (("inertia",), "v["), (("bending",), "a_1["), (("viscous-flow", "yielding"), "a_")],
-)
-def test_an_absent_effect_leaves_no_state(absent: tuple[str, ...], state: str) -> None:
-    assert any(name.startswith(state) for name in graph_of(ALL).state_names)
-    assert not any(name.startswith(state) for name in graph_of(without(*absent)).state_names)
+def test_an_absent_effect_leaves_no_state() -> None:
+    for absent, state in [
+        (("inertia",), "u["),
+        (("inertia",), "v["),
+        (("bending",), "a_1["),
+        (("viscous-flow", "yielding"), "a_"),
+    ]:
+        assert any(name.startswith(state) for name in graph_of(ALL).state_names)
+        assert not any(name.startswith(state) for name in graph_of(without(*absent)).state_names)
 
 
-@pytest.mark.parametrize("absent", [name for name in ALL if name not in ("viscous-flow", "viscous-stress")])
-def test_an_absent_effect_leaves_no_instruction(absent: str) -> None:
-    # Without stretching there is neither stretch nor large rotation.
-    gone = (absent, "finite-stretch", "thinning", "large-rotation") if absent == "extensibility" else (absent,)
-    assert graph_of(without(*gone)).instructions < graph_of(without(*gone[1:])).instructions
+def test_an_absent_effect_leaves_no_instruction() -> None:
+    for absent in [name for name in ALL if name not in ("viscous-flow", "viscous-stress")]:
+        gone = (absent, "finite-stretch", "thinning", "large-rotation") if absent == "extensibility" else (absent,)
+        assert graph_of(without(*gone)).instructions < graph_of(without(*gone[1:])).instructions
 
 
 def test_a_law_without_a_viscous_stress_is_the_same_with_that_effect() -> None:
@@ -211,22 +209,26 @@ def test_the_barest_filament_is_a_string_at_rest() -> None:
     assert graph.is_dae
 
 
-@pytest.mark.parametrize("name", bundled_names())
-def test_paper_takes_the_published_effects_that_apply(name: str) -> None:
-    scene = load_scene(name, {"run.effects": "paper"})
-    effects = choose_effects(scene)
-    assert effects.names == tuple(e.name for e in REGISTRY if e.applies(scene) and (e.in_paper or e is GRAVITY_SHAKING))
-    assert set(effects.left_out) == {e.name for e in REGISTRY if e.applies(scene)} - set(effects.names)
-    assert set(effects.reasons) == set(effects.names)
+def test_paper_takes_the_published_effects_that_apply() -> None:
+    for name in bundled_names():
+        scene = load_scene(name, {"run.effects": "paper"})
+        effects = choose_effects(scene)
+        assert effects.names == tuple(
+            e.name for e in REGISTRY if e.applies(scene) and (e.in_paper or e is GRAVITY_SHAKING)
+        )
+        assert set(effects.left_out) == {e.name for e in REGISTRY if e.applies(scene)} - set(effects.names)
+        assert set(effects.reasons) == set(effects.names)
 
 
-@pytest.mark.parametrize(
-    ("thickness", "accuracy", "shears"),
-    [("6 mm", 1e-3, True), ("6 mm", 0.01, True), ("6 mm", 0.2, False), ("0.01 mm", 1e-3, False)],
-)
-def test_auto_takes_shear_above_a_third_of_the_accuracy(thickness: str, accuracy: float, shears: bool) -> None:
-    scene = scene_of("maxwell", filament={"thickness": thickness}, run={"accuracy": accuracy})
-    assert ("shear" in choose_effects(scene).names) is shears
+def test_auto_takes_shear_above_a_third_of_the_accuracy() -> None:
+    for thickness, accuracy, shears in [
+        ("6 mm", 1e-3, True),
+        ("6 mm", 0.01, True),
+        ("6 mm", 0.2, False),
+        ("0.01 mm", 1e-3, False),
+    ]:
+        scene = scene_of("maxwell", filament={"thickness": thickness}, run={"accuracy": accuracy})
+        assert ("shear" in choose_effects(scene).names) is shears
 
 
 def test_auto_takes_fibres_where_the_law_yields() -> None:
@@ -250,17 +252,14 @@ def test_auto_takes_points_where_they_are_quicker_than_means() -> None:
     assert "shear" not in choose_effects(scene_of("maxwell", **thin)).names
 
 
-@pytest.mark.parametrize(
-    ("name", "necks"),
-    [
+def test_auto_takes_the_gradient_where_a_neck_has_time_to_grow() -> None:
+    for name, necks in [
         ("arrested-underdamped", True),
         ("arrested-overdamped", True),
         ("continual-descent", True),
         ("no-yield", False),
-    ],
-)
-def test_auto_takes_the_gradient_where_a_neck_has_time_to_grow(name: str, necks: bool) -> None:
-    assert ("necking-gradient" in choose_effects(load_scene(name)).names) is necks
+    ]:
+        assert ("necking-gradient" in choose_effects(load_scene(name)).names) is necks
 
 
 def test_the_printed_closure_is_the_published_theory() -> None:

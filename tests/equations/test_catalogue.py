@@ -13,16 +13,15 @@ CATALOGUE = all_equations()
 EVERY = [(module, equation) for module, equations in CATALOGUE.items() for equation in equations]
 
 
-@pytest.mark.parametrize(("module", "equation"), EVERY, ids=[f"{m}: {e.name}" for m, e in EVERY])
-def test_every_term_has_the_dimension_of_its_equation(module: str, equation: Equation) -> None:
-    del module
-    check(equation)
+def test_every_term_has_the_dimension_of_its_equation() -> None:
+    for _, equation in EVERY:
+        check(equation)
 
 
 def test_the_catalogue_spans_the_theory() -> None:
-    wanted = {"motion", "small_deflection", "asymptotics", "regimes", "rheometry", "bulk", "necking", "reissner"}
-    assert wanted <= set(CATALOGUE)
-    assert len(EVERY) > 80
+    modules = {name.partition(".")[0] for name in CATALOGUE}
+    assert {"kinematics", "small_deflection", "regimes", "rheometry", "bulk", "necking", "reissner"} <= modules
+    assert len(EVERY) > 200
 
 
 def test_every_symbol_and_field_stands_in_the_table_with_its_latex() -> None:

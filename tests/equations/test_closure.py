@@ -37,31 +37,31 @@ def energy(shape: str, **options: bool) -> sp.Expr:
     return (response.branch.elastic_mean + response.branch.elastic_bending).subs(stress(shape, "material", **options))
 
 
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("options", CONSISTENT, ids=["finite and thinning", "neither"])
-def test_forces_are_gradients_of_the_stored_energy(shape: str, options: dict[str, bool]) -> None:
+def test_forces_are_gradients_of_the_stored_energy() -> None:
     """Q = dW/ds and -M = dW/dtheta_X, at any plastic state."""
-    response = filament(shape, "material", **options).response
-    at = stress(shape, "material", **options)
-    stored = energy(shape, **options)
-    moment = response.moment.subs(at)
-    axial = response.tension.subs(at) + response.axial_correction.subs(M, moment)
-    assert sp.simplify(sp.diff(stored, s) - axial) == 0
-    assert sp.simplify(sp.diff(stored, theta_X) + moment) == 0
+    for shape in SHAPES:
+        for options in CONSISTENT:
+            response = filament(shape, "material", **options).response
+            at = stress(shape, "material", **options)
+            stored = energy(shape, **options)
+            moment = response.moment.subs(at)
+            axial = response.tension.subs(at) + response.axial_correction.subs(M, moment)
+            assert sp.simplify(sp.diff(stored, s) - axial) == 0
+            assert sp.simplify(sp.diff(stored, theta_X) + moment) == 0
 
 
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("options", CONSISTENT, ids=["finite and thinning", "neither"])
-def test_plastic_power_is_what_the_stored_energy_loses(shape: str, options: dict[str, bool]) -> None:
+def test_plastic_power_is_what_the_stored_energy_loses() -> None:
     """-dW/da_n da_n/dt is the dissipation, term by term."""
-    response = filament(shape, "material", "maxwell", **options).response
-    at = stress(shape, "material", **options)
-    stored = energy(shape, **options)
-    for state, rate, lost in (
-        (a_0, response.branch.rate_mean, response.branch.dissipation_mean),
-        (a_1, response.branch.rate_bending, response.branch.dissipation_bending),
-    ):
-        assert sp.simplify(-sp.diff(stored, state) * rate.subs(at) - lost.subs(at)) == 0
+    for shape in SHAPES:
+        for options in CONSISTENT:
+            response = filament(shape, "material", "maxwell", **options).response
+            at = stress(shape, "material", **options)
+            stored = energy(shape, **options)
+            for state, rate, lost in (
+                (a_0, response.branch.rate_mean, response.branch.dissipation_mean),
+                (a_1, response.branch.rate_bending, response.branch.dissipation_bending),
+            ):
+                assert sp.simplify(-sp.diff(stored, state) * rate.subs(at) - lost.subs(at)) == 0
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -87,16 +87,16 @@ def test_the_stress_is_that_of_material_fibres(shape: str) -> None:
     assert sp.simplify(response.branch.stress_bending + modulus(shape) * (theta_X / s * half + a_1)) == 0
 
 
-@pytest.mark.parametrize("closure", ["material", "printed"])
-@pytest.mark.parametrize("shape", SHAPES)
-def test_resultants_are_integrals_of_the_stress(shape: str, closure: str) -> None:
+def test_resultants_are_integrals_of_the_stress() -> None:
     """T = A<sigma>, M = A (h/2) <sigma zeta>, and back (2.23)."""
-    response = filament(shape, closure).response
-    assert sp.simplify(response.tension - A0 / s * sigma_0) == 0
-    half = half_thickness(shape)
-    assert sp.simplify(response.moment - A0 / s * half * sigma_1 * SECTIONS[shape].zeta_squared) == 0
-    assert sp.simplify(response.stress_of_tension.subs(T, response.tension) - sigma_0) == 0
-    assert sp.simplify(response.stress_of_moment.subs(M, response.moment) - sigma_1) == 0
+    for closure in ["material", "printed"]:
+        for shape in SHAPES:
+            response = filament(shape, closure).response
+            assert sp.simplify(response.tension - A0 / s * sigma_0) == 0
+            half = half_thickness(shape)
+            assert sp.simplify(response.moment - A0 / s * half * sigma_1 * SECTIONS[shape].zeta_squared) == 0
+            assert sp.simplify(response.stress_of_tension.subs(T, response.tension) - sigma_0) == 0
+            assert sp.simplify(response.stress_of_moment.subs(M, response.moment) - sigma_1) == 0
 
 
 @pytest.mark.parametrize("shape", PAPERS)
@@ -137,13 +137,13 @@ def test_tension_of_a_stretching_newtonian_bar(closure: str) -> None:
     assert left == pytest.approx(0.8 if closure == "printed" else 1.0, rel=1e-12)
 
 
-@pytest.mark.parametrize("law", ["elastic", "maxwell", "bingham"])
-@pytest.mark.parametrize("shape", SHAPES)
-def test_closures_agree_in_an_unstretched_filament(shape: str, law: str) -> None:
-    one, two = (filament(shape, closure, law).response for closure in ("material", "printed"))
-    for name in ("stress_mean", "stress_bending", "tension", "moment", "rate_mean", "rate_bending"):
-        parts = [getattr(part if hasattr(part, name) else part.branch, name) for part in (one, two)]
-        assert (parts[0] - parts[1]).subs(s, 1).equals(0), name
+def test_closures_agree_in_an_unstretched_filament() -> None:
+    for law in ["elastic", "maxwell", "bingham"]:
+        for shape in SHAPES:
+            one, two = (filament(shape, closure, law).response for closure in ("material", "printed"))
+            for name in ("stress_mean", "stress_bending", "tension", "moment", "rate_mean", "rate_bending"):
+                parts = [getattr(part if hasattr(part, name) else part.branch, name) for part in (one, two)]
+                assert (parts[0] - parts[1]).subs(s, 1).equals(0), name
 
 
 def test_without_bending_no_moment_is_left() -> None:

@@ -29,34 +29,34 @@ def beam(law: str, section: str, *, stretches: bool) -> FilamentEquations:
     return derive(replace(BEAM, law=law_of(law), stretches=stretches), SECTIONS[section], "material")
 
 
-@pytest.mark.parametrize(("law", "section"), CASES)
-def test_no_axial_symbol_is_left(law: str, section: str) -> None:
-    unstretched, stretched = (beam(law, section, stretches=stretches) for stretches in (False, True))
-    left, before = (
-        set().union(
-            *(e.free_symbols for e in (*cell.response.expressions(), cell.force.horizontal, cell.force.vertical))
+def test_no_axial_symbol_is_left() -> None:
+    for law, section in CASES:
+        unstretched, stretched = (beam(law, section, stretches=stretches) for stretches in (False, True))
+        left, before = (
+            set().union(
+                *(e.free_symbols for e in (*cell.response.expressions(), cell.force.horizontal, cell.force.vertical))
+            )
+            for cell in (unstretched, stretched)
         )
-        for cell in (unstretched, stretched)
-    )
-    assert not left & AXIAL
-    assert left < before
-    assert unstretched.force.horizontal == unstretched.response.tension == 0
-    assert unstretched.conserves_energy
+        assert not left & AXIAL
+        assert left < before
+        assert unstretched.force.horizontal == unstretched.response.tension == 0
+        assert unstretched.conserves_energy
 
 
-@pytest.mark.parametrize(("law", "section"), CASES)
-def test_bending_is_that_of_a_stretched_section_under_no_tension(law: str, section: str) -> None:
-    unstretched, stretched = (beam(law, section, stretches=stretches) for stretches in (False, True))
-    assert unstretched.response.moment == stretched.response.moment
-    for left, whole in zip(unstretched.response.parts, stretched.response.parts, strict=True):
-        assert left.stress_bending == whole.stress_bending
-        for name, relation in left.flow().items():
-            full = whole.flow()[name]
-            symbols = sorted((relation.free_symbols | full.free_symbols) - set(VALUES) - {sy.sigma_1}, key=str)
-            known = {**VALUES, **dict.fromkeys(symbols, 0.5)}
-            one, other = (sp.lambdify(sy.sigma_1, e.subs(known), modules="numpy") for e in (relation, full))
-            for stress in (-2.3, -0.41, -0.3, 0.2, 0.5, 1.7):
-                np.testing.assert_allclose(one(stress), other(stress), rtol=1e-12, atol=1e-15, err_msg=name)
+def test_bending_is_that_of_a_stretched_section_under_no_tension() -> None:
+    for law, section in CASES:
+        unstretched, stretched = (beam(law, section, stretches=stretches) for stretches in (False, True))
+        assert unstretched.response.moment == stretched.response.moment
+        for left, whole in zip(unstretched.response.parts, stretched.response.parts, strict=True):
+            assert left.stress_bending == whole.stress_bending
+            for name, relation in left.flow().items():
+                full = whole.flow()[name]
+                symbols = sorted((relation.free_symbols | full.free_symbols) - set(VALUES) - {sy.sigma_1}, key=str)
+                known = {**VALUES, **dict.fromkeys(symbols, 0.5)}
+                one, other = (sp.lambdify(sy.sigma_1, e.subs(known), modules="numpy") for e in (relation, full))
+                for stress in (-2.3, -0.41, -0.3, 0.2, 0.5, 1.7):
+                    np.testing.assert_allclose(one(stress), other(stress), rtol=1e-12, atol=1e-15, err_msg=name)
 
 
 def test_means_without_a_mean_stress_are_odd_in_the_moment() -> None:
@@ -70,9 +70,8 @@ def test_means_without_a_mean_stress_are_odd_in_the_moment() -> None:
     assert rate(0.9) == -rate(-0.9) > 0
 
 
-@pytest.mark.parametrize(
-    ("changes", "named"),
-    [
+def test_what_only_stretching_brings_is_refused() -> None:
+    for changes, named in [
         ({"bending": False}, "carries no weight"),
         ({"thins": True}, "thinning"),
         ({"strain": TRUE_STRAIN}, "finite strain"),
@@ -80,8 +79,6 @@ def test_means_without_a_mean_stress_are_odd_in_the_moment() -> None:
         ({"shear": True}, "shear"),
         ({"resolved": True}, "point by point"),
         ({"necking_gradient": True}, "necking gradient"),
-    ],
-)
-def test_what_only_stretching_brings_is_refused(changes: dict[str, object], named: str) -> None:
-    with pytest.raises(ValueError, match=named):
-        derive(replace(BEAM, **changes), SECTIONS["rectangle"], "material")  # type: ignore[arg-type]
+    ]:
+        with pytest.raises(ValueError, match=named):
+            derive(replace(BEAM, **changes), SECTIONS["rectangle"], "material")  # type: ignore[arg-type]

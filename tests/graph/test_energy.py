@@ -37,41 +37,34 @@ def balance(graph: Graph, scene: Scene, seed: int, time: float = 0.3) -> tuple[f
     return float(np.sum(parts) + np.sum(pushed) + lost + steepened - gained), float(np.sum(np.abs(parts)) + abs(lost))
 
 
-@pytest.mark.parametrize(
-    ("law", "section", "grid"),
-    [
+def test_energy_is_kept_or_dissipated() -> None:
+    for law, section, grid in [
         *(("bingham", "rectangle", grid) for grid in GRIDS),
         ("bingham", "circle", "half"),
         ("maxwell", "circle", "graded"),
         ("maxwell", "rectangle", "half pinned"),
         ("elastic", "rectangle", "half"),
         ("elastic", "circle", "whole"),
-    ],
-)
-def test_energy_is_kept_or_dissipated(law: str, section: str, grid: str) -> None:
-    scene = scene_of(law, section=section)
-    graph = build(scene, GRIDS[grid])
-    for seed in range(3):
-        residual, size = balance(graph, scene, seed)
-        assert abs(residual) <= 1e-12 * size
+    ]:
+        scene = scene_of(law, section=section)
+        graph = build(scene, GRIDS[grid])
+        for seed in range(3):
+            residual, size = balance(graph, scene, seed)
+            assert abs(residual) <= 1e-12 * size
 
 
-@pytest.mark.parametrize(
-    "without",
-    [
+def test_so_do_the_reduced_filaments() -> None:
+    for without in [
         ("bending",),
         ("large-rotation",),
         ("finite-stretch", "thinning"),
         ("finite-stretch", "thinning", "large-rotation"),
-    ],
-    ids=" and ".join,
-)
-def test_so_do_the_reduced_filaments(without: tuple[str, ...]) -> None:
-    scene = scene_of()
-    graph = build(scene, without=without)
-    for seed in range(3):
-        residual, size = balance(graph, scene, seed)
-        assert abs(residual) <= 1e-12 * size
+    ]:
+        scene = scene_of()
+        graph = build(scene, without=without)
+        for seed in range(3):
+            residual, size = balance(graph, scene, seed)
+            assert abs(residual) <= 1e-12 * size
 
 
 def test_the_printed_closure_does_not_balance() -> None:
@@ -98,36 +91,38 @@ def test_flow_only_ever_dissipates(section: str) -> None:
         assert value(power, 0.0, x, parameters(scene, graph))[0][0] >= 0
 
 
-@pytest.mark.parametrize(
-    ("without", "grid"),
-    [*(((), grid) for grid in GRIDS), (("large-rotation",), "half"), (("bending",), "half"), (("bending",), "whole")],
-)
-def test_forces_are_minus_the_gradient_of_the_energy(grid: str, without: tuple[str, ...]) -> None:
-    scene = scene_of()
-    graph = build(scene, GRIDS[grid], without)
-    slope = ca.gradient(energy_of(graph, ("energy_elastic", "energy_potential")), graph.x)
-    x, _ = random_state(graph, 5)
-    function = ca.Function("g", [graph.t, graph.x, graph.p], [slope, graph.ode])
-    gradient, rates = value(function, 0.3, x, parameters(scene, graph))
-    values = parameter_values(scene)
-    span, unit = values["span"], values["time_scale"]
-    index = {place(name): k for k, name in enumerate(graph.state_names)}
-    pairs = [(index[kind, n], index[{"u": "x", "v": "y"}[kind], n], n) for kind, n in index if kind in ("u", "v")]
-    assert pairs
-    forces, wanted = (
-        np.array(found)
-        for found in zip(
-            *(
-                (
-                    rates[fast] * span / unit**2 * values["density"] * span * graph.grid.node_length[node],
-                    -gradient[slow] / span,
-                )
-                for fast, slow, node in pairs
-            ),
-            strict=True,
+def test_forces_are_minus_the_gradient_of_the_energy() -> None:
+    for without, grid in [
+        *(((), grid) for grid in GRIDS),
+        (("large-rotation",), "half"),
+        (("bending",), "half"),
+        (("bending",), "whole"),
+    ]:
+        scene = scene_of()
+        graph = build(scene, GRIDS[grid], without)
+        slope = ca.gradient(energy_of(graph, ("energy_elastic", "energy_potential")), graph.x)
+        x, _ = random_state(graph, 5)
+        function = ca.Function("g", [graph.t, graph.x, graph.p], [slope, graph.ode])
+        gradient, rates = value(function, 0.3, x, parameters(scene, graph))
+        values = parameter_values(scene)
+        span, unit = values["span"], values["time_scale"]
+        index = {place(name): k for k, name in enumerate(graph.state_names)}
+        pairs = [(index[kind, n], index[{"u": "x", "v": "y"}[kind], n], n) for kind, n in index if kind in ("u", "v")]
+        assert pairs
+        forces, wanted = (
+            np.array(found)
+            for found in zip(
+                *(
+                    (
+                        rates[fast] * span / unit**2 * values["density"] * span * graph.grid.node_length[node],
+                        -gradient[slow] / span,
+                    )
+                    for fast, slow, node in pairs
+                ),
+                strict=True,
+            )
         )
-    )
-    np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-11 * np.max(np.abs(wanted)))
+        np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-11 * np.max(np.abs(wanted)))
 
 
 def test_without_inertia_the_same_forces_balance() -> None:

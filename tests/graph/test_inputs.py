@@ -26,9 +26,8 @@ def test_the_right_hand_side_depends_on_every_parameter(without: tuple[str, ...]
         assert float(ca.sum1(touched[:, k])) > 0, name
 
 
-@pytest.mark.parametrize(
-    "change",
-    [
+def test_changing_a_value_is_rebuilding() -> None:
+    for change in [
         {"material.yield_stress": "3 kPa"},
         {"material.youngs_modulus": "40 MPa"},
         {"material.viscosity": "1 kPa*s"},
@@ -37,20 +36,17 @@ def test_the_right_hand_side_depends_on_every_parameter(without: tuple[str, ...]
         {"filament.density": "1000 kg/m^3"},
         {"load.gravity": "1.62 m/s^2"},
         {"load.ramp": "0.3 s"},
-    ],
-    ids=lambda change: next(iter(change)),
-)
-def test_changing_a_value_is_rebuilding(change: dict[str, str]) -> None:
-    old = scene_of()
-    new = old.replace(change)
-    kept, rebuilt = build(old), build(new)
-    x, z = random_state(kept, 1)
-    at = parameters(new, kept)
-    before = value(rhs(kept), 0.3, x, z, parameters(old, kept))
-    one, two = value(rhs(kept), 0.3, x, z, at), value(rhs(rebuilt), 0.3, x, z, parameters(new, rebuilt))
-    for a, b in zip(one, two, strict=True):
-        np.testing.assert_array_equal(a, b)
-    assert not np.array_equal(one[0], before[0])
+    ]:
+        old = scene_of()
+        new = old.replace(change)
+        kept, rebuilt = build(old), build(new)
+        x, z = random_state(kept, 1)
+        at = parameters(new, kept)
+        before = value(rhs(kept), 0.3, x, z, parameters(old, kept))
+        one, two = value(rhs(kept), 0.3, x, z, at), value(rhs(rebuilt), 0.3, x, z, parameters(new, rebuilt))
+        for a, b in zip(one, two, strict=True):
+            np.testing.assert_array_equal(a, b)
+        assert not np.array_equal(one[0], before[0])
 
 
 def test_a_missing_value_is_named() -> None:

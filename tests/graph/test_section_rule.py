@@ -40,27 +40,27 @@ def test_weights_are_shares_of_the_section(section: str) -> None:
         np.testing.assert_allclose(rule.zeta, -rule.zeta[::-1], atol=1e-15)
 
 
-@pytest.mark.parametrize("section", SHAPES)
-@pytest.mark.parametrize("points", [2, 3, 6, 12])
-def test_moments_are_exact_up_to_twice_the_points(section: str, points: int) -> None:
-    rule = fibre_rule(SECTIONS[section], points)
-    exact = moments(section, 2 * points)
-    for n in range(2 * points):
-        assert rule.weight @ rule.zeta**n == pytest.approx(exact[n], abs=1e-14), n
-    # and no further: a rule of this many points cannot
-    assert abs(rule.weight @ rule.zeta ** (2 * points) - exact[2 * points]) > 1e-9
+def test_moments_are_exact_up_to_twice_the_points() -> None:
+    for section in SHAPES:
+        for points in [2, 3, 6, 12]:
+            rule = fibre_rule(SECTIONS[section], points)
+            exact = moments(section, 2 * points)
+            for n in range(2 * points):
+                assert rule.weight @ rule.zeta**n == pytest.approx(exact[n], abs=1e-14), n
+            # and no further: a rule of this many points cannot
+            assert abs(rule.weight @ rule.zeta ** (2 * points) - exact[2 * points]) > 1e-9
 
 
-@pytest.mark.parametrize("section", SHAPES)
-@pytest.mark.parametrize("points", [6, 8, 16, 64])
-def test_rules_in_the_halves_have_the_plastic_moment(section: str, points: int) -> None:
+def test_rules_in_the_halves_have_the_plastic_moment() -> None:
     """<|zeta|>, of a section that yields from its faces to its middle; one rule through all of it has 0.75/n^2 more."""
-    exact = {"rectangle": 1 / 2, "circle": 4 / (3 * math.pi)}[section]
-    rule, whole = (fibre_rule(SECTIONS[section], points, halves=halves) for halves in (True, False))
-    assert rule.weight @ np.abs(rule.zeta) == pytest.approx(exact, rel=1e-13)
-    assert whole.weight @ np.abs(whole.zeta) / exact - 1 == pytest.approx(0.75 / points**2, rel=0.6)
-    for n, moment in enumerate(moments(section, points - 1)):
-        assert rule.weight @ rule.zeta**n == pytest.approx(moment, abs=1e-14), n
+    for section in SHAPES:
+        for points in [6, 8, 16, 64]:
+            exact = {"rectangle": 1 / 2, "circle": 4 / (3 * math.pi)}[section]
+            rule, whole = (fibre_rule(SECTIONS[section], points, halves=halves) for halves in (True, False))
+            assert rule.weight @ np.abs(rule.zeta) == pytest.approx(exact, rel=1e-13)
+            assert whole.weight @ np.abs(whole.zeta) / exact - 1 == pytest.approx(0.75 / points**2, rel=0.6)
+            for n, moment in enumerate(moments(section, points - 1)):
+                assert rule.weight @ rule.zeta**n == pytest.approx(moment, abs=1e-14), n
 
 
 @pytest.mark.parametrize("section", SHAPES)
@@ -79,27 +79,27 @@ def test_states_and_points_say_the_same(section: str) -> None:
         np.testing.assert_allclose(rule.project @ rule.recall, np.eye(rule.states), atol=1e-12)
 
 
-@pytest.mark.parametrize("section", SHAPES)
-@pytest.mark.parametrize(("order", "points"), [(1, 2), (3, 4), (3, 24), (8, 9), (8, 24)])
-def test_projection_is_the_best_polynomial(section: str, order: int, points: int) -> None:
+def test_projection_is_the_best_polynomial() -> None:
     """Against a weighted least-squares fit of monomials, which knows no orthogonal polynomial."""
-    rule = order_rule(SECTIONS[section], order, points)
-    profile = np.exp(rule.zeta) + np.maximum(rule.zeta - 0.3, 0)
-    root = np.sqrt(rule.weight)
-    powers = rule.zeta[:, None] ** np.arange(order + 1)
-    fit, *_ = np.linalg.lstsq(root[:, None] * powers, root * profile, rcond=None)
-    np.testing.assert_allclose(rule.recall @ (rule.project @ profile), powers @ fit, atol=1e-10)
-    assert rule.states == order + 1
+    for section in SHAPES:
+        for order, points in [(1, 2), (3, 4), (3, 24), (8, 9), (8, 24)]:
+            rule = order_rule(SECTIONS[section], order, points)
+            profile = np.exp(rule.zeta) + np.maximum(rule.zeta - 0.3, 0)
+            root = np.sqrt(rule.weight)
+            powers = rule.zeta[:, None] ** np.arange(order + 1)
+            fit, *_ = np.linalg.lstsq(root[:, None] * powers, root * profile, rcond=None)
+            np.testing.assert_allclose(rule.recall @ (rule.project @ profile), powers @ fit, atol=1e-10)
+            assert rule.states == order + 1
 
 
-@pytest.mark.parametrize("section", SHAPES)
-@pytest.mark.parametrize("order", [1, 3, 8])
-def test_as_many_points_as_amplitudes_are_fibres(section: str, order: int) -> None:
+def test_as_many_points_as_amplitudes_are_fibres() -> None:
     """Then recall after project changes nothing: the amplitudes only rename the strains of the fibres."""
-    rule, fibres = order_rule(SECTIONS[section], order, order + 1), fibre_rule(SECTIONS[section], order + 1)
-    np.testing.assert_array_equal(rule.zeta, fibres.zeta)
-    np.testing.assert_array_equal(rule.weight, fibres.weight)
-    np.testing.assert_allclose(rule.recall @ rule.project, np.eye(order + 1), atol=1e-12)
+    for section in SHAPES:
+        for order in [1, 3, 8]:
+            rule, fibres = order_rule(SECTIONS[section], order, order + 1), fibre_rule(SECTIONS[section], order + 1)
+            np.testing.assert_array_equal(rule.zeta, fibres.zeta)
+            np.testing.assert_array_equal(rule.weight, fibres.weight)
+            np.testing.assert_allclose(rule.recall @ rule.project, np.eye(order + 1), atol=1e-12)
 
 
 def test_too_few_points_for_an_order_are_not_used() -> None:

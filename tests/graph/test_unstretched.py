@@ -22,26 +22,26 @@ def beam(law: str = "bingham", section: str = "rectangle", grid: Grid = SMALL_GR
     return build(asked, grid)
 
 
-@pytest.mark.parametrize("section", ["rectangle", "circle"])
-@pytest.mark.parametrize("law", ["elastic", "maxwell", "bingham"])
-def test_it_has_fewer_states_and_instructions_and_no_further_parameter(law: str, section: str) -> None:
-    plain, axial = beam(law, section), beam(law, section, axial=True)
-    kinds, all_kinds = ({place(name)[0] for name in graph.state_names} for graph in (plain, axial))
-    assert kinds == all_kinds - {"x", "u", "a_0"}
-    assert "a_0" not in plain.profiles
-    assert set(plain.parameters) <= set(axial.parameters)
-    print(f"{law} {section}: {plain.instructions} of {axial.instructions} instructions")
-    assert plain.instructions < 0.7 * axial.instructions
+def test_it_has_fewer_states_and_instructions_and_no_further_parameter() -> None:
+    for section in ["rectangle", "circle"]:
+        for law in ["elastic", "maxwell", "bingham"]:
+            plain, axial = beam(law, section), beam(law, section, axial=True)
+            kinds, all_kinds = ({place(name)[0] for name in graph.state_names} for graph in (plain, axial))
+            assert kinds == all_kinds - {"x", "u", "a_0"}
+            assert "a_0" not in plain.profiles
+            assert set(plain.parameters) <= set(axial.parameters)
+            print(f"{law} {section}: {plain.instructions} of {axial.instructions} instructions")
+            assert plain.instructions < 0.7 * axial.instructions
 
 
-@pytest.mark.parametrize("grid", list(GRIDS))
-@pytest.mark.parametrize(("law", "section"), [("bingham", "circle"), ("maxwell", "rectangle"), ("elastic", "circle")])
-def test_energy_is_kept_or_dissipated(law: str, section: str, grid: str) -> None:
-    graph = beam(law, section, GRIDS[grid])
-    assert graph.conserves_energy
-    for seed in range(3):
-        residual, size = balance(graph, scene_of(law, section=section), seed)
-        assert abs(residual) <= 1e-12 * size
+def test_energy_is_kept_or_dissipated() -> None:
+    for grid in list(GRIDS):
+        for law, section in [("bingham", "circle"), ("maxwell", "rectangle"), ("elastic", "circle")]:
+            graph = beam(law, section, GRIDS[grid])
+            assert graph.conserves_energy
+            for seed in range(3):
+                residual, size = balance(graph, scene_of(law, section=section), seed)
+                assert abs(residual) <= 1e-12 * size
 
 
 @pytest.mark.parametrize("ends", [(End.CLAMPED, End.FREE), (End.FREE, End.CLAMPED), (End.CLAMPED, End.PINNED)])

@@ -34,7 +34,6 @@ def _beams() -> list[Case]:
             f"oscillating, a = {a:g}, f = {ratio:g} f_1",
             lambda a=a, ratio=ratio: shaken(asked("elastic", E=_STIFF, effects=PAPER, T=4 / _FIRST), a, ratio * _FIRST),
             follows(lambda t, a=a, ratio=ratio: beam_shaken(t, _STIFF, _DELTA, a, ratio * _FIRST)),
-            fast=a == 2,
         )
         for a, ratio in ((0.5, 0.6), (0.5, 1.7), (2.0, 0.6))
     ]

@@ -57,15 +57,7 @@ def asked(
     model: str = "filament",
     scales: Scales | None = None,
 ) -> sc.Scene:
-    """A scene; E = E/(rho g L), V = eta/(rho sqrt(g L^3)), G = rho g L/sY, times in sqrt(L/g), lengths in L.
-
-    Parameters
-    ----------
-    n : float
-        Index of a power law; V is then K/(rho g L (L/g)^(n/2)).
-    filament, ends, initial, material, numerics : mapping
-        What else the scene says, lengths in L, times in sqrt(L/g), stresses in rho g L.
-    """
+    """A scene; E = E/(rho g L), V = eta/(rho sqrt(g L^3)), G = rho g L/sY, times in sqrt(L/g), lengths in L."""
     unit = scales or Scales()
     constants: dict[str, Any] = {"law": law}
     if E is not None:

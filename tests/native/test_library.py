@@ -178,9 +178,8 @@ def test_what_is_known_of_compilers_may_be_damaged(known: bytes, cache: Path, mo
     assert found.version in json.dumps(json.loads((cache / "native" / "compilers.json").read_bytes()))
 
 
-@pytest.mark.parametrize(
-    ("version", "name"),
-    [
+def test_a_compiler_in_short() -> None:
+    for version, name in [
         ("cc (Debian 12.2.0-14+deb12u1) 12.2.0", "gcc 12.2.0"),
         ("gcc (GCC) 11.4.1 20231218 (Red Hat 11.4.1-3)", "gcc 11.4.1"),
         ("gcc-13 (Homebrew GCC 13.2.0) 13.2.0", "gcc 13.2.0"),
@@ -188,10 +187,8 @@ def test_what_is_known_of_compilers_may_be_damaged(known: bytes, cache: Path, mo
         ("Apple clang version 15.0.0 (clang-1500.3.9.4)", "clang 15.0.0"),
         ("tcc version 0.9.27 (x86_64 Linux)", "tcc 0.9.27"),
         ("strange", "strange"),
-    ],
-)
-def test_a_compiler_in_short(version: str, name: str) -> None:
-    assert compiler.Compiler(("cc",), version).name == name
+    ]:
+        assert compiler.Compiler(("cc",), version).name == name
 
 
 def test_no_compiler_has_no_name(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,17 +24,7 @@ End = tuple[str, float]
 
 @dataclass(frozen=True)
 class Catenary:
-    """Inextensible chain (Bernoulli, Leibniz and Huygens 1691): y = a cosh((x - x_low)/a) + constant.
-
-    Attributes
-    ----------
-    a : float
-        Horizontal force over weight per length.
-    x_low : float
-        Where its lowest point is, or would be.
-    tensions : tuple of float
-        At the two supports, over weight per length.
-    """
+    """Inextensible chain (Bernoulli, Leibniz and Huygens 1691): y = a cosh((x - x_low)/a) + constant."""
 
     a: float
     x_low: float
@@ -87,21 +77,7 @@ class String:
 def hanging_string(
     stretch: Along, weight: float, length: float, span: float, X: Array, *, drop: float = 0.0, guess: float = 1.0
 ) -> String:
-    """A string without bending under its weight: x_X = s(T) H/T, y_X = s(T) V/T, H constant, V = V_0 + weight X.
-
-    Parameters
-    ----------
-    stretch : callable
-        s of the tension.
-    weight : float
-        Per unit of X.
-    length : float
-        Unstrained.
-    X : ndarray, shape (n,)
-        Where the shape is wanted, in [0, length], ascending.
-    guess : float
-        Order of H/(weight length).
-    """
+    """A string without bending under its weight: x_X = s(T) H/T, y_X = s(T) V/T, H constant, V = V_0 + weight X."""
     edges = np.unique(np.concatenate([np.linspace(0, length, 201), X]))
     nodes, weights = np.polynomial.legendre.leggauss(8)
     at = edges[:-1, None] + np.diff(edges)[:, None] * (nodes + 1) / 2
@@ -132,15 +108,7 @@ def hanging_string(
 
 @dataclass(frozen=True)
 class Elastic:
-    """Elastic section of constant volume, true strain: Q = EA log(s)/s - (3/2) M^2 s^2/EI, Q the force along it.
-
-    Attributes
-    ----------
-    EA, EI : callable
-        Of X; an infinite EA makes it inextensible.
-    curvature : float
-        Natural curvature.
-    """
+    """Elastic section of constant volume, true strain: Q = EA log(s)/s - (3/2) M^2 s^2/EI, Q the force along it."""
 
     EA: Along
     EI: Along
@@ -184,13 +152,6 @@ def held(
 
     Weight, angles and natural curvature grow from small ones. A free right end makes it the heavy elastica (Bickley
     1934); span and drop then say nothing.
-
-    Parameters
-    ----------
-    weight : float
-        Per unit of X, uniform.
-    left, right : End
-        How each end is held; the right one may be free.
     """
     mesh = np.linspace(0, length, 801)
     free = right[0] == "free"

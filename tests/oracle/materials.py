@@ -26,15 +26,7 @@ def rigid(sigma: float) -> float:
 
 @dataclass(frozen=True)
 class Bar:
-    """A material: springs in line with flow rules, side by side, and a viscous stress.
-
-    Attributes
-    ----------
-    branches : tuple of (E, phi)
-        Modulus and flow rule of each.
-    viscosity : float
-        eta beside them.
-    """
+    """A material: springs in line with flow rules, side by side, and a viscous stress."""
 
     branches: tuple[tuple[float, Rule], ...] = ()
     viscosity: float = 0.0
@@ -92,15 +84,7 @@ def power_law(E: float, consistency: float, index: float) -> Bar:
 
 @dataclass(frozen=True)
 class Drawing:
-    """Length of a bar over its first one, held after the last row.
-
-    Attributes
-    ----------
-    rows : tuple of (float, float)
-        Time and stretch, the first at time 0.
-    true_rate : bool
-        Whether the rate of true strain is constant between rows; else the speed is.
-    """
+    """Length of a bar over its first one, held after the last row."""
 
     rows: tuple[tuple[float, float], ...]
     true_rate: bool = False

@@ -267,38 +267,7 @@ def run(delta: float, G: float, V: float, nodes: int | Array, fibres: int = 6, d
         ramp: float = 10.0, beta: float | None = None, kappa_s: float = 5 / 6, nu: float = 0.45,
         times: Sequence[float] = (46.0, 115.0, 230.0, 460.0), step: float = 1.0, surface: float = 0.0,
         circle: bool = False, stiffness: float = E_STAR) -> Result:  # fmt: skip
-    """Drop a straight Bingham filament, clamped at both ends, under ramped gravity.
-
-    Parameters
-    ----------
-    delta, G, V : float
-        ``h0/L`` (3.9), ``rho g L/sigma_Y``, ``eta/(rho sqrt(g L^3))`` (3.10), at the paper's `E_STAR`.
-    nodes : int or Array
-        Equal cells per half span; or the nodes, from 0 to 1/2.
-    fibres : int
-        Gauss-Legendre points through the thickness.
-    duration, ramp : float
-        End of the run and length of the gravity ramp (0: sudden load), in ``t~``.
-    beta : float or None
-        Coefficient of the gradient term; 1/48 in plane stress.
-    kappa_s, nu : float
-        Shear correction and Poisson's ratio, of the shear only.
-    times : sequence of float
-        Output times before the end. The step is fixed between outputs and lands on them.
-    step : float
-        Time step in parts of `Filament.stable_step`.
-    surface : float
-        gamma P0/(2 A0 E).
-    circle : bool
-        Whether the section is one, of diameter ``h0``; else a rectangle.
-    stiffness : float
-        ``E/(rho g L)``.
-
-    Raises
-    ------
-    FloatingPointError
-        The solution is lost or the section angles do not settle: unstable step or a broken filament.
-    """
+    """Drop a straight Bingham filament, clamped at both ends, under ramped gravity."""
     X = np.linspace(0.0, 0.5, nodes + 1) if isinstance(nodes, int) else nodes
     g = 1.0 / stiffness
     f = Filament(X, delta, g, V * g**0.5, g / G, fibres, ramp, beta, kappa_s, nu, surface, circle)

@@ -63,15 +63,6 @@ def overstress_means(S: Array, eps_Y: float, rate: float, work: Array, out: Arra
     more stressed edge and ``u = B - S - eps_Y``, of the other sign, at the opposite one. From an edge the yielded zone
     reaches a depth ``l = min(u/B, 2)`` in ``zeta``, so ``int = l (u - B l/2)`` and, the arm being ``1 - l'``,
     ``int zeta = int - l^2 (u/2 - B l/3)``. ``l = 2`` when all of the section yields; ``B = 0`` needs no case.
-
-    Parameters
-    ----------
-    S : Array
-        ``(2, n)``: sigma_0 and sigma_1, per ``E``.
-    eps_Y, rate : float
-        Yield stress, per ``E``, and factor of the result (``1/tau~``).
-    work, out : Array
-        ``(5, 2, n)`` scratch; ``(2, n)``: ``rate`` times ``<over>`` and ``<over zeta>``.
     """
     a, u, l, r, q = work  # noqa: E741
     np.abs(S, out=a)
@@ -256,28 +247,7 @@ class Filament:
 def run(delta: float, G: float, V: float, eps_Y: float | None, law: Law, closure: Closure, N: int,
         t_end_elastic: float, g_on: float = 10.0, outputs: Sequence[float] = (46, 115, 230, 460),
         ends: Ends = "clamped", section: Section = "rectangle", short_wave_damping: float = 0.0) -> Result:  # fmt: skip
-    """Drop a straight filament under ramped gravity.
-
-    Parameters
-    ----------
-    delta, G, V : float
-        ``h0/L`` (3.9), ``h0`` the diameter of a circle; ``rho g L/sigma_Y``, ``eta/(rho sqrt(g L^3))`` (3.10).
-    eps_Y : float or None
-        Yield strain; fixes ``E* = 1/(G eps_Y)``, whatever the law. None: the paper's ``E*``, `E_STAR`.
-    law, closure : str
-        "elastic", "maxwell" or "bingham"; "printed" ((2.9)-(2.12), (2.24)-(2.27), Q = T) or "material" (plastic
-        strain fixed to the material fibre, Q = T + (3/2) M theta_s).
-    N : int
-        Cells per half span.
-    t_end_elastic, g_on : float
-        End of the run and length of the gravity ramp (0: sudden load), in ``t~ = (t/L) sqrt(E/rho)``.
-    outputs : sequence of float
-        Output times before the end. The step is fixed between outputs and lands on them.
-    ends, section : str
-        "clamped" or "pinned"; "rectangle" or, but for Bingham, "circle".
-    short_wave_damping : float
-        Extra decay rate (per ``t~``) of waves of length 1.8 delta, as the fourth power of the wave number; see above.
-    """
+    """Drop a straight filament under ramped gravity."""
     eps_Y = 1.0 / (G * E_STAR) if eps_Y is None else eps_Y
     g = G * eps_Y
     f = Filament(delta, g, V * g**0.5, eps_Y, law, closure, N, g_on, ends, section, short_wave_damping)

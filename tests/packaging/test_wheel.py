@@ -55,7 +55,7 @@ def test_wheel_holds_the_package_and_nothing_else(tmp_path: Path) -> None:
     assert sum(name.endswith((".c", ".h")) for name in inside) >= 30
     assert sum(name.endswith(".html") for name in inside) >= 2
     assert "softcat = softcat_sym.cli:main" in entries
-    assert "Requires-Dist: casadi==" in metadata
+    assert "Requires-Dist: casadi>=" in metadata
     # README is the page of the package: its relative pictures would be broken there, its text is not.
     assert "# softcat_sym" in metadata
 

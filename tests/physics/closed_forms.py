@@ -23,13 +23,7 @@ FIRST_EIGENVALUE = {("clamped", "clamped"): 4.730041, ("pinned", "pinned"): np.p
 
 
 def von_karman_sag(E: float, I_over_A: float, weight: float, L: float = 1.0) -> float:
-    """Clamped beam that stretches, small slope and strain: E I w'''' - T w'' = q, T = E A/(2L) int w'^2.
-
-    Parameters
-    ----------
-    weight : float
-        rho g, per unit volume. The area drops out.
-    """
+    """Clamped beam that stretches, small slope and strain: E I w'''' - T w'' = q, T = E A/(2L) int w'^2."""
     nodes, weights = np.polynomial.legendre.leggauss(60)
     a = L / 2
     x, dx = a * nodes, a * weights
@@ -49,15 +43,7 @@ def von_karman_sag(E: float, I_over_A: float, weight: float, L: float = 1.0) -> 
 
 
 def elastic_catenary(E_star: float, X: Array) -> tuple[Array, Array]:
-    """Shape (x, y)/L of the classical elastic catenary, T = E A0 (s - 1), of unstretched length L.
-
-    Parameters
-    ----------
-    E_star : float
-        E/(rho g L).
-    X : ndarray
-        Material coordinates over L, in [-1/2, 1/2].
-    """
+    """Shape (x, y)/L of the classical elastic catenary, T = E A0 (s - 1), of unstretched length L."""
 
     def across(H: float, at: Array | float) -> Array:
         return H * (np.asarray(at) / E_star + np.arcsinh(np.asarray(at) / H))

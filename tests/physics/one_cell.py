@@ -24,17 +24,7 @@ UNIT = 1.0
 
 @dataclass(frozen=True)
 class OneCell:
-    """A Bingham section that does not shear; E = eta = h0 = A0 = 1.
-
-    Attributes
-    ----------
-    rates : casadi.Function
-        (s, theta_X, a) to da/dt, `a` the plastic states.
-    resultants : casadi.Function
-        (s, theta_X, a) to T and M.
-    states : int
-        Number of plastic states.
-    """
+    """A Bingham section that does not shear; E = eta = h0 = A0 = 1."""
 
     rates: ca.Function
     resultants: ca.Function
@@ -69,22 +59,7 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
 
 
 def follow(cell: OneCell, duration: float, s: Array, turning: Array) -> tuple[Array, Array]:
-    """T and M at every second instant of a history, by the classical Runge-Kutta method.
-
-    Parameters
-    ----------
-    cell : OneCell
-        The section.
-    duration : float
-        Of the history.
-    s, turning : ndarray, shape (2 steps + 1,)
-        Stretch and theta_X at equally spaced instants.
-
-    Returns
-    -------
-    tuple of ndarray, shape (steps + 1,)
-        Tension and moment.
-    """
+    """T and M at every second instant of a history, by the classical Runge-Kutta method."""
     steps = (len(s) - 1) // 2
     dt = duration / steps
     a, strains = ca.MX.sym("a", cell.states), ca.MX.sym("strains", 2, 3)
@@ -107,11 +82,6 @@ def bend_slowly(cell: OneCell, rule: SectionRule, turning: Array, dt: float) -> 
 
     Under a monotone history this is the return to the yield surface, which has no error of its own. Each step minimises
     a convex function that is quadratic piece by piece: Newton's method, held back wherever it would climb.
-
-    Raises
-    ------
-    ArithmeticError
-        If a step does not converge.
     """
     a, before, k = ca.SX.sym("a", cell.states), ca.SX.sym("b", cell.states), ca.SX.sym("k")
     # weighted with <p_n p_m> the residual is the slope of that convex function

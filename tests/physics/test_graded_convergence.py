@@ -58,12 +58,12 @@ def graded(cells: int) -> Grid:
     return half_span(cells, End.CLAMPED, GRADING)
 
 
-@pytest.mark.parametrize("asked", SMOOTH.values(), ids=list(SMOOTH))
-def test_midpoint_is_second_order_on_graded_cells(asked: Scene) -> None:
-    sags = [depth(asked, graded(cells)) for cells in (10, 20, 40)]
-    order = np.log2((sags[0] - sags[1]) / (sags[1] - sags[2]))
-    print(f"sag/L at N = 10, 20, 40: {', '.join(f'{sag:.7f}' for sag in sags)}; order {order:.2f}")
-    assert 1.8 < order < 2.3
+def test_midpoint_is_second_order_on_graded_cells() -> None:
+    for asked in SMOOTH.values():
+        sags = [depth(asked, graded(cells)) for cells in (10, 20, 40)]
+        order = np.log2((sags[0] - sags[1]) / (sags[1] - sags[2]))
+        print(f"sag/L at N = 10, 20, 40: {', '.join(f'{sag:.7f}' for sag in sags)}; order {order:.2f}")
+        assert 1.8 < order < 2.3
 
 
 @pytest.mark.parametrize("name", ["elastic beam", "elastic beam that shears"])
@@ -76,7 +76,7 @@ def test_graded_and_equal_cells_have_one_limit(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("asked", "effects"),
-    [(DESCENT, "paper"), (ARREST, "paper"), (ARREST, "auto")],
+    [(DESCENT, "paper"), (ARREST, "paper"), pytest.param(ARREST, "auto", marks=pytest.mark.slow)],
     ids=["descent", "arrest", "arrest that shears"],
 )
 def test_chosen_grading_is_worth_twice_the_cells(asked: Scene, effects: str) -> None:

@@ -31,21 +31,22 @@ def test_shallow_cable_with_all_effects() -> None:
     assert prefactor == pytest.approx(3 / 64, rel=5e-3)
 
 
-@pytest.mark.parametrize("E_star", [0.5, 5.0, 50.0, 1000.0])
-def test_elastic_catenary_to_its_shape(E_star: float) -> None:
+def test_elastic_catenary_to_its_shape() -> None:
     """T = E A0 (s - 1) at any slope is the classical elastic catenary."""
-    coarse, fine = (
-        run(scene(thickness=0.01, E=E_star * WEIGHT, effects=("large-rotation",), cells=cells)) for cells in (20, 40)
-    )
-    assert coarse.outcome.is_success
-    assert fine.outcome.is_success
-    x, y = elastic_catenary(E_star, coarse.data["X_node"].values)
-    worst = 0.0
-    for name, exact in (("x", x), ("y", y)):
-        found = extrapolated(coarse.data[name].values[-1], fine.data[name].values[-1, ::2])
-        worst = max(worst, float(np.max(np.abs(found - exact))))
-    print(f"E* = {E_star:g}: sag {-y.min():.5f} L, largest error of the shape {worst:.1e} L")
-    assert worst < 1e-6 * -y.min()
+    for E_star in [0.5, 5.0, 50.0, 1000.0]:
+        coarse, fine = (
+            run(scene(thickness=0.01, E=E_star * WEIGHT, effects=("large-rotation",), cells=cells))
+            for cells in (20, 40)
+        )
+        assert coarse.outcome.is_success
+        assert fine.outcome.is_success
+        x, y = elastic_catenary(E_star, coarse.data["X_node"].values)
+        worst = 0.0
+        for name, exact in (("x", x), ("y", y)):
+            found = extrapolated(coarse.data[name].values[-1], fine.data[name].values[-1, ::2])
+            worst = max(worst, float(np.max(np.abs(found - exact))))
+        print(f"E* = {E_star:g}: sag {-y.min():.5f} L, largest error of the shape {worst:.1e} L")
+        assert worst < 1e-6 * -y.min()
 
 
 @pytest.mark.parametrize("E_star", [3.0, 30.0, 1000.0])

@@ -9,6 +9,7 @@ import pytest
 
 from softcat_sym import Trajectory, simulate
 from softcat_sym.scene.scene import Scene
+from tests.marks import few
 
 from .closed_forms import BEAM_CONSTANT, FIRST_EIGENVALUE, GYRATION
 from .scenes import paper_scene, run, sag, scene
@@ -39,14 +40,14 @@ def beam(ends: tuple[str, str] = ("clamped", "clamped"), section: str = "rectang
     return scene(thickness=THICKNESS, section=section, ends=ends, **given)
 
 
-@pytest.mark.parametrize("section", ["rectangle", "circle"])
-@pytest.mark.parametrize("ends", list(CONSTANT), ids="-".join)
-def test_static_sag_is_of_second_order_in_the_cells(ends: tuple[str, str], section: str) -> None:
-    errors = [sag(run(beam(ends, section, cells=cells))) / TINY - 1 for cells in (10, 20, 40)]
-    orders = np.log2(np.abs(errors[:-1]) / np.abs(errors[1:]))
-    print(f"{'-'.join(ends)} {section}: errors {errors}, orders {orders}")
-    assert abs(errors[-1]) < 2e-3
-    assert np.all(np.abs(orders - 2) < 0.05)
+def test_static_sag_is_of_second_order_in_the_cells() -> None:
+    for section in ["rectangle", "circle"]:
+        for ends in list(CONSTANT):
+            errors = [sag(run(beam(ends, section, cells=cells))) / TINY - 1 for cells in (10, 20, 40)]
+            orders = np.log2(np.abs(errors[:-1]) / np.abs(errors[1:]))
+            print(f"{'-'.join(ends)} {section}: errors {errors}, orders {orders}")
+            assert abs(errors[-1]) < 2e-3
+            assert np.all(np.abs(orders - 2) < 0.05)
 
 
 def test_the_tip_of_a_cantilever_sags_by_an_eighth() -> None:
@@ -138,7 +139,15 @@ LAWS = {
 
 
 @pytest.mark.parametrize(
-    ("law", "moves"), [*((law, False) for law in LAWS), *((law, True) for law in ("elastic", "newtonian", "maxwell"))]
+    ("law", "moves"),
+    few(
+        [*((law, False) for law in LAWS), *((law, True) for law in ("elastic", "newtonian", "maxwell"))],
+        ("elastic", False),
+        ("newtonian", False),
+        ("bingham", False),
+        ("standard-linear", False),
+        ("maxwell", True),
+    ),
 )
 def test_every_law_is_what_the_stretching_filament_becomes(law: str, moves: bool) -> None:
     """At H/h0 of a thousandth tension carries a millionth of the load."""

@@ -34,18 +34,18 @@ REFUSED = {
 }
 
 
-@pytest.mark.parametrize("name", REFUSED)
-def test_refused_by_name(name: str) -> None:
-    expr, word = REFUSED[name]
-    with pytest.raises(PrintingError, match=word):
-        CasadiPrinter({x: 1.0, y: 2.0}).value(expr)
+def test_refused_by_name() -> None:
+    for name in REFUSED:
+        expr, word = REFUSED[name]
+        with pytest.raises(PrintingError, match=word):
+            CasadiPrinter({x: 1.0, y: 2.0}).value(expr)
 
 
-@pytest.mark.parametrize("name", sorted(set(REFUSED) - {"matrix", "infinity", "minus infinity", "nan", "zoo"}))
-def test_refused_within_a_cell_function(name: str) -> None:
-    expr, word = REFUSED[name]
-    with pytest.raises(PrintingError, match=word):
-        CellFunction({"good": x, "bad": 2 * expr}, (x, y))({x: 1.0, y: 2.0})
+def test_refused_within_a_cell_function() -> None:
+    for name in sorted(set(REFUSED) - {"matrix", "infinity", "minus infinity", "nan", "zoo"}):
+        expr, word = REFUSED[name]
+        with pytest.raises(PrintingError, match=word):
+            CellFunction({"good": x, "bad": 2 * expr}, (x, y))({x: 1.0, y: 2.0})
 
 
 def test_symbols_without_an_input_are_all_named() -> None:

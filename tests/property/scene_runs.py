@@ -19,25 +19,7 @@ REFUSED = "refused"
 
 @dataclass(frozen=True)
 class Answer:
-    """One scene.
-
-    Attributes
-    ----------
-    scene : str
-        The raw table as JSON.
-    law : str
-        Its law.
-    outcome : str
-        Name of the outcome, `REFUSED`, or empty if there is none.
-    reason : str
-        The refusal, or the complaint of a run that did not succeed.
-    broken : tuple of str
-        Properties that do not hold.
-    residual : float or None
-        Of the energy, where it is to be conserved.
-    seconds : float
-        Of the processor, for the whole.
-    """
+    """One scene."""
 
     scene: str
     law: str
@@ -49,15 +31,7 @@ class Answer:
 
 
 def answer(table: dict[str, Any], folder: str) -> Answer:
-    """Run one scene, and look for what is broken; any exception but the package's own is.
-
-    Parameters
-    ----------
-    table : dict
-        Raw scene.
-    folder : str
-        Where a scene file may be written.
-    """
+    """Run one scene, and look for what is broken; any exception but the package's own is."""
     started = time.process_time()
     known: dict[str, Any] = {"scene": json.dumps(table), "law": table["material"]["law"]}
     try:

@@ -108,6 +108,7 @@ def test_a_refusal_is_no_fault(tmp_path: Path) -> None:
     assert "run.effects" in found.reason
 
 
+@pytest.mark.slow
 def test_a_hang_and_a_death_are_seen_and_the_next_scene_is_answered() -> None:
     one = LimitedProcess(serve)
     try:

@@ -73,13 +73,7 @@ def _flow(deformation: Floats, plastic: Floats, material: dict[str, float]) -> F
 
 
 def integrate(path: Path, steps: int, material: dict[str, float]) -> tuple[Floats, Floats, float]:
-    """Runge-Kutta of order 4 on the 3 x 3 Fp.
-
-    Returns
-    -------
-    (ndarray, ndarray, float)
-        First Piola stress, shape (2, 2); Cp^-1 in the plane, shape (2, 2); F_33.
-    """
+    """Runge-Kutta of order 4 on the 3 x 3 Fp."""
     plastic, dt = np.eye(3), 1 / steps
     for n in range(steps):
         start, middle, end = (path((n + part) * dt) for part in (0.0, 0.5, 1.0))

@@ -180,7 +180,7 @@ def test_a_circle_is_refused() -> None:
         run_elements(sc.load_scene("ink-bridge"), COARSE)
 
 
-@pytest.mark.parametrize("factor", [0.0, -1.0, 1.5, float("nan")])
-def test_step_factors_beyond_the_stable_step_are_refused(factor: float) -> None:
-    with pytest.raises(SoftcatError, match="step_factor"):
-        run_elements(YIELDING, COARSE, step_factor=factor)
+def test_step_factors_beyond_the_stable_step_are_refused() -> None:
+    for factor in [0.0, -1.0, 1.5, float("nan")]:
+        with pytest.raises(SoftcatError, match="step_factor"):
+            run_elements(YIELDING, COARSE, step_factor=factor)

@@ -40,22 +40,7 @@ _Doubles = ctypes.POINTER(ctypes.c_double)
 
 
 class CompiledRosenbrock:
-    """The whole solver as C: CasADi writes it, the compiler of this machine compiles it.
-
-    Parameters
-    ----------
-    prepared : Prepared
-        Graph, parameters, start and duration.
-    rtol, atol : float
-        Tolerances.
-
-    Attributes
-    ----------
-    size : int
-        Bytes of C.
-    generating, compiling : float
-        Seconds; the second is next to nothing where the cache has it.
-    """
+    """The whole solver as C: CasADi writes it, the compiler of this machine compiles it."""
 
     def __init__(self, prepared: Prepared, rtol: float, atol: float) -> None:
         began = time.perf_counter()
@@ -77,13 +62,7 @@ class CompiledRosenbrock:
         self._work = np.zeros(function.sz_w() + 1)
 
     def solve(self) -> Solved:
-        """Integrate; the steps are not to be had from the C.
-
-        Raises
-        ------
-        RuntimeError
-            If it gives up.
-        """
+        """Integrate; the steps are not to be had from the C."""
         whole = self._whole.ctypes.data_as(ctypes.POINTER(ctypes.c_longlong))
         began = time.perf_counter()
         code = self._library.solve(self._arguments, self._results, whole, _pointer(self._work), 0)

@@ -34,16 +34,7 @@ class _Filament(ctypes.Structure):
 
 @dataclass(frozen=True)
 class Numbers:
-    """A half filament without units, as `kirchhoff.h` defines it.
-
-    Attributes
-    ----------
-    half_thickness, yield_strain, flow, gravity, ramp : float
-        Constants.
-    per_cell : ndarray, shape (cells,)
-    per_node, before, behind, per_mass : ndarray, shape (cells + 1,)
-        Geometry.
-    """
+    """A half filament without units, as `kirchhoff.h` defines it."""
 
     half_thickness: float
     yield_strain: float

@@ -158,19 +158,7 @@ def groups_of(pattern: csc_matrix) -> npt.NDArray[np.intp]:
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """What a run cost, and what it found.
-
-    Attributes
-    ----------
-    seconds : float
-        Of integration alone.
-    midpoint : float
-        Height of midspan at the end, in rest lengths.
-    steps : int
-        Steps taken.
-    evaluations : int
-        Of the right-hand side, without those for Jacobians; zero where nobody counts.
-    """
+    """What a run cost, and what it found."""
 
     seconds: float
     midpoint: float
@@ -179,13 +167,7 @@ class Solved:
 
 
 class RadauRival:
-    """A paper's filament, ready to be solved by SciPy.
-
-    Parameters
-    ----------
-    prepared : Prepared
-        Its grid, parameters and duration are taken, nothing else.
-    """
+    """A paper's filament, ready to be solved by SciPy."""
 
     def __init__(self, prepared: Prepared) -> None:
         nodes = prepared.graph.grid.nodes
@@ -196,13 +178,7 @@ class RadauRival:
         self.jacobian = GroupedDifferences(self.filament, pattern_of(self.filament, self.start))
 
     def solve(self, rtol: float, atol: float) -> Solved:
-        """Integrate to the end.
-
-        Raises
-        ------
-        RuntimeError
-            If SciPy gives up.
-        """
+        """Integrate to the end."""
         began = time.perf_counter()
         found = solve_ivp(
             self.filament.rates,

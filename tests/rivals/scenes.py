@@ -25,13 +25,7 @@ _FINE = (160, 320)
 
 @dataclass(frozen=True, slots=True)
 class Converged:
-    """A midpoint at the end of the run, in rest lengths, for vanishing cells and steps.
-
-    Attributes
-    ----------
-    value, error : float
-        Extrapolated with an error that falls as the square of the cells; the estimate of what is left.
-    """
+    """A midpoint at the end of the run, in rest lengths, for vanishing cells and steps."""
 
     value: float
     error: float
@@ -64,17 +58,7 @@ def prepare(
     frames: int = 2,
     numerics: Mapping[str, object] | None = None,
 ) -> Prepared:
-    """A bundled scene, ready to be solved: with the paper's effects, or with shear and six fibres besides.
-
-    Parameters
-    ----------
-    cells : int
-        Per half span; all grids of a scene lie on the map of the one with 40.
-    frames : int
-        Output times, the start included.
-    numerics : mapping
-        Further entries of the scene's table of that name.
-    """
+    """A bundled scene, ready to be solved: with the paper's effects, or with shear and six fibres besides."""
     effects: str | list[str] = "paper"
     extra: dict[str, Any] = {"run.frames": frames}
     if physics == "fibres":

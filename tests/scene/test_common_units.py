@@ -5,14 +5,12 @@ from __future__ import annotations
 import subprocess
 import sys
 
-import pytest
-
 from softcat_sym.scene.units import COMMON, SI_UNITS, measured_by_pint
 
 
-@pytest.mark.parametrize("unit", COMMON)
-def test_each_is_what_pint_measures(unit: str) -> None:
-    assert COMMON[unit] == measured_by_pint(unit, "one of mass, length and time")
+def test_each_is_what_pint_measures() -> None:
+    for unit in COMMON:
+        assert COMMON[unit] == measured_by_pint(unit, "one of mass, length and time")
 
 
 def test_every_si_unit_is_known() -> None:

@@ -29,9 +29,8 @@ def own(flow: object, parameters: object = None, **changes: Any) -> dict[str, An
 SINH = {"s0": "1 kPa", "t0": "2 s"}
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
+def test_a_tree_means_what_its_text_says() -> None:
+    for text, expected in [
         ("sinh(sigma/s0)/t0", math.sinh(1.5) / 2),
         ("sigma - -sigma*2**3**2", 3 * (1 + 2**9)),
         ("+sigma*(1 + pi)/1e1", 3 * (1 + math.pi) / 10),
@@ -42,10 +41,8 @@ SINH = {"s0": "1 kPa", "t0": "2 s"}
             math.cosh(3) + math.tanh(3) + math.asinh(3) + math.atan(3),
         ),
         ("sqrt(sigma)*sin(sigma)*cos(sigma)", math.sqrt(3) * math.sin(3) * math.cos(3)),
-    ],
-)
-def test_a_tree_means_what_its_text_says(text: str, expected: float) -> None:
-    assert parse_formula(text).value(3.0, {"s0": 2.0, "t0": 2.0}) == pytest.approx(expected, rel=1e-14)
+    ]:
+        assert parse_formula(text).value(3.0, {"s0": 2.0, "t0": 2.0}) == pytest.approx(expected, rel=1e-14)
 
 
 @given(
@@ -70,9 +67,8 @@ def test_a_fold_rebuilds_the_expression_in_any_arithmetic() -> None:
     assert hash(formula) == hash(parse_formula(formula.text))
 
 
-@pytest.mark.parametrize(
-    ("text", "sigma", "expected"),
-    [
+def test_what_is_not_finite_is_said_and_never_raised() -> None:
+    for text, sigma, expected in [
         ("exp(sigma)", 1e4, math.inf),
         ("sinh(sigma)", -1e4, -math.inf),
         ("sigma**3", -1e200, -math.inf),
@@ -83,10 +79,8 @@ def test_a_fold_rebuilds_the_expression_in_any_arithmetic() -> None:
         ("sigma**0.5", -1.0, math.nan),
         ("sigma/sigma", 0.0, math.nan),
         ("max(log(sigma), 0)", -1.0, math.nan),
-    ],
-)
-def test_what_is_not_finite_is_said_and_never_raised(text: str, sigma: float, expected: float) -> None:
-    assert parse_formula(text).value(sigma, {}) == pytest.approx(expected, nan_ok=True)
+    ]:
+        assert parse_formula(text).value(sigma, {}) == pytest.approx(expected, nan_ok=True)
 
 
 HOSTILE = [
@@ -138,18 +132,18 @@ HOSTILE = [
 ]
 
 
-@pytest.mark.parametrize(("text", "says"), HOSTILE, ids=[f"{n}" for n in range(len(HOSTILE))])
-def test_what_is_no_arithmetic_is_refused_by_name(text: str, says: str) -> None:
-    before = time.perf_counter()
-    with pytest.raises(PydanticCustomError) as caught:
-        parse_formula(text)
-    assert says in str(caught.value)
-    assert len(str(caught.value)) < 400
-    assert time.perf_counter() - before < 1
-    if text.strip():
-        (fault,) = faults_of(own(text))
-        assert fault.path == "material.flow"
-        assert says in str(fault)
+def test_what_is_no_arithmetic_is_refused_by_name() -> None:
+    for text, says in HOSTILE:
+        before = time.perf_counter()
+        with pytest.raises(PydanticCustomError) as caught:
+            parse_formula(text)
+        assert says in str(caught.value)
+        assert len(str(caught.value)) < 400
+        assert time.perf_counter() - before < 1
+        if text.strip():
+            (fault,) = faults_of(own(text))
+            assert fault.path == "material.flow"
+            assert says in str(fault)
 
 
 @given(st.text(alphabet="sigma0123456789.+-*/()[]{}'\"^ ,=:<>\\\n_jex", max_size=30))
@@ -182,18 +176,18 @@ SOUND: list[tuple[str, dict[str, Any], float]] = [
 ]
 
 
-@pytest.mark.parametrize(("flow", "parameters", "yields_at"), SOUND)
-def test_a_sound_rule_is_taken_and_its_threshold_found(flow: str, parameters: dict[str, Any], yields_at: float) -> None:
-    scene = Scene.model_validate(own(flow, parameters))
-    assert Scene.model_validate(tomllib.loads(scene.to_toml())) == scene
-    material = scene.material
-    assert material.threshold == pytest.approx(yields_at, rel=1e-12, abs=1e-300)
-    values = material.values()
-    assert set(values) == {"youngs_modulus", *parameters} | ({"yield_stress"} if yields_at else set())
-    assert material.formula is not None
-    if yields_at:
-        assert material.formula.value(material.threshold, values) == 0
-        assert material.formula.value(material.threshold * (1 + 1e-9), values) > 0
+def test_a_sound_rule_is_taken_and_its_threshold_found() -> None:
+    for flow, parameters, yields_at in SOUND:
+        scene = Scene.model_validate(own(flow, parameters))
+        assert Scene.model_validate(tomllib.loads(scene.to_toml())) == scene
+        material = scene.material
+        assert material.threshold == pytest.approx(yields_at, rel=1e-12, abs=1e-300)
+        values = material.values()
+        assert set(values) == {"youngs_modulus", *parameters} | ({"yield_stress"} if yields_at else set())
+        assert material.formula is not None
+        if yields_at:
+            assert material.formula.value(material.threshold, values) == 0
+            assert material.formula.value(material.threshold * (1 + 1e-9), values) > 0
 
 
 UNSOUND: list[tuple[str, dict[str, Any], list[tuple[str, str]]]] = [
@@ -222,17 +216,16 @@ UNSOUND: list[tuple[str, dict[str, Any], list[tuple[str, str]]]] = [
 ]
 
 
-@pytest.mark.parametrize(("flow", "parameters", "expected"), UNSOUND)
-def test_an_unsound_rule_is_refused(flow: str, parameters: dict[str, Any], expected: list[tuple[str, str]]) -> None:
-    faults = faults_of(own(flow, parameters))
-    assert [fault.path for fault in faults] == [f"material.{path}" for path, _ in expected]
-    for fault, (_, says) in zip(faults, expected, strict=True):
-        assert says in str(fault)
+def test_an_unsound_rule_is_refused() -> None:
+    for flow, parameters, expected in UNSOUND:
+        faults = faults_of(own(flow, parameters))
+        assert [fault.path for fault in faults] == [f"material.{path}" for path, _ in expected]
+        for fault, (_, says) in zip(faults, expected, strict=True):
+            assert says in str(fault)
 
 
-@pytest.mark.parametrize(
-    ("name", "value", "says"),
-    [
+def test_a_bad_parameter_is_one_fault() -> None:
+    for name, value, says in [
         ("s0", "1 kPaa", "unknown unit 'kPaa'"),
         ("s0", "1", "has no unit"),
         ("s0", "5 K", "'K' is of dimension [temperature]"),
@@ -243,12 +236,10 @@ def test_an_unsound_rule_is_refused(flow: str, parameters: dict[str, Any], expec
         *[(name, "1 kPa", "already means something") for name in ("span", "pi", "sigma", "index", "time_scale")],
         *[(name, "1 kPa", "already means something") for name in FUNCTIONS],
         *[(name, "1 kPa", "is no name") for name in ("", "1a", "a b", "a.b", "lambda", "σ0")],
-    ],
-)
-def test_a_bad_parameter_is_one_fault(name: str, value: object, says: str) -> None:
-    (fault,) = faults_of(own("sinh(sigma/s0)/t0", {name: value}))
-    assert fault.path == f"material.parameters.{name}"
-    assert says in str(fault)
+    ]:
+        (fault,) = faults_of(own("sinh(sigma/s0)/t0", {name: value}))
+        assert fault.path == f"material.parameters.{name}"
+        assert says in str(fault)
 
 
 def test_a_custom_law_needs_its_rule_and_others_refuse_it() -> None:

@@ -40,9 +40,8 @@ def test_the_papers_set() -> None:
     assert gravity_time(scene) == pytest.approx(TIME)
 
 
-@pytest.mark.parametrize(
-    ("groups", "modulus", "viscosity", "yields_at"),
-    [
+def test_hand_formulas() -> None:
+    for groups, modulus, viscosity, yields_at in [
         ({"G": 0.5, "V": 2.0}, E, 2 * STRESS * TIME, STRESS / 0.5),
         ({"G": 0.5, "B": 0.25}, E, 2 * STRESS * TIME, STRESS / 0.5),
         ({"G": 0.5, "V": 2.0, "E_star": 100.0}, 100 * STRESS, 2 * STRESS * TIME, STRESS / 0.5),
@@ -55,20 +54,15 @@ def test_the_papers_set() -> None:
         ({"law": "maxwell", "V": 2}, E, 2 * STRESS * TIME, None),
         ({"law": "elastic", "E_star": 7}, 7 * STRESS, None, None),
         ({"law": "elastic"}, E, None, None),
-    ],
-)
-def test_hand_formulas(
-    groups: dict[str, Any], modulus: float, viscosity: float | None, yields_at: float | None
-) -> None:
-    material = scene_of(**groups).material
-    assert material.youngs_modulus == pytest.approx(modulus, rel=1e-13)
-    assert material.viscosity == (None if viscosity is None else pytest.approx(viscosity, rel=1e-13))
-    assert material.yield_stress == (None if yields_at is None else pytest.approx(yields_at, rel=1e-13))
+    ]:
+        material = scene_of(**groups).material
+        assert material.youngs_modulus == pytest.approx(modulus, rel=1e-13)
+        assert material.viscosity == (None if viscosity is None else pytest.approx(viscosity, rel=1e-13))
+        assert material.yield_stress == (None if yields_at is None else pytest.approx(yields_at, rel=1e-13))
 
 
-@pytest.mark.parametrize(
-    ("groups", "modulus", "viscosity", "yields_at"),
-    [
+def test_hand_formulas_of_further_laws() -> None:
+    for groups, modulus, viscosity, yields_at in [
         ({"law": "newtonian", "V": 2.0}, None, 2 * STRESS * TIME, None),
         ({"law": "newtonian", "B": 0.25}, None, 2 * STRESS * TIME, None),
         ({"law": "kelvin-voigt", "V": 2.0, "E_star": 50}, 50 * STRESS, 2 * STRESS * TIME, None),
@@ -78,21 +72,17 @@ def test_hand_formulas(
         ({"law": "power-law", "B": 0.25, "n": 1}, E, 2 * STRESS * TIME, None),
         ({"law": "power-law", "tau": 0.5, "E_star": 50}, 50 * STRESS, 25 * STRESS * TIME, None),
         ({"law": "herschel-bulkley", "V": 3.0, "n": 2, "G": 0.5}, E, 3 * STRESS * TIME**2, STRESS / 0.5),
-    ],
-)
-def test_hand_formulas_of_further_laws(
-    groups: dict[str, Any], modulus: float | None, viscosity: float, yields_at: float | None
-) -> None:
-    material = scene_of(**groups).material
-    expected = (modulus, viscosity, yields_at, groups.get("n", 1.0))
-    found = (material.youngs_modulus, material.viscosity, material.yield_stress, material.index)
-    for value, wanted in zip(found, expected, strict=True):
-        assert value == (None if wanted is None else pytest.approx(wanted, rel=1e-13))
-    back = groups_of(scene_of(**groups))
-    for name in set(groups) - {"law", "n", "tau"}:
-        assert getattr(back, name) == pytest.approx(groups[name], rel=1e-13)
-    if "tau" in groups:
-        assert back.tau_star == pytest.approx(groups["tau"], rel=1e-13)
+    ]:
+        material = scene_of(**groups).material
+        expected = (modulus, viscosity, yields_at, groups.get("n", 1.0))
+        found = (material.youngs_modulus, material.viscosity, material.yield_stress, material.index)
+        for value, wanted in zip(found, expected, strict=True):
+            assert value == (None if wanted is None else pytest.approx(wanted, rel=1e-13))
+        back = groups_of(scene_of(**groups))
+        for name in set(groups) - {"law", "n", "tau"}:
+            assert getattr(back, name) == pytest.approx(groups[name], rel=1e-13)
+        if "tau" in groups:
+            assert back.tau_star == pytest.approx(groups["tau"], rel=1e-13)
 
 
 def test_the_index_may_stand_beside_the_groups() -> None:
@@ -221,12 +211,12 @@ BAD: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
 ]
 
 
-@pytest.mark.parametrize(("changes", "expected"), BAD, ids=[str(list(changes)) for changes, _ in BAD])
-def test_bad_groups(changes: dict[str, Any], expected: list[tuple[str, str]]) -> None:
-    faults = faults_of(spoiled(changes, GROUPS))
-    assert [fault.path for fault in faults] == [path for path, _ in expected]
-    for fault, (_, says) in zip(faults, expected, strict=True):
-        assert says in str(fault)
+def test_bad_groups() -> None:
+    for changes, expected in BAD:
+        faults = faults_of(spoiled(changes, GROUPS))
+        assert [fault.path for fault in faults] == [path for path, _ in expected]
+        for fault, (_, says) in zip(faults, expected, strict=True):
+            assert says in str(fault)
 
 
 def test_constants_may_stand_beside_groups_that_do_not_fix_them() -> None:
@@ -253,15 +243,15 @@ BUNDLED = {
 }
 
 
-@pytest.mark.parametrize(("name", "expected"), BUNDLED.items())
-def test_the_papers_scenes(name: str, expected: tuple[float, ...]) -> None:
-    scene = load_scene(name)
-    groups = groups_of(scene)
-    assert (groups.delta, groups.G, groups.V) == pytest.approx(expected, rel=1e-13)
-    assert groups.eps_Y == pytest.approx(STRESS / expected[1] / E)
-    assert scene.material.law == "bingham"
-    assert scene.load.ramp / elastic_time(scene) == pytest.approx(10)
-    assert scene.run.duration / elastic_time(scene) == pytest.approx(460)
+def test_the_papers_scenes() -> None:
+    for name, expected in BUNDLED.items():
+        scene = load_scene(name)
+        groups = groups_of(scene)
+        assert (groups.delta, groups.G, groups.V) == pytest.approx(expected, rel=1e-13)
+        assert groups.eps_Y == pytest.approx(STRESS / expected[1] / E)
+        assert scene.material.law == "bingham"
+        assert scene.load.ramp / elastic_time(scene) == pytest.approx(10)
+        assert scene.run.duration / elastic_time(scene) == pytest.approx(460)
 
 
 def test_the_papers_rounded_yield_strains() -> None:

@@ -66,43 +66,40 @@ def test_every_law_is_tried() -> None:
     assert set(LAWS) == set(VALUES) == set(CONSTANTS) == set(get_args(Law))
 
 
-@pytest.mark.parametrize("law", LAWS)
-def test_a_law_has_its_constants_and_comes_back_from_toml(law: str) -> None:
-    scene = scene_of(law)
-    assert scene.material.values() == pytest.approx(VALUES[law], rel=1e-12)
-    assert scene.material.threshold == pytest.approx(VALUES[law].get("yield_stress", 0.0))
-    again = Scene.model_validate(tomllib.loads(scene.to_toml()))
-    assert again == scene
-    assert hash(again) == hash(scene)
-    assert again.to_toml() == scene.to_toml()
-    assert scene.replace({"numerics.cells": 40}).material == scene.material
-    assert pickle.loads(pickle.dumps(scene)) == scene
-    assert (scene.material.formula is None) == (law != "custom")
+def test_a_law_has_its_constants_and_comes_back_from_toml() -> None:
+    for law in LAWS:
+        scene = scene_of(law)
+        assert scene.material.values() == pytest.approx(VALUES[law], rel=1e-12)
+        assert scene.material.threshold == pytest.approx(VALUES[law].get("yield_stress", 0.0))
+        again = Scene.model_validate(tomllib.loads(scene.to_toml()))
+        assert again == scene
+        assert hash(again) == hash(scene)
+        assert again.to_toml() == scene.to_toml()
+        assert scene.replace({"numerics.cells": 40}).material == scene.material
+        assert pickle.loads(pickle.dumps(scene)) == scene
+        assert (scene.material.formula is None) == (law != "custom")
 
 
-@pytest.mark.parametrize(
-    ("law", "name"), [(law, name) for law, constants in CONSTANTS.items() for name in (*constants,)]
-)
-def test_a_missing_constant_is_one_fault(law: str, name: str) -> None:
-    (fault,) = faults_of(table(law, **{name: None}))
-    assert (fault.path, fault.found) == (f"material.{name}", f"missing: the law '{law}' needs it")
+def test_a_missing_constant_is_one_fault() -> None:
+    for law, name in [(law, name) for law, constants in CONSTANTS.items() for name in (*constants,)]:
+        (fault,) = faults_of(table(law, **{name: None}))
+        assert (fault.path, fault.found) == (f"material.{name}", f"missing: the law '{law}' needs it")
 
 
-@pytest.mark.parametrize("law", LAWS)
-def test_a_constant_too_many_is_one_fault(law: str) -> None:
-    extra = {"youngs_modulus": "1 MPa", "yield_stress": "1 kPa", "second_modulus": "1 MPa", "modes": MODES}
-    extra |= {"index": 0.5, "flow": "sigma/eta"}
-    for name, value in extra.items():
-        if name in LAWS[law]:
-            continue
-        faults = faults_of(table(law, **{name: value}))
-        assert [fault.path for fault in faults] == [f"material.{name}"]
-        assert f"the law '{law}'" in faults[0].found
+def test_a_constant_too_many_is_one_fault() -> None:
+    for law in LAWS:
+        extra = {"youngs_modulus": "1 MPa", "yield_stress": "1 kPa", "second_modulus": "1 MPa", "modes": MODES}
+        extra |= {"index": 0.5, "flow": "sigma/eta"}
+        for name, value in extra.items():
+            if name in LAWS[law]:
+                continue
+            faults = faults_of(table(law, **{name: value}))
+            assert [fault.path for fault in faults] == [f"material.{name}"]
+            assert f"the law '{law}'" in faults[0].found
 
 
-@pytest.mark.parametrize(
-    ("changes", "path", "says"),
-    [
+def test_a_consistency_has_the_unit_of_its_index() -> None:
+    for changes, path, says in [
         ({"viscosity": "120 Pa*s"}, "viscosity", "'Pa*s' is a viscosity, not a consistency in Pa*s^0.4"),
         ({"viscosity": "120 Pa*s"}, "viscosity", 'such as "120 Pa*s^0.4"'),
         ({"viscosity": "120 Pa*s^0.5"}, "viscosity", "'Pa*s^0.5' is of unit kg*m^-1*s^-1.5, not a consistency"),
@@ -115,23 +112,21 @@ def test_a_constant_too_many_is_one_fault(law: str) -> None:
         ({"viscosity": None, "shear_viscosity": "1 Pa*s"}, "shear_viscosity", "accepted: shear_consistency"),
         ({"shear_consistency": "1 Pa*s^0.4"}, "viscosity", "given twice, here and as material.shear_consistency"),
         ({"viscosity": None, "shear_consistency": "1 Pa*s"}, "shear_consistency", "not a consistency in Pa*s^0.4"),
-    ],
-)
-def test_a_consistency_has_the_unit_of_its_index(changes: dict[str, Any], path: str, says: str) -> None:
-    faults = faults_of(table("power-law", **changes))
-    assert path in [fault.path.removeprefix("material.") for fault in faults]
-    assert says in "\n".join(map(str, faults))
-    if "shear_viscosity" not in changes:
-        assert len(faults) == 1
+    ]:
+        faults = faults_of(table("power-law", **changes))
+        assert path in [fault.path.removeprefix("material.") for fault in faults]
+        assert says in "\n".join(map(str, faults))
+        if "shear_viscosity" not in changes:
+            assert len(faults) == 1
 
 
-@pytest.mark.parametrize("index", [0.3, 0.5, 1.0, 2.0, 1 / 3, 1e-5, 7.25])
-def test_a_consistency_is_written_in_its_own_unit(index: float) -> None:
-    scene = scene_of("power-law", index=index, viscosity=f"7 Pa*s^{index!r}")
-    assert scene.material.viscosity == 7.0
-    assert Scene.model_validate(tomllib.loads(scene.to_toml())) == scene
-    if index == 1:
-        assert scene_of("power-law", index=1, viscosity="7 Pa*s").material == scene.material
+def test_a_consistency_is_written_in_its_own_unit() -> None:
+    for index in [0.3, 0.5, 1.0, 2.0, 1 / 3, 1e-5, 7.25]:
+        scene = scene_of("power-law", index=index, viscosity=f"7 Pa*s^{index!r}")
+        assert scene.material.viscosity == 7.0
+        assert Scene.model_validate(tomllib.loads(scene.to_toml())) == scene
+        if index == 1:
+            assert scene_of("power-law", index=1, viscosity="7 Pa*s").material == scene.material
 
 
 def test_a_consistency_may_be_written_with_rounded_exponents() -> None:
@@ -165,13 +160,13 @@ def test_shear_data_of_a_power_law(index: float) -> None:
     assert scene.replace({"load.gravity": "1 m/s^2"}).material.notes == material.notes
 
 
-@pytest.mark.parametrize("law", ["maxwell", "newtonian", "kelvin-voigt", "standard-linear", "bingham"])
-def test_trouton(law: str) -> None:
-    material = scene_of(law, viscosity=None, shear_viscosity="10 Pa*s").material
-    assert material.viscosity == 30
-    assert material.notes[0] == "viscosity 10 Pa s in shear = 30 Pa s in tension, times 3"
-    faults = faults_of(table(law, viscosity=None, shear_consistency="10 Pa*s"))
-    assert "material.shear_consistency" in [fault.path for fault in faults]
+def test_trouton() -> None:
+    for law in ["maxwell", "newtonian", "kelvin-voigt", "standard-linear", "bingham"]:
+        material = scene_of(law, viscosity=None, shear_viscosity="10 Pa*s").material
+        assert material.viscosity == 30
+        assert material.notes[0] == "viscosity 10 Pa s in shear = 30 Pa s in tension, times 3"
+        faults = faults_of(table(law, viscosity=None, shear_consistency="10 Pa*s"))
+        assert "material.shear_consistency" in [fault.path for fault in faults]
 
 
 def test_modes() -> None:

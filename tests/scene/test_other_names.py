@@ -66,9 +66,8 @@ def test_the_scene_as_resolved_is_the_same_scene() -> None:
     assert Scene.model_validate(tomllib.loads(viscous.to_toml())).material.solid_viscosity == 2
 
 
-@pytest.mark.parametrize(
-    ("changes", "both"),
-    [
+def test_two_names_of_one_quantity_are_refused_by_both() -> None:
+    for changes, both in [
         ({"filament__thickness": "1 mm"}, ("filament.thickness", "filament.diameter")),
         ({"material__youngs_modulus": "45 kPa"}, ("material.youngs_modulus", "material.storage_modulus")),
         ({"material__loss_tangent": 0.1}, ("material.loss_tangent", "material.loss_modulus")),
@@ -77,16 +76,13 @@ def test_the_scene_as_resolved_is_the_same_scene() -> None:
             {"material__loss_modulus": None, "material__loss_tangent": 0.1, "material__solid_viscosity": "1 Pa*s"},
             ("material.solid_viscosity", "material.loss_tangent"),
         ),
-    ],
-)
-def test_two_names_of_one_quantity_are_refused_by_both(changes: dict[str, Any], both: tuple[str, str]) -> None:
-    (fault,) = faults(**changes)
-    assert all(path in fault for path in both)
+    ]:
+        (fault,) = faults(**changes)
+        assert all(path in fault for path in both)
 
 
-@pytest.mark.parametrize(
-    ("changes", "path", "says"),
-    [
+def test_what_makes_no_sense_is_refused() -> None:
+    for changes, path, says in [
         ({"material__loss_modulus": "-1 kPa"}, "material.loss_modulus", "is negative"),
         (
             {"material__storage_modulus": None, "material__law": "newtonian"},
@@ -99,12 +95,10 @@ def test_two_names_of_one_quantity_are_refused_by_both(changes: dict[str, Any], 
         ({"filament__diameter": "30 mm"}, "filament.thickness", "not less than the span"),
         ({"run__closure": "printed"}, "material.loss_modulus", "run.closure = 'printed'"),
         ({"run__until": "never"}, "run.until", "duration, settled"),
-    ],
-)
-def test_what_makes_no_sense_is_refused(changes: dict[str, Any], path: str, says: str) -> None:
-    found = [fault for fault in faults(**changes) if fault.startswith(path)]
-    assert found
-    assert says in found[0]
+    ]:
+        found = [fault for fault in faults(**changes) if fault.startswith(path)]
+        assert found
+        assert says in found[0]
 
 
 @pytest.mark.parametrize("law", ["newtonian", "kelvin-voigt"])

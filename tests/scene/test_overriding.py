@@ -31,9 +31,8 @@ def test_overrides_are_toml_or_text() -> None:
     assert listed.run.effects == ("inertia", "bending")
 
 
-@pytest.mark.parametrize(
-    ("override", "path", "si"),
-    [
+def test_an_override_wins_over_groups() -> None:
+    for override, path, si in [
         ("material.yield_stress=5 kPa", "material.yield_stress", 5e3),
         ("material.shear_yield_stress=5 kPa", "material.yield_stress", math.sqrt(3) * 5e3),
         ("material.viscosity=5 kPa*s", "material.viscosity", 5e3),
@@ -44,11 +43,9 @@ def test_overrides_are_toml_or_text() -> None:
         ("material.poisson=0.3", "material.poisson", 0.3),
         ("run.duration=3 s", "run.duration", 3.0),
         ("load.ramp=3 s", "load.ramp", 3.0),
-    ],
-)
-def test_an_override_wins_over_groups(override: str, path: str, si: float) -> None:
-    part, _, name = path.partition(".")
-    assert getattr(getattr(load_scene("arrested-overdamped", [override]), part), name) == pytest.approx(si)
+    ]:
+        part, _, name = path.partition(".")
+        assert getattr(getattr(load_scene("arrested-overdamped", [override]), part), name) == pytest.approx(si)
 
 
 def test_an_override_of_the_law_must_fit() -> None:
@@ -58,9 +55,8 @@ def test_an_override_of_the_law_must_fit() -> None:
     assert load_scene("ink-bridge", ["material.viscosity=1 Pa*s"]).material.viscosity == 1.0
 
 
-@pytest.mark.parametrize(
-    ("override", "says"),
-    [
+def test_a_bad_override_is_one_clear_error() -> None:
+    for override, says in [
         ("numerics.cells", "--set: 'numerics.cells' sets nothing"),
         ("=3", "--set: '=3' sets nothing"),
         ("numerics..cells=3", "leads to no key"),
@@ -71,10 +67,8 @@ def test_an_override_of_the_law_must_fit() -> None:
         ("run.accuracy=nan", "run.accuracy: nan is not finite"),
         ("groups.V=-1", "groups.V: -1 is out of range"),
         ("nosuch.table=1", "nosuch: unknown key"),
-    ],
-)
-def test_a_bad_override_is_one_clear_error(override: str, says: str) -> None:
-    assert says in refused("arrested-overdamped", [override])
+    ]:
+        assert says in refused("arrested-overdamped", [override])
 
 
 def test_faults_of_overrides_and_file_come_together() -> None:

@@ -37,7 +37,7 @@ def scene_of(
             "material": dict(_MATERIALS[law]),
             "load": {"ramp": ramp},
             "run": {"duration": duration, "frames": frames, "effects": "paper"},
-            "numerics": {"cells": cells},
+            "numerics": {"cells": cells, "estimate": False},
         }
     )
 

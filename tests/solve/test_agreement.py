@@ -50,18 +50,20 @@ def test_looser_tolerances_lie_within_the_accuracy_of_the_tight_ones(accuracy: f
         np.testing.assert_allclose(found, wanted, rtol=0, atol=accuracy * np.max(np.abs(wanted)))
 
 
-@pytest.mark.parametrize("law", ["elastic", "bingham"])
-@pytest.mark.parametrize("ramp", ["0 s", "0.04 s"])
-def test_without_inertia_a_run_begins_in_equilibrium(law: str, ramp: str) -> None:
-    run = prepared(without(scene_of(law, ramp=ramp), "inertia"))
-    graph = run.graph
-    assert run.start is not None
-    forces = ca.Function("forces", [graph.t, graph.x, graph.z, graph.p], [graph.alg])
-    left = np.abs(np.asarray(forces(0.0, graph.start, run.start.z, run.p))).max()
-    straight = np.abs(np.asarray(forces(1e9, graph.start, graph.straight, run.p))).max()
-    assert left <= 1e-8 * straight
-    assert midpoint(run, run.start.z) == pytest.approx(0 if ramp != "0 s" else midpoint(run, run.start.z), abs=1e-12)
-    assert midpoint(run, run.start.z) < 0 or ramp != "0 s"
+def test_without_inertia_a_run_begins_in_equilibrium() -> None:
+    for law in ["elastic", "bingham"]:
+        for ramp in ["0 s", "0.04 s"]:
+            run = prepared(without(scene_of(law, ramp=ramp), "inertia"))
+            graph = run.graph
+            assert run.start is not None
+            forces = ca.Function("forces", [graph.t, graph.x, graph.z, graph.p], [graph.alg])
+            left = np.abs(np.asarray(forces(0.0, graph.start, run.start.z, run.p))).max()
+            straight = np.abs(np.asarray(forces(1e9, graph.start, graph.straight, run.p))).max()
+            assert left <= 1e-8 * straight
+            assert midpoint(run, run.start.z) == pytest.approx(
+                0 if ramp != "0 s" else midpoint(run, run.start.z), abs=1e-12
+            )
+            assert midpoint(run, run.start.z) < 0 or ramp != "0 s"
 
 
 def test_every_frame_of_a_creeping_run_is_in_equilibrium() -> None:

@@ -34,6 +34,7 @@ def run(strand: sc.Scene) -> sc.Trajectory:
     return sc.simulate(strand)
 
 
+@pytest.mark.slow
 def test_steps_keep_a_ringing_of_hundreds_of_periods(strand: sc.Scene, run: sc.Trajectory) -> None:
     """Within a tenth of the accuracy of a run in much shorter steps; four steps a period would lose most of it."""
     exact = sc.simulate(strand.replace({"numerics.rtol": 2e-5})).summary

@@ -13,26 +13,23 @@ from softcat_sym.solvers.settings import choose_settings
 from .filaments import scene_of, settings_of, without
 
 
-@pytest.mark.parametrize(
-    ("name", "solver"),
-    [
+def test_what_rings_goes_to_the_method_that_keeps_it() -> None:
+    for name, solver in [
         ("continual-descent", "cvodes"),
         ("silicone-thread", "cvodes"),
         ("arrested-underdamped", "rosenbrock"),
         ("no-yield", "rosenbrock"),
         ("maxwell-slow", "rosenbrock"),
-    ],
-)
-def test_what_rings_goes_to_the_method_that_keeps_it(name: str, solver: str) -> None:
-    scene = load_scene(name, {"run.effects": "paper"})
-    chosen = choose_settings(scene, choose_effects(scene))
-    assert chosen.solver == solver
-    assert chosen.reason
-    # Section angles are algebraic, which CVODES cannot hold.
-    sheared = load_scene(name)
-    # Where nothing yields the method of fifth order then takes few steps, damped or not.
-    expected = {"continual-descent": "idas", "silicone-thread": "rosenbrock"}.get(name, solver)
-    assert choose_settings(sheared, choose_effects(sheared)).solver == expected
+    ]:
+        scene = load_scene(name, {"run.effects": "paper"})
+        chosen = choose_settings(scene, choose_effects(scene))
+        assert chosen.solver == solver
+        assert chosen.reason
+        # Section angles are algebraic, which CVODES cannot hold.
+        sheared = load_scene(name)
+        # Where nothing yields the method of fifth order then takes few steps, damped or not.
+        expected = {"continual-descent": "idas", "silicone-thread": "rosenbrock"}.get(name, solver)
+        assert choose_settings(sheared, choose_effects(sheared)).solver == expected
 
 
 def test_a_sheared_filament_that_creeps_to_rest_goes_to_idas_tightly() -> None:

@@ -89,10 +89,10 @@ def test_inertia_left_out_of_a_beam_that_rings_is_everything() -> None:
     assert measure > 0.4
 
 
-@pytest.mark.parametrize("effect", ["finite-stretch", "thinning", "large-rotation"])
-@pytest.mark.parametrize("E", [100 * WEIGHT, 1000 * WEIGHT])
-def test_geometry_left_out_of_a_cable(effect: str, E: float) -> None:
-    assert_tells(scene_of(CABLE, 1e-3, E), effect)
+def test_geometry_left_out_of_a_cable() -> None:
+    for effect in ["finite-stretch", "thinning", "large-rotation"]:
+        for E in [100 * WEIGHT, 1000 * WEIGHT]:
+            assert_tells(scene_of(CABLE, 1e-3, E), effect)
 
 
 def test_large_rotation_left_out_of_a_cantilever() -> None:

@@ -30,11 +30,11 @@ def test_cells_are_mirrored_about_the_plane_between_them() -> None:
     np.testing.assert_array_equal(mirrored("shear_force", HALF[:1]), [[-2, -1, 0, 0, 1, 2]])
 
 
-@pytest.mark.parametrize("name", ["x", "y", *CELLS])
-def test_a_symmetric_run_is_symmetric(name: str) -> None:
-    values = run().data[name].values
-    sign = -1 if name in ODD else 1
-    np.testing.assert_array_equal(values[:, ::-1], sign * values)
+def test_a_symmetric_run_is_symmetric() -> None:
+    for name in ["x", "y", *CELLS]:
+        values = run().data[name].values
+        sign = -1 if name in ODD else 1
+        np.testing.assert_array_equal(values[:, ::-1], sign * values)
 
 
 def test_the_whole_span_agrees_with_the_mirrored_half() -> None:

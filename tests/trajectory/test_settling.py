@@ -101,13 +101,13 @@ def test_a_run_shorter_than_a_period_says_why_it_has_no_mean() -> None:
     assert "shorter than one period" in run.summary["midpoint_settled_why"]
 
 
-@pytest.mark.parametrize("cycles", [5.0, 4.3, 7.71])
-@pytest.mark.parametrize("phase", [0.0, 1.0, 2.5])
-def test_the_mean_does_not_depend_on_the_phase(cycles: float, phase: float) -> None:
-    time = np.linspace(0, 1, 201)
-    found = ringing_of(-2.0 + 0.7 * np.cos(2 * math.pi * cycles * time + phase))
-    assert found.mean == pytest.approx(-2.0, abs=0.01)
-    assert found.amplitude == pytest.approx(0.7, rel=0.03)
+def test_the_mean_does_not_depend_on_the_phase() -> None:
+    for cycles in [5.0, 4.3, 7.71]:
+        for phase in [0.0, 1.0, 2.5]:
+            time = np.linspace(0, 1, 201)
+            found = ringing_of(-2.0 + 0.7 * np.cos(2 * math.pi * cycles * time + phase))
+            assert found.mean == pytest.approx(-2.0, abs=0.01)
+            assert found.amplitude == pytest.approx(0.7, rel=0.03)
 
 
 def test_what_only_drifts_has_its_last_height_as_mean() -> None:
@@ -125,21 +125,21 @@ CREEP: dict[str, Callable[[float], float]] = {
 }
 
 
-@pytest.mark.parametrize("name", list(CREEP))
-@pytest.mark.parametrize("end", [30.0, 1e3, 1e5])
-def test_what_is_foreseen_is_no_less_than_what_comes(name: str, end: float) -> None:
-    move, noise, longest = CREEP[name], 1e-6, 0
-    for n in range(60):
-        t = 1.5 * STRIDE**n
-        if t > end:
-            break
-        means = [move(t / STRIDE**2), move(t / STRIDE), move(t)]
-        forecast_motion, comes = still_to_move(means, end / t, noise, flows=True), abs(move(end) - move(t))
-        assert forecast_motion >= 0.98 * comes
-        longest = n if forecast_motion > 0.01 else longest
-    if name == "exponential":
-        # It is not called moving for much longer than it moves, 2 log(100) = 9.2, or than noise could hide.
-        assert 1.5 * STRIDE**longest < max(20, 6e-4 * end)
+def test_what_is_foreseen_is_no_less_than_what_comes() -> None:
+    for name in list(CREEP):
+        for end in [30.0, 1e3, 1e5]:
+            move, noise, longest = CREEP[name], 1e-6, 0
+            for n in range(60):
+                t = 1.5 * STRIDE**n
+                if t > end:
+                    break
+                means = [move(t / STRIDE**2), move(t / STRIDE), move(t)]
+                forecast_motion, comes = still_to_move(means, end / t, noise, flows=True), abs(move(end) - move(t))
+                assert forecast_motion >= 0.98 * comes
+                longest = n if forecast_motion > 0.01 else longest
+            if name == "exponential":
+                # It is not called moving for much longer than it moves, 2 log(100) = 9.2, or than noise could hide.
+                assert 1.5 * STRIDE**longest < max(20, 6e-4 * end)
 
 
 def test_what_cannot_flow_is_not_expected_to_go_on() -> None:

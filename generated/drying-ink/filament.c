@@ -1,11 +1,11 @@
 /*
- * Rope of bread dough, shear-thinning
+ * Ink strand that shrank as it dried
  *
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, gravity-ramp, shear, fibres, rotary-inertia
- * Digest of the structure: 99697ea92ca7d122de517de714a26ceb0a0171397e8094c80951ec9a6ef7b34b
+ *     viscous-flow, yielding, gravity-ramp, shear, fibres
+ * Digest of the structure: 3de5d97420affbdf37ae9f3de8fc93485f194840738b887ac3990601ccccf5eb
  */
 #include "filament.h"
 
@@ -13,18 +13,23 @@
 
 #include "softcat_model.h"
 
-#define FIBRES 8
-#define SLOTS 22
-#define ENTRIES 254
+#define FIBRES 16
+#define SLOTS 37
+#define ENTRIES 477
 #define SCRATCH 76
 
 /* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
 static const double zeta[] = {
-    (-0.9396926207859083), (-0.7660444431189779), (-0.4999999999999998), (-0.1736481776669303),
-    0.17364817766693041, 0.5000000000000001, 0.766044443118978, 0.9396926207859084};
+    (-0.9686578935148324), (-0.8784890847806422), (-0.7406139298699932), (-0.5721146443791073),
+    (-0.394041993763766), (-0.2289535525667885), (-0.09821234188930718),
+    (-0.019199555780713324), 0.019199555780713324, 0.09821234188930718, 0.2289535525667885,
+    0.394041993763766, 0.5721146443791073, 0.7406139298699932, 0.8784890847806422,
+    0.9686578935148324};
 static const double weight[] = {
-    0.025995061875669127, 0.09181686914811889, 0.16666666666666669, 0.21552140230954533,
-    0.21552140230954533, 0.16666666666666663, 0.09181686914811883, 0.025995061875669103};
+    0.009809717052572466, 0.03541208817516074, 0.06691987890833648, 0.0924224995935702,
+    0.1025893691493575, 0.09372308379650839, 0.06797964202358955, 0.031143721300904526,
+    0.031143721300904526, 0.06797964202358955, 0.09372308379650839, 0.1025893691493575,
+    0.0924224995935702, 0.06691987890833648, 0.03541208817516074, 0.009809717052572466};
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
@@ -34,7 +39,6 @@ static void rates_0(int n, const double *y, double *f)
 {
     for (int i = 1; i < n - 1; i++) {
         f[SLOTS * i + 0] = y[SLOTS * i + 2];
-        f[SLOTS * i + 4] = y[SLOTS * i + 5];
     }
 }
 
@@ -117,45 +121,39 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
     double *restrict w6 = w + 6 * n;
     double *restrict w7 = w + 7 * n;
     double *restrict w8 = w + 8 * n;
-    const double c3 = p[5];
-    const double c6 = (-0.5) * p[1];
-    const double c23 = 0.9 * c3;
-    const double c26 = 2.0 * p[6];
-    const double c27 = 2.0 + c26;
-    const double c28 = c23 / c27;
-    const double c38 = 1e-12 * c3;
-    const double c39 = squared(c38);
-    const double c41 = p[7];
-    const double c42 = squared(c41);
-    const double c43 = 1.0 / c42;
-    const double c46 = squared(c3);
-    const double c47 = 1e-18 * c46;
-    const double c48 = c47 / c42;
-    const double c52 = 0.5 / p[8];
-    const double c53 = (-0.5) + c52;
-    const double c55 = 1.0 / c41;
-    const double c58 = p[9];
+    const double c3 = p[7];
+    const double c4 = p[5];
+    const double c7 = (-0.5) * p[1];
+    const double c24 = 0.9 * c4;
+    const double c27 = 2.0 * p[8];
+    const double c28 = 2.0 + c27;
+    const double c29 = c24 / c28;
+    const double c39 = 1e-12 * c4;
+    const double c40 = squared(c39);
+    const double c46 = 1.0 / p[6];
+    const double c50 = p[9];
     for (int i = 0; i < n - 1; i++) {
         double sum0 = 0.0;
         double sum1 = 0.0;
         double sum2 = 0.0;
-        const double v8 = c6 * w5[i];
-        const double v11 = w3[i];
-        const double v13 = sqrt(v11) * v11;
-        const double v17 = log(v11);
-        const double v30 = w4[i] / v11;
+        const double v9 = c7 * w5[i];
+        const double v12 = w3[i];
+        const double v14 = sqrt(v12) * v12;
+        const double v18 = log(v12);
+        const double v31 = w4[i] / v12;
         for (int k = 0; k < FIBRES; k++) {
-            const double v9 = zeta[k];
-            const double v19 = c3 * ((((v8 * v9) / v13) - y[SLOTS * i + 6 + k]) + v17);
-            const double v33 = c28 * (v30 - y[SLOTS * i + 6 + 1 * FIBRES + k]);
-            const double v49 = (larger(squared(v19) + (3.0 * squared(v33)), c39) * c43) + c48;
-            const double v56 = pow(v49, c53) * c55;
-            const double v63 = weight[k];
-            f[SLOTS * i + 6 + k] = (v19 * v56) * c58;
-            f[SLOTS * i + 6 + 1 * FIBRES + k] = ((3.0 * v33) * v56) * c58;
-            sum0 += v19 * v63;
-            sum1 += v19 * (v63 * v9);
-            sum2 += v33 * v63;
+            const double v10 = zeta[k];
+            const double v20 = c4 * ((((v9 * v10) / v14) - y[SLOTS * i + 5 + k]) + v18);
+            const double v34 = c29 * (v31 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v42 = sqrt(larger(squared(v20) + (3.0 * squared(v34)), c40));
+            const double v43 = (double)(c3 < v42);
+            const double v48 = ((v42 - c3) * c46) / v42;
+            const double v57 = weight[k];
+            f[SLOTS * i + 5 + k] = v43 != 0.0 ? ((v20 * v48) * c50) : 0.0;
+            f[SLOTS * i + 5 + 1 * FIBRES + k] = v43 != 0.0 ? (((3.0 * v34) * v48) * c50) : 0.0;
+            sum0 += v20 * v57;
+            sum1 += v20 * (v57 * v10);
+            sum2 += v34 * v57;
         }
         w6[i] = sum0;
         w7[i] = sum1;
@@ -211,10 +209,13 @@ static void rates_9(int n, const double *p, const double *g, double *w, double *
     const double c25 = c22 * c24;
     const double c26 = c25 * c5;
     const double c27 = c4 / c26;
+    const double c32 = squared(c5);
+    const double c33 = c7 * c32;
+    const double c34 = c25 / c33;
     for (int i = 1; i < n - 1; i++) {
         const double v31 = (((w12[i] - w12[i - 1]) + w11[i]) + w11[i - 1]) * (c27 * g[7 * i + 5]);
         f[SLOTS * i + 2] = (w9[i] - w9[i - 1]) * (c9 * g[7 * i + 6]);
-        f[SLOTS * i + 5] = v31;
+        f[SLOTS * i + 4] = v31 * c34;
     }
 }
 
@@ -276,7 +277,6 @@ static void jacobian_0(int n, double *e)
 {
     for (int i = 1; i < n - 1; i++) {
         e[ENTRIES * i + 0] = 1.0;
-        e[ENTRIES * i + 20] = 1.0;
     }
 }
 
@@ -433,23 +433,15 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
     const double c1 = p[5];
     const double c54 = 0.9 * c1;
-    const double c57 = 2.0 * p[6];
+    const double c57 = 2.0 * p[8];
     const double c58 = 2.0 + c57;
     const double c59 = c54 / c58;
-    const double c80 = (-0.5) * p[1];
-    const double c106 = 1e-12 * c1;
-    const double c107 = squared(c106);
-    const double c109 = p[7];
-    const double c110 = squared(c109);
-    const double c111 = 1.0 / c110;
-    const double c114 = squared(c1);
-    const double c115 = 1e-18 * c114;
-    const double c116 = c115 / c110;
-    const double c120 = 0.5 / p[8];
-    const double c121 = (-0.5) + c120;
-    const double c123 = 1.0 / c109;
-    const double c125 = p[9];
-    const double c133 = c121 - 1.0;
+    const double c78 = p[7];
+    const double c81 = (-0.5) * p[1];
+    const double c107 = 1e-12 * c1;
+    const double c108 = squared(c107);
+    const double c114 = 1.0 / p[6];
+    const double c118 = p[9];
     for (int i = 0; i < n - 1; i++) {
         double sum0 = 0.0;
         double sum1 = 0.0;
@@ -474,15 +466,15 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
         const double v66 = w22[i];
         const double v70 = w23[i];
         const double v74 = w24[i];
-        const double v82 = c80 * w5[i];
-        const double v84 = w3[i];
-        const double v85 = sqrt(v84);
-        const double v87 = 1.0 / (v85 * v84);
-        const double v91 = log(v84);
-        const double v97 = 1.0 / v84;
-        const double v98 = w4[i] * v97;
-        const double v152 = v98 * v97;
-        const double v161 = 1.0 / (2.0 * v85);
+        const double v83 = c81 * w5[i];
+        const double v85 = w3[i];
+        const double v86 = sqrt(v85);
+        const double v88 = 1.0 / (v86 * v85);
+        const double v92 = log(v85);
+        const double v98 = 1.0 / v85;
+        const double v99 = w4[i] * v98;
+        const double v147 = v99 * v98;
+        const double v156 = 1.0 / (2.0 * v86);
         for (int k = 0; k < FIBRES; k++) {
             const double v2 = weight[k];
             const double v3 = c1 * v2;
@@ -490,62 +482,72 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
             const double v27 = v2 * v26;
             const double v28 = c1 * v27;
             const double v60 = c59 * v2;
-            const double v88 = (v82 * v26) * v87;
-            const double v93 = c1 * ((v88 - y[SLOTS * i + 6 + k]) + v91);
-            const double v101 = c59 * (v98 - y[SLOTS * i + 6 + 1 * FIBRES + k]);
-            const double v104 = squared(v93) + (3.0 * squared(v101));
-            const double v117 = (larger(v104, c107) * c111) + c116;
-            const double v126 = (pow(v117, c121) * c123) * c125;
-            const double v127 = 2.0 * v93;
-            const double v128 = (double)(c107 <= v104);
-            const double v131 = v128 / (v128 + (double)(v104 <= c107));
-            const double v135 = c121 * pow(v117, c133);
-            const double v140 = v131 * ((v135 * ((v93 * c125) * c123)) * c111);
-            const double v143 = c1 * (v126 + (v127 * v140));
-            const double v145 = 2.0 * v101;
-            const double v148 = c59 * (v145 * (3.0 * v140));
-            const double v149 = v148 * v97;
-            const double v155 = v88 * v87;
-            const double v156 = v155 * v143;
-            const double v163 = (((v143 * v97) - (v152 * v148)) - (v85 * v156)) - ((v84 * v156) * v161);
-            const double v168 = c80 * (v26 * (v143 * v87));
-            const double v194 = v131 * ((v135 * (((3.0 * v101) * c125) * c123)) * c111);
-            const double v196 = c1 * (v127 * v194);
-            const double v202 = c59 * ((v145 * (3.0 * v194)) + (3.0 * v126));
-            const double v203 = v202 * v97;
-            const double v206 = v155 * v196;
-            const double v213 = (((v196 * v97) - (v85 * v206)) - ((v84 * v206) * v161)) - (v152 * v202);
-            const double v218 = c80 * (v26 * (v196 * v87));
-            const double v243 = v155 * v3;
-            const double v253 = v155 * v28;
+            const double v89 = (v83 * v26) * v88;
+            const double v94 = c1 * ((v89 - y[SLOTS * i + 5 + k]) + v92);
+            const double v102 = c59 * (v99 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v105 = squared(v94) + (3.0 * squared(v102));
+            const double v110 = sqrt(larger(v105, c108));
+            const double v111 = (double)(c78 < v110);
+            const double v116 = 1.0 / v110;
+            const double v117 = ((v110 - c78) * c114) * v116;
+            const double v119 = v117 * c118;
+            const double v120 = 2.0 * v94;
+            const double v121 = (double)(c108 <= v105);
+            const double v124 = v121 / (v121 + (double)(v105 <= c108));
+            const double v125 = v94 * c118;
+            const double v128 = v117 * v116;
+            const double v132 = 1.0 / (2.0 * v110);
+            const double v134 = v124 * ((((v125 * v116) * c114) - (v128 * v125)) * v132);
+            const double v137 = c1 * (v119 + (v120 * v134));
+            const double v140 = 2.0 * v102;
+            const double v143 = c59 * (v140 * (3.0 * v134));
+            const double v144 = v143 * v98;
+            const double v150 = v89 * v88;
+            const double v151 = v150 * v137;
+            const double v158 = (((v137 * v98) - (v147 * v143)) - (v86 * v151)) - ((v85 * v151) * v156);
+            const double v163 = c81 * (v26 * (v137 * v88));
+            const double v166 = v111 != 0.0 ? (((v144 * v44) + (v158 * v6)) + (v163 * v9)) : 0.0;
+            const double v172 = v111 != 0.0 ? (((v144 * v49) + (v158 * v12)) + (v163 * v14)) : 0.0;
+            const double v192 = (3.0 * v102) * c118;
+            const double v198 = v124 * ((((v192 * v116) * c114) - (v128 * v192)) * v132);
+            const double v200 = c1 * (v120 * v198);
+            const double v207 = c59 * ((3.0 * v119) + (v140 * (3.0 * v198)));
+            const double v208 = v207 * v98;
+            const double v213 = v150 * v200;
+            const double v218 = (((v200 * v98) - (v147 * v207)) - (v86 * v213)) - ((v85 * v213) * v156);
+            const double v223 = c81 * (v26 * (v200 * v88));
+            const double v226 = v111 != 0.0 ? (((v208 * v44) + (v218 * v6)) + (v223 * v9)) : 0.0;
+            const double v232 = v111 != 0.0 ? (((v208 * v49) + (v218 * v12)) + (v223 * v14)) : 0.0;
+            const double v255 = v150 * v3;
+            const double v265 = v150 * v28;
             each0[FIBRES * i + k] = -v3;
             each1[FIBRES * i + k] = -v28;
             each2[FIBRES * i + k] = -v60;
-            e[ENTRIES * i + 30 + 15 * FIBRES + k] = -v143;
-            e[ENTRIES * i + 30 + 14 * FIBRES + k] = ((v149 * v44) + (v163 * v6)) + (v168 * v9);
-            e[ENTRIES * i + 30 + 19 * FIBRES + k] = ((v149 * v49) + (v163 * v12)) + (v168 * v14);
-            e[ENTRIES * i + 30 + 16 * FIBRES + k] = -v148;
-            e[ENTRIES * i + 30 + 12 * FIBRES + k] = (v149 * v62) + (v163 * v17);
-            e[ENTRIES * i + 30 + 17 * FIBRES + k] = (v149 * v66) + (v163 * v19);
-            e[ENTRIES * i + 30 + 13 * FIBRES + k] = (v149 * v70) + (v163 * v21);
-            e[ENTRIES * i + 30 + 18 * FIBRES + k] = (v149 * v74) + (v163 * v23);
-            e[ENTRIES * i + 30 + 23 * FIBRES + k] = -v196;
-            e[ENTRIES * i + 30 + 22 * FIBRES + k] = ((v203 * v44) + (v213 * v6)) + (v218 * v9);
-            e[ENTRIES * i + 30 + 27 * FIBRES + k] = ((v203 * v49) + (v213 * v12)) + (v218 * v14);
-            e[ENTRIES * i + 30 + 24 * FIBRES + k] = -v202;
-            e[ENTRIES * i + 30 + 20 * FIBRES + k] = (v203 * v62) + (v213 * v17);
-            e[ENTRIES * i + 30 + 25 * FIBRES + k] = (v203 * v66) + (v213 * v19);
-            e[ENTRIES * i + 30 + 21 * FIBRES + k] = (v203 * v70) + (v213 * v21);
-            e[ENTRIES * i + 30 + 26 * FIBRES + k] = (v203 * v74) + (v213 * v23);
-            sum0 += v93 * v2;
-            sum1 += v93 * v27;
-            sum2 += v101 * v2;
-            sum3 += ((v3 * v97) - (v85 * v243)) - ((v84 * v243) * v161);
-            sum4 += c80 * (v26 * (v3 * v87));
-            sum5 += ((v28 * v97) - (v85 * v253)) - ((v84 * v253) * v161);
-            sum6 += c80 * (v26 * (v28 * v87));
-            sum7 += v60 * v97;
-            sum8 += -(v152 * v60);
+            e[ENTRIES * i + 29 + 15 * FIBRES + k] = v111 != 0.0 ? (-v137) : 0.0;
+            e[ENTRIES * i + 29 + 14 * FIBRES + k] = v166;
+            e[ENTRIES * i + 29 + 19 * FIBRES + k] = v172;
+            e[ENTRIES * i + 29 + 16 * FIBRES + k] = v111 != 0.0 ? (-v143) : 0.0;
+            e[ENTRIES * i + 29 + 12 * FIBRES + k] = v111 != 0.0 ? ((v144 * v62) + (v158 * v17)) : 0.0;
+            e[ENTRIES * i + 29 + 17 * FIBRES + k] = v111 != 0.0 ? ((v144 * v66) + (v158 * v19)) : 0.0;
+            e[ENTRIES * i + 29 + 13 * FIBRES + k] = v111 != 0.0 ? ((v144 * v70) + (v158 * v21)) : 0.0;
+            e[ENTRIES * i + 29 + 18 * FIBRES + k] = v111 != 0.0 ? ((v144 * v74) + (v158 * v23)) : 0.0;
+            e[ENTRIES * i + 29 + 23 * FIBRES + k] = v111 != 0.0 ? (-v200) : 0.0;
+            e[ENTRIES * i + 29 + 22 * FIBRES + k] = v226;
+            e[ENTRIES * i + 29 + 27 * FIBRES + k] = v232;
+            e[ENTRIES * i + 29 + 24 * FIBRES + k] = v111 != 0.0 ? (-v207) : 0.0;
+            e[ENTRIES * i + 29 + 20 * FIBRES + k] = v111 != 0.0 ? ((v208 * v62) + (v218 * v17)) : 0.0;
+            e[ENTRIES * i + 29 + 25 * FIBRES + k] = v111 != 0.0 ? ((v208 * v66) + (v218 * v19)) : 0.0;
+            e[ENTRIES * i + 29 + 21 * FIBRES + k] = v111 != 0.0 ? ((v208 * v70) + (v218 * v21)) : 0.0;
+            e[ENTRIES * i + 29 + 26 * FIBRES + k] = v111 != 0.0 ? ((v208 * v74) + (v218 * v23)) : 0.0;
+            sum0 += v94 * v2;
+            sum1 += v94 * v27;
+            sum2 += v102 * v2;
+            sum3 += ((v3 * v98) - (v86 * v255)) - ((v85 * v255) * v156);
+            sum4 += c81 * (v26 * (v3 * v88));
+            sum5 += ((v28 * v98) - (v86 * v265)) - ((v85 * v265) * v156);
+            sum6 += c81 * (v26 * (v28 * v88));
+            sum7 += v60 * v98;
+            sum8 += -(v147 * v60);
         }
         const double v5 = sum3;
         const double v8 = sum4;
@@ -836,12 +838,15 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     const double c54 = c51 * c53;
     const double c55 = c54 * c2;
     const double c56 = c1 / c55;
+    const double c60 = squared(c2);
+    const double c61 = c4 * c60;
+    const double c62 = c54 / c61;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        const double v59 = c56 * g[7 * i + 5];
-        const double v82 = ((v59 * w63[i]) - (v59 * w64[i - 1])) + (v59 * w58[i - 1]);
-        const double v107 = ((v59 * w65[i]) - (v59 * w66[i - 1])) + (v59 * w60[i - 1]);
-        const double v128 = ((v59 * w67[i]) - (v59 * w68[i - 1])) + (v59 * w62[i - 1]);
+        const double v63 = (c56 * g[7 * i + 5]) * c62;
+        const double v86 = ((v63 * w63[i]) - (v63 * w64[i - 1])) + (v63 * w58[i - 1]);
+        const double v111 = ((v63 * w65[i]) - (v63 * w66[i - 1])) + (v63 * w60[i - 1]);
+        const double v132 = ((v63 * w67[i]) - (v63 * w68[i - 1])) + (v63 * w62[i - 1]);
         e[ENTRIES * i + 4] = -(v9 * w45[i - 1]);
         e[ENTRIES * i + 7] = (v9 * w45[i]) - (v9 * w46[i - 1]);
         e[ENTRIES * i + 10] = v9 * w46[i];
@@ -851,26 +856,26 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
         e[ENTRIES * i + 3] = -(v9 * w49[i - 1]);
         e[ENTRIES * i + 6] = (v9 * w49[i]) - (v9 * w50[i - 1]);
         e[ENTRIES * i + 9] = v9 * w50[i];
-        e[ENTRIES * i + 23] = (v59 * w57[i - 1]) - (v59 * w63[i - 1]);
-        e[ENTRIES * i + 26] = v82 + (v59 * w57[i]);
-        e[ENTRIES * i + 29] = (v59 * w64[i]) + (v59 * w58[i]);
-        e[ENTRIES * i + 21] = (v59 * w59[i - 1]) - (v59 * w65[i - 1]);
-        e[ENTRIES * i + 24] = v107 + (v59 * w59[i]);
-        e[ENTRIES * i + 27] = (v59 * w66[i]) + (v59 * w60[i]);
-        e[ENTRIES * i + 22] = (v59 * w61[i - 1]) - (v59 * w67[i - 1]);
-        e[ENTRIES * i + 25] = v128 + (v59 * w61[i]);
-        e[ENTRIES * i + 28] = (v59 * w68[i]) + (v59 * w62[i]);
+        e[ENTRIES * i + 22] = (v63 * w57[i - 1]) - (v63 * w63[i - 1]);
+        e[ENTRIES * i + 25] = v86 + (v63 * w57[i]);
+        e[ENTRIES * i + 28] = (v63 * w64[i]) + (v63 * w58[i]);
+        e[ENTRIES * i + 20] = (v63 * w59[i - 1]) - (v63 * w65[i - 1]);
+        e[ENTRIES * i + 23] = v111 + (v63 * w59[i]);
+        e[ENTRIES * i + 26] = (v63 * w66[i]) + (v63 * w60[i]);
+        e[ENTRIES * i + 21] = (v63 * w61[i - 1]) - (v63 * w67[i - 1]);
+        e[ENTRIES * i + 24] = v132 + (v63 * w61[i]);
+        e[ENTRIES * i + 27] = (v63 * w68[i]) + (v63 * w62[i]);
         for (int k = 0; k < FIBRES; k++) {
-            const double v64 = (v59 * each7[FIBRES * (i - 1) + k]) - (v59 * each9[FIBRES * (i - 1) + k]);
-            const double v69 = (v59 * each9[FIBRES * i + k]) + (v59 * each7[FIBRES * i + k]);
-            e[ENTRIES * i + 30 + k] = -(v9 * each3[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 30 + 2 * FIBRES + k] = v9 * each3[FIBRES * i + k];
-            e[ENTRIES * i + 30 + 1 * FIBRES + k] = -(v9 * each4[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 30 + 3 * FIBRES + k] = v9 * each4[FIBRES * i + k];
-            e[ENTRIES * i + 30 + 8 * FIBRES + k] = v64;
-            e[ENTRIES * i + 30 + 10 * FIBRES + k] = v69;
-            e[ENTRIES * i + 30 + 9 * FIBRES + k] = v59 * each8[FIBRES * (i - 1) + k];
-            e[ENTRIES * i + 30 + 11 * FIBRES + k] = v59 * each8[FIBRES * i + k];
+            const double v68 = (v63 * each7[FIBRES * (i - 1) + k]) - (v63 * each9[FIBRES * (i - 1) + k]);
+            const double v73 = (v63 * each9[FIBRES * i + k]) + (v63 * each7[FIBRES * i + k]);
+            e[ENTRIES * i + 29 + k] = -(v9 * each3[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 2 * FIBRES + k] = v9 * each3[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 1 * FIBRES + k] = -(v9 * each4[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 3 * FIBRES + k] = v9 * each4[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 8 * FIBRES + k] = v68;
+            e[ENTRIES * i + 29 + 10 * FIBRES + k] = v73;
+            e[ENTRIES * i + 29 + 9 * FIBRES + k] = v63 * each8[FIBRES * (i - 1) + k];
+            e[ENTRIES * i + 29 + 11 * FIBRES + k] = v63 * each8[FIBRES * i + k];
         }
     }
 }
@@ -902,10 +907,10 @@ static void jacobian_10(int n, const double *p, const double *g, double *w, doub
         e[ENTRIES * i + 15] = (v9 * w55[i]) - (v9 * w56[i - 1]);
         e[ENTRIES * i + 18] = v9 * w56[i];
         for (int k = 0; k < FIBRES; k++) {
-            e[ENTRIES * i + 30 + 4 * FIBRES + k] = -(v9 * each5[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 30 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
-            e[ENTRIES * i + 30 + 5 * FIBRES + k] = -(v9 * each6[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 30 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 4 * FIBRES + k] = -(v9 * each5[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
+            e[ENTRIES * i + 29 + 5 * FIBRES + k] = -(v9 * each6[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
         }
     }
 }
@@ -934,8 +939,8 @@ static void jacobian_11(int n, const double *p, const double *g, double *w, doub
     e[ENTRIES * i + 15] = v9 * w55[i];
     e[ENTRIES * i + 18] = v9 * w56[i];
     for (int k = 0; k < FIBRES; k++) {
-        e[ENTRIES * i + 30 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
-        e[ENTRIES * i + 30 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
+        e[ENTRIES * i + 29 + 6 * FIBRES + k] = v9 * each5[FIBRES * i + k];
+        e[ENTRIES * i + 29 + 7 * FIBRES + k] = v9 * each6[FIBRES * i + k];
     }
     (void)n;
 }
@@ -946,35 +951,29 @@ static void work_0(int n, const double *p, const double *y, double *w)
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w69 = w + 69 * n;
-    const double c1 = p[5];
-    const double c4 = (-0.5) * p[1];
-    const double c21 = 0.9 * c1;
-    const double c24 = 2.0 * p[6];
-    const double c25 = 2.0 + c24;
-    const double c26 = c21 / c25;
-    const double c36 = 1e-12 * c1;
-    const double c37 = squared(c36);
-    const double c39 = p[7];
-    const double c40 = squared(c39);
-    const double c41 = 1.0 / c40;
-    const double c44 = squared(c1);
-    const double c45 = 1e-18 * c44;
-    const double c46 = c45 / c40;
-    const double c50 = 0.5 / p[8];
-    const double c51 = (-0.5) + c50;
-    const double c53 = 1.0 / c39;
+    const double c1 = p[7];
+    const double c2 = p[5];
+    const double c5 = (-0.5) * p[1];
+    const double c22 = 0.9 * c2;
+    const double c25 = 2.0 * p[8];
+    const double c26 = 2.0 + c25;
+    const double c27 = c22 / c26;
+    const double c37 = 1e-12 * c2;
+    const double c38 = squared(c37);
+    const double c44 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
         double sum9 = 0.0;
-        const double v6 = c4 * w5[i];
-        const double v9 = w3[i];
-        const double v11 = sqrt(v9) * v9;
-        const double v15 = log(v9);
-        const double v28 = w4[i] / v9;
+        const double v7 = c5 * w5[i];
+        const double v10 = w3[i];
+        const double v12 = sqrt(v10) * v10;
+        const double v16 = log(v10);
+        const double v29 = w4[i] / v10;
         for (int k = 0; k < FIBRES; k++) {
-            const double v17 = c1 * ((((v6 * zeta[k]) / v11) - y[SLOTS * i + 6 + k]) + v15);
-            const double v33 = 3.0 * squared((c26 * (v28 - y[SLOTS * i + 6 + 1 * FIBRES + k])));
-            const double v38 = larger(squared(v17) + v33, c37);
-            sum9 += (v38 * (pow((v38 * c41) + c46, c51) * c53)) * weight[k];
+            const double v18 = c2 * ((((v7 * zeta[k]) / v12) - y[SLOTS * i + 5 + k]) + v16);
+            const double v34 = 3.0 * squared((c27 * (v29 - y[SLOTS * i + 5 + 1 * FIBRES + k])));
+            const double v40 = sqrt(larger(squared(v18) + v34, c38));
+            const double v49 = (double)(c1 < v40) != 0.0 ? ((v40 * ((v40 - c1) * c44)) * weight[k]) : 0.0;
+            sum9 += v49;
         }
         w69[i] = sum9;
     }
@@ -1051,72 +1050,63 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     double *restrict w75 = w + 75 * n;
     double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
     double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    const double c1 = p[5];
-    const double c4 = (-0.5) * p[1];
-    const double c21 = 1e-12 * c1;
-    const double c22 = squared(c21);
-    const double c26 = 0.9 * c1;
-    const double c29 = 2.0 * p[6];
-    const double c30 = 2.0 + c29;
-    const double c31 = c26 / c30;
-    const double c46 = p[7];
-    const double c47 = squared(c46);
-    const double c48 = 1.0 / c47;
-    const double c51 = squared(c1);
-    const double c52 = 1e-18 * c51;
-    const double c53 = c52 / c47;
-    const double c57 = 0.5 / p[8];
-    const double c58 = (-0.5) + c57;
-    const double c60 = 1.0 / c46;
-    const double c65 = c58 - 1.0;
+    const double c1 = p[7];
+    const double c2 = p[5];
+    const double c5 = (-0.5) * p[1];
+    const double c23 = 0.9 * c2;
+    const double c26 = 2.0 * p[8];
+    const double c27 = 2.0 + c26;
+    const double c28 = c23 / c27;
+    const double c39 = 1e-12 * c2;
+    const double c40 = squared(c39);
+    const double c51 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
         double sum10 = 0.0;
         double sum11 = 0.0;
         double sum12 = 0.0;
         double sum9 = 0.0;
-        const double v6 = c4 * w5[i];
-        const double v9 = w3[i];
-        const double v10 = sqrt(v9);
-        const double v12 = 1.0 / (v10 * v9);
-        const double v16 = log(v9);
-        const double v33 = 1.0 / v9;
-        const double v34 = w4[i] * v33;
-        const double v123 = v34 * v33;
-        const double v131 = 2.0 * v10;
+        const double v7 = c5 * w5[i];
+        const double v10 = w3[i];
+        const double v11 = sqrt(v10);
+        const double v13 = 1.0 / (v11 * v10);
+        const double v17 = log(v10);
+        const double v30 = 1.0 / v10;
+        const double v31 = w4[i] * v30;
+        const double v113 = v31 * v30;
+        const double v121 = 2.0 * v11;
         for (int k = 0; k < FIBRES; k++) {
-            const double v7 = zeta[k];
-            const double v13 = (v6 * v7) * v12;
-            const double v18 = c1 * ((v13 - y[SLOTS * i + 6 + k]) + v16);
-            const double v37 = c31 * (v34 - y[SLOTS * i + 6 + 1 * FIBRES + k]);
-            const double v40 = squared(v18) + (3.0 * squared(v37));
-            const double v41 = (double)(c22 <= v40);
-            const double v45 = larger(v40, c22);
-            const double v54 = (v45 * c48) + c53;
-            const double v61 = pow(v54, c58) * c60;
-            const double v62 = weight[k];
-            const double v72 = (v61 * v62) + (((c58 * pow(v54, c65)) * ((v45 * v62) * c60)) * c48);
-            const double v73 = (v41 / (v41 + (double)(v40 <= c22))) * v72;
-            const double v75 = c1 * ((2.0 * v18) * v73);
-            const double v99 = c31 * ((2.0 * v37) * (3.0 * v73));
-            const double v127 = (v13 * v12) * v75;
-            const double v133 = (((v75 * v33) - (v123 * v99)) - (v10 * v127)) - ((v9 * v127) / v131);
-            each10[FIBRES * i + k] = -v75;
-            each11[FIBRES * i + k] = -v99;
-            sum10 += v99 * v33;
-            sum11 += v133;
-            sum12 += c4 * (v7 * (v75 * v12));
-            sum9 += (v45 * v61) * v62;
+            const double v8 = zeta[k];
+            const double v14 = (v7 * v8) * v13;
+            const double v19 = c2 * ((v14 - y[SLOTS * i + 5 + k]) + v17);
+            const double v34 = c28 * (v31 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
+            const double v37 = squared(v19) + (3.0 * squared(v34));
+            const double v42 = sqrt(larger(v37, c40));
+            const double v43 = (double)(c1 < v42);
+            const double v45 = (double)(c40 <= v37);
+            const double v52 = (v42 - c1) * c51;
+            const double v53 = weight[k];
+            const double v60 = (v45 / (v45 + (double)(v37 <= c40))) * (((v52 * v53) + ((v42 * v53) * c51)) / (2.0 * v42));
+            const double v62 = c2 * ((2.0 * v19) * v60);
+            const double v87 = c28 * ((2.0 * v34) * (3.0 * v60));
+            const double v117 = (v14 * v13) * v62;
+            const double v123 = (((v62 * v30) - (v113 * v87)) - (v11 * v117)) - ((v10 * v117) / v121);
+            each10[FIBRES * i + k] = v43 != 0.0 ? (-v62) : 0.0;
+            each11[FIBRES * i + k] = v43 != 0.0 ? (-v87) : 0.0;
+            sum10 += v43 != 0.0 ? (v87 * v30) : 0.0;
+            sum11 += v43 != 0.0 ? v123 : 0.0;
+            sum12 += v43 != 0.0 ? (c5 * (v8 * (v62 * v13))) : 0.0;
+            sum9 += v43 != 0.0 ? ((v42 * v52) * v53) : 0.0;
         }
-        const double v77 = sum10;
-        const double v80 = sum11;
-        const double v84 = sum12;
+        const double v65 = sum10;
+        const double v68 = sum11;
+        const double v72 = sum12;
         w69[i] = sum9;
-        w70[i] = ((v77 * w19[i]) + (v80 * w13[i])) + (v84 * w25[i]);
-        w71[i] = ((v77 * w20[i]) + (v80 * w14[i])) + (v84 * w26[i]);
-        w72[i] = (v77 * w21[i]) + (v80 * w15[i]);
-        w73[i] = (v77 * w22[i]) + (v80 * w16[i]);
-        w74[i] = (v77 * w23[i]) + (v80 * w17[i]);
-        w75[i] = (v77 * w24[i]) + (v80 * w18[i]);
+        w70[i] = ((v65 * w19[i]) + (v68 * w13[i])) + (v72 * w25[i]);
+        w71[i] = ((v65 * w20[i]) + (v68 * w14[i])) + (v72 * w26[i]);
+        w72[i] = (v65 * w21[i]) + (v68 * w15[i]);
+        w73[i] = (v65 * w22[i]) + (v68 * w16[i]);
+        w74[i] = (v65 * w23[i]) + (v68 * w17[i]);
+        w75[i] = (v65 * w24[i]) + (v68 * w18[i]);
     }
 }
 
@@ -1173,8 +1163,8 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
         s[SLOTS * i + 1] += v8 * w74[i];
         s[SLOTS * (i + 1) + 1] += v8 * w75[i];
         for (int k = 0; k < FIBRES; k++) {
-            s[SLOTS * i + 6 + k] += v8 * each10[FIBRES * i + k];
-            s[SLOTS * i + 6 + 1 * FIBRES + k] += v8 * each11[FIBRES * i + k];
+            s[SLOTS * i + 5 + k] += v8 * each10[FIBRES * i + k];
+            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each11[FIBRES * i + k];
         }
     }
 }
@@ -1251,83 +1241,123 @@ static int work_slope(const softcat_filament *filament, double t, const double *
 }
 
 static const int rate[] = {
-    2, 3, -1, -1, 5, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+    2, 3, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
+    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
 static const int differential[] = {
-    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1};
 static const int held_first[] = {
-    1, 0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0};
 static const int held_last[] = {
-    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1};
 static const int row[] = {
-    0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 2,
+    0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 2, 2,
+    2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2,
     2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2,
     3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3,
-    3, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5,
-    5, 5, 6, 7, 8, 9, 10, 11, 12, 13, 6, 7, 8, 9, 10, 11, 12, 13, 6, 7, 8, 9, 10, 11, 12, 13, 6,
-    7, 8, 9, 10, 11, 12, 13, 6, 7, 8, 9, 10, 11, 12, 13, 6, 7, 8, 9, 10, 11, 12, 13, 6, 7, 8, 9,
-    10, 11, 12, 13, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 14, 15, 16, 17,
-    18, 19, 20, 21, 14, 15, 16, 17, 18, 19, 20, 21, 14, 15, 16, 17, 18, 19, 20, 21, 14, 15, 16,
-    17, 18, 19, 20, 21, 14, 15, 16, 17, 18, 19, 20, 21, 14, 15, 16, 17, 18, 19, 20, 21, 14, 15,
-    16, 17, 18, 19, 20, 21};
+    3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3,
+    3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
+    4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
+    4, 4, 4, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10,
+    11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18,
+    19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11,
+    12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19,
+    20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12,
+    13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35,
+    36, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 21, 22, 23, 24, 25, 26,
+    27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33,
+    34, 35, 36, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 21, 22, 23, 24,
+    25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31,
+    32, 33, 34, 35, 36, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36};
 static const int offset[] = {
-    0, 0, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1, 1, 0, -1, -1, -1, 0, 0, 0, 1,
-    1, 1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0,
-    0, 0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
-    -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1, 1, -1, -1, -1, 0, 0, 0, 1, 1,
+    1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
+    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
+    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, -1,
+    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
+    -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0,
     0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int column[] = {
-    2, 3, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 0, 1, 4, 0, 1, 4, 0, 1, 4, 6,
-    7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
-    16, 17, 18, 19, 20, 21, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 6, 7, 8,
-    9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,
-    17, 18, 19, 20, 21, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 0, 0, 0,
-    0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14,
-    15, 16, 17, 18, 19, 20, 21, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4,
-    4, 4, 4, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 6, 7, 8, 9,
-    10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1,
-    1, 4, 4, 4, 4, 4, 4, 4, 4};
+    2, 3, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 6,
+    7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30,
+    31, 32, 33, 34, 35, 36, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22,
+    23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
+    15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 5,
+    6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29,
+    30, 31, 32, 33, 34, 35, 36, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+    22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 5, 6, 7, 8, 9, 10, 11, 12, 13,
+    14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+    1, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
+    16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4,
+    4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
+    5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
+    29, 30, 31, 32, 33, 34, 35, 36, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4};
 
 const softcat_model softcat_filament_model = {
-    22, 16, 10, 7, 172, 254, 3, 1,
+    37, 32, 10, 7, 268, 477, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };
 
 static const char *const described_parameters[] = {
-    "rest_length", "thickness", "density", "gravity", "ramp", "youngs_modulus", "poisson",
-    "viscosity", "index", "time_scale"};
+    "rest_length", "thickness", "density", "gravity", "ramp", "youngs_modulus", "viscosity",
+    "yield_stress", "poisson", "time_scale"};
 static const char *const described_units[] = {
-    "m", "m", "kg/m^3", "m/s^2", "s", "Pa", "1", "Pa*s^n", "1", "s"};
+    "m", "m", "kg/m^3", "m/s^2", "s", "Pa", "Pa*s", "Pa", "1", "s"};
 static const softcat_range described_ranges[] = {
     SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_NOT_NEGATIVE,
-    SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POISSON, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE,
+    SOFTCAT_NOT_NEGATIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_POSITIVE, SOFTCAT_POISSON,
     SOFTCAT_NOT_NEGATIVE};
 static const double described_values[] = {
-    0.1, 0.015, 1100.0, 9.81, 0.5, 30000.0, 0.45, 10211.718159726757, 0.3, 0.10096375546923045};
+    0.01, 0.0005, 2200.0, 9.81, 0.02, 1000000.0, 300.0, 3464.1016151377544, 0.45,
+    0.031927542840705044};
 static const char *const described_slots[] = {
-    "x", "y", "u", "v", "psi", "omega", "axial_0", "axial_1", "axial_2", "axial_3", "axial_4",
-    "axial_5", "axial_6", "axial_7", "shear_0", "shear_1", "shear_2", "shear_3", "shear_4",
-    "shear_5", "shear_6", "shear_7"};
+    "x", "y", "u", "v", "psi", "axial_0", "axial_1", "axial_2", "axial_3", "axial_4", "axial_5",
+    "axial_6", "axial_7", "axial_8", "axial_9", "axial_10", "axial_11", "axial_12", "axial_13",
+    "axial_14", "axial_15", "shear_0", "shear_1", "shear_2", "shear_3", "shear_4", "shear_5",
+    "shear_6", "shear_7", "shear_8", "shear_9", "shear_10", "shear_11", "shear_12", "shear_13",
+    "shear_14", "shear_15"};
 static const softcat_place described_places[] = {
     SOFTCAT_PLACE_X, SOFTCAT_PLACE_CELL, SOFTCAT_PLACE_NODE, SOFTCAT_PLACE_MASS,
     SOFTCAT_PLACE_PER_CELL, SOFTCAT_PLACE_PER_NODE, SOFTCAT_PLACE_PER_MASS};
 static const int described_on_cells[] = {
-    0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1};
 static const double described_mean[] = {
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0};
 static const double described_bending[] = {
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, (-0.9396926207859083), (-0.7660444431189779),
-    (-0.4999999999999998), (-0.1736481776669303), 0.17364817766693041, 0.5000000000000001,
-    0.766044443118978, 0.9396926207859084, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    0.0, 0.0, 0.0, 0.0, 0.0, (-0.9686578935148324), (-0.8784890847806422),
+    (-0.7406139298699932), (-0.5721146443791073), (-0.394041993763766), (-0.2289535525667885),
+    (-0.09821234188930718), (-0.019199555780713324), 0.019199555780713324, 0.09821234188930718,
+    0.2289535525667885, 0.394041993763766, 0.5721146443791073, 0.7406139298699932,
+    0.8784890847806422, 0.9686578935148324, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+static const double described_initial_mean[] = {
+    (-0.003)};
+static const double described_initial_bending[] = {
+    (-0.0004)};
 
 const softcat_structure softcat_filament_structure = {
     .model = &softcat_filament_model,
-    .title = "Rope of bread dough, shear-thinning",
+    .title = "Ink strand that shrank as it dried",
     .parameter_names = described_parameters,
     .parameter_units = described_units,
     .parameter_ranges = described_ranges,
@@ -1357,17 +1387,17 @@ const softcat_structure softcat_filament_structure = {
     .motion = -1,
     .motion_rows = 0,
     .stretch = 1.0,
-    .initial_mean = 0,
-    .initial_mean_count = 0,
-    .initial_bending = 0,
-    .initial_bending_count = 0,
+    .initial_mean = described_initial_mean,
+    .initial_mean_count = 1,
+    .initial_bending = described_initial_bending,
+    .initial_bending_count = 1,
     .thickness = 0,
     .thickness_count = 0,
-    .grading = 3.0,
-    .relative = 1.2e-05,
-    .absolute = 1.2000000000000002e-07,
+    .grading = 9.404868286995688,
+    .relative = 0.00012,
+    .absolute = 6.058600634910723e-08,
     .towards_middle = 0,
-    .duration = 2.0,
+    .duration = 0.5,
     .cells = 40,
     .frames = 201,
 };

@@ -1,11 +1,11 @@
 /*
- * Toothpaste across a 20 mm gap
+ * Ink strand that shrank as it dried
  *
  * Generated, do not edit; written by: softcat generate --bundled -o generated
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
- *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient, surface-tension
- * Digest of the structure: 038fbf0db3023f9202b7a8eae8a4372c73f22fdd028dba5fce3c1635255bf178
+ *     viscous-flow, yielding, gravity-ramp, shear, fibres
+ * Digest of the structure: 3de5d97420affbdf37ae9f3de8fc93485f194840738b887ac3990601ccccf5eb
  */
 
 #ifndef SOFTCAT_FILAMENT_H
@@ -19,18 +19,16 @@ extern "C" {
 
 /* Numbers of the parameters; all are in SI units. Values are those of the scene. */
 enum {
-    SOFTCAT_P_REST_LENGTH,     /* [m] 0.02: length of the undeformed filament */
-    SOFTCAT_P_THICKNESS,       /* [m] 0.006: of the section; the diameter of a circle */
-    SOFTCAT_P_DENSITY,         /* [kg/m^3] 1300 */
-    SOFTCAT_P_GRAVITY,         /* [m/s^2] 9.81: acceleration */
-    SOFTCAT_P_RAMP,            /* [s] 0.05: time within which gravity comes on, 0 at once */
-    SOFTCAT_P_YOUNGS_MODULUS,  /* [Pa] 9000 */
-    SOFTCAT_P_YIELD_STRESS,    /* [Pa] 346.41: in tension */
-    SOFTCAT_P_POISSON,         /* [1] 0.45: used by shear only */
-    SOFTCAT_P_SURFACE_TENSION, /* [N/m] 0.04: of the filament's surface */
-    SOFTCAT_P_VISCOSITY,       /* [Pa*s^n] 68.3852: consistency K of the flow */
-    SOFTCAT_P_INDEX,           /* [1] 0.5: exponent n of the flow */
-    SOFTCAT_P_TIME_SCALE,      /* [s] 0.0451524: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
+    SOFTCAT_P_REST_LENGTH,    /* [m] 0.01: length of the undeformed filament */
+    SOFTCAT_P_THICKNESS,      /* [m] 0.0005: of the section; the diameter of a circle */
+    SOFTCAT_P_DENSITY,        /* [kg/m^3] 2200 */
+    SOFTCAT_P_GRAVITY,        /* [m/s^2] 9.81: acceleration */
+    SOFTCAT_P_RAMP,           /* [s] 0.02: time within which gravity comes on, 0 at once */
+    SOFTCAT_P_YOUNGS_MODULUS, /* [Pa] 1e+06 */
+    SOFTCAT_P_VISCOSITY,      /* [Pa*s] 300: extensional */
+    SOFTCAT_P_YIELD_STRESS,   /* [Pa] 3464.1: in tension */
+    SOFTCAT_P_POISSON,        /* [1] 0.45: used by shear only */
+    SOFTCAT_P_TIME_SCALE,     /* [s] 0.0319275: unit of time in which the computation works; 0: sqrt(rest_length / gravity) */
     SOFTCAT_PARAMETERS
 };
 
@@ -78,10 +76,10 @@ enum {
 
 /* How the scene is run: cells a half span, longest over shortest cell, tolerances, [s], times. */
 #define SOFTCAT_SCENE_CELLS 40
-#define SOFTCAT_SCENE_GRADING 3.0
-#define SOFTCAT_SCENE_RELATIVE 1.2e-05
-#define SOFTCAT_SCENE_ABSOLUTE 1.2000000000000002e-07
-#define SOFTCAT_SCENE_DURATION 1.0
+#define SOFTCAT_SCENE_GRADING 9.404868286995688
+#define SOFTCAT_SCENE_RELATIVE 0.00012
+#define SOFTCAT_SCENE_ABSOLUTE 6.058600634910723e-08
+#define SOFTCAT_SCENE_DURATION 0.5
 #define SOFTCAT_SCENE_FRAMES 201
 
 extern const softcat_structure softcat_filament_structure;
