@@ -26,8 +26,8 @@ from softcat_sym.cli.without_dask import without_dask
 if TYPE_CHECKING:
     import xarray as xr
 
-    from softcat_sym.plotting.animation_frames import FilmOrder
-    from softcat_sym.plotting.style import PicturedScene, Summary
+    from softcat_sym.plotting.animation import FilmOrder
+    from softcat_sym.plotting.units import Summary
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.checkpoint import Checkpoints
 
@@ -79,7 +79,7 @@ def run(
     asked, output = scene_and_directory(scene, changes, output, "run")
     checkpoints = _checkpoints(asked, output, resume=resume)
     from softcat_sym.files import made, written_together
-    from softcat_sym.plotting.run_files import write_run
+    from softcat_sym.plotting.run import write_run
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
     from softcat_sym.solvers.checkpoint import Resumable
@@ -118,14 +118,14 @@ def pictures_asked(animate: str | None, seconds: float, style: str) -> tuple[Fil
     drawn = picture_style(style)
     if animate is None:
         return None, drawn
-    from softcat_sym.plotting.animation_frames import film_order
+    from softcat_sym.plotting.animation import film_order
 
     return film_order(animate, seconds), drawn
 
 
-def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, PicturedScene], *, quiet: bool) -> Path:
+def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool) -> Path:
     """Draw a film, with a bar on the terminal."""
-    from softcat_sym.plotting.animation_frames import write_film
+    from softcat_sym.plotting.animation import write_film
     from softcat_sym.plotting.terminal import StepProgress
 
     with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
@@ -136,7 +136,7 @@ def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Picture
 
 
 def _film_of_a_run(
-    order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, PicturedScene], *, quiet: bool
+    order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool
 ) -> None:
     """Draw the film of a run that is there already: interrupted, it says how to have it later."""
     try:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from softcat_sym.files import write_all
-from softcat_sym.plotting.style import regime_words, significant
+from softcat_sym.plotting.units import regime_words, significant
 from softcat_sym.plotting.terminal import left_out_words, print_rows
 
 if TYPE_CHECKING:

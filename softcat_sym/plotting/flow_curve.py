@@ -12,7 +12,8 @@ import numpy as np
 from softcat_sym.files import write_all
 from softcat_sym.fitting.flow_curve import CRITERION, RATE, STRESS, Floats
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import HEADING, axes_in_inches, new_figure, png, significant
+from softcat_sym.plotting.style import HEADING, axes_in_inches, new_figure, png
+from softcat_sym.plotting.units import significant
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -23,9 +23,10 @@ from matplotlib.figure import Figure
 
 from softcat_sym.files import write_all
 from softcat_sym.plotting import style
+from softcat_sym.plotting.run import Shape, shapes_of
 from softcat_sym.plotting.section import Floats, telling_frames, vertical_stretch
-from softcat_sym.plotting.shapes import Shape, shapes_of
-from softcat_sym.plotting.style import axes_in_inches, length_unit, new_figure, nice_floor, png, significant, time_unit
+from softcat_sym.plotting.style import axes_in_inches, new_figure, png
+from softcat_sym.plotting.units import length_unit, nice_floor, significant, time_unit
 from softcat_sym.studies.gallery import Exhibit
 
 if TYPE_CHECKING:

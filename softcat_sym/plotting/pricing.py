@@ -17,7 +17,8 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import HEADING, axes_in_inches, head, label_points, new_figure, png, significant
+from softcat_sym.plotting.style import HEADING, axes_in_inches, head, label_points, new_figure, png
+from softcat_sym.plotting.units import significant
 from softcat_sym.studies.pricing import DEFINITION, KeptPricing, Pricing, Unpriced, percent, pricing_identity, reading
 
 if TYPE_CHECKING:

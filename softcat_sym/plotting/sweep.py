@@ -1,4 +1,4 @@
-"""Sweeps: axes and marks of their pictures, files and the terminal."""
+"""Sweeps: pictures, files and the terminal."""
 
 from __future__ import annotations
 
@@ -10,19 +10,25 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
 
 from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.phase_diagram import AXES, LOOKS
-from softcat_sym.plotting.style import length_unit, png, stress_unit, time_unit
+from softcat_sym.plotting.phase import AXES, LOOKS
+from softcat_sym.plotting.style import axes_in_inches, new_figure, png
+from softcat_sym.plotting.units import length_unit, stress_unit, time_unit
 
 if TYPE_CHECKING:
     import xarray as xr
-    from matplotlib.axes import Axes
-    from matplotlib.axis import Axis
-    from matplotlib.figure import Figure
-    from matplotlib.lines import Line2D
-    from rich.console import Console
 
     from softcat_sym.discretization.grid import Floats
     from softcat_sym.studies.sweep import Sweep
@@ -96,8 +102,6 @@ def scatter(axes: Axes, x: Floats, y: Floats, regimes: npt.NDArray[np.str_], siz
 
 def key_of(regimes: npt.NDArray[np.str_], outcomes: npt.NDArray[np.str_], *, hollow: bool = False) -> list[Line2D]:
     """Handles of a legend: each regime with its members, in colour or hollow, then what is no answer."""
-    from matplotlib.lines import Line2D
-
     handles = []
     for name, (marker, colour) in looks_of(regimes.tolist()).items():
         words = LOOKS[name].words if name in LOOKS else name
@@ -190,16 +194,11 @@ def sweep_rows(sweep: Sweep) -> list[tuple[str, str]]:
 
 def print_sweep(sweep: Sweep, console: Console | None = None) -> None:
     """Print them as a table."""
-    from rich import box
-    from rich.console import Console as Terminal
-    from rich.table import Table
-    from rich.text import Text
-
     table = Table(box=box.SIMPLE, show_header=False, padding=(0, 1, 0, 0), title_justify="left")
     table.title = Text(sweep.plan.scene.title or "sweep", style="bold")
     for name, text in sweep_rows(sweep):
         table.add_row(Text(name), Text(text))
-    (console or Terminal()).print(table)
+    (console or Console()).print(table)
 
 
 def _members(sweep: Sweep) -> str:
@@ -242,10 +241,6 @@ def write_sweep(sweep: Sweep, directory: str | Path) -> list[Path]:
 
 def sweep_picture(sweep: Sweep) -> bytes | None:
     """A line over one key, a map over two on a grid, pairs of more; None if no key takes two values."""
-    from softcat_sym.plotting.sweep_line import line_figure
-    from softcat_sym.plotting.sweep_map import map_figure
-    from softcat_sym.plotting.sweep_pairs import pairs_figure
-
     data, title = sweep.data, f"{_title(sweep)}: {len(sweep)} filaments"
     axes = drawn_axes(data)
     if not axes:
@@ -260,3 +255,253 @@ def sweep_picture(sweep: Sweep) -> bytes | None:
 
 def _title(sweep: Sweep) -> str:
     return style.printable(sweep.plan.scene.title, 64) or "Sweep"
+
+
+_LINE_LEFT, _LINE_RIGHT, _LINE_TOP, _SAG, _OTHER, _LINE_GAP, _LINE_BOTTOM = 0.75, 0.2, 0.5, 2.5, 1.15, 0.14, 1.02
+
+
+def line_figure(data: xr.Dataset, title: str) -> Figure:
+    """Draw largest sag over span, time to 90 % and largest stretch against the one key that varies."""
+    axis = drawn_axes(data)[0]
+    members = shown_members(data)
+    regimes, outcomes = regimes_of(data), data.outcome.values.astype(np.str_)
+    clock = time_unit(_largest(data.time_to_90.values))
+    rows = (
+        ("largest sag / span", data.sag_over_span.values, _SAG),
+        (f"time to 90 % [{clock.symbol}]", clock.of(data.time_to_90.values), _OTHER),
+        ("largest stretch", data.largest_stretch.values, _OTHER),
+    )
+    height = _LINE_TOP + _SAG + 2 * _OTHER + 2 * _LINE_GAP + _LINE_BOTTOM
+    with style.styled():
+        figure = new_figure(style.WIDTH, height)
+        bottom = height - _LINE_TOP
+        for k, (label, values, tall) in enumerate(rows):
+            bottom -= tall + (_LINE_GAP if k else 0)
+            axes = axes_in_inches(figure, _LINE_LEFT, bottom, style.WIDTH - _LINE_LEFT - _LINE_RIGHT, tall)
+            _line_panel(axes, axis, values[members], axis.values[members], regimes[members])
+            axes.set_ylabel(label)
+            if k < len(rows) - 1:
+                axes.set_xlabel("")
+                axes.tick_params(labelbottom=False, which="both")
+        frame(figure, title, key_of(regimes, outcomes), _LINE_LEFT)
+    return figure
+
+
+def _line_panel(axes: Axes, axis: DrawnAxis, values: Floats, x: Floats, regimes: npt.NDArray[np.str_]) -> None:
+    order = np.argsort(x, kind="stable")
+    if not axis.words:
+        axes.plot(x[order], values[order], color=style.GREY, linewidth=0.7, zorder=2)
+    size = float(np.clip(1800 / max(len(x), 1), 5, 20))
+    scatter(axes, x, values, regimes, size)
+    axis.dress(axes)
+    known = values[np.isfinite(values)]
+    if len(known):
+        low, high = float(np.min(known)), float(np.max(known))
+        room = 0.08 * (high - low) or 0.05 * abs(high) or 1.0
+        axes.set_ylim(low - room, high + room)
+    nothing = regimes == ""
+    marker, colour = NONE
+    foot = axes.get_xaxis_transform()
+    axes.scatter(
+        x[nothing],
+        np.full(int(nothing.sum()), 0.03),
+        s=14,
+        marker=marker,
+        c=colour,
+        linewidths=0.8,
+        transform=foot,
+        zorder=3,
+    )
+    axes.grid(True)
+    style.lighten(axes)
+
+
+def _largest(values: Floats) -> float:
+    known = values[np.isfinite(values)]
+    return float(np.max(known)) if len(known) else 1.0
+
+
+_MAP_LEFT, _PANEL, _MAP_TOP, _MAP_TALL, _MAP_BOTTOM, _BAR = 0.75, 4.75, 0.5, 4.0, 1.05, 0.16
+_NOTHING = "#e6e6e6"
+_FACTOR = 6.0
+_NARROW = 0.2
+
+
+def map_figure(data: xr.Dataset, title: str) -> Figure:
+    """Draw largest sag over span over the plane of two keys, the first across."""
+    across, upwards = drawn_axes(data)
+    x, y = np.unique(across.values), np.unique(upwards.values)
+    regimes, outcomes = regimes_of(data), data.outcome.values.astype(np.str_)
+    places = (np.searchsorted(y, upwards.values), np.searchsorted(x, across.values))
+    sag = np.full((len(y), len(x)), np.nan)
+    sag[places] = data.sag_over_span.values
+    marks = np.full((len(y), len(x)), "", dtype=regimes.dtype if regimes.dtype.itemsize else "<U1")
+    marks[places] = regimes
+    height = _MAP_TOP + _MAP_TALL + _MAP_BOTTOM
+    with style.styled():
+        figure = new_figure(style.WIDTH, height)
+        axes = axes_in_inches(figure, _MAP_LEFT, _MAP_BOTTOM, _PANEL, _MAP_TALL)
+        edges = (_edges(x, log=across.is_log), _edges(y, log=upwards.is_log))
+        axes.set_facecolor(_NOTHING)
+        shown = np.ma.masked_invalid(sag)
+        picture = axes.pcolormesh(*edges, shown, cmap="cividis", norm=_norm(sag), rasterized=True, zorder=1)
+        across.dress(axes, "x")
+        upwards.dress(axes, "y")
+        axes.set_xlim(edges[0][0], edges[0][-1])
+        axes.set_ylim(edges[1][0], edges[1][-1])
+        _boundaries(axes, edges, marks)
+        _names(axes, (across, upwards), (x, y), marks)
+        bar = axes_in_inches(figure, _MAP_LEFT + _PANEL + 0.22, _MAP_BOTTOM, _BAR, _MAP_TALL)
+        scale = figure.colorbar(picture, cax=bar)
+        scale.set_label("largest sag / span")
+        if isinstance(picture.norm, LogNorm):
+            scale.ax.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+            scale.ax.yaxis.set_minor_formatter(lambda value, _: f"{value:g}" if leads(value, (2, 5)) else "")
+            scale.ax.tick_params(which="both", labelsize=8)
+        frame(figure, title, key_of(regimes, outcomes, hollow=True), _MAP_LEFT)
+    return figure
+
+
+def _norm(sag: Floats) -> Normalize:
+    """Colours by the logarithm where the sag goes over more than a factor."""
+    known = sag[np.isfinite(sag)]
+    if len(known) and float(np.min(known)) > 0 and float(np.max(known) / np.min(known)) > _FACTOR:
+        return LogNorm(float(np.min(known)), float(np.max(known)))
+    return Normalize()
+
+
+def _edges(values: Floats, *, log: bool) -> Floats:
+    """Edges of the pixels around values, half a step beyond the first and the last."""
+    at = np.log(values) if log else values
+    middles = (at[1:] + at[:-1]) / 2
+    edges = np.concatenate([[2 * at[0] - middles[0]], middles, [2 * at[-1] - middles[-1]]])
+    return np.asarray(np.exp(edges) if log else edges)
+
+
+def _boundaries(axes: Axes, edges: tuple[Floats, Floats], marks: npt.NDArray[np.str_]) -> None:
+    """A line along each edge between pixels of different regimes, light under dark: seen on every colour."""
+    x, y = edges
+    lines = [[(x[i + 1], y[j]), (x[i + 1], y[j + 1])] for j, i in np.argwhere(marks[:, 1:] != marks[:, :-1])]
+    lines += [[(x[i], y[j + 1]), (x[i + 1], y[j + 1])] for j, i in np.argwhere(marks[1:] != marks[:-1])]
+    for colour, width in (("white", 2.6), (style.BLACK, 1.2)):
+        axes.add_collection(
+            LineCollection(lines, colors=colour, linewidths=width, zorder=3, capstyle="round"), autolim=False
+        )
+
+
+def _names(
+    axes: Axes, drawn: tuple[DrawnAxis, DrawnAxis], values: tuple[Floats, Floats], marks: npt.NDArray[np.str_]
+) -> None:
+    """Marks of the regimes in every pixel of a small map, its names in the midst of their regions on every map."""
+    x, y = np.meshgrid(*values)
+    if marks.size <= 900:
+        size = float(np.clip(2600 / marks.size, 3, 16))
+        for name, (marker, _) in looks_of(marks.ravel().tolist()).items():
+            there = marks == name
+            axes.scatter(
+                x[there], y[there], s=size, marker=marker, c="white", edgecolors=style.BLACK, linewidths=0.4, zorder=2
+            )
+    nothing = marks == ""
+    axes.scatter(
+        x[nothing],
+        y[nothing],
+        s=float(np.clip(4000 / marks.size, 2, 18)),
+        marker=NONE[0],
+        c=NONE[1],
+        linewidths=0.7,
+        zorder=2,
+    )
+    scales = [np.log if one.is_log else np.asarray for one in drawn]
+    places = np.stack([_shares(scale(at)) for scale, at in zip(scales, (x, y), strict=True)], axis=-1)
+    for name in looks_of(marks.ravel().tolist()):
+        there = marks == name
+        if there.sum() < 0.03 * marks.size:
+            continue
+        j, i = _midst(places, there)
+        wide, tall = np.ptp(places[there], axis=0)
+        words_up = 90.0 if wide < _NARROW and tall > 2 * wide else 0.0
+        words = LOOKS[name].words if name in LOOKS else name
+        box = {"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
+        axes.text(
+            x[j, i],
+            y[j, i],
+            words if words_up else words.replace(", ", ",\n"),
+            ha="center",
+            va="center",
+            rotation=words_up,
+            fontsize=7.5,
+            bbox=box,
+            zorder=4,
+            clip_on=True,
+        )
+
+
+def _shares(values: Floats) -> Floats:
+    return np.asarray((values - values.min()) / ((values.max() - values.min()) or 1.0))
+
+
+def _midst(places: Floats, there: npt.NDArray[np.bool_]) -> tuple[int, int]:
+    """The pixel of a region that is farthest from everything else, the frame included."""
+    inside = np.argwhere(there)
+    apart = np.min(np.minimum(places[there], 1 - places[there]), axis=1) * 1.5
+    outside = places[~there]
+    if len(outside):
+        step = max(1, len(outside) // 400)
+        gaps = places[there][:, None, :] - outside[None, ::step, :]
+        apart = np.minimum(apart, np.min(np.hypot(gaps[..., 0], gaps[..., 1]), axis=1))
+    j, i = inside[int(np.argmax(apart))]
+    return int(j), int(i)
+
+
+_PAIRS_LEFT, _PAIRS_RIGHT, _PAIRS_TOP, _PAIRS_BOTTOM, _PAIRS_GAP, _PAIRS_TALL = 0.75, 0.15, 0.5, 1.05, 0.12, 1.55
+_MOST = 5
+
+
+def pairs_figure(data: xr.Dataset, title: str) -> Figure:
+    """Draw a triangle: the sag in the top row, below it each key over those before it; of more keys the first five."""
+    drawn = drawn_axes(data)[:_MOST]
+    members = shown_members(data)
+    regimes, outcomes = regimes_of(data), data.outcome.values.astype(np.str_)
+    count = len(drawn)
+    wide = (style.WIDTH - _PAIRS_LEFT - _PAIRS_RIGHT - (count - 1) * _PAIRS_GAP) / count
+    tall = max(_PAIRS_TALL, 2.6 - 0.4 * count) if count > 2 else 2.4
+    height = _PAIRS_TOP + count * tall + (count - 1) * _PAIRS_GAP + _PAIRS_BOTTOM
+    with style.styled():
+        figure = new_figure(style.WIDTH, height)
+        for row in range(count):
+            for column in range(row if row else count):
+                left, bottom = (
+                    _PAIRS_LEFT + column * (wide + _PAIRS_GAP),
+                    height - _PAIRS_TOP - (row + 1) * tall - row * _PAIRS_GAP,
+                )
+                axes = axes_in_inches(figure, left, bottom, wide, tall)
+                values = drawn[row].values if row else data.sag_over_span.values
+                _pairs_panel(axes, drawn[column].values[members], values[members], regimes[members])
+                drawn[column].dress(axes)
+                if row:
+                    drawn[row].dress(axes, "y")
+                # The first panel of a row and the lowest of a column carry their labels.
+                _undress(axes, across=row < (count - 1 if column < count - 1 else 0), upwards=column > 0)
+                if not row and not column:
+                    axes.set_ylabel("largest sag / span")
+        frame(figure, title, key_of(regimes, outcomes), _PAIRS_LEFT)
+    return figure
+
+
+def _pairs_panel(axes: Axes, x: Floats, y: Floats, regimes: npt.NDArray[np.str_]) -> None:
+    """The members; one that is no answer where it has both values."""
+    size, nothing = float(np.clip(2500 / max(len(x), 1), 3, 16)), regimes == ""
+    axes.scatter(x[nothing], y[nothing], s=size, marker=NONE[0], c=NONE[1], linewidths=0.6, zorder=2)
+    scatter(axes, x, y, regimes, size)
+    axes.grid(True)
+    style.lighten(axes)
+
+
+def _undress(axes: Axes, *, across: bool, upwards: bool) -> None:
+    """Take away the labels of an axis that another panel carries."""
+    if across:
+        axes.set_xlabel("")
+        axes.tick_params(labelbottom=False, which="both")
+    if upwards:
+        axes.set_ylabel("")
+        axes.tick_params(labelleft=False, which="both")

@@ -16,8 +16,9 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.compare_files import document as comparison_document
-from softcat_sym.plotting.style import HEADING, axes_in_inches, head, new_figure, png, significant
+from softcat_sym.plotting.compare import document as comparison_document
+from softcat_sym.plotting.style import HEADING, axes_in_inches, head, new_figure, png
+from softcat_sym.plotting.units import significant
 from softcat_sym.studies import theory_end
 from softcat_sym.studies.compare import SHARES, moments
 from softcat_sym.studies.theory_end import Limit

@@ -16,18 +16,19 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym.plotting import style
-from softcat_sym.plotting.compare_clamp import clamp_figure
-from softcat_sym.plotting.compare_files import (
+from softcat_sym.plotting.compare import (
+    clamp_figure,
     document,
     errors_csv,
+    midpoint_figure,
     print_comparison,
     rate_csv,
+    rate_fields,
+    rate_figure,
     shapes_csv,
+    shapes_figure,
     write_comparison,
 )
-from softcat_sym.plotting.compare_midpoint import midpoint_figure
-from softcat_sym.plotting.compare_rate import rate_fields, rate_figure
-from softcat_sym.plotting.compare_shapes import shapes_figure
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.reference.elements import ElementRun
 from softcat_sym.solvers.outcome import Outcome
@@ -183,7 +184,7 @@ def test_a_comparison_that_cannot_be_drawn_writes_nothing(
     def fail(comparison: Comparison) -> bytes:
         raise KeyError("gone")
 
-    monkeypatch.setattr("softcat_sym.plotting.compare_files.clamp_csv", fail)
+    monkeypatch.setattr("softcat_sym.plotting.compare.clamp_csv", fail)
     with pytest.raises(KeyError):
         write_comparison(comparison, tmp_path / "out")
     assert not (tmp_path / "out").exists()

@@ -16,12 +16,14 @@ import softcat_sym as sc
 from softcat_sym.fitting.fit import FitOutcome, FittedParameter
 from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import Fall, Waterfall
-from softcat_sym.plotting.fit_files import fit_page, fitted_toml, print_fit
-from softcat_sym.plotting.fit_words import (
+from softcat_sym.plotting.fit import (
     display_unit,
     fit_document,
     fit_json,
+    fit_page,
+    fitted_toml,
     parameter_texts,
+    print_fit,
     rounded,
     warnings,
     with_error,

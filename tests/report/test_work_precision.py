@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from softcat_sym.plotting.work_precision import (
+from softcat_sym.plotting.accuracy import (
     WorkCurve,
     WorkPanel,
     WorkPoint,
