@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isclose, isfinite, log10
 from pathlib import Path
-from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from rich import box
 from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
-from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import HEADING, axes_in_inches, new_figure, png
+from softcat_sym.plotting.files import Quoted, csv_bytes, write_results
+from softcat_sym.plotting.style import legend
+from softcat_sym.plotting.terminal import text_table
 from softcat_sym.studies.work_precision import LEVELS
 from softcat_sym.studies.work_precision_programs import Measured
 
@@ -30,13 +26,10 @@ _COLOURS = (
     *(style.BLUE, style.VERMILLION, style.ORANGE, style.GREEN, style.PURPLE),
     *(style.SKY, style.BLACK, style.GREY),
 )
-_CURVES_MARKS = ("o", "s", "^", "D", "v", "P", "X")
-_LEFT, _RIGHT, _ACROSS, _DOWN, _PANEL, _BOTTOM, _LINE = 0.72, 0.15, 0.55, 0.72, 2.0, 0.5, 0.145
-_ALONE, _IN_A_ROW, _LEGEND = 3.4, 4, 0.16
+_MARKS = ("o", "s", "^", "D", "v", "P", "X")
 _USELESS = 0.3
 """A relative error that no axis is stretched for."""
 
-_CURVES_COLUMNS, _LETTERS = 2, 122
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -87,61 +80,44 @@ def work_precision_figure(
     drawn = [p for panel in panels for curve in panel.curves for p in curve.points if isfinite(p.error)]
     if not drawn:
         raise ValueError("there is no run with an error to draw")
-    columns = min(_CURVES_COLUMNS, len(panels))
+    columns = min(2, len(panels))
     rows = -(-len(panels) // columns)
-    lines = wrap(caption, _LETTERS)
-    foot = _BOTTOM + 0.12 + _LINE * len(lines)
-    panel_height = _ALONE if len(panels) == 1 and floor else _PANEL
-    width = (style.WIDTH - _LEFT - _RIGHT - (columns - 1) * _ACROSS) / columns
     names = list(dict.fromkeys(curve.name for panel in panels for curve in panel.curves))
-    legend = _LEGEND * ((len(names) - 1) // _IN_A_ROW)
-    height = HEADING + 0.18 + legend + rows * panel_height + (rows - 1) * _DOWN + foot
+    height = (4.2 if len(panels) == 1 and floor else 2.7 * rows) + 0.2 * -(-len(names) // 4)
     errors = [p.error for p in drawn if p.error <= _USELESS] or [p.error for p in drawn]
     limits = _limits([p.seconds for p in drawn]), _limits(errors + ([floor] if floor else []))
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        for number, panel in enumerate(panels):
-            row, column = divmod(number, columns)
-            bottom = foot + (rows - 1 - row) * (panel_height + _DOWN)
-            axes = axes_in_inches(figure, _LEFT + column * (width + _ACROSS), bottom, width, panel_height)
-            _draw_panel(axes, panel, names, limits)
+        figure, body = style.sheet(title, height=height, notes=caption, columns=122)
+        each = body.subplots(rows, columns, squeeze=False)
+        for number, axes in enumerate(each.flat):
+            if number >= len(panels):
+                axes.remove()
+                continue
+            _draw_panel(axes, panels[number], names, limits)
             if floor:
                 axes.axhspan(limits[1][0], floor, color=style.FILAMENT, lw=0, zorder=0)
-            axes.set_ylabel("relative error" if column == 0 else "")
+            axes.set_ylabel("" if number % columns else "relative error")
             axes.set_xlabel("seconds")
-        _write_around(figure, title, lines, len(names))
+        legend(body, "upper left", handles=each.flat[0].get_legend_handles_labels()[0], ncols=4)
     return figure
-
-
-def _write_around(figure: Figure, title: str, caption: Sequence[str], names: int) -> None:
-    """Title and legend along the top, caption below."""
-    height, left = figure.get_size_inches()[1], 0.2 / style.WIDTH
-    head = style.printable(title, 90)
-    figure.text(left, 1 - 0.12 / height, head, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
-    handles, place = figure.axes[0].get_legend_handles_labels(), (left, 1 - 0.3 / height)
-    across = min(names, _IN_A_ROW)
-    figure.legend(*handles, loc="upper left", bbox_to_anchor=place, ncols=across, borderaxespad=0.0)
-    figure.text(left, 0.1 / height, "\n".join(caption), va="bottom", fontsize=7.5, parse_math=False)
 
 
 def work_precision_csv(panels: Sequence[WorkPanel]) -> bytes:
     """One row a run: problem, program, setting, seconds, error; empty where a run failed."""
-    rows = ["problem,program,setting,seconds,relative_error,on_front\n"]
+    rows = []
     for panel in panels:
         for curve in panel.curves:
             best = set(front(curve.points))
             for point in curve.points:
-                error = repr(float(point.error)) if isfinite(point.error) else ""
-                cells = [f'"{text.replace(chr(34), chr(39))}"' for text in (panel.title, curve.name, point.setting)]
-                rows.append(",".join([*cells, repr(float(point.seconds)), error, str(int(point in best))]) + "\n")
-    return "".join(rows).encode()
+                texts = (Quoted(text) for text in (panel.title, curve.name, point.setting))
+                rows.append((*texts, float(point.seconds), float(point.error), int(point in best)))
+    return csv_bytes(("problem", "program", "setting", "seconds", "relative_error", "on_front"), rows)
 
 
 def draw(panels: Sequence[WorkPanel], path: str | Path, title: str, caption: str = "") -> list[Path]:
     """Write the picture to `path`, a PNG, and its numbers beside it as CSV."""
-    place = Path(path)
-    picture = png(work_precision_figure(panels, title, caption))
-    return write_all(place.parent, {place.name: picture, f"{place.stem}.csv": work_precision_csv(panels)})
+    place, figure = Path(path), work_precision_figure(panels, title, caption)
+    return write_results(place.parent, {place.name: figure, f"{place.stem}.csv": work_precision_csv(panels)})
 
 
 def power_of_ten(value: float, place: float = 0) -> str:
@@ -167,7 +143,7 @@ def _draw_panel(
         points = [point for curve in named for point in curve.points]
         line = "--" if any(curve.is_rival for curve in named) else "-"
         number = names.index(name)
-        colour, mark = _COLOURS[number % len(_COLOURS)], _CURVES_MARKS[number % len(_CURVES_MARKS)]
+        colour, mark = _COLOURS[number % len(_COLOURS)], _MARKS[number % len(_MARKS)]
         shown = [point for point in points if isfinite(point.error)]
         axes.plot(
             [p.seconds for p in shown], [p.error for p in shown], mark, color=colour, markersize=3, alpha=0.3, mew=0
@@ -192,7 +168,7 @@ def _limits(values: Sequence[float]) -> tuple[float, float]:
     return low / room, high * room
 
 
-_ACCURACY_COLUMNS = (
+_COLUMNS = (
     *("program", "kind", "cells", "grading", "fibres", "order", "tolerance", "seconds", "error", "steps"),
     *("evaluations", "us_per_step", "repeats", "build_s", "message"),
 )
@@ -211,7 +187,7 @@ def knee_sentence(found: WorkPrecision) -> str:
     parts = []
     for level in LEVELS:
         best = found.knee(level)
-        name = f"1e-{round(-_log10(level))}"
+        name = f"1e-{round(-log10(level))}"
         if level < found.reference.floor:
             parts.append(f"{name} is below what the reference can tell")
         elif best is None:
@@ -266,21 +242,19 @@ def best(curve: Curve, error: float) -> Row | None:
 
 def points_csv(found: WorkPrecision) -> bytes:
     """One row a run, failures included; numbers read back exactly."""
-    lines = [",".join(_ACCURACY_COLUMNS) + "\n"]
+    rows = []
     for curve in found.curves:
         for row in curve.rows:
             task, run = row.task, row.measured
             section = ("", task.section) if task.by_order else (task.section or "", "")
-            us = run.microseconds
-            cells = (
-                *(f'"{curve.program.name}"', curve.program.kind, task.cells, repr(task.grading), *section),
-                *(repr(task.rtol), repr(run.seconds) if run.seconds else ""),
-                *(repr(row.error) if isfinite(row.error) else "", run.steps or "", run.evaluations or ""),
-                *("" if us is None else repr(us), run.repeats, repr(run.build)),
-                '"' + run.message.replace('"', "'") + '"',
+            rows.append(
+                (
+                    *(Quoted(curve.program.name), curve.program.kind, task.cells, task.grading, *section, task.rtol),
+                    *(run.seconds or None, row.error, run.steps or None, run.evaluations or None, run.microseconds),
+                    *(run.repeats, run.build, Quoted(run.message)),
+                )
             )
-            lines.append(",".join(map(str, cells)) + "\n")
-    return "".join(lines).encode()
+    return csv_bytes(_COLUMNS, rows)
 
 
 def document(found: WorkPrecision) -> dict[str, Any]:
@@ -357,24 +331,18 @@ def _cold(cold: Measured | None) -> str:
     return f"{seconds_text(cold.build)} + {seconds_text(cold.first)}"
 
 
-def _log10(value: float) -> float:
-    from math import log10
-
-    return log10(value)
-
-
-_ACCURACY_MARKS = "Dashed: what the package does not run. Shaded: below what the reference can tell."
+_MARKS_NOTE = "Dashed: what the package does not run. Shaded: below what the reference can tell."
 
 
 def write_accuracy(found: WorkPrecision, directory: str | Path) -> list[Path]:
     """Write ``accuracy.csv``, ``accuracy.json``, ``accuracy.png`` and ``scene.toml``."""
     contents = {
         "accuracy.csv": points_csv(found),
-        "accuracy.json": (json.dumps(document(found), indent=2, allow_nan=False) + "\n").encode(),
-        "accuracy.png": accuracy_picture(found),
-        "scene.toml": found.scene.to_toml().encode(),
+        "accuracy.json": document(found),
+        "accuracy.png": accuracy_figure(found),
+        "scene.toml": found.scene.to_toml(),
     }
-    return write_all(directory, contents)
+    return write_results(directory, contents)
 
 
 def panel_of(found: WorkPrecision) -> WorkPanel:
@@ -391,14 +359,14 @@ def panel_of(found: WorkPrecision) -> WorkPanel:
     return WorkPanel(found.scene.title or found.name, curves)
 
 
-def accuracy_picture(found: WorkPrecision) -> bytes:
+def accuracy_figure(found: WorkPrecision) -> Figure:
     """Draw error against time, one line a program."""
     lost = refusals(found)
-    caption = f"{knee_sentence(found)}. {_reference(found)} {_ACCURACY_MARKS}"
+    caption = f"{knee_sentence(found)}. {_reference(found)} {_MARKS_NOTE}"
     if lost:
         caption += f" Without an answer: {'; '.join(lost)}."
     title = "What accuracy costs: error of the midpoint, warm solves"
-    return png(work_precision_figure([panel_of(found)], title, caption, found.reference.floor))
+    return work_precision_figure([panel_of(found)], title, caption, found.reference.floor)
 
 
 def print_accuracy(found: WorkPrecision, console: Console | None = None) -> None:
@@ -406,21 +374,12 @@ def print_accuracy(found: WorkPrecision, console: Console | None = None) -> None
     terminal = console or Console()
     header = ("program", *(f"{level:.0e}" for level in LEVELS), "us/step", "cold: build + solve", "")
     title = f"{found.scene.title or found.name}: quickest warm solve with at most this error"
-    terminal.print(_table(title, header, program_rows(found)))
+    terminal.print(text_table(header, program_rows(found), title=title))
     header = ("error", "quickest", "with", "time", "best rival, times as long")
-    terminal.print(_table("The knee", header, knee_rows(found)))
+    terminal.print(text_table(header, knee_rows(found), title="The knee"))
     for line in refusals(found):
         terminal.print(f"No answer: {line}", markup=False, highlight=False)
     terminal.print(f"{knee_sentence(found)}\n{_reference(found)}", markup=False, highlight=False)
-
-
-def _table(title: str, header: Sequence[str], rows: Sequence[Sequence[str]]) -> Table:
-    table = Table(title=Text(title, style="bold"), title_justify="left", box=box.SIMPLE_HEAD)
-    for name in header:
-        table.add_column(Text(name))
-    for row in rows:
-        table.add_row(*map(Text, row))
-    return table
 
 
 def _reference(found: WorkPrecision) -> str:

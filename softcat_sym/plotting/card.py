@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import base64
-import csv
 import importlib.metadata
-import io
-import json
 import math
-from collections.abc import Iterable, Sequence
+from base64 import b64encode
+from collections.abc import Iterable
 from dataclasses import replace
-from html import escape
-from importlib import resources
 from pathlib import Path
-from string import Template
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,8 +21,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from softcat_sym.files import write_all
 from softcat_sym.plotting import style
+from softcat_sym.plotting.files import csv_bytes, json_bytes, page, write_results
 from softcat_sym.plotting.section import (
     Floats,
     Section,
@@ -168,7 +162,8 @@ def quantity(rule: Rule, value: float) -> str:
     return (length_unit if rule.unit == "m" else stress_unit)(abs(value)).text(value)
 
 
-_TOLD_RIGHT = (1, 2, 3)
+_NUMBERS = (1, 2, 3)
+"""Columns of the table of rules that are numbers."""
 
 
 def print_card(card: Card, console: Console | None = None) -> None:
@@ -177,9 +172,9 @@ def print_card(card: Card, console: Console | None = None) -> None:
     sound, sentence = verdict(card)
     screen.print(Text(card.scene.title or "Filament", style="bold"))
     screen.print(Text(sentence, style="bold green" if sound else "bold red"))
-    screen.print(_facts(card))
+    screen.print(_facts_table(card))
     if any(rule.predicted is not None for rule in card.rules):
-        screen.print(_told_rules(card))
+        screen.print(_rules_table(card))
     idle: dict[str, list[str]] = {}
     for rule in card.rules:
         if rule.predicted is None:
@@ -189,35 +184,30 @@ def print_card(card: Card, console: Console | None = None) -> None:
         screen.print(Text(f"{listed}: {why.replace('does not apply', 'not applied')}", style="dim"))
 
 
-def _facts(card: Card) -> Table:
+def _facts_table(card: Card) -> Table:
+    """The facts; notes are on the page and in the scene, here they would take the room of the rules."""
     table = Table(box=None, show_header=False, padding=(0, 1, 0, 0))
     table.add_column(no_wrap=True, style="dim")
     table.add_column(overflow="fold")
     for name, text in facts(card):
-        if name == "note":
-            # On the page and in the scene; here they would take the room of the rules.
-            continue
-        table.add_row(Text(name), Text(text, style="yellow" if name == "warning" else ""))
+        if name != "note":
+            table.add_row(Text(name), Text(text, style="yellow" if name == "warning" else ""))
     return table
 
 
-def _told_rules(card: Card) -> Table:
+def _rules_table(card: Card) -> Table:
     """The rules that apply."""
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), show_edge=False)
     for number, heading in enumerate(RULE_HEADINGS):
-        right = number in _TOLD_RIGHT
+        right = number in _NUMBERS
         table.add_column(heading, justify="right" if right else "left", no_wrap=right, overflow="fold")
-    for rule in card.rules:
-        if rule.predicted is None:
-            continue
-        _, predicted, solver, error, why = rule_texts(rule)
-        style = "green" if rule.holds else ""
-        cells = (rule.name, predicted, solver, error, why)
-        table.add_row(*(Text(cell, style=style) for cell in cells))
+    for rule in (one for one in card.rules if one.predicted is not None):
+        cells = (rule.name, *rule_texts(rule)[1:])
+        table.add_row(*(Text(cell, style="green" if rule.holds else "") for cell in cells))
     return table
 
 
-_LEFT, _DRAWN_RIGHT, _BETWEEN, _BOTTOM, _LOW = 0.65, 0.2, 0.78, 0.52, 1.95
+_LEFT, _RIGHT, _BETWEEN, _BOTTOM, _LOW = 0.65, 0.2, 0.78, 0.52, 1.95
 _TALLEST, _LEAST = 1.7, 0.55
 _CURVE, _MARKS, _NAMES = 2.0, 1.87, 1.12
 _ABOVE = 1.35
@@ -235,7 +225,7 @@ def card_figure(card: Card) -> Figure:
     section = section_at(card.run.data, -1, (ends.left == "clamped", ends.right == "clamped"))
     body = outline(section)
     stretch = vertical_stretch(float(np.ptp(section.y)), card.scene.filament.thickness, card.scene.filament.span)
-    width = style.WIDTH - _LEFT - _DRAWN_RIGHT
+    width = style.WIDTH - _LEFT - _RIGHT
     across = float(np.ptp(body[:, 0])) * 1.04
     tall = float(np.ptp(body[:, 1])) * 1.15 * stretch / across * width
     drawn = min(max(tall, _LEAST), _TALLEST)
@@ -246,7 +236,7 @@ def card_figure(card: Card) -> Figure:
         _shape(shape, card, section, body, width / drawn, stretch)
         _curve(axes_in_inches(figure, _LEFT, _BOTTOM, _CURVE, _LOW), card)
         left = _LEFT + _CURVE + _MARKS + _NAMES
-        _bars(axes_in_inches(figure, left, _BOTTOM, style.WIDTH - _DRAWN_RIGHT - left, _LOW), card)
+        _bars(axes_in_inches(figure, left, _BOTTOM, style.WIDTH - _RIGHT - left, _LOW), card)
     return figure
 
 
@@ -384,30 +374,26 @@ def _bars(axes: Axes, card: Card) -> None:
     axes.tick_params(axis="y", length=0)
 
 
-_NUMBERS = (1, 2, 3)
-_READING = (
-    "Error: rule over solver, minus one. Behind each cause stands the error of the rule for a filament in which "
-    "nothing else of what the rule leaves out is at work."
-)
-
-
 def card_page(card: Card, picture: bytes | None, command: str = "") -> bytes:
     """Write the page."""
-    folder = resources.files("softcat_sym.plotting") / "templates"
-    template = Template((folder / "card.html").read_text(encoding="utf-8"))
     sound, sentence = verdict(card)
-    page = template.substitute(
-        title=escape(card.scene.title or "Filament"),
-        version=escape(importlib.metadata.version("softcat_sym")),
-        doubtful="" if sound else " doubtful",
-        verdict=escape(sentence),
-        numbers="".join(_number(*one) for one in _headline(card)),
-        picture="" if picture is None else _picture(picture),
-        facts="\n".join(_line("td", row) for row in facts(card)),
-        rules=_card_rules(card.rules),
-        command=f"<pre>{escape(command)}</pre>" if command else "",
+    return page(
+        "card.html",
+        title=card.scene.title or "Filament",
+        version=importlib.metadata.version("softcat_sym"),
+        is_sound=sound,
+        verdict=sentence,
+        numbers=list(_headline(card)),
+        picture=None if picture is None else b64encode(picture).decode(),
+        facts=facts(card),
+        headings=RULE_HEADINGS,
+        rules=[
+            ("holds" if rule.holds else "idle" if rule.predicted is None else "", rule_texts(rule))
+            for rule in card.rules
+        ],
+        right=_NUMBERS,
+        command=command,
     )
-    return page.encode()
 
 
 def _headline(card: Card) -> Iterable[tuple[str, str]]:
@@ -424,61 +410,28 @@ def _headline(card: Card) -> Iterable[tuple[str, str]]:
         yield f"{100 * card.error_estimate:.2g} %", "estimated error"
 
 
-def _number(value: str, what: str) -> str:
-    return f"<div><b>{escape(value)}</b><span>{escape(what)}</span></div>"
-
-
-def _picture(content: bytes) -> str:
-    data = base64.b64encode(content).decode()
-    what = "final shape, descent with the predictions of the rules, exponents of the longest span"
-    return f'<figure><img src="data:image/png;base64,{data}" alt="{what}"></figure>'
-
-
-def _card_rules(rules: Sequence[Rule]) -> str:
-    if not rules:
-        return '<p class="grey">The run has nothing to compare them with.</p>'
-    lines = ["<table>", _line("th", RULE_HEADINGS, numbers=True)]
-    for rule in rules:
-        kind = "holds" if rule.holds else "idle" if rule.predicted is None else ""
-        row = _line("td", rule_texts(rule), numbers=True)
-        lines.append(row.replace("<tr>", f'<tr class="{kind}">', 1) if kind else row)
-    return "\n".join([*lines, "</table>", f'<p class="grey">{_READING}</p>'])
-
-
-def _line(tag: str, texts: Sequence[str], *, numbers: bool = False) -> str:
-    marks = [' class="number"' if numbers and k in _NUMBERS else "" for k in range(len(texts))]
-    cells = (f"<{tag}{mark}>{escape(text)}</{tag}>" for text, mark in zip(texts, marks, strict=True))
-    return f"<tr>{''.join(cells)}</tr>"
-
-
 _COLUMNS = ("rule", "source", "quantity", "unit", "predicted", "solver", "error", "error_bare", "what_makes_it_fail")
 
 
 def card_csv(card: Card) -> bytes:
     """One row a rule, in SI; empty where a rule does not apply."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_COLUMNS)
-    for rule in card.rules:
-        numbers = [rule.predicted, rule.solver, rule.error, rule.bare]
-        written = ["" if number is None else repr(number) for number in numbers]
-        writer.writerow([rule.name, rule.source, rule.quantity, rule.unit, *written, rule.text])
-    return text.getvalue().encode()
+    return csv_bytes(
+        _COLUMNS,
+        (
+            (one.name, one.source, one.quantity, one.unit, one.predicted, one.solver, one.error, one.bare, one.text)
+            for one in card.rules
+        ),
+    )
 
 
 def write_card(card: Card, directory: str | Path, command: str = "") -> list[Path]:
-    """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``.
-
-    Everything is drawn before anything is written, and each file replaces its predecessor whole.
-    """
+    """Write ``card.html``, ``card.json``, ``card.csv``, ``card.png`` and ``scene.toml``."""
     figure = None if card.descent is None else card_figure(card)
-    document = json.dumps(card.as_dict(), indent=2, allow_nan=False, ensure_ascii=False) + "\n"
     contents = {
         "card.html": card_page(card, None if figure is None else png(figure, titled=False), command),
-        "card.json": document.encode(),
+        "card.json": json_bytes(card.as_dict(), is_ascii=False),
         "card.csv": card_csv(card),
-        "scene.toml": card.scene.to_toml().encode(),
+        "scene.toml": card.scene.to_toml(),
+        "card.png": figure,
     }
-    if figure is not None:
-        contents["card.png"] = png(figure)
-    return write_all(directory, contents)
+    return write_results(directory, contents)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import matplotlib
@@ -25,25 +23,24 @@ from rich.text import Text
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.files import write_all
 from softcat_sym.plotting import style
+from softcat_sym.plotting.files import columns_csv, write_results
 from softcat_sym.plotting.section import node_angles
-from softcat_sym.plotting.style import HEADING, axes_in_inches, head, new_figure, png
+from softcat_sym.plotting.style import headed, legend, secondary_scale
+from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import Unit, length_unit, significant, time_unit
 from softcat_sym.studies import compare
-from softcat_sym.studies.compare import SHARES, late, moments
+from softcat_sym.studies.compare import SHARES, moments
 
 if TYPE_CHECKING:
-    from softcat_sym.reference.calculix import Deck
+    from softcat_sym.reference.calculix import CalculixRun, Deck
     from softcat_sym.reference.elements import ElementRun
     from softcat_sym.scene.scene import Scene
     from softcat_sym.studies.compare import CalculixComparison, CalculixRow, Comparison, FilamentRow
 
-LEFT, RIGHT = 0.85, 0.3
-"""Margins of the pictures [inch]."""
-
 ELEMENTS: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
 """The line of the elements: wide and pale, so that a filament that agrees is seen on it."""
 
-_COMPARE_AXES_LINES: dict[str, dict[str, Any]] = {
+_LINES: dict[str, dict[str, Any]] = {
     "filament": {"color": style.BLUE, "linewidth": 1.3},
     "published, material closure": {"color": style.ORANGE, "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
     "published, printed closure": {"color": style.VERMILLION, "linewidth": 1.2, "linestyle": (0, (1.5, 1.2))},
@@ -58,7 +55,7 @@ def elements_name(comparison: Comparison) -> str:
 
 def line_of(row: FilamentRow) -> dict[str, Any]:
     """How to draw a filament, named for the legend."""
-    return {"label": row.name, **_COMPARE_AXES_LINES[row.name]}
+    return {"label": row.name, **_LINES[row.name]}
 
 
 def plain_numbers(axes: Axes) -> None:
@@ -80,76 +77,42 @@ def clock_of(comparison: Comparison) -> Unit:
     return time_unit(float(comparison.elements.time[-1]))
 
 
-def share_time(panels: Sequence[Axes], comparison: Comparison) -> None:
+def share_time(panels: Sequence[Axes], run: ElementRun | CalculixRun) -> None:
     """Give panels below one another one time axis: labelled under the last, in L sqrt(rho/E) above the first."""
-    clock = clock_of(comparison)
-    end = float(clock.of(comparison.elements.time[-1]))
+    clock = time_unit(float(run.time[-1]))
     for axes in panels:
-        axes.set_xlim(0.0, end)
+        axes.set_xlim(0.0, float(clock.of(run.time[-1])))
         axes.grid(True)
         style.lighten(axes)
         plain_numbers(axes)
         axes.tick_params(labelbottom=axes is panels[-1])
     panels[-1].set_xlabel(f"time [{clock.symbol}]")
-    factor = clock.size / comparison.elements.elastic_time
-    top = panels[0].secondary_xaxis(
-        "top", functions=(lambda values: np.asarray(values) * factor, lambda values: np.asarray(values) / factor)
-    )
+    top = panels[0].secondary_xaxis("top", functions=secondary_scale(clock.size / run.elastic_time))
     top.set_xlabel("time in L √(ρ/E)")
 
 
-def legend_row(figure: Figure, axes: Axes, top: float) -> None:
-    """One row of names under the heading, where no curve can run."""
-    width, height = figure.get_size_inches()
-    handles, labels = axes.get_legend_handles_labels()
-    place = (LEFT / width, top / height)
-    figure.legend(
-        handles,
-        labels,
-        loc="upper left",
-        bbox_to_anchor=place,
-        ncols=len(labels),
-        borderaxespad=0.0,
-        columnspacing=1.1,
-        handlelength=1.9,
-        handletextpad=0.5,
-        fontsize=7.5,
-    )
-
-
-_MIDPOINT_HEIGHT, _MIDPOINT_BOTTOM, _MIDPOINT_GAP, _MIDPOINT_RESIDUAL, _MIDPOINT_ABOVE = 5.6, 0.55, 0.2, 1.5, 0.72
-_MIDPOINT_ROOM = 1.15
-
 # A published theory may run away: beyond this many per cent, and this multiple of the filament's own error, it leaves
 # the picture.
-_WORST, _TIMES_OWN = 5.0, 3.0
+_WORST, _TIMES_OWN, _ROOM = 5.0, 3.0, 1.15
 
 
 def midpoint_figure(comparison: Comparison) -> Figure:
     """Draw midpoints above, (filament - elements)/max |elements| below."""
-    own = comparison.filament.trajectory
+    summary = comparison.filament.trajectory.summary
     with style.styled():
-        figure = new_figure(style.WIDTH, _MIDPOINT_HEIGHT)
-        head(figure, "midpoint, filament against elements", own.summary, comparison.scene, LEFT)
-        legend_top = _MIDPOINT_HEIGHT - HEADING
-        width = style.WIDTH - LEFT - RIGHT
-        bottom = _MIDPOINT_BOTTOM + _MIDPOINT_RESIDUAL + _MIDPOINT_GAP
-        above = axes_in_inches(figure, LEFT, bottom, width, legend_top - _MIDPOINT_ABOVE - bottom)
-        below = axes_in_inches(figure, LEFT, _MIDPOINT_BOTTOM, width, _MIDPOINT_RESIDUAL)
+        figure, body = headed(comparison.scene, "midpoint, filament against elements", summary, height=4.9)
+        above, below = body.subplots(2, 1, height_ratios=[2, 1])
         _heights(above, comparison)
         _differences(below, comparison)
-        share_time((above, below), comparison)
-        legend_row(figure, above, legend_top)
+        share_time((above, below), comparison.elements)
+        legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4)
     return figure
 
 
 def _heights(axes: Axes, comparison: Comparison) -> None:
     elements = comparison.elements
-    clock, ruler = (
-        clock_of(comparison),
-        length_unit(float(np.abs(elements.midpoint).max()), comparison.scene.filament.span),
-    )
-    time = clock.of(elements.time)
+    ruler = length_unit(float(np.abs(elements.midpoint).max()), comparison.scene.filament.span)
+    time = clock_of(comparison).of(elements.time)
     axes.plot(time, ruler.of(elements.midpoint), label=elements_name(comparison), **ELEMENTS)
     for row in comparison.filaments:
         axes.plot(time, ruler.of(row.midpoint), **line_of(row))
@@ -158,7 +121,7 @@ def _heights(axes: Axes, comparison: Comparison) -> None:
     far = trusted_extent(elements.midpoint, own.midpoint, trusted=own.trajectory.outcome.is_success)
     far = far or comparison.scene.filament.span
     low, high = (float(np.clip(bound, -far, far)) for bound in (np.nanmin(every), np.nanmax(every)))
-    room = (_MIDPOINT_ROOM - 1) * max(high - low, 0.1 * far)
+    room = (_ROOM - 1) * max(high - low, 0.1 * far)
     axes.set_ylim(float(ruler.of(min(low, 0.0) - room)), float(ruler.of(max(high, 0.0) + room / 2)))
     axes.set_ylabel(f"midpoint height [{ruler.symbol}]")
 
@@ -170,28 +133,23 @@ def _differences(axes: Axes, comparison: Comparison) -> None:
         axes.plot(time, 100 * row.discrepancy.error, **line_of(row))
     known = np.nan_to_num([100 * row.discrepancy.largest for row in comparison.filaments])
     shown = min(float(known.max()), max(_TIMES_OWN * float(known[0]), _WORST)) or 1.0
-    axes.set_ylim(-_MIDPOINT_ROOM * shown, _MIDPOINT_ROOM * shown)
+    axes.set_ylim(-_ROOM * shown, _ROOM * shown)
     axes.set_ylabel("(filament − elements)\n/ max |elements| [%]", fontsize=8.0)
-
-
-_CLAMP_HEIGHT, _CLAMP_BOTTOM, _CLAMP_GAP, _CLAMP_ABOVE = 5.4, 0.9, 0.2, 0.72
-_CLAMP_NOTE = (
-    "Over the Gauss points of the elements at the clamp ({column} of a thickness long): log |F e_X| of the elements, "
-    "log s − θ_s z of the filament in its fibres through the same material points."
-)
 
 
 def clamp_figure(comparison: Comparison) -> Figure:
     """Draw the largest strain above, the mean below."""
+    summary, X = comparison.filament.trajectory.summary, comparison.elements.X
+    notes = (
+        "Over the Gauss points of the elements at the clamp "
+        f"({(X[-1] - X[-3]) / comparison.scene.filament.thickness:.2g} of a thickness long): "
+        "log |F e_X| of the elements, log s − θ_s z of the filament in its fibres through the same material points."
+    )
+    time = clock_of(comparison).of(comparison.elements.time)
     with style.styled():
-        figure = new_figure(style.WIDTH, _CLAMP_HEIGHT)
-        head(figure, "axial true strain at the clamp", comparison.filament.trajectory.summary, comparison.scene, LEFT)
-        legend_top = _CLAMP_HEIGHT - HEADING
-        width, height = style.WIDTH - LEFT - RIGHT, (legend_top - _CLAMP_ABOVE - _CLAMP_BOTTOM - _CLAMP_GAP) / 2
-        above = axes_in_inches(figure, LEFT, _CLAMP_BOTTOM + height + _CLAMP_GAP, width, height)
-        below = axes_in_inches(figure, LEFT, _CLAMP_BOTTOM, width, height)
-        time = clock_of(comparison).of(comparison.elements.time)
-        for axes, which in ((above, "largest"), (below, "mean")):
+        figure, body = headed(comparison.scene, "axial true strain at the clamp", summary, height=4.4, notes=notes)
+        panels = body.subplots(2, 1)
+        for axes, which in zip(panels, ("largest", "mean"), strict=True):
             reference = getattr(comparison.clamp_strain, which)
             axes.plot(time, reference, label=elements_name(comparison), **ELEMENTS)
             for row in comparison.filaments:
@@ -201,16 +159,12 @@ def clamp_figure(comparison: Comparison) -> Figure:
             low = min(float(np.nanmin([reference, own])), 0.0)
             axes.set_ylim(max(low - 0.05 * far, -far), min(axes.get_ylim()[1], far))
             axes.set_ylabel(f"{which} strain")
-        share_time((above, below), comparison)
-        legend_row(figure, above, legend_top)
-        X, thickness = comparison.elements.X, comparison.scene.filament.thickness
-        note = fill(_CLAMP_NOTE.format(column=f"{(X[-1] - X[-3]) / thickness:.2g}"), 108)
-        figure.text(LEFT / style.WIDTH, 0.1 / _CLAMP_HEIGHT, note, fontsize=7.5, color=style.GREY, parse_math=False)
+        share_time(panels, comparison.elements)
+        legend(body, "upper left", handles=panels[0].get_legend_handles_labels()[0], ncols=4)
     return figure
 
 
-_SHAPES_RIGHT, _SHAPES_BOTTOM, _SHAPES_GAP, _BELOW, _LEGEND = 1.25, 0.55, 0.55, 1.5, 0.42
-_LOWEST, _SHAPES_TALLEST = 1.1, 4.5
+_LOWEST, _TALLEST = 1.1, 4.5
 _COLOURS = (style.SKY, style.GREEN, style.ORANGE, style.VERMILLION)
 
 
@@ -249,25 +203,28 @@ def shapes_figure(comparison: Comparison) -> Figure:
     """Draw centrelines above, the distance of equal material points below."""
     pairs, span = shape_pairs(comparison), comparison.scene.filament.span
     deepest = max((float(np.abs(pair.elements[:, 1]).max()) for pair in pairs), default=0.0) or 0.01 * span
-    width = style.WIDTH - LEFT - _SHAPES_RIGHT
-    true = 1.12 * deepest / (1.04 * span) * width
-    tall = min(max(true, _LOWEST), _SHAPES_TALLEST)
-    height = _SHAPES_BOTTOM + _BELOW + _SHAPES_GAP + tall + _LEGEND + HEADING
+    # Of axes that are five inches wide, drawn true; what is flat or deep is stretched.
+    true = 5.0 * 1.12 * deepest / (1.04 * span)
+    tall = min(max(true, _LOWEST), _TALLEST)
     ruler = length_unit(span)
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        head(figure, "centrelines", comparison.filament.trajectory.summary, comparison.scene, LEFT)
-        above = axes_in_inches(figure, LEFT, _SHAPES_BOTTOM + _BELOW + _SHAPES_GAP, width, tall)
-        below = axes_in_inches(figure, LEFT, _SHAPES_BOTTOM, width, _BELOW)
+        summary = comparison.filament.trajectory.summary
+        figure, body = headed(comparison.scene, "centrelines", summary, height=tall + 3.0)
+        above, below = body.subplots(2, 1, height_ratios=[tall, 1.5])
         _centrelines(above, pairs, comparison, ruler)
-        above.set_xlim(*(float(ruler.of(side * 0.52 * span)) for side in (-1, 1)))
-        above.set_ylim(float(ruler.of(-1.08 * deepest)), float(ruler.of(0.04 * deepest)))
+        above.set_xlim(*ruler.of([-0.52 * span, 0.52 * span]))
+        above.set_ylim(*ruler.of([-1.08 * deepest, 0.04 * deepest]))
+        above.set_box_aspect(tall / 5.0)
         scale = "" if abs(tall / true - 1) < 1e-9 else f"; vertical scale × {tall / true:.3g}"
         above.set_xlabel(f"x [{ruler.symbol}]{scale}", labelpad=1.0)
         above.set_ylabel(f"y [{ruler.symbol}]")
         style.lighten(above)
         _distances(below, pairs, span)
-        _shapes_explain(figure, comparison, height - HEADING)
+        both = [
+            Line2D([], [], color=style.GREY, linewidth=2.4, label="filament (coloured by time)"),
+            Line2D([], [], color=style.BLACK, linewidth=0.9, linestyle=(0, (4, 3)), label=elements_name(comparison)),
+        ]
+        legend(body, "upper left", handles=both, ncols=2)
     return figure
 
 
@@ -295,23 +252,6 @@ def _distances(axes: Axes, pairs: list[ShapePair], span: float) -> None:
     plain_numbers(axes)
     style.lighten(axes)
 
-
-def _shapes_explain(figure: Figure, comparison: Comparison, top: float) -> None:
-    height = figure.get_size_inches()[1]
-    figure.legend(
-        handles=[
-            Line2D([], [], color=style.GREY, linewidth=2.4, label="filament (coloured by time)"),
-            Line2D([], [], color=style.BLACK, linewidth=0.9, linestyle=(0, (4, 3)), label=elements_name(comparison)),
-        ],
-        loc="upper left",
-        bbox_to_anchor=(LEFT / style.WIDTH, top / height),
-        ncols=2,
-        borderaxespad=0.0,
-    )
-
-
-_RATE_RIGHT, _RATE_BOTTOM, _RATE_GAP, _BETWEEN, _BAR = 0.25, 1.4, 0.42, 0.55, 0.12
-_CLOSE_WIDTH, _LEAST, _RATE_TALLEST, _TITLE = 1.75, 1.0, 2.2, 0.2
 
 # Length of strip drawn next to the clamp, in thicknesses; decades of rate told apart.
 _CLOSE = 2.5
@@ -388,34 +328,31 @@ def rate_figure(comparison: Comparison) -> Figure:
     """Draw the fields below one another, the whole half span on the left, the clamp on the right."""
     span, thickness = comparison.scene.filament.span, comparison.scene.filament.thickness
     fields = rate_fields(comparison.elements, thickness)
-    width = style.WIDTH - LEFT - _RATE_RIGHT - _BETWEEN - _CLOSE_WIDTH
-    # One scale for all: that of the width, or of the deepest shape where that would be taller than a page allows.
-    scale = min([width / (0.54 * span), *(_RATE_TALLEST / (np.ptp(field.y) + thickness) for field in fields)])
-    heights = [max(_LEAST, scale * (float(np.ptp(field.y)) + thickness)) for field in fields]
+    # Of panels four inches wide; the deepest shape is no taller than a page allows.
+    heights = [float(np.clip(4.0 / (0.54 * span) * (np.ptp(field.y) + thickness), 1.0, 2.2)) for field in fields]
     flows = any((field.rate > 0).any() for field in fields)
-    bottom = _RATE_BOTTOM if flows else _RATE_BOTTOM - 0.5
-    height = bottom + sum(heights) + _RATE_GAP * (len(heights) - 1) + _TITLE + HEADING
     ruler, norm, clock = length_unit(span), _scale(fields), clock_of(comparison)
+    notes = _RATE_NOTE if flows else "Nothing flows, at none of the times at which the field was kept."
+    what, height = "plastic shear rate in the elements", sum(heights) + 0.35 * len(heights) + 0.9
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        head(figure, "plastic shear rate in the elements", {}, comparison.scene, LEFT)
-        top, drawn = height - HEADING - _TITLE, None
-        for field, tall in zip(fields, heights, strict=True):
-            whole = axes_in_inches(figure, LEFT, top - tall, width, tall)
-            close = axes_in_inches(figure, LEFT + width + _BETWEEN, top - tall, _CLOSE_WIDTH, tall)
+        figure, body = headed(comparison.scene, what, {}, height=height, notes=notes)
+        panels = body.subplots(len(fields), 2, squeeze=False, height_ratios=heights, width_ratios=[4.0, 1.75])
+        for field, (whole, close) in zip(fields, panels, strict=True):
             drawn = _strip(whole, field, norm, ruler)
             _strip(close, field, norm, ruler)
-            _window(whole, (0.25 * span, float(field.y.min() + field.y.max()) / 2), (width, tall), 1 / scale, ruler)
-            beside = span / 2 - 0.45 * _CLOSE * thickness
+            low, high = float(field.y.min()) - thickness / 2, float(field.y.max()) + thickness / 2
+            _window(whole, ruler, (-0.02 * span, 0.52 * span), (low, high))
+            beside, half = span / 2 - 0.45 * _CLOSE * thickness, _CLOSE * thickness / 2
             level = float(np.interp(beside, field.x[:, len(field.x[0]) // 2], field.y[:, len(field.x[0]) // 2]))
-            _window(close, (beside, level), (_CLOSE_WIDTH, tall), _CLOSE * thickness / _CLOSE_WIDTH, ruler)
+            _window(close, ruler, (beside - half, beside + half), (level - half / 2, level + half / 2))
             whole.set_title(f"t = {clock.text(field.time)}", loc="left", fontsize=8.5, pad=3.0)
             close.set_title("at the clamp", loc="left", fontsize=8.5, pad=3.0)
             whole.set_ylabel(f"y [{ruler.symbol}]")
-            top -= tall + _RATE_GAP
-        figure.axes[-2].set_xlabel(f"x [{ruler.symbol}]", labelpad=1.0)
-        figure.axes[-1].set_xlabel(f"x [{ruler.symbol}]", labelpad=1.0)
-        _rate_explain(figure, drawn, flows=flows)
+        for axes in panels[-1]:
+            axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=1.0)
+        if flows:
+            bar = body.colorbar(drawn, ax=panels, location="bottom", extend="min", aspect=50, fraction=0.04, pad=0.02)
+            bar.set_label("plastic shear rate [1/s]")
     return figure
 
 
@@ -434,37 +371,24 @@ def _strip(axes: Axes, field: RateField, norm: LogNorm, ruler: Unit) -> QuadMesh
     return axes.pcolormesh(ruler.of(field.x), ruler.of(field.y), rate, norm=norm, cmap=colours, rasterized=True)
 
 
-def _window(axes: Axes, centre: tuple[float, float], size: tuple[float, float], metre: float, ruler: Unit) -> None:
-    """Limits about a point at equal scale; `size` in inches, `metre` metres to the inch."""
-    low, high = (
-        [float(ruler.of(c + side * metre * i / 2)) for c, i in zip(centre, size, strict=True)] for side in (-1, 1)
-    )
-    axes.set_xlim(low[0], high[0])
-    axes.set_ylim(low[1], high[1])
-
-
-def _rate_explain(figure: Figure, drawn: QuadMesh | None, *, flows: bool) -> None:
-    width, height = figure.get_size_inches()
-    if drawn is not None and flows:
-        bar = axes_in_inches(figure, LEFT, 0.74, width - LEFT - _RATE_RIGHT - 1.7, _BAR)
-        figure.colorbar(drawn, cax=bar, orientation="horizontal", extend="min")
-        place = (width - _RATE_RIGHT - 1.6) / width
-        figure.text(place, 0.8 / height, "plastic shear rate [1/s]", va="center", fontsize=8.5)
-    note = _RATE_NOTE if flows else "Nothing flows, at none of the times at which the field was kept."
-    figure.text(LEFT / width, 0.1 / height, note, fontsize=7.5, color=style.GREY, linespacing=1.35)
+def _window(axes: Axes, ruler: Unit, x: tuple[float, float], y: tuple[float, float]) -> None:
+    """Limits [m], widened to where lengths are equal along both axes."""
+    axes.set_xlim(*ruler.of(x))
+    axes.set_ylim(*ruler.of(y))
+    axes.set_aspect("equal", adjustable="datalim")
 
 
 def midpoint_csv(comparison: Comparison) -> bytes:
     """Midpoints [m] of all, frame by frame; empty after a run has ended early."""
     columns = {"time_s": comparison.elements.time, "elements_m": comparison.elements.midpoint}
-    return _csv(columns | {f"{_key(row)}_m": row.midpoint for row in comparison.filaments})
+    return columns_csv(columns | {f"{_key(row)}_m": row.midpoint for row in comparison.filaments})
 
 
 def clamp_csv(comparison: Comparison) -> bytes:
     """Mean and largest axial true strain at the clamp, of all, frame by frame."""
     rows = [("elements", comparison.clamp_strain)] + [(_key(row), row.clamp_strain) for row in comparison.filaments]
     strains = {f"{name}_{which}": getattr(strain, which) for name, strain in rows for which in ("mean", "largest")}
-    return _csv({"time_s": comparison.elements.time, **strains})
+    return columns_csv({"time_s": comparison.elements.time, **strains})
 
 
 def errors_csv(comparison: Comparison) -> bytes:
@@ -473,7 +397,7 @@ def errors_csv(comparison: Comparison) -> bytes:
     what = [*("error" for _ in frames), "mean error", "largest error"]
     time = [*(float(comparison.elements.time[frame]) for frame in frames), math.nan, math.nan]
     found = {_key(row): row.discrepancy for row in comparison.filaments}
-    return _csv({"what": what, "time_s": time, **{key: [*d.at, d.mean, d.largest] for key, d in found.items()}})
+    return columns_csv({"what": what, "time_s": time, **{key: [*d.at, d.mean, d.largest] for key, d in found.items()}})
 
 
 def shapes_csv(comparison: Comparison) -> bytes:
@@ -483,7 +407,7 @@ def shapes_csv(comparison: Comparison) -> bytes:
     for who in ("elements", "filament"):
         places |= {f"{who}_{axis}_m": [getattr(pair, who)[:, k] for pair in pairs] for k, axis in enumerate("xy")}
     time = [np.full(len(pair.X), pair.time) for pair in pairs]
-    return _csv({name: np.concatenate(parts) for name, parts in {"time_s": time, **places}.items()})
+    return columns_csv({name: np.concatenate(parts) for name, parts in {"time_s": time, **places}.items()})
 
 
 def rate_csv(comparison: Comparison) -> bytes:
@@ -495,7 +419,7 @@ def rate_csv(comparison: Comparison) -> bytes:
         "Y_m": [field.Y.ravel() for field in fields],
         "plastic_shear_rate_per_s": [field.rate.ravel() for field in fields],
     }
-    return _csv({name: np.concatenate(values) for name, values in parts.items()})
+    return columns_csv({name: np.concatenate(values) for name, values in parts.items()})
 
 
 def document(comparison: Comparison) -> dict[str, Any]:
@@ -508,7 +432,7 @@ def document(comparison: Comparison) -> dict[str, Any]:
     summary = own.trajectory.summary
     frames = compare.moments(len(run.time))
     times = [float(run.time[frame]) for frame in frames]
-    found = {
+    return {
         "title": comparison.scene.title,
         "outcome": summary["outcome"],
         "advice": summary["advice"],
@@ -537,7 +461,6 @@ def document(comparison: Comparison) -> dict[str, Any]:
             **{_key(row): _last(row.clamp_strain) for row in comparison.filaments},
         },
     }
-    return dict(_finite(found))
 
 
 def _key(row: FilamentRow) -> str:
@@ -561,34 +484,12 @@ def _filament(row: FilamentRow, time: Floats) -> dict[str, Any]:
     }
 
 
-def _errors(row: FilamentRow) -> dict[str, Any]:
+def _errors(row: FilamentRow | CalculixRow) -> dict[str, Any]:
     return {"at": list(row.discrepancy.at), "mean": row.discrepancy.mean, "largest": row.discrepancy.largest}
 
 
 def _last(strain: compare.ClampStrain) -> dict[str, float]:
     return {"mean": float(strain.mean[-1]), "largest": float(strain.largest[-1])}
-
-
-def _finite(value: Any) -> Any:
-    """The same with null in place of what JSON cannot say."""
-    if isinstance(value, Mapping):
-        return {name: _finite(part) for name, part in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(part) for part in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def _csv(columns: Mapping[str, Sequence[str] | Iterable[float] | Floats]) -> bytes:
-    """Columns under their names; every number reads back exactly, what is not there is empty."""
-    lists = [values.tolist() if isinstance(values, np.ndarray) else list(values) for values in columns.values()]
-    rows = [",".join(_cell(value) for value in row) for row in zip(*lists, strict=True)]
-    return "\n".join([",".join(columns), *rows, ""]).encode()
-
-
-def _cell(value: object) -> str:
-    if isinstance(value, float):
-        return repr(value) if math.isfinite(value) else ""
-    return str(value)
 
 
 def comparison_columns(comparison: Comparison) -> list[tuple[str, ...]]:
@@ -616,21 +517,12 @@ def row_names(comparison: Comparison) -> tuple[str, ...]:
 
 def comparison_table(comparison: Comparison) -> Table:
     """Lay the columns out below the names of the theories."""
-    note = "errors in %: (filament − elements)/max |elements|, midpoint; t in L √(ρ/E)"
-    table = Table(
-        title=Text(comparison.scene.title or "Filament", style="bold"),
-        title_justify="left",
-        caption=Text(note, style="dim"),
-        caption_justify="left",
-        box=box.SIMPLE_HEAD,
-    )
-    columns = [row_names(comparison), *comparison_columns(comparison)]
-    for column in columns:
-        name = column[0].replace("elements ", "elements\n").replace(", ", ",\n").replace(" closure", "\nclosure")
-        table.add_column(Text(name), justify="left" if column is columns[0] else "right", no_wrap=True)
-    for row in list(zip(*columns, strict=True))[1:]:
-        table.add_row(*(Text(text) for text in row))
-    return table
+    header, *rows = zip(row_names(comparison), *comparison_columns(comparison), strict=True)
+    for old, new in (("elements ", "elements\n"), (", ", ",\n"), (" closure", "\nclosure")):
+        header = tuple(name.replace(old, new) for name in header)
+    caption = "errors in %: (filament − elements)/max |elements|, midpoint; t in L √(ρ/E)"
+    title = comparison.scene.title or "Filament"
+    return text_table(header, rows, title=title, caption=caption, right=range(1, len(header)), whole=range(9))
 
 
 def remarks(comparison: Comparison) -> list[str]:
@@ -659,38 +551,25 @@ def _percent(error: float) -> str:
 
 
 def write_comparison(comparison: Comparison, directory: str | Path) -> list[Path]:
-    """Write ``compare.json``, ``scene.toml``, four pictures and their tables.
-
-    Everything is drawn before anything is written, and each file replaces its predecessor whole.
-    """
-    contents = {
-        "compare.json": (json.dumps(document(comparison), indent=2, allow_nan=False) + "\n").encode(),
-        "scene.toml": comparison.scene.to_toml().encode(),
-        "compare_midpoint.png": png(midpoint_figure(comparison)),
-        "compare_shapes.png": png(shapes_figure(comparison)),
-        "compare_plastic_rate.png": png(rate_figure(comparison)),
-        "compare_clamp_strain.png": png(clamp_figure(comparison)),
+    """Write ``compare.json``, ``scene.toml``, four pictures and their tables."""
+    contents: dict[str, object] = {
+        "compare.json": document(comparison),
+        "scene.toml": comparison.scene.to_toml(),
+        "compare_midpoint.png": midpoint_figure(comparison),
+        "compare_shapes.png": shapes_figure(comparison),
+        "compare_plastic_rate.png": rate_figure(comparison),
+        "compare_clamp_strain.png": clamp_figure(comparison),
         "compare_errors.csv": errors_csv(comparison),
         "compare_midpoint.csv": midpoint_csv(comparison),
         "compare_shapes.csv": shapes_csv(comparison),
         "compare_plastic_rate.csv": rate_csv(comparison),
         "compare_clamp_strain.csv": clamp_csv(comparison),
     }
-    return write_all(directory, contents)
+    return write_results(directory, contents)
 
 
-_CALCULIX_HEIGHT, _CALCULIX_BOTTOM, _CALCULIX_GAP, _CALCULIX_RESIDUAL, _CALCULIX_ABOVE, _CALCULIX_ROOM = (
-    5.6,
-    0.55,
-    0.2,
-    1.5,
-    0.72,
-    1.15,
-)
-
-_REFERENCE: dict[str, Any] = {"color": style.BLACK, "linewidth": 2.6, "alpha": 0.45}
 _CALCULIX_LINES: dict[str, dict[str, Any]] = {
-    "filament": {"color": style.BLUE, "linewidth": 1.3},
+    "filament": _LINES["filament"],
     "elements": {"color": style.VERMILLION, "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
 }
 
@@ -698,17 +577,13 @@ _CALCULIX_LINES: dict[str, dict[str, Any]] = {
 def calculix_figure(comparison: CalculixComparison) -> Figure:
     """Draw midpoints above, (ours - CalculiX)/max |CalculiX| below."""
     run, span = comparison.calculix, comparison.scene.filament.span
-    clock = time_unit(float(run.time[-1]))
     ruler = length_unit(float(np.abs(run.midpoint).max()), span)
-    time = clock.of(run.time)
+    time, summary = time_unit(float(run.time[-1])).of(run.time), comparison.trajectory.summary
     with style.styled():
-        figure = new_figure(style.WIDTH, _CALCULIX_HEIGHT)
-        head(figure, "midpoint, ours against CalculiX", comparison.trajectory.summary, comparison.scene, LEFT)
-        width, bottom = style.WIDTH - LEFT - RIGHT, _CALCULIX_BOTTOM + _CALCULIX_RESIDUAL + _CALCULIX_GAP
-        above = axes_in_inches(figure, LEFT, bottom, width, _CALCULIX_HEIGHT - HEADING - _CALCULIX_ABOVE - bottom)
-        below = axes_in_inches(figure, LEFT, _CALCULIX_BOTTOM, width, _CALCULIX_RESIDUAL)
+        figure, body = headed(comparison.scene, "midpoint, ours against CalculiX", summary, height=4.9)
+        above, below = body.subplots(2, 1, height_ratios=[2, 1])
         name = f"CalculiX {run.mesh.along} × {run.mesh.through}"
-        above.plot(time, ruler.of(run.midpoint), label=name, **_REFERENCE)
+        above.plot(time, ruler.of(run.midpoint), label=name, **ELEMENTS)
         below.axhline(0.0, color=style.GREY, linewidth=0.6)
         for row in comparison.rows:
             above.plot(time, ruler.of(row.midpoint), label=row.name, **_CALCULIX_LINES[row.name])
@@ -716,24 +591,12 @@ def calculix_figure(comparison: CalculixComparison) -> Figure:
         far = 2 * float(ruler.of(np.abs(run.midpoint).max())) or 1.0
         low, high = above.get_ylim()
         above.set_ylim(max(low, -far), min(high, far))
-        known = np.nan_to_num([100 * row.discrepancy.largest for row in comparison.rows])
-        shown = float(known.max()) or 1.0
-        below.set_ylim(-_CALCULIX_ROOM * shown, _CALCULIX_ROOM * shown)
+        shown = float(np.nan_to_num([100 * row.discrepancy.largest for row in comparison.rows]).max()) or 1.0
+        below.set_ylim(-_ROOM * shown, _ROOM * shown)
         above.set_ylabel(f"midpoint height [{ruler.symbol}]")
         below.set_ylabel("(ours − CalculiX)\n/ max |CalculiX| [%]", fontsize=8.0)
-        for axes in (above, below):
-            axes.set_xlim(0.0, float(time[-1]))
-            axes.grid(True)
-            style.lighten(axes)
-            plain_numbers(axes)
-        above.tick_params(labelbottom=False)
-        below.set_xlabel(f"time [{clock.symbol}]")
-        factor = clock.size / run.elastic_time
-        top = above.secondary_xaxis(
-            "top", functions=(lambda t: np.asarray(t) * factor, lambda t: np.asarray(t) / factor)
-        )
-        top.set_xlabel("time in L √(ρ/E)")
-        legend_row(figure, above, _CALCULIX_HEIGHT - HEADING)
+        share_time((above, below), run)
+        legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4)
     return figure
 
 
@@ -754,18 +617,15 @@ def write_deck(scene: Scene, deck: Deck, directory: str | Path) -> list[Path]:
 
 
 def write_calculix_comparison(comparison: CalculixComparison, directory: str | Path) -> list[Path]:
-    """Write ``compare.json``, ``compare_midpoint.png`` and ``.csv``, ``scene.toml``, and ``calculix/`` with the deck.
-
-    Everything is drawn before anything is written, and each file replaces its predecessor whole.
-    """
+    """Write ``compare.json``, ``compare_midpoint.png`` and ``.csv``, ``scene.toml``, ``calculix/`` with the deck."""
     folder = Path(directory)
-    contents = {
-        "compare.json": (json.dumps(calculix_document(comparison), indent=2, allow_nan=False) + "\n").encode(),
-        "scene.toml": comparison.scene.to_toml().encode(),
-        "compare_midpoint.png": png(calculix_figure(comparison)),
+    contents: dict[str, object] = {
+        "compare.json": calculix_document(comparison),
+        "scene.toml": comparison.scene.to_toml(),
+        "compare_midpoint.png": calculix_figure(comparison),
         "compare_midpoint.csv": _midpoint_csv(comparison),
     }
-    return [*write_all(folder, contents), *write_all(folder / FOLDER, comparison.calculix.files)]
+    return [*write_results(folder, contents), *write_all(folder / FOLDER, comparison.calculix.files)]
 
 
 def calculix_document(comparison: CalculixComparison) -> dict[str, Any]:
@@ -780,7 +640,7 @@ def calculix_document(comparison: CalculixComparison) -> dict[str, Any]:
         "message": summary["message"],
         "warnings": list(comparison.warnings),
         "calculix": {
-            **_calculix_midpoints(run.time, run.midpoint),
+            **_midpoints(run.time, run.midpoint),
             "wall_s": run.wall,
             "dofs": run.dofs,
             "steps": run.steps,
@@ -790,7 +650,7 @@ def calculix_document(comparison: CalculixComparison) -> dict[str, Any]:
         },
         **{
             row.name: {
-                **_calculix_midpoints(run.time, row.midpoint),
+                **_midpoints(run.time, row.midpoint),
                 "wall_s": row.wall,
                 "dofs": row.dofs,
                 "steps": row.steps,
@@ -801,50 +661,33 @@ def calculix_document(comparison: CalculixComparison) -> dict[str, Any]:
             "definition": _DEFINITION,
             "time_s": times,
             "time_elastic": [time / run.elastic_time for time in times],
-            **{row.name: _calculix_errors(row) for row in comparison.rows},
+            **{row.name: _errors(row) for row in comparison.rows},
         },
     }
 
 
 def calculix_table(comparison: CalculixComparison) -> Table:
     """The table that is printed: CalculiX and ours side by side."""
-    run, span = comparison.calculix, comparison.scene.filament.span
-    frames = moments(len(run.time))
-    note = "errors in %: (ours − CalculiX)/max |CalculiX|, midpoint; t in L √(ρ/E)"
-    table = Table(box=box.SIMPLE, caption=note, caption_justify="left")
-    table.add_column("")
-    for name in (f"CalculiX {run.mesh.along} × {run.mesh.through}", *(row.name for row in comparison.rows)):
-        table.add_column(name, justify="right")
-    rows = comparison.rows
-    table.add_row("final midpoint / L", *(f"{y[-1] / span:.5f}" for y in (run.midpoint, *(r.midpoint for r in rows))))
-    for k, frame in enumerate(frames):
-        at = f"error at t = {run.time[frame] / run.elastic_time:.4g}"
-        table.add_row(at, "", *(f"{100 * row.discrepancy.at[k]:+.2f}" for row in rows))
-    table.add_row("mean error", "", *(f"{100 * row.discrepancy.mean:+.2f}" for row in rows))
-    table.add_row("largest error", "", *(f"{100 * row.discrepancy.largest:.2f}" for row in rows))
-    table.add_row("unknowns", str(run.dofs), *(str(row.dofs) for row in rows))
-    table.add_row("steps", str(run.steps), *(str(row.steps) for row in rows))
-    table.add_row("wall time [s]", f"{run.wall:.3g}", *(f"{row.wall:.3g}" for row in rows))
-    return table
+    run, rows, span = comparison.calculix, comparison.rows, comparison.scene.filament.span
+    times = (run.time[frame] / run.elastic_time for frame in moments(len(run.time)))
+    lines = [("final midpoint / L", *(f"{y[-1] / span:.5f}" for y in (run.midpoint, *(row.midpoint for row in rows))))]
+    lines += [
+        (f"error at t = {time:.4g}", "", *(f"{100 * row.discrepancy.at[k]:+.2f}" for row in rows))
+        for k, time in enumerate(times)
+    ]
+    lines += [
+        ("mean error", "", *(f"{100 * row.discrepancy.mean:+.2f}" for row in rows)),
+        ("largest error", "", *(f"{100 * row.discrepancy.largest:.2f}" for row in rows)),
+        ("unknowns", *(str(one.dofs) for one in (run, *rows))),
+        ("steps", *(str(one.steps) for one in (run, *rows))),
+        ("wall time [s]", *(f"{one.wall:.3g}" for one in (run, *rows))),
+    ]
+    header = ("", f"CalculiX {run.mesh.along} × {run.mesh.through}", *(row.name for row in rows))
+    caption = "errors in %: (ours − CalculiX)/max |CalculiX|, midpoint; t in L √(ρ/E)"
+    return text_table(header, lines, caption=caption, right=range(1, len(header)), box=box.SIMPLE)
 
 
 def _midpoint_csv(comparison: CalculixComparison) -> bytes:
     """Midpoints [m], frame by frame; empty after a run has ended early."""
-    run = comparison.calculix
-    columns = [run.time, run.midpoint, *(row.midpoint for row in comparison.rows)]
-    names = ["time_s", "calculix_m", *(f"{row.name}_m" for row in comparison.rows)]
-    lines = [",".join(repr(float(v)) if math.isfinite(v) else "" for v in row) for row in zip(*columns, strict=True)]
-    return "\n".join([",".join(names), *lines, ""]).encode()
-
-
-def _calculix_midpoints(time: Floats, midpoint: Floats) -> dict[str, float | None]:
-    return {"midpoint_final_m": _or_null(midpoint[-1]), "midpoint_mean_m": _or_null(np.mean(midpoint[late(time)]))}
-
-
-def _calculix_errors(row: CalculixRow) -> dict[str, Any]:
-    found = row.discrepancy
-    return {"at": [_or_null(v) for v in found.at], "mean": _or_null(found.mean), "largest": _or_null(found.largest)}
-
-
-def _or_null(value: float | np.floating[Any]) -> float | None:
-    return float(value) if math.isfinite(value) else None
+    columns = {"time_s": comparison.calculix.time, "calculix_m": comparison.calculix.midpoint}
+    return columns_csv(columns | {f"{row.name}_m": row.midpoint for row in comparison.rows})

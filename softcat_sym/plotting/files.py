@@ -55,9 +55,7 @@ class Quoted(str):
     __slots__ = ()
 
 
-def csv_bytes(
-    header: Iterable[str], rows: Iterable[Iterable[object]], number: Callable[[float], str] = repr
-) -> bytes:
+def csv_bytes(header: Iterable[str], rows: Iterable[Iterable[object]], number: Callable[[float], str] = repr) -> bytes:
     """A table; every number reads back exactly, what is not there or not finite is empty."""
     lines = [header, *rows]
     return "".join(",".join(_cell(cell, number) for cell in line) + "\n" for line in lines).encode()

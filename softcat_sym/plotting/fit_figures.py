@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.colors import to_rgba
+from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator, StrMethodFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 
 from softcat_sym.fitting.features import Features, Floats, Reading
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit import display_unit, noise_text, residual_std, starts_text
-from softcat_sym.plotting.style import HEADING, axes_in_inches, new_figure
+from softcat_sym.plotting.fit_words import display_unit, noise_text, residual_std, starts_text
+from softcat_sym.plotting.style import legend, sheet
 from softcat_sym.plotting.units import length_unit, significant, time_unit
 
 if TYPE_CHECKING:
@@ -32,15 +33,9 @@ LOGARITHMIC_FROM = 4.0
 """Ratio of an axis' ends from which on it is logarithmic."""
 
 
-def headed(fit: Fit, what: str, height: float, left: float) -> Figure:
-    """Make a figure of the full width with the scene's title, and what is shown below it."""
-    figure = new_figure(style.WIDTH, height)
-    place = left / style.WIDTH
-    title = style.printable(fit.scene.title) or "Filament"
-    figure.text(place, 1 - 0.12 / height, title, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
-    below = style.printable(what, 118)
-    figure.text(place, 1 - 0.33 / height, below, va="top", fontsize=8.5, color=style.GREY, parse_math=False)
-    return figure
+def headed(fit: Fit, what: str, height: float, notes: str = "") -> tuple[Figure, SubFigure]:
+    """A sheet with the scene's title, and what is shown below it."""
+    return sheet(fit.scene.title or "Filament", what, height=height, notes=notes)
 
 
 def label_of(one: FreeParameter, unit: Unit) -> str:
@@ -99,52 +94,40 @@ def draw_shapes(above: Axes, under: Axes, film: FittedFilm) -> None:
         label = f"{float(clock.of(time)):.3g} {clock.symbol}" if time in named else None
         above.plot(place, ruler.of(film.model[here]), color=color, linewidth=1.1, label=label)
         under.plot(place, film.residuals[here], ".", color=color, markersize=3.5, clip_on=False)
-    for axes in (above, under):
-        axes.grid(True)
-        style.lighten(axes)
+    _dress_residuals(under, film)
+    above.grid(True)
+    style.lighten(above)
     above.set_ylabel(f"height [{ruler.symbol}]")
-    above.tick_params(labelbottom=False)
     under.set_xlabel(f"x from halfway between the supports [{ruler.symbol}]")
-    under.set_ylabel("residual / std")
-    far = max(2.6, 1.15 * float(np.abs(film.residuals).max()))
-    under.set_ylim(-far, far)
-    for edge in (-1.96, 0.0, 1.96):
-        under.axhline(edge, color=style.GREY, linewidth=0.8, linestyle=(0, (4, 2)) if edge else "-")
 
 
-_CURVES_LEFT, _CURVES_RIGHT, _CURVES_BOTTOM = 0.85, 0.2, 0.55
-_CURVES_TALL, _LOW, _CURVES_GAP, _CURVES_BETWEEN = 2.3, 0.85, 0.12, 0.75
-
-_CURVES_CROWDED = 0.12
+_CROWDED = 0.12
 """Where half of the frames lie within this share of the time, the axis is logarithmic."""
 
 
 def curves_figure(fit: Fit) -> Figure:
     """Draw each film beside its model, with the 95 % band that the parameters' covariance gives it."""
     views = _views(fit)
-    films = len(views)
-    each = _CURVES_TALL + _CURVES_GAP + _LOW
-    height = HEADING + 0.25 + films * each + (films - 1) * _CURVES_BETWEEN + _CURVES_BOTTOM
     with style.styled():
         below = f"{fit.outcome.word} · residuals {fit.checks.verdict} · noise {noise_text(fit)}"
-        figure = headed(fit, below, height, _CURVES_LEFT)
-        width = style.WIDTH - _CURVES_LEFT - _CURVES_RIGHT
-        for k, (film, band, std) in enumerate(views):
-            foot = _CURVES_BOTTOM + (films - 1 - k) * (each + _CURVES_BETWEEN)
-            above = axes_in_inches(figure, _CURVES_LEFT, foot + _LOW + _CURVES_GAP, width, _CURVES_TALL)
-            under = axes_in_inches(figure, _CURVES_LEFT, foot, width, _LOW)
+        figure, body = headed(fit, below, 4.0 * len(views))
+        panels = body.subplots(2 * len(views), 1, height_ratios=[2.7, 1.0] * len(views))
+        for (film, band, std), (above, under) in zip(views, panels.reshape(-1, 2), strict=True):
             if film.of_midpoint.all():
-                _curves_draw_film(above, film, band, std)
-                _draw_residuals(under, film)
-                _time_axes(above, under, film)
+                _draw_midpoint(above, film, band, std)
+                clock = time_unit(float(film.time[-1]))
+                under.plot(clock.of(film.time), film.residuals, ".", color=style.BLUE, markersize=3.5, clip_on=False)
+                _dress_residuals(under, film)
+                under.set_xlabel(f"time [{clock.symbol}]")
+                for axes in (above, under):
+                    time_axis(axes, clock.of(film.time))
             else:
                 draw_shapes(above, under, film)
-            if films > 1:
-                name = style.printable(film.name, 60)
-                above.set_title(name, loc="left", fontsize=8.5, pad=3, parse_math=False)
-            if k == 0:
-                spot = (1.0, 1.0)
-                above.legend(loc="lower right", bbox_to_anchor=spot, ncols=3, borderaxespad=0.2, fontsize=7.5)
+            above.tick_params(labelbottom=False)
+            if len(views) > 1:
+                above.set_title(style.printable(film.name, 60), loc="left", fontsize=8.5, pad=3, parse_math=False)
+            if film is views[0][0]:
+                above.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.2, fontsize=7.5)
     return figure
 
 
@@ -170,7 +153,7 @@ def _views(fit: Fit) -> list[_View]:
     return found
 
 
-def _curves_draw_film(axes: Axes, film: FittedFilm, band: NDArray[np.float64], std: NDArray[np.float64] | None) -> None:
+def _draw_midpoint(axes: Axes, film: FittedFilm, band: NDArray[np.float64], std: NDArray[np.float64] | None) -> None:
     clock, ruler = time_unit(float(film.time[-1])), length_unit(float(np.abs(film.measured).max()))
     time, data, model = clock.of(film.time), ruler.of(film.measured), ruler.of(film.model)
     half = ruler.of(band)
@@ -194,41 +177,33 @@ def _curves_draw_film(axes: Axes, film: FittedFilm, band: NDArray[np.float64], s
     style.lighten(axes)
 
 
-def _draw_residuals(axes: Axes, film: FittedFilm) -> None:
-    clock = time_unit(float(film.time[-1]))
+def _dress_residuals(axes: Axes, film: FittedFilm) -> None:
+    """Grid, label, and the lines between which 95 % of white residuals lie."""
     axes.grid(True)
-    axes.axhline(0.0, color=style.GREY, linewidth=0.8)
-    for edge in (-1.96, 1.96):
-        axes.axhline(edge, color=style.GREY, linewidth=0.8, linestyle=(0, (4, 2)))
-    axes.plot(clock.of(film.time), film.residuals, ".", color=style.BLUE, markersize=3.5, clip_on=False)
+    for edge in (-1.96, 0.0, 1.96):
+        axes.axhline(edge, color=style.GREY, linewidth=0.8, linestyle=(0, (4, 2)) if edge else "-", zorder=1)
     far = max(2.6, 1.15 * float(np.abs(film.residuals).max()))
     axes.set_ylim(-far, far)
     axes.yaxis.set_major_formatter("{x:.3g}")
-    axes.set_xlabel(f"time [{clock.symbol}]")
     axes.set_ylabel("residual / std")
     style.lighten(axes)
 
 
-def _time_axes(above: Axes, under: Axes, film: FittedFilm) -> None:
-    clock = time_unit(float(film.time[-1]))
-    later = clock.of(film.time[film.time > 0])
-    crowded = later.size > 2 and float(np.median(later)) < _CURVES_CROWDED * float(later[-1])
-    for axes in (above, under):
-        if crowded:
-            axes.set_xscale("log")
-            axes.set_xlim(float(later[0]) / 1.1, float(later[-1]) * 1.1)
-            axes.xaxis.set_major_formatter(FuncFormatter(plain))
-            axes.xaxis.set_minor_formatter(NullFormatter())
-        else:
-            start, end = float(clock.of(film.time[0])), float(clock.of(film.time[-1]))
-            room = 0.02 * (end - start)
-            axes.set_xlim(min(0.0, start) - room if start < 0.2 * end else start - room, end + room)
+def time_axis(axes: Axes, times: Floats) -> None:
+    """Limits of a time axis, logarithmic where the frames crowd at its beginning."""
+    later, start, end = times[times > 0], float(times.min()), float(times.max())
+    if later.size > 2 and float(np.median(later)) < _CROWDED * end:
+        axes.set_xscale("log")
+        axes.set_xlim(float(later.min()) / 1.1, end * 1.1)
+        style.plain_log(axes.xaxis, plain)
+    else:
+        room = 0.02 * (end - start)
+        axes.set_xlim(min(0.0, start) - room if start < 0.2 * end else start - room, end + room)
 
 
-_PROFILES_LEFT, _PROFILES_RIGHT, _PROFILES_BOTTOM = 0.65, 0.2, 0.55
-_PROFILES_TALL, _PROFILES_ACROSS, _PROFILES_BETWEEN, _ABOVE = 1.8, 0.35, 0.85, 0.3
-_PROFILES_MOST = 3
+_MOST = 3
 """Panels in a row."""
+
 
 _DENSE = 400
 # Thresholds that the axis is high: what happens far above it is nobody's concern.
@@ -237,32 +212,25 @@ _HIGH = 2.2
 
 def profiles_figure(fit: Fit) -> Figure:
     """Draw one panel for each parameter."""
-    count = len(fit.profiles)
-    across = min(count, _PROFILES_MOST)
-    rows = math.ceil(count / across)
-    height = HEADING + _ABOVE + rows * _PROFILES_TALL + (rows - 1) * _PROFILES_BETWEEN + _PROFILES_BOTTOM + 0.22
-    wide = (style.WIDTH - _PROFILES_LEFT - _PROFILES_RIGHT - (across - 1) * _PROFILES_ACROSS) / across
+    across = min(len(fit.profiles), _MOST)
+    rows = math.ceil(len(fit.profiles) / across)
     with style.styled():
         what = "profile likelihood: how much worse the fit becomes with one parameter held, the others fitted anew"
-        figure = headed(fit, what, height, _PROFILES_LEFT)
+        figure, body = headed(fit, what, 2.6 * rows + 0.3)
+        panels = body.subplots(rows, across, squeeze=False)
         for k, (one, free) in enumerate(zip(fit.profiles, fit.problem.free, strict=True)):
-            row, column = divmod(k, across)
-            foot = _PROFILES_BOTTOM + 0.22 + (rows - 1 - row) * (_PROFILES_TALL + _PROFILES_BETWEEN)
-            axes = axes_in_inches(
-                figure, _PROFILES_LEFT + column * (wide + _PROFILES_ACROSS), foot, wide, _PROFILES_TALL
-            )
-            _profiles_draw(axes, one, free, float(fit.information.standard_errors[k]))
+            axes = panels.flat[k]
+            _draw_profile(axes, one, free, float(fit.information.standard_errors[k]))
             axes.set_title(fit.parameters[free.name].verdict, loc="left", fontsize=8.5, pad=4)
-            if column == 0:
+            if k % across == 0:
                 axes.set_ylabel("increase of χ²")
-        handles = figure.axes[0].get_legend_handles_labels()
-        figure.legend(
-            *handles, loc="lower left", bbox_to_anchor=(_PROFILES_LEFT / style.WIDTH, 0.0), ncols=5, fontsize=7.5
-        )
+        for axes in panels.flat[len(fit.profiles) :]:
+            axes.remove()
+        legend(body, handles=panels.flat[0].get_legend_handles_labels()[0], ncols=5)
     return figure
 
 
-def _profiles_draw(axes: Axes, one: Profile, free: FreeParameter, error: float) -> None:
+def _draw_profile(axes: Axes, one: Profile, free: FreeParameter, error: float) -> None:
     values = np.array([free.value(q) for q in one.q.tolist()])
     unit = parameter_axis(axes, free, values, free.value(one.optimum))
     dense, curve = smooth(one)
@@ -293,39 +261,33 @@ def smooth(one: Profile) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return dense, inside**2
 
 
-_CORRELATION_LEFT, _CORRELATION_RIGHT, _CORRELATION_BOTTOM, _CORRELATION_GAP = 0.3, 0.3, 0.45, 0.08
-_LARGEST, _TALLEST = 1.7, 6.0
-
 JOINT = 5.991
 """95 % quantile of chi^2 with two degrees of freedom."""
 
-_CORRELATION_FAR = 3.6
+_REACH = 3.6
 
 
 def correlation_figure(fit: Fit) -> Figure:
     """Draw the matrix of all pairs: below its diagonal regions in standard errors, above it correlations."""
     count = len(fit.problem.free)
-    room = style.WIDTH - _CORRELATION_LEFT - _CORRELATION_RIGHT
-    each = min(_LARGEST, (room - (count - 1) * _CORRELATION_GAP) / count)
-    height = HEADING + count * each + (count - 1) * _CORRELATION_GAP + _CORRELATION_BOTTOM
+    each = min(1.7, 6.6 / count)
     with style.styled():
-        figure = headed(
-            fit, "joint 95 % regions in standard errors, and correlations of the estimates", height, _CORRELATION_LEFT
-        )
-        for row in range(count):
-            for column in range(count):
-                left = _CORRELATION_LEFT + column * (each + _CORRELATION_GAP)
-                foot = _CORRELATION_BOTTOM + (count - 1 - row) * (each + _CORRELATION_GAP)
-                axes = axes_in_inches(figure, left, foot, each, each)
-                axes.set_xticks([])
-                axes.set_yticks([])
-                if row == column:
-                    _name(axes, fit, row, each)
-                elif row > column:
-                    _region(axes, fit, column, row)
-                else:
-                    _number(axes, float(fit.correlation[row, column]))
-        _correlation_legend(figure, traced=bool(fit.profiles))
+        what = "joint 95 % regions in standard errors, and correlations of the estimates"
+        figure, body = headed(fit, what, count * (each + 0.08) + 0.4)
+        panels = body.subplots(count, count, squeeze=False, subplot_kw={"xticks": [], "yticks": []})
+        for (row, column), axes in np.ndenumerate(panels):
+            axes.set_box_aspect(1)
+            if row == column:
+                _name(axes, fit, row, each)
+            elif row > column:
+                _region(axes, fit, column, row)
+            else:
+                _number(axes, float(fit.correlation[row, column]))
+        handles = [Line2D([], [], color=style.BLUE, label="linear theory")]
+        if fit.profiles:
+            handles.append(Line2D([], [], color=style.VERMILLION, label="profile of the column's parameter"))
+            handles.append(Line2D([], [], color=style.PURPLE, label="profile of the row's"))
+        legend(body, handles=handles, ncols=3)
     return figure
 
 
@@ -350,8 +312,8 @@ def _region(axes: Axes, fit: Fit, across: int, up: int) -> None:
             path = _path(fit, held, across, up)
             axes.plot(path[0], path[1], color=color, linewidth=0.9)
     axes.plot([0], [0], "o", color=style.VERMILLION, markersize=3.5)
-    axes.set_xlim(-_CORRELATION_FAR, _CORRELATION_FAR)
-    axes.set_ylim(-_CORRELATION_FAR, _CORRELATION_FAR)
+    axes.set_xlim(-_REACH, _REACH)
+    axes.set_ylim(-_REACH, _REACH)
 
 
 def unit_ellipse(correlation: float) -> NDArray[np.float64]:
@@ -375,65 +337,40 @@ def _number(axes: Axes, correlation: float) -> None:
     known = np.isfinite(correlation)
     color = style.VERMILLION if correlation < 0 else style.BLUE
     if known:
-        axes.set_facecolor((*_rgb(color), 0.55 * min(abs(correlation), 1.0)))
+        axes.set_facecolor(to_rgba(color, 0.55 * min(abs(correlation), 1.0)))
     text = f"{correlation:+.3f}".replace("-", "\N{MINUS SIGN}") if known else "–"
     axes.text(0.5, 0.5, text, ha="center", va="center", fontsize=10, transform=axes.transAxes)
 
 
-def _rgb(color: str) -> tuple[float, float, float]:
-    red, green, blue = (int(color[k : k + 2], 16) / 255 for k in (1, 3, 5))
-    return red, green, blue
-
-
-def _correlation_legend(figure: Figure, *, traced: bool) -> None:
-    handles = [Line2D([], [], color=style.BLUE, label="linear theory")]
-    if traced:
-        handles.append(Line2D([], [], color=style.VERMILLION, label="profile of the column's parameter"))
-        handles.append(Line2D([], [], color=style.PURPLE, label="profile of the row's"))
-    figure.legend(
-        handles=handles, loc="lower left", bbox_to_anchor=(_CORRELATION_LEFT / style.WIDTH, 0.0), ncols=3, fontsize=7.5
-    )
-
-
-_STARTS_LEFT, _STARTS_RIGHT, _STARTS_BOTTOM, _STARTS_ACROSS, _STARTS_BETWEEN = 0.6, 0.25, 0.75, 0.25, 0.75
-_STEP, _LEAST = 0.22, 1.2
-_STARTS_MOST = 4
-"""Panels in a row."""
-
 _COLORS = (style.VERMILLION, style.BLUE, style.GREEN, style.PURPLE, style.ORANGE, style.SKY)
 # Ratio of the worst value to the best from which on the axis is logarithmic.
-_STARTS_FAR = 3.0
+_FAR = 3.0
 
 
 def starts_figure(fit: Fit) -> Figure:
     """Draw a line for each start, the best on top: what is left of the misfit, and each parameter's way."""
-    panels = 1 + len(fit.problem.free)
-    across = min(panels, _STARTS_MOST)
-    rows = -(-panels // across)
-    tall = max(_LEAST, _STEP * (len(fit.starts.falls) + 1))
-    height = HEADING + rows * tall + (rows - 1) * _STARTS_BETWEEN + _STARTS_BOTTOM + 0.05
-    wide = (style.WIDTH - _STARTS_LEFT - _STARTS_RIGHT - (across - 1) * _STARTS_ACROSS) / across
+    count = 1 + len(fit.problem.free)
+    across = min(count, 4)
+    rows = -(-count // across)
+    tall = max(1.2, 0.22 * (len(fit.starts.falls) + 1))
     with style.styled():
-        figure = headed(fit, f"starts: {starts_text(fit)}", height, _STARTS_LEFT)
-        for k in range(panels):
-            row, column = divmod(k, across)
-            foot = _STARTS_BOTTOM + (rows - 1 - row) * (tall + _STARTS_BETWEEN)
-            axes = axes_in_inches(figure, _STARTS_LEFT + column * (wide + _STARTS_ACROSS), foot, wide, tall)
+        figure, body = headed(fit, f"starts: {starts_text(fit)}", rows * (tall + 0.65) + 0.3)
+        panels = body.subplots(rows, across, squeeze=False)
+        for k, axes in enumerate(panels.flat):
+            if k >= count:
+                axes.remove()
+                continue
             if k == 0:
                 _draw_values(axes, fit)
             else:
                 _draw_way(axes, fit, k - 1)
-            _ranks(axes, len(fit.starts.falls), labelled=column == 0)
-        _starts_legend(figure, fit)
+            _ranks(axes, len(fit.starts.falls), labelled=k % across == 0)
+        legend(body, handles=_handles(fit), ncols=6, handletextpad=0.3)
     return figure
 
 
 def _color(cluster: int) -> str:
     return _COLORS[cluster] if cluster < len(_COLORS) else style.GREY
-
-
-def _face(converged: bool, color: str) -> str:
-    return color if converged else "white"
 
 
 def _draw_values(axes: Axes, fit: Fit) -> None:
@@ -443,10 +380,10 @@ def _draw_values(axes: Axes, fit: Fit) -> None:
     shares = values / least if least > 0 else values
     for rank, (fall, share) in enumerate(zip(fit.starts.falls, shares.tolist(), strict=True), start=1):
         color = _color(fall.cluster)
-        face = _face(fall.optimum.converged, color)
+        face = color if fall.optimum.converged else "white"
         axes.plot([share], [rank], "o", color=color, markerfacecolor=face, markersize=5)
     far = float(shares.max())
-    if least > 0 and far > _STARTS_FAR:
+    if least > 0 and far > _FAR:
         axes.set_xscale("log")
         axes.set_xlim(0.7, 1.5 * far)
         decades = np.log10(far)
@@ -471,7 +408,12 @@ def _draw_way(axes: Axes, fit: Fit, index: int) -> None:
         axes.plot([begin, finish], [rank, rank], color=color, linewidth=0.9, alpha=0.6)
         axes.plot([begin], [rank], "|", color=color, markersize=7)
         axes.plot(
-            [finish], [rank], "o", color=color, markerfacecolor=_face(fall.optimum.converged, color), markersize=5
+            [finish],
+            [rank],
+            "o",
+            color=color,
+            markerfacecolor=color if fall.optimum.converged else "white",
+            markersize=5,
         )
 
 
@@ -485,41 +427,30 @@ def _ranks(axes: Axes, count: int, *, labelled: bool) -> None:
     style.lighten(axes)
 
 
-def _starts_legend(figure: Figure, fit: Fit) -> None:
-    grey: dict[str, object] = {"color": style.BLACK, "linestyle": ""}
+def _handles(fit: Fit) -> list[Line2D]:
+    grey: dict[str, Any] = {"color": style.BLACK, "linestyle": "", "markersize": 5}
     handles = [
-        Line2D([], [], marker="|", markersize=7, label="start", **grey),  # type: ignore[arg-type]
-        Line2D([], [], marker="o", markersize=5, label="end", **grey),  # type: ignore[arg-type]
+        Line2D([], [], marker="|", label="start", **grey),
+        Line2D([], [], marker="o", label="end", **grey),
     ]
     if not all(one.optimum.converged for one in fit.starts.falls):
-        handles.append(Line2D([], [], marker="o", markersize=5, markerfacecolor="white", label="not converged", **grey))  # type: ignore[arg-type]
+        handles.append(Line2D([], [], marker="o", markerfacecolor="white", label="not converged", **grey))
     clusters = sorted({one.cluster for one in fit.starts.falls})[: len(_COLORS)]
     for cluster in clusters if len(clusters) > 1 else ():
         name = "the best fit" if cluster == 0 else f"another fit ({cluster + 1})"
-        handles.append(Line2D([], [], marker="s", linestyle="", markersize=5, color=_color(cluster), label=name))
-    spot = (_STARTS_LEFT / style.WIDTH, 0.0)
-    figure.legend(handles=handles, loc="lower left", bbox_to_anchor=spot, ncols=6, fontsize=7.5, handletextpad=0.3)
-
-
-_FEATURES_LEFT, _FEATURES_RIGHT, _FEATURES_GAP, _FEATURES_TALL, _FEATURES_BOTTOM = 0.75, 0.2, 0.62, 2.7, 2.05
+        handles.append(Line2D([], [], marker="s", label=name, **{**grey, "color": _color(cluster)}))
+    return handles
 
 
 def features_figure(time: Floats, midpoint: Floats, features: Features, title: str = "Features") -> Figure:
     """Draw the whole film on logarithmic axes, and beside it the stretch in which the oscillation is read."""
-    height = HEADING + _FEATURES_TALL + _FEATURES_BOTTOM
     sag = -midpoint
     clock, ruler = time_unit(float(time[-1])), length_unit(float(np.max(np.abs(sag))))
+    below = f"{len(time)} frames of the midpoint · scatter {ruler.text(features.noise)}"
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        place = _FEATURES_LEFT / style.WIDTH
-        heading = style.printable(title)
-        figure.text(place, 1 - 0.12 / height, heading, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
-        below = f"{len(time)} frames of the midpoint · scatter {ruler.text(features.noise)}"
-        figure.text(place, 1 - 0.33 / height, below, va="top", fontsize=8.5, color=style.GREY)
-        wide = (style.WIDTH - _FEATURES_LEFT - _FEATURES_RIGHT - _FEATURES_GAP) / 2
-        left = axes_in_inches(figure, _FEATURES_LEFT, _FEATURES_BOTTOM, wide, _FEATURES_TALL)
-        right = axes_in_inches(figure, _FEATURES_LEFT + wide + _FEATURES_GAP, _FEATURES_BOTTOM, wide, _FEATURES_TALL)
-        _features_draw_film(left, time, sag, features, clock, ruler)
+        figure, body = sheet(title, below, height=3.1, notes="\n".join(_lines(features, clock, ruler)))
+        left, right = body.subplots(1, 2)
+        _draw_film(left, time, sag, features, clock, ruler)
         _draw_ringing(right, time, sag, features, clock, ruler)
         for axes in (left, right):
             axes.set_xlabel(f"time [{clock.symbol}]")
@@ -527,21 +458,16 @@ def features_figure(time: Floats, midpoint: Floats, features: Features, title: s
             style.lighten(axes)
             axes.legend(loc="lower right", fontsize=7.5, frameon=True, framealpha=0.85, edgecolor="none")
         left.set_ylabel(f"sag [{ruler.symbol}]")
-        for k, line in enumerate(_lines(features, clock, ruler)):
-            at = (_FEATURES_BOTTOM - 0.62 - 0.18 * k) / height
-            figure.text(place, at, line, va="top", fontsize=8, parse_math=False)
     return figure
 
 
-def _features_draw_film(axes: Axes, time: Floats, sag: Floats, features: Features, clock: Unit, ruler: Unit) -> None:
+def _draw_film(axes: Axes, time: Floats, sag: Floats, features: Features, clock: Unit, ruler: Unit) -> None:
     shown = (time > 0) & (sag > 0)
     at, deep = time[shown], sag[shown]
     axes.set_xscale("log")
     axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):
-        # The default writes powers of ten with fonts that not every machine has.
-        axis.set_major_formatter(StrMethodFormatter("{x:g}"))
-        axis.set_minor_formatter(NullFormatter())
+        style.plain_log(axis)
     axes.plot(clock.of(at), ruler.of(deep), ".", color=style.BLACK, markersize=2.5, alpha=0.5, label="frames")
     # Noise makes the first frames anything; free fall says how deep they may be.
     low, high = max(float(deep.min()), 1e-3 * float(deep.max())), 1.5 * float(deep.max())
@@ -601,11 +527,6 @@ def _text(one: Reading, size: float, unit: str) -> str:
     return f"{significant(one.value / size)} ± {one.error / size:.1g}{unit}"
 
 
-_LAWS_LEFT, _LAWS_RIGHT, _LAWS_BOTTOM, _EACH, _LAWS_BETWEEN = 0.85, 0.2, 0.55, 1.0, 0.35
-
-_LAWS_CROWDED = 0.12
-"""Where half of the frames lie within this share of the time, the axis is logarithmic."""
-
 _ROOM, _FURTHER = 1.1, 3.0
 """Of the scale over the best law's largest residual; how much larger those of others may make it."""
 
@@ -617,20 +538,19 @@ def laws_figure(found: LawComparison) -> Figure:
     """
     rows = [row for row in found.choice.table if not row.law.failure]
     fits = [found.fits[row.law.name] for row in rows]
-    height = HEADING + 0.2 + len(rows) * (_EACH + _LAWS_BETWEEN) - _LAWS_BETWEEN + _LAWS_BOTTOM
     reaches = [_reach(one) for one in fits]
     far = _ROOM * min(max(reaches), _FURTHER * reaches[0])
     ruler = length_unit(far)
     with style.styled():
-        figure = headed(found.best, found.sentence, height, _LAWS_LEFT)
-        width = style.WIDTH - _LAWS_LEFT - _LAWS_RIGHT
-        for k, (row, one) in enumerate(zip(rows, fits, strict=True)):
-            foot = _LAWS_BOTTOM + (len(rows) - 1 - k) * (_EACH + _LAWS_BETWEEN)
-            axes = axes_in_inches(figure, _LAWS_LEFT, foot, width, _EACH)
-            _laws_draw(axes, one, far, ruler)
-            _time_axis(axes, one, last=k == len(rows) - 1)
+        figure, body = headed(found.best, found.sentence, 1.35 * len(rows) + 0.4)
+        for axes, row, one in zip(body.subplots(len(rows), 1, squeeze=False).flat, rows, fits, strict=True):
+            clock = time_unit(max(float(film.time.max()) for film in one.films))
+            _draw_law(axes, one, far, ruler, clock)
+            time_axis(axes, clock.of(np.concatenate([film.time for film in one.films])))
             axes.set_title(_title(row, one, found.choice.criterion), loc="left", fontsize=8.5, pad=3, parse_math=False)
             axes.set_ylabel(f"residual [{ruler.symbol}]", fontsize=8)
+            axes.set_xlabel(f"time [{clock.symbol}]")
+            axes.label_outer()
     return figure
 
 
@@ -648,8 +568,8 @@ def _reach(one: Fit) -> float:
     return max(float(np.abs(film.model - film.measured).max()) for film in one.films) or 1e-12
 
 
-def _laws_draw(axes: Axes, one: Fit, far: float, ruler: Unit) -> None:
-    clock = _clock(one)
+def _draw_law(axes: Axes, one: Fit, far: float, ruler: Unit, clock: Unit) -> None:
+
     colours = (style.BLUE, style.VERMILLION, style.GREEN, style.ORANGE, style.PURPLE, style.SKY)
     axes.grid(True)
     axes.axhline(0.0, color=style.GREY, linewidth=0.8)
@@ -664,24 +584,3 @@ def _laws_draw(axes: Axes, one: Fit, far: float, ruler: Unit) -> None:
     axes.yaxis.set_major_locator(MaxNLocator(4, symmetric=True))
     axes.yaxis.set_major_formatter(FuncFormatter(plain))
     style.lighten(axes)
-
-
-def _clock(one: Fit) -> Unit:
-    return time_unit(max(float(film.time.max()) for film in one.films))
-
-
-def _time_axis(axes: Axes, one: Fit, *, last: bool) -> None:
-    clock = _clock(one)
-    times = clock.of(np.concatenate([film.time for film in one.films]))
-    later = times[times > 0]
-    end = float(later.max())
-    if later.size > 2 and float(np.median(later)) < _LAWS_CROWDED * end:
-        axes.set_xscale("log")
-        axes.set_xlim(float(later.min()) / 1.1, end * 1.1)
-        axes.xaxis.set_major_formatter(FuncFormatter(plain))
-        axes.xaxis.set_minor_formatter(NullFormatter())
-    else:
-        axes.set_xlim(min(0.0, float(times.min())) - 0.02 * end, 1.02 * end)
-    axes.tick_params(labelbottom=last)
-    if last:
-        axes.set_xlabel(f"time [{clock.symbol}]")

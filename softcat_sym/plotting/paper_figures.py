@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from io import BytesIO
-from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap, Normalize
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import MaxNLocator, NullFormatter
+from matplotlib.ticker import MaxNLocator
 
 from softcat_sym.physics.regimes import arrest_threshold_exact
 from softcat_sym.plotting import style
+from softcat_sym.plotting.files import Quoted, csv_bytes, json_bytes
 from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
-from softcat_sym.plotting.style import axes_in_inches, new_figure, styled
+from softcat_sym.plotting.style import legend
 from softcat_sym.scene.scene import elastic_time, groups_of
 from softcat_sym.studies.paper_figures import (
     ALPHA,
@@ -49,33 +47,17 @@ DPI = 240
 
 def printed(name: str, figure: Figure) -> dict[str, bytes]:
     """Draw a figure as PNG and PDF; the same figure gives the same bytes."""
-    drawn = {}
-    for ending, settings in (("png", {"dpi": DPI}), ("pdf", {"metadata": {"CreationDate": None}, "dpi": DPI})):
-        content = BytesIO()
-        # Some settings are read only now: ticks are made, and fonts found, while drawing.
-        with styled():
-            figure.savefig(content, format=ending, **settings)
-        drawn[f"{name}.{ending}"] = content.getvalue()
-    return drawn
+    with style.styled():
+        return style.printed(name, figure, DPI)
 
 
 def table(columns: Iterable[str], rows: Iterable[Iterable[object]]) -> bytes:
-    """Write a CSV file: names first, numbers in full; texts are without commas and quotes."""
-    lines = [",".join(columns), *(",".join(_text(value) for value in row) for row in rows)]
-    return ("\n".join(lines) + "\n").encode()
+    """Write a CSV file: names first, numbers to eight digits."""
+    return csv_bytes(columns, rows, "{:.8g}".format)
 
 
-def _text(value: object) -> str:
-    return f"{value:.8g}" if isinstance(value, float) else str(value)
+_WIDTH, _COLUMNS = 9.6, 158
 
-
-def facts(content: Mapping[str, Any]) -> bytes:
-    """Write a JSON file."""
-    return (json.dumps(content, indent=2) + "\n").encode()
-
-
-_MAXWELL_WIDTH, _MAXWELL_LEFT, _MAXWELL_RIGHT, _MAXWELL_GAP = 9.6, 0.75, 0.2, 0.35
-_MAXWELL_PANEL, _MAXWELL_BOTTOM, _MAXWELL_TOP, _MAXWELL_BETWEEN = 3.1, 1.85, 0.35, 0.75
 
 _MAXWELL_LINES: dict[str, Any] = {
     "full model": {"color": style.BLACK, "linewidth": 2.0},
@@ -101,41 +83,27 @@ _MAXWELL_CAPTION = (
 
 
 def maxwell_caption(panels: Sequence[Panel]) -> str:
-    """The maxwell_caption, with the share of tension at t_high measured for both slendernesses."""
+    """The caption, with the share of tension at t_high measured for both slendernesses."""
     shares = {panel.delta: panel.tension_over_bending for panel in panels}
     return _MAXWELL_CAPTION.format(slender=shares[min(shares)], thick=shares[max(shares)])
 
 
 def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
-    """Draw the panels, two a row, with the maxwell_caption below."""
+    """Draw the panels, two a row, with the caption below."""
     rows = (len(panels) + 1) // 2
-    height = _MAXWELL_TOP + rows * _MAXWELL_PANEL + (rows - 1) * _MAXWELL_BETWEEN + _MAXWELL_BOTTOM
-    width = (_MAXWELL_WIDTH - _MAXWELL_LEFT - _MAXWELL_RIGHT - _MAXWELL_GAP) / 2
     with style.styled():
-        figure = new_figure(_MAXWELL_WIDTH, height)
-        for k, panel in enumerate(panels):
-            row, column = divmod(k, 2)
-            bottom = height - _MAXWELL_TOP - _MAXWELL_PANEL - row * (_MAXWELL_PANEL + _MAXWELL_BETWEEN)
-            axes = axes_in_inches(
-                figure, _MAXWELL_LEFT + column * (width + _MAXWELL_GAP), bottom, width, _MAXWELL_PANEL
-            )
-            _maxwell_draw(axes, panel, first=column == 0, last=row == rows - 1)
-        handles, labels = figure.axes[0].get_legend_handles_labels()
-        place = (_MAXWELL_LEFT / _MAXWELL_WIDTH, (_MAXWELL_BOTTOM - 0.9) / height)
-        figure.legend(handles, labels, loc="lower left", bbox_to_anchor=place, ncols=4, borderaxespad=0.0)
-        text = fill(maxwell_caption(panels), 152)
-        figure.text(
-            _MAXWELL_LEFT / _MAXWELL_WIDTH,
-            (_MAXWELL_BOTTOM - 1.0) / height,
-            text,
-            va="top",
-            fontsize=7.5,
-            parse_math=False,
+        figure, body = style.sheet(
+            "", height=3.7 * rows + 0.5, notes=maxwell_caption(panels), width=_WIDTH, columns=_COLUMNS
         )
+        each = body.subplots(rows, 2, squeeze=False)
+        for k, panel in enumerate(panels):
+            _maxwell_draw(each.flat[k], panel)
+            each.flat[k].label_outer()
+        legend(body, handles=each.flat[0].get_legend_handles_labels()[0], ncols=4)
     return figure
 
 
-def _maxwell_draw(axes: Axes, panel: Panel, *, first: bool, last: bool) -> None:
+def _maxwell_draw(axes: Axes, panel: Panel) -> None:
     axes.set_xscale("log")
     axes.set_yscale("log")
     for curve in panel.curves:
@@ -150,45 +118,35 @@ def _maxwell_draw(axes: Axes, panel: Panel, *, first: bool, last: bool) -> None:
     axes.set_title(f"tau* = {panel.tau_star:g}, delta = {panel.delta:g}", fontsize=9)
     axes.grid(True)
     style.lighten(axes)
-    if last:
-        axes.set_xlabel("t* = t sqrt(g/L)")
-    if first:
-        axes.set_ylabel("sag / L")
-    else:
-        axes.tick_params(labelleft=False)
+    axes.set_xlabel("t* = t sqrt(g/L)")
+    axes.set_ylabel("sag / L")
 
 
 def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
     """Picture, data and facts of figure 2, by file name."""
-    lines = ["delta,tau_star,curve,time_star,sag_over_span\n"]
-    for panel in panels:
-        for curve in panel.curves:
-            head = f'{panel.delta!r},{panel.tau_star!r},"{curve.name}"'
-            pairs = zip(curve.time.tolist(), curve.sag.tolist(), strict=True)
-            lines += [f"{head},{time!r},{sag!r}\n" for time, sag in pairs]
-    facts = {
-        "maxwell_caption": maxwell_caption(panels),
-        "panels": [
-            {
-                "delta": panel.delta,
-                "tau_star": panel.tau_star,
-                "t_low": panel.t_low,
-                "t_high": panel.t_high,
-                "tension_over_bending_at_t_high": panel.tension_over_bending,
-                "outcomes": panel.outcomes,
-            }
-            for panel in panels
-        ],
-    }
+    rows = [
+        (panel.delta, panel.tau_star, Quoted(curve.name), time, sag)
+        for panel in panels
+        for curve in panel.curves
+        for time, sag in zip(curve.time.tolist(), curve.sag.tolist(), strict=True)
+    ]
+    told = [
+        {
+            "delta": panel.delta,
+            "tau_star": panel.tau_star,
+            "t_low": panel.t_low,
+            "t_high": panel.t_high,
+            "tension_over_bending_at_t_high": panel.tension_over_bending,
+            "outcomes": panel.outcomes,
+        }
+        for panel in panels
+    ]
     return {
         **printed("figure2", maxwell_descent_figure(panels)),
-        "figure2.csv": "".join(lines).encode(),
-        "figure2.json": (json.dumps(facts, indent=2) + "\n").encode(),
+        "figure2.csv": csv_bytes(("delta", "tau_star", "curve", "time_star", "sag_over_span"), rows),
+        "figure2.json": json_bytes({"caption": maxwell_caption(panels), "panels": told}),
     }
 
-
-_PHASE_WIDTH, _PHASE_LEFT, _PHASE_RIGHT, _PHASE_GAP = 9.6, 0.72, 0.15, 0.75
-_PHASE_PANEL, _PHASE_TOP, _PHASE_BOTTOM = 3.6, 0.35, 2.3
 
 _REGIMES = {
     "no-yield": ("no yielding", "#f4f4f0"),
@@ -231,7 +189,7 @@ _PHASE_CAPTION = (
 
 
 def phase_caption(diagram: PhaseDiagram) -> str:
-    """The phase_caption, every number from the runs."""
+    """The caption, every number from the runs."""
     groups, first = groups_of(diagram.scene), diagram.sheets[0]
     threshold = float(arrest_threshold_exact())
     clamps = [point.run for point in first.points if point.run.mark == CLAMPS_ONLY]
@@ -258,15 +216,15 @@ def _median(sheet: PhaseSheet, kind: str) -> float:
 
 def phase_figure(diagram: PhaseDiagram) -> Figure:
     """Draw the planes beside each other."""
-    count = len(diagram.sheets)
-    width = (_PHASE_WIDTH - _PHASE_LEFT - _PHASE_RIGHT - (count - 1) * _PHASE_GAP) / count
-    height = _PHASE_TOP + _PHASE_PANEL + _PHASE_BOTTOM
     with style.styled():
-        figure = new_figure(_PHASE_WIDTH, height)
-        for k, sheet in enumerate(diagram.sheets):
-            axes = axes_in_inches(figure, _PHASE_LEFT + k * (width + _PHASE_GAP), _PHASE_BOTTOM, width, _PHASE_PANEL)
+        figure, body = style.sheet("", height=4.6, notes=phase_caption(diagram), width=_WIDTH, columns=_COLUMNS)
+        for axes, sheet in zip(body.subplots(1, len(diagram.sheets), squeeze=False).flat, diagram.sheets, strict=True):
             _phase_draw(axes, diagram, sheet)
-        _phase_explain(figure, diagram)
+        kinds = (*_REGIMES.values(), _NONE)
+        patches = [Patch(facecolor=c, edgecolor=style.GREY, linewidth=0.4, label=name) for name, c in kinds]
+        lines = [Line2D([], [], label=_NAMES[source], **line) for source, line in _PHASE_LINES.items()]
+        legend(body, handles=patches, ncols=len(patches), handlelength=2.0, fontsize=7.2)
+        legend(body, "upper left", handles=lines, ncols=len(lines), handlelength=2.0, fontsize=7.2)
     return figure
 
 
@@ -291,8 +249,7 @@ def _phase_draw(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
     axes.set_xlabel(_AXES[sheet.plane.x.key])
     axes.set_ylabel(_AXES[sheet.plane.y.key])
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter("{x:g}")
-        axis.set_minor_formatter(NullFormatter())
+        style.plain_log(axis)
     held = ("δ", groups_of(diagram.scene).delta) if sheet.plane.y.key == "V" else ("V", groups_of(diagram.scene).V)
     axes.set_title(f"{held[0]} = {held[1]:.3g}", fontsize=9)
     style.lighten(axes)
@@ -305,18 +262,6 @@ def _edges(values: Floats) -> Floats:
     return np.asarray(np.exp(np.concatenate([[2 * log[0] - middle[0]], middle, [2 * log[-1] - middle[-1]]])))
 
 
-def _phase_explain(figure: Figure, diagram: PhaseDiagram) -> None:
-    width, height = figure.get_size_inches()
-    patches = [Patch(facecolor=c, edgecolor=style.GREY, linewidth=0.4, label=n) for n, c in (*_REGIMES.values(), _NONE)]
-    lines = [Line2D([], [], label=_NAMES[source], **line) for source, line in _PHASE_LINES.items()]
-    for handles, down, size in ((patches, 0.5, 7.2), (lines, 0.7, 7.2)):
-        place = (_PHASE_LEFT / width, (_PHASE_BOTTOM - down) / height)
-        settings: dict[str, Any] = {"borderaxespad": 0.0, "fontsize": size, "columnspacing": 1.2, "handlelength": 2.0}
-        figure.legend(handles=handles, loc="upper left", bbox_to_anchor=place, ncols=len(handles), **settings)
-    text = fill(phase_caption(diagram), 158)
-    figure.text(_PHASE_LEFT / width, (_PHASE_BOTTOM - 0.98) / height, text, va="top", fontsize=7.2, parse_math=False)
-
-
 def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
     """Picture, data and facts of figure 3(a), by file name."""
     names = ("plane", "G", "V", "delta", "regime", "outcome", "sag_over_L", "largest_rate_over_sY_by_eta")
@@ -324,8 +269,8 @@ def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
         **printed("figure3a", phase_figure(diagram)),
         "figure3a-runs.csv": table(names, _runs(diagram)),
         "figure3a-lines.csv": table(("plane", "line", "source", "equation", "other", "G"), _lines(diagram)),
-        "figure3a.json": facts(
-            {"phase_caption": phase_caption(diagram), "planes": [_phase_facts(sheet) for sheet in diagram.sheets]}
+        "figure3a.json": json_bytes(
+            {"caption": phase_caption(diagram), "planes": [_phase_facts(sheet) for sheet in diagram.sheets]}
         ),
     }
 
@@ -369,9 +314,6 @@ def _phase_facts(sheet: PhaseSheet) -> dict[str, Any]:
     }
 
 
-_MIDPOINTS_WIDTH, _MIDPOINTS_LEFT, _MIDPOINTS_RIGHT, _MIDPOINTS_GAP = 9.6, 0.72, 0.15, 0.62
-_MIDPOINTS_PANEL, _MIDPOINTS_TOP, _MIDPOINTS_BETWEEN, _MIDPOINTS_BOTTOM = 2.15, 0.35, 0.72, 2.05
-
 _ELEMENTS: dict[str, Any] = {"color": style.BLACK, "linewidth": 3.2, "alpha": 0.35, "solid_capstyle": "butt"}
 _MIDPOINTS_LINES: dict[str, dict[str, Any]] = {
     PAPER: {"color": style.ORANGE, "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
@@ -404,7 +346,7 @@ _MIDPOINTS_CAPTION = (
 
 
 def midpoints_caption(facts_of: Mapping[str, Mapping[str, Any]]) -> str:
-    """The midpoints_caption, every number from the runs."""
+    """The caption, every number from the runs."""
     over, descent, ring = (facts_of[name] for name in ("arrested-overdamped", "continual-descent", _LEFT_OUT))
     last = f"{MOMENTS[-1]:g}"
     deep = -over["midpoint_over_L"]["elements"][last]
@@ -433,16 +375,10 @@ def _misses(of: Mapping[str, Any], moment: str) -> list[float]:
 def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
     """Draw the paper's axes with all scenes, then each scene by itself."""
     known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
-    width = (_MIDPOINTS_WIDTH - _MIDPOINTS_LEFT - _MIDPOINTS_RIGHT - 2 * _MIDPOINTS_GAP) / 3
-    height = _MIDPOINTS_TOP + 2 * _MIDPOINTS_PANEL + _MIDPOINTS_BETWEEN + _MIDPOINTS_BOTTOM
     with style.styled():
-        figure = new_figure(_MIDPOINTS_WIDTH, height)
-        for k, filmed in enumerate((None, *scenes)):
-            row, column = divmod(k, 3)
-            bottom = height - _MIDPOINTS_TOP - _MIDPOINTS_PANEL - row * (_MIDPOINTS_PANEL + _MIDPOINTS_BETWEEN)
-            axes = axes_in_inches(
-                figure, _MIDPOINTS_LEFT + column * (width + _MIDPOINTS_GAP), bottom, width, _MIDPOINTS_PANEL
-            )
+        figure, body = style.sheet("", height=5.6, notes=midpoints_caption(known), width=_WIDTH, columns=_COLUMNS)
+        panels = body.subplots(2, 3)
+        for k, (axes, filmed) in enumerate(zip(panels.flat, (None, *scenes), strict=True)):
             if filmed is None:
                 _together(axes, scenes)
             else:
@@ -450,22 +386,11 @@ def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
             axes.set_xlim(0, MOMENTS[-1])
             axes.grid(True)
             style.lighten(axes)
-            if row == 1:
+            if k >= 3:
                 axes.set_xlabel("t~ = (t/L) √(E/ρ)")
-            if column == 0:
+            if k % 3 == 0:
                 axes.set_ylabel("y / L of the midpoint")
-        handles, labels = figure.axes[1].get_legend_handles_labels()
-        place = (_MIDPOINTS_LEFT / _MIDPOINTS_WIDTH, (_MIDPOINTS_BOTTOM - 0.78) / height)
-        figure.legend(handles, labels, loc="lower left", bbox_to_anchor=place, ncols=4, borderaxespad=0.0)
-        text = fill(midpoints_caption(known), 158)
-        figure.text(
-            _MIDPOINTS_LEFT / _MIDPOINTS_WIDTH,
-            (_MIDPOINTS_BOTTOM - 0.88) / height,
-            text,
-            va="top",
-            fontsize=7.2,
-            parse_math=False,
-        )
+        legend(body, handles=panels.flat[1].get_legend_handles_labels()[0], ncols=4)
     return figure
 
 
@@ -515,7 +440,7 @@ def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
     return {
         **printed("figure3b", midpoints_figure(scenes)),
         "figure3b.csv": table(("scene", "curve", "t_tilde", "midpoint_over_L"), rows),
-        "figure3b.json": facts({"midpoints_caption": midpoints_caption(known), "scenes": list(known.values())}),
+        "figure3b.json": json_bytes({"caption": midpoints_caption(known), "scenes": list(known.values())}),
     }
 
 
@@ -632,13 +557,11 @@ def draw_mesh(axes: Axes, shot: Snapshot) -> None:
         axes.add_collection(mesh, autolim=False)
 
 
-_SNAPSHOTS_WIDTH, _SNAPSHOTS_LEFT, _SNAPSHOTS_RIGHT, _SNAPSHOTS_GAP = 9.6, 0.62, 0.12, 0.5
-_SNAPSHOTS_TOP, _TITLE, _SNAPSHOTS_BETWEEN, _LAST, _SNAPSHOTS_BOTTOM = 0.1, 0.24, 0.1, 0.5, 1.95
-_ZOOM_WIDTH, _ZOOM = 2.35, 2.6
+_ZOOM = 2.6
 _MARGIN = 0.008
 _SHARES = ("α/4", "α/2", "α", "2α")
 _LETTERS = "abc"
-_OUTLINES = {
+_OUTLINES: dict[str, dict[str, Any]] = {
     PAPER: {"color": style.ORANGE, "linewidth": 1.3},
     OWN: {"color": style.BLUE, "linewidth": 1.0, "linestyle": (0, (4, 1.5))},
 }
@@ -659,7 +582,7 @@ _SNAPSHOTS_CAPTION = (
 
 
 def snapshots_caption(scenes: Mapping[str, FilmedScene]) -> str:
-    """The snapshots_caption, every number from the runs."""
+    """The caption, every number from the runs."""
     last = scenes[SNAPSHOTS[-1]]
     arrest = scenes[SNAPSHOTS[1]].film
     rate = last.film.at(ALPHA).rate
@@ -680,34 +603,29 @@ def snapshots_caption(scenes: Mapping[str, FilmedScene]) -> str:
 def snapshots_figure(filmed: Sequence[FilmedScene]) -> Figure:
     """Draw (a)-(c), four instants each, and (d) with its clamp enlarged."""
     scenes = {each.of.name: each for each in filmed}
-    width = (_SNAPSHOTS_WIDTH - _SNAPSHOTS_LEFT - _SNAPSHOTS_RIGHT - _SNAPSHOTS_GAP) / 2
     depths = [_depth(scenes[name], INSTANTS[k : k + 2]) for name in SNAPSHOTS for k in (0, 2)]
-    inch = width / 1.03
     final = _depth(scenes[SNAPSHOTS[-1]], INSTANTS[-1:])
-    mesh_width = _SNAPSHOTS_WIDTH - _SNAPSHOTS_LEFT - _SNAPSHOTS_RIGHT - _SNAPSHOTS_GAP - _ZOOM_WIDTH
-    tall = mesh_width / 1.03 * sum(final)
-    rows = [inch * sum(depth) for depth in depths]
-    height = (
-        _SNAPSHOTS_TOP + sum(rows) + 6 * _TITLE + 5 * _SNAPSHOTS_BETWEEN + _LAST + _TITLE + tall + _SNAPSHOTS_BOTTOM
-    )
+    # Panels are so wide that lengths are equal along both axes.
+    rows, last = [4.3 * sum(depth) for depth in depths], 6.2 * sum(final)
     with style.styled():
-        figure = new_figure(_SNAPSHOTS_WIDTH, height)
-        top, bar = height - _SNAPSHOTS_TOP, None
-        for row, (depth, high) in enumerate(zip(depths, rows, strict=True)):
-            of, letter = scenes[SNAPSHOTS[row // 2]], _LETTERS[row // 2]
-            for column in range(2):
-                instant = 2 * (row % 2) + column
-                place = (_SNAPSHOTS_LEFT + column * (width + _SNAPSHOTS_GAP), top - _TITLE - high, width, high)
-                axes = axes_in_inches(figure, *place)
-                bar = draw_elements(axes, of.film.at(INSTANTS[instant]), of.film.run.mesh.through)
-                draw_filament(axes, strip_at(of, INSTANTS[instant]))
-                _frame(axes, depth, labelled=row == len(rows) - 1)
-                name = f"({letter}) {of.of.title}, " if instant == 0 else ""
-                axes.set_title(f"{name}t~ = {_SHARES[instant]}", loc="left", fontsize=8.5, pad=2.5)
-            top -= _TITLE + high + _SNAPSHOTS_BETWEEN
-        top -= _LAST - _SNAPSHOTS_BETWEEN
-        _last(figure, scenes[SNAPSHOTS[-1]], (top - _TITLE - tall, mesh_width, tall), final)
-        _snapshots_explain(figure, bar, snapshots_caption(scenes))
+        height = sum(rows) + last + 0.34 * (len(rows) + 1) + 1.6
+        figure, body = style.sheet("", height=height, notes=snapshots_caption(scenes), width=_WIDTH, columns=_COLUMNS)
+        upper, lower = body.subfigures(2, 1, height_ratios=[sum(rows) + 0.34 * len(rows) + 0.9, last + 1.0])
+        panels = upper.subplots(len(rows), 2, height_ratios=rows, sharex=True)
+        for (row, column), axes in np.ndenumerate(panels):
+            of, instant = scenes[SNAPSHOTS[row // 2]], 2 * (row % 2) + column
+            bar = draw_elements(axes, of.film.at(INSTANTS[instant]), of.film.run.mesh.through)
+            draw_filament(axes, strip_at(of, INSTANTS[instant]))
+            _frame(axes, depths[row])
+            name = f"({_LETTERS[row // 2]}) {of.of.title}, " if instant == 0 else ""
+            axes.set_title(f"{name}t~ = {_SHARES[instant]}", loc="left", fontsize=8.5, pad=2.5)
+        for axes in panels[-1]:
+            axes.set_xlabel("x / L", labelpad=1.0)
+        ticks = [0, 1.1e-4, 2.2e-4, 3.3e-4, BLACK_RATE]
+        colours = upper.colorbar(bar, ax=panels, location="bottom", extend="max", ticks=ticks, aspect=60, fraction=0.03)
+        colours.set_ticklabels(["0", "1.1e−4", "2.2e−4", "3.3e−4", "4.4e−4"], fontsize=7)
+        colours.set_label("|Lp| L √(ρ/E), elements", fontsize=7.5)
+        _last(lower, scenes[SNAPSHOTS[-1]], final)
     return figure
 
 
@@ -717,65 +635,44 @@ def _depth(of: FilmedScene, instants: Sequence[float]) -> tuple[float, float]:
     return max(float(h.max()) for h in heights) + _MARGIN, _MARGIN - min(float(h.min()) for h in heights)
 
 
-def _frame(axes: Axes, depth: tuple[float, float], *, labelled: bool) -> None:
+def _frame(axes: Axes, depth: tuple[float, float]) -> None:
     axes.set_xlim(-0.515, 0.515)
     axes.set_ylim(-depth[1], depth[0])
+    axes.set_aspect("equal")
     axes.axvline(0.0, color=style.GREY, linewidth=0.5, linestyle=":")
     axes.set_yticks([-step for step in (0.0, 0.05, 0.1, 0.15) if step < depth[1]])
     axes.set_xticks([-0.5, -0.25, 0.0, 0.25, 0.5])
-    axes.tick_params(labelbottom=labelled, labelsize=7)
-    if labelled:
-        axes.set_xlabel("x / L", labelpad=1.0)
+    axes.tick_params(labelsize=7)
     style.lighten(axes)
 
 
-def _last(figure: Figure, of: FilmedScene, room: tuple[float, float, float], depth: tuple[float, float]) -> None:
-    """Panel (d); `room` is bottom, width and height [inch]."""
-    bottom, width, tall = room
-    axes = axes_in_inches(figure, _SNAPSHOTS_LEFT, bottom, width, tall)
-    close = axes_in_inches(figure, _SNAPSHOTS_LEFT + width + _SNAPSHOTS_GAP, bottom, _ZOOM_WIDTH, tall)
+def _last(part: SubFigure, of: FilmedScene, depth: tuple[float, float]) -> None:
+    """Panel (d), and its clamp enlarged."""
+    axes, close = part.subplots(1, 2, width_ratios=[3, 1])
     shot = of.film.at(INSTANTS[-1])
     for each in (axes, close):
         draw_mesh(each, shot)
         for theory, line in _OUTLINES.items():
             section = strip_at(of, INSTANTS[-1], theory).section
             for zeta in (-1.0, 1.0):
-                each.plot(*section.at(zeta).T, label=theory if zeta > 0 else None, **line)  # type: ignore[arg-type]
+                each.plot(*section.at(zeta).T, **line)
         style.lighten(each)
         each.tick_params(labelsize=7)
         each.set_xlabel("x / L", labelpad=1.0)
     axes.set_xlim(-0.515, 0.515)
     axes.set_ylim(-depth[1], depth[0])
+    axes.set_aspect("equal")
     thickness = of.scene.filament.thickness / of.scene.filament.span
-    half = _ZOOM * thickness / 2
-    close.set_xlim(0.5 + 0.25 * thickness - 2 * half, 0.5 + 0.25 * thickness)
-    high = 2 * half * tall / _ZOOM_WIDTH
-    close.set_ylim(0.75 * thickness - high, 0.75 * thickness)
+    close.set_xlim(0.5 + 0.25 * thickness - _ZOOM * thickness, 0.5 + 0.25 * thickness)
+    close.set_ylim(0.75 * thickness - 1.5 * _ZOOM * thickness, 0.75 * thickness)
+    close.set_aspect("equal", adjustable="datalim", anchor="N")
     axes.set_title(f"(d) {of.of.title}, t~ = 10α = 460", loc="left", fontsize=8.5, pad=2.5)
     close.set_title("at the clamp", loc="left", fontsize=8.5, pad=2.5)
-
-
-def _snapshots_explain(figure: Figure, bar: Any, text: str) -> None:
-    width, height = figure.get_size_inches()
-    colours = axes_in_inches(figure, _SNAPSHOTS_LEFT, _SNAPSHOTS_BOTTOM - 0.62, 2.6, 0.12)
-    figure.colorbar(bar, cax=colours, orientation="horizontal", extend="max", ticks=[0, 1.1e-4, 2.2e-4, 3.3e-4, 4.4e-4])
-    colours.set_xticklabels(["0", "1.1e−4", "2.2e−4", "3.3e−4", f"{BLACK_RATE:.1e}".replace("e-04", "e−4")])
-    colours.tick_params(labelsize=7)
-    colours.set_title("|Lp| L √(ρ/E), elements", fontsize=7.5, loc="left", pad=2.5)
     handles = [
         Patch(facecolor=YIELDED, label="yielded, filament"),
-        *(Line2D([], [], label=f"(d) {theory}", **line) for theory, line in _OUTLINES.items()),  # type: ignore[arg-type]
+        *(Line2D([], [], label=f"(d) {theory}", **line) for theory, line in _OUTLINES.items()),
     ]
-    place = ((_SNAPSHOTS_LEFT + 3.0) / width, (_SNAPSHOTS_BOTTOM - 0.47) / height)
-    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=place, ncols=3, borderaxespad=0.0, fontsize=7.5)
-    figure.text(
-        _SNAPSHOTS_LEFT / width,
-        (_SNAPSHOTS_BOTTOM - 0.9) / height,
-        fill(text, 158),
-        va="top",
-        fontsize=7.2,
-        parse_math=False,
-    )
+    legend(part, handles=handles, ncols=3)
 
 
 def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
@@ -795,8 +692,8 @@ def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
             (row for panel in _panels(scenes) for row in _cells(*panel)),
         ),
         "figure4-mesh.csv": table(("element", "corner", "x_over_L", "y_over_L"), corners),
-        "figure4.json": facts(
-            {"snapshots_caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": _snapshots_facts(scenes)}
+        "figure4.json": json_bytes(
+            {"caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": _snapshots_facts(scenes)}
         ),
     }
 

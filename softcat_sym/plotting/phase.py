@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import json
-import math
 from collections.abc import Callable
 from pathlib import Path
-from textwrap import fill
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
@@ -14,15 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from rich import box
 from rich.console import Console
 from rich.table import Table
-from rich.text import Text
 
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import axes_in_inches, new_figure, png
+from softcat_sym.plotting.files import Quoted, csv_bytes, write_results
+from softcat_sym.plotting.terminal import text_table
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK
 from softcat_sym.studies.phase import (
     DESCENT_TIME,
@@ -47,7 +42,6 @@ from softcat_sym.studies.phase_runs import (
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
-_PLANE_LEFT, _PLANE_BOTTOM, _PLANE_PANEL, _PLANE_TALL, _PLANE_TOP = 0.62, 1.32, 4.25, 3.85, 0.45
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),
     "exact": (0, [5, 2]),
@@ -98,20 +92,15 @@ def caption(diagram: PhaseDiagram, sheet: PhaseSheet) -> str:
 
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     """Draw one plane."""
-    height = _PLANE_TOP + _PLANE_TALL + _PLANE_BOTTOM
+    title = f"Regimes over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        axes = axes_in_inches(figure, _PLANE_LEFT, _PLANE_BOTTOM, _PLANE_PANEL, _PLANE_TALL)
+        figure, body = style.sheet(title, height=4.4, notes=caption(diagram, sheet), columns=128)
+        axes = body.subplots()
         draw_tints(axes, sheet)
         _draw_runs(axes, sheet)
         _draw_lines(axes, sheet)
         finish(axes, sheet)
         _key(axes, sheet)
-        left = 0.2 / style.WIDTH
-        title = f"Regimes over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
-        figure.text(left, 1 - 0.12 / height, title, va="top", fontsize=10.5, fontweight="bold")
-        text = fill(caption(diagram, sheet), 128)
-        figure.text(left, (_PLANE_BOTTOM - 0.55) / height, text, va="top", fontsize=7.5, parse_math=False)
     return figure
 
 
@@ -171,24 +160,13 @@ def _draw_lines(axes: Axes, sheet: PhaseSheet) -> None:
 
 def _key(axes: Axes, sheet: PhaseSheet) -> None:
     """Marks with their numbers of runs, and the numbered lines, at the right."""
-    marks = {point.run.mark for point in sheet.points}
-    looks = [look for look in (*LOOKS.values(), _FAILED) if look in {look_of(mark) for mark in marks}]
     handles = []
-    for look in looks:
+    for look in (*LOOKS.values(), _FAILED):
         count = sum(look_of(point.run.mark) is look for point in sheet.points)
-        face = "white" if look.hollow else look.colour
-        handles.append(
-            Line2D(
-                [],
-                [],
-                linestyle="",
-                marker=look.marker,
-                color=look.colour,
-                markerfacecolor=face,
-                markersize=4.5,
-                label=f"{look.words} ({count})",
-            )
-        )
+        if count:
+            face = "white" if look.hollow else look.colour
+            marker = {"marker": look.marker, "color": look.colour, "markerfacecolor": face, "markersize": 4.5}
+            handles.append(Line2D([], [], linestyle="", label=f"{look.words} ({count})", **marker))
     regimes = axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.03, 1.01), title="runs", fontsize=7.5)
     regimes.set_alignment("left")
     axes.add_artist(regimes)
@@ -200,15 +178,6 @@ def _key(axes: Axes, sheet: PhaseSheet) -> None:
     formulas.set_alignment("left")
 
 
-_STRAINS_LEFT, _GAP, _STRAINS_PANEL, _STRAINS_TALL, _STRAINS_TOP, _STRAINS_BOTTOM, _BAR = (
-    0.62,
-    0.35,
-    2.6,
-    2.6,
-    0.65,
-    1.25,
-    0.12,
-)
 _LOW, _HIGH = 1e-3, 3.0
 _PLACES: Final[tuple[tuple[str, Callable[[PhaseRun], float]], ...]] = (
     ("at the clamp", lambda run: run.clamp.largest),
@@ -232,41 +201,25 @@ def strain_caption(diagram: PhaseDiagram) -> str:
 
 def strain_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     """Draw two maps of one plane: every run at its place, coloured by a strain."""
-    height = _STRAINS_TOP + _STRAINS_TALL + _STRAINS_BOTTOM
+    title = f"Local strain over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
+    answers = [point.run for point in sheet.points if point.run.regime is not None]
+    others = [point.run for point in sheet.points if point.run.regime is None]
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        answers = [point.run for point in sheet.points if point.run.regime is not None]
-        others = [point.run for point in sheet.points if point.run.regime is None]
-        scale = LogNorm(_LOW, _HIGH)
-        for column, (words, strain) in enumerate(_PLACES):
-            axes = axes_in_inches(
-                figure, _STRAINS_LEFT + column * (_STRAINS_PANEL + _GAP), _STRAINS_BOTTOM, _STRAINS_PANEL, _STRAINS_TALL
-            )
+        figure, body = style.sheet(title, height=3.3, notes=strain_caption(diagram), columns=128)
+        panels = body.subplots(1, 2, sharey=True)
+        for axes, (words, strain) in zip(panels, _PLACES, strict=True):
             draw_tints(axes, sheet)
             strains = np.clip([strain(run) for run in answers], _LOW, _HIGH)
+            look = {"norm": LogNorm(_LOW, _HIGH), "cmap": "viridis_r", "linewidths": 0.7, "zorder": 2}
             edges = [style.BLACK if value > PAPER_STRAIN else "none" for value in strains]
-            x, y = _places(sheet, answers)
-            drawn = axes.scatter(
-                x, y, c=strains, s=12, norm=scale, cmap="viridis_r", edgecolors=edges, linewidths=0.7, zorder=2
-            )
-            x, y = _places(sheet, others)
-            axes.scatter(x, y, marker="x", s=9, c=look_of("localised").colour, linewidths=0.6, zorder=2)
+            drawn = axes.scatter(*_places(sheet, answers), c=strains, s=12, edgecolors=edges, **look)
+            colour = look_of("localised").colour
+            axes.scatter(*_places(sheet, others), marker="x", s=9, c=colour, linewidths=0.6, zorder=2)
             finish(axes, sheet)
             axes.set_title(words, fontsize=9)
-            if column:
-                axes.set_ylabel("")
-                axes.tick_params(labelleft=False)
-        bar = axes_in_inches(
-            figure, _STRAINS_LEFT + 2 * _STRAINS_PANEL + _GAP + 0.15, _STRAINS_BOTTOM, _BAR, _STRAINS_TALL
-        )
-        figure.colorbar(drawn, cax=bar, format=lambda value, _: f"{value:g}").set_label("strain")
-        bar.axhline(PAPER_STRAIN, color=style.BLACK, linewidth=1.2)
-        left = 0.2 / style.WIDTH
-        other = "δ" if sheet.plane.y.key == "delta" else "V"
-        title = f"Local strain over G and {other}"
-        figure.text(left, 1 - 0.12 / height, title, va="top", fontsize=10.5, fontweight="bold")
-        text = fill(strain_caption(diagram), 128)
-        figure.text(left, (_STRAINS_BOTTOM - 0.55) / height, text, va="top", fontsize=7.5, parse_math=False)
+            axes.label_outer()
+        bar = body.colorbar(drawn, ax=panels, format=lambda value, _: f"{value:g}", label="strain", pad=0.02, aspect=22)
+        bar.ax.axhline(PAPER_STRAIN, color=style.BLACK, linewidth=1.2)
     return figure
 
 
@@ -305,17 +258,8 @@ def boundary_rows(sheet: PhaseSheet) -> list[tuple[str, ...]]:
 
 def boundary_table(sheet: PhaseSheet) -> Table:
     """The rows as a table for the terminal."""
-    table = Table(
-        title=Text(f"boundaries over {sheet.plane.name}: G of the runs against the lines", style="bold"),
-        title_justify="left",
-        box=box.SIMPLE_HEAD,
-        padding=(0, 1, 0, 0),
-    )
-    for k, name in enumerate(HEADER):
-        table.add_column(Text(name), justify="right" if k == 3 else "left")
-    for row in boundary_rows(sheet):
-        table.add_row(*(Text(cell) for cell in row))
-    return table
+    title = f"boundaries over {sheet.plane.name}: G of the runs against the lines"
+    return text_table(HEADER, boundary_rows(sheet), title=title, right=(3,), padding=(0, 1, 0, 0))
 
 
 def print_phase_diagram(diagram: PhaseDiagram, console: Console | None = None) -> None:
@@ -337,33 +281,33 @@ COLUMNS = (
 
 def runs_csv(diagram: PhaseDiagram) -> bytes:
     """One row for each filament of each plane, answers or not."""
-    lines = [",".join(COLUMNS) + "\n"]
-    for sheet in diagram.sheets:
-        for point in sorted(sheet.points, key=lambda one: (one.j, one.i)):
-            lines.append(",".join([sheet.plane.name, *_cells(point.run)]) + "\n")
-    return "".join(lines).encode()
+    rows = (
+        (sheet.plane.name, *_cells(point.run))
+        for sheet in diagram.sheets
+        for point in sorted(sheet.points, key=lambda one: (one.j, one.i))
+    )
+    return csv_bytes(COLUMNS, rows)
 
 
 def lines_csv(diagram: PhaseDiagram) -> bytes:
     """The lines of the formulas, a row for each of their points."""
-    rows = ["plane,line,boundary,source,equation,other,other_value,G\n"]
+    rows = []
     for sheet in diagram.sheets:
         for line in sheet.lines:
-            head = f'{sheet.plane.name},"{line.name}",{line.kind},{line.source},"{line.equation}",{sheet.plane.y.key}'
+            about = (sheet.plane.name, Quoted(line.name), line.kind, line.source, Quoted(line.equation))
             pairs = zip(line.other.tolist(), line.G.tolist(), strict=True)
-            rows += [f"{head},{other!r},{_number(G)}\n" for other, G in pairs]
-    return "".join(rows).encode()
+            rows += [(*about, sheet.plane.y.key, other, G) for other, G in pairs]
+    return csv_bytes(("plane", "line", "boundary", "source", "equation", "other", "other_value", "G"), rows)
 
 
 def boundaries_csv(diagram: PhaseDiagram) -> bytes:
     """Where the runs go from one regime to another, a row for each crossing of a lattice row."""
-    rows = ["plane,boundary,other,other_value,G_low,G_high\n"]
-    for sheet in diagram.sheets:
-        rows += [
-            f"{sheet.plane.name},{one.kind},{sheet.plane.y.key},{one.other!r},{one.G_low!r},{one.G_high!r}\n"
-            for one in sheet.crossings
-        ]
-    return "".join(rows).encode()
+    rows = (
+        (sheet.plane.name, one.kind, sheet.plane.y.key, one.other, one.G_low, one.G_high)
+        for sheet in diagram.sheets
+        for one in sheet.crossings
+    )
+    return csv_bytes(("plane", "boundary", "other", "other_value", "G_low", "G_high"), rows)
 
 
 def document(diagram: PhaseDiagram) -> dict[str, Any]:
@@ -398,21 +342,18 @@ def document(diagram: PhaseDiagram) -> dict[str, Any]:
 
 
 def write_phase_diagram(diagram: PhaseDiagram, directory: str | Path) -> list[Path]:
-    """Write ``phase.json``, ``scene.toml``, three tables and two pictures for each plane.
-
-    Everything is drawn before anything is written, and each file replaces its predecessor whole.
-    """
-    contents = {
-        "phase.json": (json.dumps(document(diagram), indent=2, allow_nan=False) + "\n").encode(),
-        "scene.toml": diagram.scene.to_toml().encode(),
+    """Write ``phase.json``, ``scene.toml``, three tables and two pictures for each plane."""
+    contents: dict[str, object] = {
+        "phase.json": document(diagram),
+        "scene.toml": diagram.scene.to_toml(),
         "phase_runs.csv": runs_csv(diagram),
         "phase_boundaries.csv": boundaries_csv(diagram),
         "phase_lines.csv": lines_csv(diagram),
     }
     for sheet in diagram.sheets:
-        contents[f"phase_{sheet.plane.name}.png"] = png(phase_figure(diagram, sheet))
-        contents[f"phase_{sheet.plane.name}_strain.png"] = png(strain_figure(diagram, sheet))
-    return write_all(directory, contents)
+        contents[f"phase_{sheet.plane.name}.png"] = phase_figure(diagram, sheet)
+        contents[f"phase_{sheet.plane.name}_strain.png"] = strain_figure(diagram, sheet)
+    return write_results(directory, contents)
 
 
 def _sheet(scene: Scene, diagram: PhaseDiagram, sheet: PhaseSheet) -> dict[str, Any]:
@@ -443,24 +384,11 @@ def _sheet(scene: Scene, diagram: PhaseDiagram, sheet: PhaseSheet) -> dict[str, 
     }
 
 
-def _cells(run: PhaseRun) -> list[str]:
+def _cells(run: PhaseRun) -> tuple[object, ...]:
     place, clamp, midspan = run.place, run.clamp, run.midspan
-    numbers = (run.sag, run.rate, run.span_rate, clamp.largest, clamp.centreline, midspan.largest, midspan.centreline)
-    drawn_out = "" if run.drawn_out is None else repr(run.drawn_out)
-    message = run.message.replace('"', "'")
-    return [
-        *(repr(value) for value in (place.G, place.V, place.delta)),
-        run.regime or "",
-        run.outcome,
-        run.mark,
-        repr(run.duration),
-        drawn_out,
-        *(_number(value) for value in numbers),
-        str(run.steps),
-        str(run.runs),
-        f'"{message}"' if message else "",
-    ]
-
-
-def _number(value: float) -> str:
-    return repr(float(value)) if math.isfinite(value) else ""
+    strains = (clamp.largest, clamp.centreline, midspan.largest, midspan.centreline)
+    return (
+        *(place.G, place.V, place.delta, run.regime, run.outcome, run.mark, run.duration, run.drawn_out),
+        *(run.sag, run.rate, run.span_rate, *strains, run.steps, run.runs),
+        Quoted(run.message) if run.message else None,
+    )

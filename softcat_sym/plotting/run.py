@@ -257,6 +257,8 @@ def shapes_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str = 
     margin = 0.25 * scene.filament.thickness
     ranges = [(float(one[0, 1]) - margin, float(one[1, 1]) + margin) for one in corners]
     tall = [stretch * (top - floor) / (x[1] - x[0]) for floor, top in ranges]
+    # A run away beside what is at rest would leave that no height at all.
+    tall = [max(one, max(tall) / 1e3) for one in tall]
     ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
     with styled_for(name):
         stacked = sum(tall) * 0.8 * sheet.width < _TALLEST or not sheet.on_screen

@@ -247,10 +247,12 @@ def sheet(
     ratios = [top, height, *([foot] if foot else [])]
     body: SubFigure = figure.subfigures(len(ratios), 1, height_ratios=ratios)[1]
     for words, down, look in (
-        (printable(title, 90), 0.12, {"fontsize": 10.5, "fontweight": "bold"}),
+        (printable(title), 0.12, {"fontsize": 10.5, "fontweight": "bold"}),
         (printable(below, 118), 0.33, {"fontsize": 8.5, "color": GREY}),
         (text, tall - foot + 0.03, {"fontsize": 7.5, "linespacing": 1.3}),
     ):
+        if not words:
+            continue
         # In inches from the top: a figure may yet be made as high as its panels need.
         place = figure.transFigure + ScaledTranslation(0.2, -down, figure.dpi_scale_trans)
         figure.text(0.0, 1.0, words, va="top", parse_math=False, transform=place, **look)

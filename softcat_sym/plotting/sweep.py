@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,13 +17,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from rich import box
 from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
-from softcat_sym.files import write_all
 from softcat_sym.plotting import style
+from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.phase import AXES, LOOKS
-from softcat_sym.plotting.style import axes_in_inches, new_figure, png
+from softcat_sym.plotting.sliders import sliders_page
+from softcat_sym.plotting.style import legend
+from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import length_unit, stress_unit, time_unit
 
 if TYPE_CHECKING:
@@ -105,35 +104,15 @@ def key_of(regimes: npt.NDArray[np.str_], outcomes: npt.NDArray[np.str_], *, hol
     handles = []
     for name, (marker, colour) in looks_of(regimes.tolist()).items():
         words = LOOKS[name].words if name in LOOKS else name
+        look: dict[str, Any] = {"color": colour}
+        if hollow:
+            look = {"markeredgecolor": style.BLACK, "markerfacecolor": "white", "markeredgewidth": 0.6}
         label = f"{words} ({int(np.sum(regimes == name))})"
-        edge, face, width = (style.BLACK, "white", 0.6) if hollow else (colour, colour, 1.0)
-        handles.append(
-            Line2D(
-                [],
-                [],
-                linestyle="",
-                marker=marker,
-                markersize=5,
-                markeredgecolor=edge,
-                markerfacecolor=face,
-                markeredgewidth=width,
-                label=label,
-            )
-        )
+        handles.append(Line2D([], [], linestyle="", marker=marker, markersize=5, label=label, **look))
     for outcome in sorted(set(outcomes[regimes == ""].tolist())):
         label = f"no answer: {outcome} ({int(np.sum(outcomes[regimes == ''] == outcome))})"
         handles.append(Line2D([], [], linestyle="", marker=NONE[0], color=NONE[1], markersize=4.5, label=label))
     return handles
-
-
-def frame(figure: Figure, title: str, handles: list[Line2D], left: float) -> None:
-    """Write the title along the top, and a key along the bottom; `left` is its edge [inch]."""
-    width, height = figure.get_size_inches()
-    top = 1 - 0.14 / height
-    figure.text(0.2 / width, top, title, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
-    settings: dict[str, Any] = {"borderaxespad": 0.0, "columnspacing": 1.2, "handletextpad": 0.3}
-    place = (left / width, 0.08 / height)
-    figure.legend(handles=handles, loc="lower left", bbox_to_anchor=place, ncols=3, **settings)
 
 
 def _drawn(key: str, variable: xr.DataArray) -> DrawnAxis:
@@ -194,10 +173,8 @@ def sweep_rows(sweep: Sweep) -> list[tuple[str, str]]:
 
 def print_sweep(sweep: Sweep, console: Console | None = None) -> None:
     """Print them as a table."""
-    table = Table(box=box.SIMPLE, show_header=False, padding=(0, 1, 0, 0), title_justify="left")
-    table.title = Text(sweep.plan.scene.title or "sweep", style="bold")
-    for name, text in sweep_rows(sweep):
-        table.add_row(Text(name), Text(text))
+    title = sweep.plan.scene.title or "sweep"
+    table = text_table(("", ""), sweep_rows(sweep), title=title, box=box.SIMPLE, padding=(0, 1, 0, 0))
     (console or Console()).print(table)
 
 
@@ -221,43 +198,30 @@ PICTURE, PAGE = "sweep.png", "sliders.html"
 
 
 def write_sweep(sweep: Sweep, directory: str | Path) -> list[Path]:
-    """Write ``sweep.json``, ``scene.toml``, ``sweep.png`` and, with shapes, ``sliders.html``.
-
-    Everything is drawn before anything is written, and each file replaces its predecessor whole.
-    """
+    """Write ``sweep.json``, ``scene.toml``, ``sweep.png`` and, with shapes, ``sliders.html``."""
+    has_page = sweep.plan.shapes and sweep.counts.outcomes.get("solved")
     contents = {
-        "sweep.json": (json.dumps(sweep.summary(), indent=2, allow_nan=False) + "\n").encode(),
-        "scene.toml": sweep.plan.scene.to_toml().encode(),
+        "sweep.json": sweep.summary(),
+        "scene.toml": sweep.plan.scene.to_toml(),
+        PICTURE: sweep_figure(sweep),
+        PAGE: sliders_page(sweep.data, _title(sweep)) if has_page else None,
     }
-    picture = sweep_picture(sweep)
-    if picture is not None:
-        contents[PICTURE] = picture
-    if sweep.plan.shapes and sweep.counts.outcomes.get("solved"):
-        from softcat_sym.plotting.sliders import sliders_page
-
-        contents[PAGE] = sliders_page(sweep.data, _title(sweep)).encode()
-    return write_all(directory, contents)
+    return write_results(directory, contents)
 
 
-def sweep_picture(sweep: Sweep) -> bytes | None:
+def sweep_figure(sweep: Sweep) -> Figure | None:
     """A line over one key, a map over two on a grid, pairs of more; None if no key takes two values."""
     data, title = sweep.data, f"{_title(sweep)}: {len(sweep)} filaments"
     axes = drawn_axes(data)
-    if not axes:
-        return None
-    if len(axes) == 1:
-        return png(line_figure(data, title))
+    if len(axes) < 2:
+        return line_figure(data, title) if axes else None
     whole = all(np.all(np.isfinite(axis.values)) for axis in axes)
-    if len(axes) == 2 and sweep.plan.mode == "grid" and len(sweep.plan.axes) == 2 and whole:
-        return png(map_figure(data, title))
-    return png(pairs_figure(data, title))
+    is_map = len(axes) == 2 and sweep.plan.mode == "grid" and len(sweep.plan.axes) == 2 and whole
+    return map_figure(data, title) if is_map else pairs_figure(data, title)
 
 
 def _title(sweep: Sweep) -> str:
     return style.printable(sweep.plan.scene.title, 64) or "Sweep"
-
-
-_LINE_LEFT, _LINE_RIGHT, _LINE_TOP, _SAG, _OTHER, _LINE_GAP, _LINE_BOTTOM = 0.75, 0.2, 0.5, 2.5, 1.15, 0.14, 1.02
 
 
 def line_figure(data: xr.Dataset, title: str) -> Figure:
@@ -265,25 +229,21 @@ def line_figure(data: xr.Dataset, title: str) -> Figure:
     axis = drawn_axes(data)[0]
     members = shown_members(data)
     regimes, outcomes = regimes_of(data), data.outcome.values.astype(np.str_)
-    clock = time_unit(_largest(data.time_to_90.values))
+    known = data.time_to_90.values[np.isfinite(data.time_to_90.values)]
+    clock = time_unit(float(np.max(known)) if len(known) else 1.0)
     rows = (
-        ("largest sag / span", data.sag_over_span.values, _SAG),
-        (f"time to 90 % [{clock.symbol}]", clock.of(data.time_to_90.values), _OTHER),
-        ("largest stretch", data.largest_stretch.values, _OTHER),
+        ("largest sag / span", data.sag_over_span.values),
+        (f"time to 90 % [{clock.symbol}]", clock.of(data.time_to_90.values)),
+        ("largest stretch", data.largest_stretch.values),
     )
-    height = _LINE_TOP + _SAG + 2 * _OTHER + 2 * _LINE_GAP + _LINE_BOTTOM
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        bottom = height - _LINE_TOP
-        for k, (label, values, tall) in enumerate(rows):
-            bottom -= tall + (_LINE_GAP if k else 0)
-            axes = axes_in_inches(figure, _LINE_LEFT, bottom, style.WIDTH - _LINE_LEFT - _LINE_RIGHT, tall)
+        figure, body = style.sheet(title, height=6.2)
+        for axes, (label, values) in zip(body.subplots(3, 1, height_ratios=[2.2, 1, 1]), rows, strict=True):
             _line_panel(axes, axis, values[members], axis.values[members], regimes[members])
             axes.set_ylabel(label)
-            if k < len(rows) - 1:
-                axes.set_xlabel("")
-                axes.tick_params(labelbottom=False, which="both")
-        frame(figure, title, key_of(regimes, outcomes), _LINE_LEFT)
+            if values is not rows[-1][1]:
+                _undress(axes, across=True, upwards=False)
+        legend(body, handles=key_of(regimes, outcomes), ncols=3)
     return figure
 
 
@@ -316,12 +276,6 @@ def _line_panel(axes: Axes, axis: DrawnAxis, values: Floats, x: Floats, regimes:
     style.lighten(axes)
 
 
-def _largest(values: Floats) -> float:
-    known = values[np.isfinite(values)]
-    return float(np.max(known)) if len(known) else 1.0
-
-
-_MAP_LEFT, _PANEL, _MAP_TOP, _MAP_TALL, _MAP_BOTTOM, _BAR = 0.75, 4.75, 0.5, 4.0, 1.05, 0.16
 _NOTHING = "#e6e6e6"
 _FACTOR = 6.0
 _NARROW = 0.2
@@ -337,11 +291,10 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
     sag[places] = data.sag_over_span.values
     marks = np.full((len(y), len(x)), "", dtype=regimes.dtype if regimes.dtype.itemsize else "<U1")
     marks[places] = regimes
-    height = _MAP_TOP + _MAP_TALL + _MAP_BOTTOM
+    edges = (_edges(x, log=across.is_log), _edges(y, log=upwards.is_log))
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        axes = axes_in_inches(figure, _MAP_LEFT, _MAP_BOTTOM, _PANEL, _MAP_TALL)
-        edges = (_edges(x, log=across.is_log), _edges(y, log=upwards.is_log))
+        figure, body = style.sheet(title, height=5.0)
+        axes = body.subplots()
         axes.set_facecolor(_NOTHING)
         shown = np.ma.masked_invalid(sag)
         picture = axes.pcolormesh(*edges, shown, cmap="cividis", norm=_norm(sag), rasterized=True, zorder=1)
@@ -351,14 +304,12 @@ def map_figure(data: xr.Dataset, title: str) -> Figure:
         axes.set_ylim(edges[1][0], edges[1][-1])
         _boundaries(axes, edges, marks)
         _names(axes, (across, upwards), (x, y), marks)
-        bar = axes_in_inches(figure, _MAP_LEFT + _PANEL + 0.22, _MAP_BOTTOM, _BAR, _MAP_TALL)
-        scale = figure.colorbar(picture, cax=bar)
-        scale.set_label("largest sag / span")
+        scale = body.colorbar(picture, ax=axes, label="largest sag / span", aspect=25, pad=0.02)
         if isinstance(picture.norm, LogNorm):
             scale.ax.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
             scale.ax.yaxis.set_minor_formatter(lambda value, _: f"{value:g}" if leads(value, (2, 5)) else "")
             scale.ax.tick_params(which="both", labelsize=8)
-        frame(figure, title, key_of(regimes, outcomes, hollow=True), _MAP_LEFT)
+        legend(body, handles=key_of(regimes, outcomes, hollow=True), ncols=3)
     return figure
 
 
@@ -453,7 +404,6 @@ def _midst(places: Floats, there: npt.NDArray[np.bool_]) -> tuple[int, int]:
     return int(j), int(i)
 
 
-_PAIRS_LEFT, _PAIRS_RIGHT, _PAIRS_TOP, _PAIRS_BOTTOM, _PAIRS_GAP, _PAIRS_TALL = 0.75, 0.15, 0.5, 1.05, 0.12, 1.55
 _MOST = 5
 
 
@@ -463,28 +413,22 @@ def pairs_figure(data: xr.Dataset, title: str) -> Figure:
     members = shown_members(data)
     regimes, outcomes = regimes_of(data), data.outcome.values.astype(np.str_)
     count = len(drawn)
-    wide = (style.WIDTH - _PAIRS_LEFT - _PAIRS_RIGHT - (count - 1) * _PAIRS_GAP) / count
-    tall = max(_PAIRS_TALL, 2.6 - 0.4 * count) if count > 2 else 2.4
-    height = _PAIRS_TOP + count * tall + (count - 1) * _PAIRS_GAP + _PAIRS_BOTTOM
     with style.styled():
-        figure = new_figure(style.WIDTH, height)
-        for row in range(count):
-            for column in range(row if row else count):
-                left, bottom = (
-                    _PAIRS_LEFT + column * (wide + _PAIRS_GAP),
-                    height - _PAIRS_TOP - (row + 1) * tall - row * _PAIRS_GAP,
-                )
-                axes = axes_in_inches(figure, left, bottom, wide, tall)
-                values = drawn[row].values if row else data.sag_over_span.values
-                _pairs_panel(axes, drawn[column].values[members], values[members], regimes[members])
-                drawn[column].dress(axes)
-                if row:
-                    drawn[row].dress(axes, "y")
-                # The first panel of a row and the lowest of a column carry their labels.
-                _undress(axes, across=row < (count - 1 if column < count - 1 else 0), upwards=column > 0)
-                if not row and not column:
-                    axes.set_ylabel("largest sag / span")
-        frame(figure, title, key_of(regimes, outcomes), _PAIRS_LEFT)
+        figure, body = style.sheet(title, height=0.8 + count * (1.6 if count > 2 else 2.4))
+        for (row, column), axes in np.ndenumerate(body.subplots(count, count, squeeze=False)):
+            if row and column >= row:
+                axes.remove()
+                continue
+            values = drawn[row].values if row else data.sag_over_span.values
+            _pairs_panel(axes, drawn[column].values[members], values[members], regimes[members])
+            drawn[column].dress(axes)
+            if row:
+                drawn[row].dress(axes, "y")
+            # The first panel of a row and the lowest of a column carry their labels.
+            _undress(axes, across=row < (count - 1 if column < count - 1 else 0), upwards=column > 0)
+            if not row and not column:
+                axes.set_ylabel("largest sag / span")
+        legend(body, handles=key_of(regimes, outcomes), ncols=3)
     return figure
 
 

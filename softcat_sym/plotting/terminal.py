@@ -171,20 +171,25 @@ def text_table(
     caption: str = "",
     right: Container[int] = (),
     styles: Iterable[str] = (),
-    no_wrap: bool = False,
+    whole: Container[int] = (),
     **settings: Any,
 ) -> Table:
-    """A table of texts, none of which is read as markup: a style for each row, columns that stand on the right."""
+    """A table of texts, none of which is read as markup: a style for each row, columns that stand on the right, and that are never broken."""
     from rich import box
     from rich.table import Table
     from rich.text import Text
 
-    looks: dict[str, Any] = {"box": box.SIMPLE_HEAD, "show_header": any(header), "title_justify": "left", **settings}
-    table = Table(title=Text(title, style="bold") if title else None, **looks)
+    looks: dict[str, Any] = {
+        "box": box.SIMPLE_HEAD,
+        "show_header": any(header),
+        "title_justify": "left",
+        "title_style": "bold",
+    } | settings
+    table = Table(title=Text(title) if title else None, show_header=any(header), **looks)
     if caption:
         table.caption, table.caption_justify = Text(caption, style="dim"), "left"
     for k, name in enumerate(header):
-        table.add_column(Text(name), justify="right" if k in right else "left", no_wrap=no_wrap, overflow="fold")
+        table.add_column(Text(name), justify="right" if k in right else "left", no_wrap=k in whole, overflow="fold")
     for row, style in zip_longest(rows, styles, fillvalue=""):
         table.add_row(*(Text(cell, style=style) for cell in row))
     return table
