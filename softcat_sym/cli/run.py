@@ -135,9 +135,7 @@ def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene],
     return path
 
 
-def _film_of_a_run(
-    order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool
-) -> None:
+def _film_of_a_run(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool) -> None:
     """Draw the film of a run that is there already: interrupted, it says how to have it later."""
     try:
         film(order, output, run, quiet=quiet)

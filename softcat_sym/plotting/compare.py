@@ -373,8 +373,8 @@ def _strip(axes: Axes, field: RateField, norm: LogNorm, ruler: Unit) -> QuadMesh
 
 def _window(axes: Axes, ruler: Unit, x: tuple[float, float], y: tuple[float, float]) -> None:
     """Limits [m], widened to where lengths are equal along both axes."""
-    axes.set_xlim(*ruler.of(x))
-    axes.set_ylim(*ruler.of(y))
+    axes.set_xlim(*ruler.of(x), auto=True)
+    axes.set_ylim(*ruler.of(y), auto=True)
     axes.set_aspect("equal", adjustable="datalim")
 
 
@@ -670,6 +670,7 @@ def calculix_table(comparison: CalculixComparison) -> Table:
     """The table that is printed: CalculiX and ours side by side."""
     run, rows, span = comparison.calculix, comparison.rows, comparison.scene.filament.span
     times = (run.time[frame] / run.elastic_time for frame in moments(len(run.time)))
+    every: list[Any] = [run, *rows]
     lines = [("final midpoint / L", *(f"{y[-1] / span:.5f}" for y in (run.midpoint, *(row.midpoint for row in rows))))]
     lines += [
         (f"error at t = {time:.4g}", "", *(f"{100 * row.discrepancy.at[k]:+.2f}" for row in rows))
@@ -678,9 +679,9 @@ def calculix_table(comparison: CalculixComparison) -> Table:
     lines += [
         ("mean error", "", *(f"{100 * row.discrepancy.mean:+.2f}" for row in rows)),
         ("largest error", "", *(f"{100 * row.discrepancy.largest:.2f}" for row in rows)),
-        ("unknowns", *(str(one.dofs) for one in (run, *rows))),
-        ("steps", *(str(one.steps) for one in (run, *rows))),
-        ("wall time [s]", *(f"{one.wall:.3g}" for one in (run, *rows))),
+        ("unknowns", *(str(one.dofs) for one in every)),
+        ("steps", *(str(one.steps) for one in every)),
+        ("wall time [s]", *(f"{one.wall:.3g}" for one in every)),
     ]
     header = ("", f"CalculiX {run.mesh.along} × {run.mesh.through}", *(row.name for row in rows))
     caption = "errors in %: (ours − CalculiX)/max |CalculiX|, midpoint; t in L √(ρ/E)"

@@ -92,7 +92,7 @@ def critical_span_figure(found: CriticalSpan) -> Figure:
         if not finite.all():
             top = np.full(int((~finite).sum()), float(ruler.of(sags[finite].max())))
             axes.plot(across.of(spans[~finite]), top, "x", color=style.GREY, markersize=5)
-        ring = {"markersize": 10, "fillstyle": "none", "color": style.VERMILLION}
+        ring: dict[str, Any] = {"markersize": 10, "fillstyle": "none", "color": style.VERMILLION}
         axes.plot([found.span / across.size], [found.sag / ruler.size], "o", **ring)
         for axis in (axes.xaxis, axes.yaxis):
             plain_log(axis, plain, (1.0,))

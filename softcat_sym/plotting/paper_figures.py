@@ -610,7 +610,8 @@ def snapshots_figure(filmed: Sequence[FilmedScene]) -> Figure:
     with style.styled():
         height = sum(rows) + last + 0.34 * (len(rows) + 1) + 1.6
         figure, body = style.sheet("", height=height, notes=snapshots_caption(scenes), width=_WIDTH, columns=_COLUMNS)
-        upper, lower = body.subfigures(2, 1, height_ratios=[sum(rows) + 0.34 * len(rows) + 0.9, last + 1.0])
+        parts: Any = body.subfigures(2, 1, height_ratios=[sum(rows) + 0.34 * len(rows) + 0.9, last + 1.0])
+        upper, lower = parts
         panels = upper.subplots(len(rows), 2, height_ratios=rows, sharex=True)
         for (row, column), axes in np.ndenumerate(panels):
             of, instant = scenes[SNAPSHOTS[row // 2]], 2 * (row % 2) + column
@@ -663,8 +664,8 @@ def _last(part: SubFigure, of: FilmedScene, depth: tuple[float, float]) -> None:
     axes.set_ylim(-depth[1], depth[0])
     axes.set_aspect("equal")
     thickness = of.scene.filament.thickness / of.scene.filament.span
-    close.set_xlim(0.5 + 0.25 * thickness - _ZOOM * thickness, 0.5 + 0.25 * thickness)
-    close.set_ylim(0.75 * thickness - 1.5 * _ZOOM * thickness, 0.75 * thickness)
+    close.set_xlim(0.5 + 0.25 * thickness - _ZOOM * thickness, 0.5 + 0.25 * thickness, auto=True)
+    close.set_ylim(0.75 * thickness - 1.5 * _ZOOM * thickness, 0.75 * thickness, auto=True)
     close.set_aspect("equal", adjustable="datalim", anchor="N")
     axes.set_title(f"(d) {of.of.title}, t~ = 10α = 460", loc="left", fontsize=8.5, pad=2.5)
     close.set_title("at the clamp", loc="left", fontsize=8.5, pad=2.5)

@@ -165,7 +165,12 @@ def _key(axes: Axes, sheet: PhaseSheet) -> None:
         count = sum(look_of(point.run.mark) is look for point in sheet.points)
         if count:
             face = "white" if look.hollow else look.colour
-            marker = {"marker": look.marker, "color": look.colour, "markerfacecolor": face, "markersize": 4.5}
+            marker: dict[str, Any] = {
+                "marker": look.marker,
+                "color": look.colour,
+                "markerfacecolor": face,
+                "markersize": 4.5,
+            }
             handles.append(Line2D([], [], linestyle="", label=f"{look.words} ({count})", **marker))
     regimes = axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.03, 1.01), title="runs", fontsize=7.5)
     regimes.set_alignment("left")
@@ -210,7 +215,7 @@ def strain_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
         for axes, (words, strain) in zip(panels, _PLACES, strict=True):
             draw_tints(axes, sheet)
             strains = np.clip([strain(run) for run in answers], _LOW, _HIGH)
-            look = {"norm": LogNorm(_LOW, _HIGH), "cmap": "viridis_r", "linewidths": 0.7, "zorder": 2}
+            look: dict[str, Any] = {"norm": LogNorm(_LOW, _HIGH), "cmap": "viridis_r", "linewidths": 0.7, "zorder": 2}
             edges = [style.BLACK if value > PAPER_STRAIN else "none" for value in strains]
             drawn = axes.scatter(*_places(sheet, answers), c=strains, s=12, edgecolors=edges, **look)
             colour = look_of("localised").colour

@@ -270,7 +270,7 @@ def pricing_columns(pricing: Pricing) -> Table:
     names = ("effect", "", "change", "own", "expected", "un-\nknowns", "instruc-\ntions", "time")
     rows = [row_texts(row) for row in (*pricing.rows, pricing.everything)]
     title = pricing.scene.title or "Filament"
-    looks = {"right": range(2, 8), "whole": range(9), "padding": (0, 1, 0, 0)}
+    looks: dict[str, Any] = {"right": range(2, 8), "whole": range(9), "padding": (0, 1, 0, 0)}
     return text_table(names, rows, title=title, caption=_NOTE, **looks)
 
 

@@ -153,7 +153,12 @@ def midpoint_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str 
         axes.axhline(0.0, color=style.GREY, linewidth=0.6)
         axes.plot(time, shown, color=style.BLUE, label="midpoint")
         frames = telling_frames(sheet.data, _SHAPES[name])
-        ring = {"markersize": 5.5 if sheet.on_screen else 3, "markerfacecolor": "white", "clip_on": False, "zorder": 3}
+        ring: dict[str, Any] = {
+            "markersize": 5.5 if sheet.on_screen else 3,
+            "markerfacecolor": "white",
+            "clip_on": False,
+            "zorder": 3,
+        }
         axes.plot(time[frames], shown[frames], "o", color=style.VERMILLION, label="shapes drawn", **ring)
         sheet.time_axis(axes)
         low, high = min(float(shown.min()), 0.0), max(float(shown.max()), 0.0)
@@ -325,7 +330,8 @@ def _fit_height(figure: Figure, body: Figure | SubFigure, panels: Sequence[Axes]
     drawn = max(scale * sum(tall), _LOW) + 0.03
     if isinstance(body, SubFigure):
         heading = height - body.bbox.height / figure.dpi
-        body._subplotspec.get_gridspec().set_height_ratios([heading, around - heading + drawn])
+        grid = body._subplotspec.get_gridspec()  # type: ignore[attr-defined]
+        grid.set_height_ratios([heading, around - heading + drawn])
     figure.set_size_inches(width, around + drawn)
     for axes, share in zip(panels, tall, strict=True):
         if scale * share < _LOW:
@@ -379,7 +385,7 @@ def energy_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str = 
             axes.label_outer()
         panels[0].yaxis.set_major_locator(MaxNLocator(6, steps=_STEPS))
         if kept:
-            where = "outside right upper" if sheet.on_screen else "outside upper center"
+            where: Any = "outside right upper" if sheet.on_screen else "outside upper center"
             body.legend(loc=where, ncols=1 if sheet.on_screen else 3, borderaxespad=0.0, handlelength=2.0)
     return figure
 

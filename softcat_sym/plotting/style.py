@@ -272,7 +272,7 @@ def headed(
 
 def legend(part: Figure | SubFigure, where: str = "lower left", **settings: Any) -> Legend:
     """A legend outside the axes of a part of a figure."""
-    close = {"borderaxespad": 0.0, "columnspacing": 1.1, "handletextpad": 0.5, "fontsize": 7.5, **settings}
+    close = {"borderaxespad": 1.0, "columnspacing": 1.1, "handletextpad": 0.5, "fontsize": 7.5, **settings}
     return part.legend(loc=f"outside {where}", **close)
 
 

@@ -174,7 +174,7 @@ def text_table(
     whole: Container[int] = (),
     **settings: Any,
 ) -> Table:
-    """A table of texts, none of which is read as markup: a style for each row, columns that stand on the right, and that are never broken."""
+    """A table of texts, none of which is read as markup; columns on the `right`, and those that stay `whole`."""
     from rich import box
     from rich.table import Table
     from rich.text import Text
@@ -185,7 +185,7 @@ def text_table(
         "title_justify": "left",
         "title_style": "bold",
     } | settings
-    table = Table(title=Text(title) if title else None, show_header=any(header), **looks)
+    table = Table(title=Text(title) if title else None, **looks)
     if caption:
         table.caption, table.caption_justify = Text(caption, style="dim"), "left"
     for k, name in enumerate(header):

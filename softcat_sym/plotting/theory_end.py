@@ -415,7 +415,7 @@ def print_theory_end(end: TheoryEnd, console: Console | None = None) -> None:
     screen = console or Console()
     tables = [error_table(end), *([limit_table(end)] if end.limits else []), cost_table(end)]
     for title, header, rows in tables:
-        looks = {"right": range(2, len(header)), "whole": range(9), "padding": (0, 1, 0, 0)}
+        looks: dict[str, Any] = {"right": range(2, len(header)), "whole": range(9), "padding": (0, 1, 0, 0)}
         screen.print(text_table(header, rows, title=title, title_style="none", **looks))
     for text in remarks(end):
         screen.print(Text(text))
