@@ -245,7 +245,8 @@ def sheet(
     figure = new_figure(width, tall)
     figure.set_layout_engine("constrained", w_pad=0.06, h_pad=0.04)
     ratios = [top, height, *([foot] if foot else [])]
-    body: SubFigure = figure.subfigures(len(ratios), 1, height_ratios=ratios)[1]
+    parts: Any = figure.subfigures(len(ratios), 1, height_ratios=ratios)
+    body: SubFigure = parts[1]
     for words, down, look in (
         (printable(title), 0.12, {"fontsize": 10.5, "fontweight": "bold"}),
         (printable(below, 118), 0.33, {"fontsize": 8.5, "color": GREY}),
@@ -273,7 +274,9 @@ def headed(
 def legend(part: Figure | SubFigure, where: str = "lower left", **settings: Any) -> Legend:
     """A legend outside the axes of a part of a figure."""
     close = {"borderaxespad": 1.0, "columnspacing": 1.1, "handletextpad": 0.5, "fontsize": 7.5, **settings}
-    return part.legend(loc=f"outside {where}", **close)
+    place: Any = f"outside {where}"
+    drawn: Legend = part.legend(loc=place, **close)
+    return drawn
 
 
 def secondary_scale(factor: float) -> tuple[Callable[[ArrayLike], ArrayLike], Callable[[ArrayLike], ArrayLike]]:
