@@ -270,6 +270,10 @@ def shapes_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str = 
         if not stacked:
             ranges = [(float(low[1]) - margin, float(high[1]) + margin)] * len(shapes)
         beside = (sheet.width - 0.9) / len(shapes) * float(high[1] - low[1] + 2 * margin) / (x[1] - x[0])
+        if not stacked and beside > 6.0:
+            # What is far deeper than it is wide keeps its width on paper.
+            spare = (beside / 6.0 - 1) * (x[1] - x[0]) / 2
+            x = (x[0] - spare, x[1] + spare)
         height = sheet.width if stacked else min(beside, 6.0) + 1.4
         figure, body = sheet.figure("shapes with their true thickness", height)
         grid: dict[str, Any] = {"height_ratios": tall} if stacked else {}
