@@ -22,7 +22,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.plotting.shapes import shapes_figure
+from softcat_sym.plotting.run import shapes_figure
 
 # %% [markdown]
 # ## Ask first

@@ -22,7 +22,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import softcat_sym as sc
-from softcat_sym.plotting.shapes import shapes_figure
+from softcat_sym.plotting.run import shapes_figure
 
 ink = sc.load_scene("ink-bridge", {"numerics.estimate": False})
 D, E, g = ink.filament.thickness, ink.material.youngs_modulus, ink.load.gravity

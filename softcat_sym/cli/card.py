@@ -145,8 +145,7 @@ def _asked(
 
 
 def _make(order: _Order, output: Path, command: str, *, fresh: bool, quiet: bool) -> None:
-    from softcat_sym.plotting.card import write_card
-    from softcat_sym.plotting.card_terminal import print_card
+    from softcat_sym.plotting.card import print_card, write_card
     from softcat_sym.plotting.terminal import FitProgressBar as Bar
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.card import card as made

@@ -44,7 +44,7 @@ def compare_in_calculix(
     if deck_only:
         _write_deck(asked, output, mesh, clamp, quiet=quiet)
         return
-    from softcat_sym.plotting.compare_files import calculix_table, write_calculix_comparison
+    from softcat_sym.plotting.compare import calculix_table, write_calculix_comparison
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.compare import compare_with_calculix
 
@@ -73,7 +73,7 @@ def compare_in_calculix(
 
 def _write_deck(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
     """Write the deck of CalculiX, which need not be installed."""
-    from softcat_sym.plotting.compare_files import write_deck
+    from softcat_sym.plotting.compare import write_deck
     from softcat_sym.reference.calculix import calculix_deck
 
     written = write_deck(asked, calculix_deck(asked, mesh, clamp=clamp), output)
@@ -83,7 +83,7 @@ def _write_deck(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: 
 
 def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, fresh: bool, quiet: bool) -> None:
     """Run the elements, or go on with them, and the filament; write, print and judge."""
-    from softcat_sym.plotting.compare_files import write_comparison
+    from softcat_sym.plotting.compare import write_comparison
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.plotting.vtk import vtk_available, write_vtk
     from softcat_sym.studies.compare import compare as against_elements
@@ -105,7 +105,7 @@ def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, 
     if vtk_available():
         written.append(write_vtk(asked, comparison.elements, output / "vtk")[0])
     if not quiet:
-        from softcat_sym.plotting.compare_files import print_comparison
+        from softcat_sym.plotting.compare import print_comparison
 
         print_comparison(comparison)
         typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")

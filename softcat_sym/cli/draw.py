@@ -41,7 +41,7 @@ def draw(
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, written_together
-    from softcat_sym.plotting.run_files import write_pictures
+    from softcat_sym.plotting.run import write_pictures
     from softcat_sym.results.files import check_drawable, open_run, write_scene, write_summary
 
     run = open_run(trajectory)

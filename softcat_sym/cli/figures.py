@@ -82,7 +82,8 @@ def _left(output: Path, asked: list[str], waiting: list[str]) -> str:
 def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 2."""
     del output, filmed
-    from softcat_sym.plotting.maxwell_descent import caption, maxwell_descent_files
+    from softcat_sym.plotting.paper_figures import maxwell_caption as caption
+    from softcat_sym.plotting.paper_figures import maxwell_descent_files
     from softcat_sym.plotting.terminal import StepProgress
     from softcat_sym.studies.paper_figures import RELAXATION, SLENDERNESS, maxwell_descents
 
@@ -95,7 +96,8 @@ def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 3(a)."""
     del output, filmed
     from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
-    from softcat_sym.plotting.figure_phase import caption, phase_files
+    from softcat_sym.plotting.paper_figures import phase_caption as caption
+    from softcat_sym.plotting.paper_figures import phase_files
     from softcat_sym.scene.reading import load_scene
     from softcat_sym.studies.phase import SETTINGS, phase_diagram
 
@@ -107,7 +109,8 @@ def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
 
 def _midpoints(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 3(b)."""
-    from softcat_sym.plotting.figure_midpoints import caption, midpoint_files
+    from softcat_sym.plotting.paper_figures import midpoint_files
+    from softcat_sym.plotting.paper_figures import midpoints_caption as caption
     from softcat_sym.studies.paper_figures import SCENES, scene_facts
 
     scenes = [_film(of, output, filmed, quiet) for of in SCENES]
@@ -116,7 +119,8 @@ def _midpoints(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Ma
 
 def _snapshots(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 4."""
-    from softcat_sym.plotting.figure_snapshots import caption, snapshot_files
+    from softcat_sym.plotting.paper_figures import snapshot_files
+    from softcat_sym.plotting.paper_figures import snapshots_caption as caption
     from softcat_sym.studies.paper_figures import SCENES, SNAPSHOTS
 
     scenes = [_film(of, output, filmed, quiet) for of in SCENES if of.name in SNAPSHOTS]

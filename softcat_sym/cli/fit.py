@@ -108,7 +108,7 @@ def fit(
     limits, charged = _bounds(bounds or []), _loss(loss, scale)
     asked, output = scene_and_directory(scene, changes, output, "fit")
     from softcat_sym.fitting.measurements import read_measurements
-    from softcat_sym.plotting.fit_files import write_fit
+    from softcat_sym.plotting.fit import write_fit
     from softcat_sym.plotting.terminal import FitProgressBar
 
     how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
@@ -149,7 +149,7 @@ def _found(
 def _tell(found: Fit, laws: LawComparison | None, written: list[Path], output: Path, *, quiet: bool) -> None:
     """Print, and exit with 1 if there is no optimum."""
     if not quiet:
-        from softcat_sym.plotting.fit_files import print_fit, print_laws
+        from softcat_sym.plotting.fit import print_fit, print_laws
 
         if laws is not None:
             print_laws(laws)

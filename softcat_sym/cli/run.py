@@ -24,8 +24,9 @@ from softcat_sym.cli.application import (
 if TYPE_CHECKING:
     import xarray as xr
 
-    from softcat_sym.plotting.animation_frames import FilmOrder
-    from softcat_sym.plotting.style import PicturedScene, Summary
+    from softcat_sym.plotting.animation import FilmOrder
+    from softcat_sym.plotting.units import Summary
+    from softcat_sym.scene.scene import Scene
 
 RunOutputOption = Annotated[
     Path | None,
@@ -66,7 +67,7 @@ def run(
     order, drawn = pictures_asked(animate, animate_seconds, style)
     asked, output = scene_and_directory(scene, changes, output, "run")
     from softcat_sym.files import made, written_together
-    from softcat_sym.plotting.run_files import write_run
+    from softcat_sym.plotting.run import write_run
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.simulate import simulated
 
@@ -97,14 +98,14 @@ def pictures_asked(animate: str | None, seconds: float, style: str) -> tuple[Fil
     drawn = picture_style(style)
     if animate is None:
         return None, drawn
-    from softcat_sym.plotting.animation_frames import film_order
+    from softcat_sym.plotting.animation import film_order
 
     return film_order(animate, seconds), drawn
 
 
-def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, PicturedScene], *, quiet: bool) -> Path:
+def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool) -> Path:
     """Draw a film, with a bar on the terminal."""
-    from softcat_sym.plotting.animation_frames import write_film
+    from softcat_sym.plotting.animation import write_film
     from softcat_sym.plotting.terminal import StepProgress
 
     with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
@@ -114,9 +115,7 @@ def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Picture
     return path
 
 
-def _film_of_a_run(
-    order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, PicturedScene], *, quiet: bool
-) -> None:
+def _film_of_a_run(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool) -> None:
     """Draw the film of a run that is there already: interrupted, it says how to have it later."""
     try:
         film(order, output, run, quiet=quiet)

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from softcat_sym.files import write_all
-from softcat_sym.plotting.style import regime_words, significant
-from softcat_sym.plotting.terminal import left_out_words, print_rows
+from softcat_sym.plotting.files import write_results
+from softcat_sym.plotting.terminal import left_out_words, print_rows, text_table
+from softcat_sym.plotting.units import regime_words, significant
 
 if TYPE_CHECKING:
     from rich.console import Console
-    from rich.table import Table
 
     from softcat_sym.physics.equation import Stated
     from softcat_sym.scene.scene import Scene
@@ -118,7 +116,10 @@ def _print_tables(explanation: Explanation, out: Console) -> None:
         ("Equations in force", ("equation", "", "source"), equation_rows(explanation)),
         ("Numerics", (), numeric_rows(explanation)),
     ):
-        out.print(_table(title, heads, rows))
+        styles = ["dim" if title.startswith("Effects") and row[1] == "off" else "" for row in rows]
+        header = heads or ("",) * len(rows[0])
+        first = 0 if title == "Equations in force" else 1
+        out.print(text_table(header, rows, title=title, styles=styles, title_style="none", whole=range(first)))
     for warning in explanation.warnings:
         out.print(Text(f"warning: {warning}", style="yellow"))
 
@@ -215,28 +216,9 @@ def numeric_rows(explanation: Explanation) -> Rows:
 
 def write_explanation(explanation: Explanation, scene: Scene, directory: str | Path) -> list[Path]:
     """Write ``explain.json``, ``equations.tex`` and ``scene.toml``, each whole or not at all."""
-    told = json.dumps(explanation.as_dict(), indent=2, allow_nan=False) + "\n"
-    return write_all(
-        directory,
-        {
-            "explain.json": told.encode(),
-            "equations.tex": article(explanation.title, explanation.in_force, explanation.equations).encode(),
-            "scene.toml": scene.to_toml().encode(),
-        },
-    )
-
-
-def _table(title: str, heads: tuple[str, ...], rows: Rows) -> Table:
-    """A plain table; no text of the user's is read as markup."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(title=Text(title), title_justify="left", box=box.SIMPLE_HEAD, show_header=bool(heads))
-    for number, _ in enumerate(rows[0] if rows else heads):
-        head = heads[number] if heads else ""
-        table.add_column(head, no_wrap=number == 0 and title != "Equations in force", overflow="fold")
-    for row in rows:
-        style = "dim" if title.startswith("Effects") and row[1] == "off" else ""
-        table.add_row(*(Text(cell, style=style) for cell in row))
-    return table
+    contents = {
+        "explain.json": explanation.as_dict(),
+        "equations.tex": article(explanation.title, explanation.in_force, explanation.equations),
+        "scene.toml": scene.to_toml(),
+    }
+    return write_results(directory, contents)

@@ -1,22 +1,24 @@
-"""A fit in words and rounded numbers, and as ``fit.json`` and ``fit.csv``."""
+"""A fit, or a comparison of laws, in words and rounded numbers, as JSON and CSV."""
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from softcat_sym.plotting.style import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit
+import numpy as np
+
+from softcat_sym.plotting.units import LENGTHS, STRESSES, Unit, length_unit, significant, time_unit
 
 if TYPE_CHECKING:
-    from softcat_sym.fitting.features import Features, Reading
+    from softcat_sym.fitting.features import Reading
     from softcat_sym.fitting.fit import Fit, FittedFilm, FittedParameter
     from softcat_sym.fitting.identifiability import Statistic
     from softcat_sym.fitting.inference import Profile
     from softcat_sym.fitting.least_squares import Fall
+    from softcat_sym.fitting.model_selection import LawComparison, Ranked
+
+from softcat_sym.plotting.files import csv_bytes, json_bytes
 
 NONE = "–"
 SMALL = 0.01
@@ -60,10 +62,10 @@ def parameter_texts(one: FittedParameter) -> tuple[str, str, str, str, str]:
     # A time offset of zero is told in the unit of its error.
     unit = display_unit(one.unit, max(abs(one.best), one.std or 0.0))
     name = one.name if one.unit == "1" else f"{one.name} [{unit.symbol}]"
-    return name, _value(one, unit), interval_text(one, unit), one.verdict, significant(one.typical / unit.size)
+    return name, _words_value(one, unit), interval_text(one, unit), one.verdict, significant(one.typical / unit.size)
 
 
-def _value(one: FittedParameter, unit: Unit) -> str:
+def _words_value(one: FittedParameter, unit: Unit) -> str:
     if one.value is None:
         return NONE
     value = one.value / unit.size
@@ -151,7 +153,7 @@ def feature_texts(film: FittedFilm) -> list[tuple[str, str]]:
     plain = Unit("", 1.0)
     units = (clock, clock, Unit("rad/s", 1.0), Unit("1/s", 1.0), ruler, plain)
     rows = zip(FEATURES.items(), units, strict=True)
-    return [(words, _reading(reading_of(features, name), unit)) for (name, words), unit in rows]
+    return [(words, _reading(getattr(features, name), unit)) for (name, words), unit in rows]
 
 
 FEATURES = {
@@ -163,18 +165,6 @@ FEATURES = {
     "prefactor": "prefactor B of the 1/3 law",
 }
 """Attributes of the features, and what they are called."""
-
-
-def reading_of(features: Features, name: str) -> Reading:
-    """One of `FEATURES`."""
-    return {
-        "t_low": features.t_low,
-        "t_high": features.t_high,
-        "frequency": features.frequency,
-        "decay": features.decay,
-        "sag": features.sag,
-        "prefactor": features.prefactor,
-    }[name]
 
 
 def _reading(one: Reading, unit: Unit) -> str:
@@ -194,7 +184,7 @@ _FEATURE_UNITS = {"t_low": "s", "t_high": "s", "frequency": "rad_s", "decay": "1
 def fit_document(fit: Fit) -> dict[str, Any]:
     """Everything of a fit that a program may want, as JSON takes it: plain SI, null for what is not a number."""
     checks = fit.checks
-    found: dict[str, Any] = {
+    return {
         "outcome": fit.outcome.word,
         "advice": fit.outcome.value,
         "parameters": {name: parameter_document(one) for name, one in fit.parameters.items()},
@@ -208,7 +198,7 @@ def fit_document(fit: Fit) -> dict[str, Any]:
             "autocorrelation": checks.autocorrelation,
             "chi_square": None if checks.size is None else _statistic(checks.size),
         },
-        "features": [{"film": film.name, **_features(film)} for film in fit.films],
+        "features": [{"film": film.name, **_words_features(film)} for film in fit.films],
         "films": [
             {"name": film.name, "path": None if series.path is None else str(series.path), "readings": film.time.size}
             for film, series in zip(fit.films, fit.measurements.series, strict=True)
@@ -223,28 +213,22 @@ def fit_document(fit: Fit) -> dict[str, Any]:
         "seconds": fit.seconds,
         "evaluations": sum(one.optimum.evaluations for one in fit.starts.falls),
     }
-    plain: dict[str, Any] = _plain(found)
-    return plain
 
 
 def fit_json(fit: Fit, more: Mapping[str, Any] | None = None) -> bytes:
     """Write the document, with further entries behind its own."""
-    document = {**fit_document(fit), **_plain(dict(more or {}))}
-    return (json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False) + "\n").encode()
+    return json_bytes({**fit_document(fit), **(more or {})}, is_ascii=False)
 
 
 def fit_csv(fit: Fit) -> bytes:
     """Tabulate data and model [m] and their difference over the noise, film by film; numbers read back exactly."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     shapes = not all(film.of_midpoint.all() for film in fit.films)
-    writer.writerow(("time_s", *(["x_m"] if shapes else []), "measured_m", "model_m", "residual", "film"))
+    rows: list[tuple[object, ...]] = []
     for film in fit.films:
+        # An empty place is that of the midpoint.
         columns = (film.time, *([film.place] if shapes else []), film.measured, film.model, film.residuals)
-        for row in zip(*(column.tolist() for column in columns), strict=True):
-            # An empty place is that of the midpoint.
-            writer.writerow((*("" if value != value else repr(value) for value in row), film.name))
-    return text.getvalue().encode()
+        rows += [(*row, film.name) for row in zip(*(column.tolist() for column in columns), strict=True)]
+    return csv_bytes(("time_s", *(["x_m"] if shapes else []), "measured_m", "model_m", "residual", "film"), rows)
 
 
 def parameter_document(one: FittedParameter) -> dict[str, Any]:
@@ -266,12 +250,12 @@ def _statistic(one: Statistic) -> dict[str, Any]:
     return {"name": one.name, "value": one.value, "p_value": one.p_value}
 
 
-def _features(film: FittedFilm) -> dict[str, Any]:
+def _words_features(film: FittedFilm) -> dict[str, Any]:
     if film.features is None:
         return {}
     found = {}
     for name in FEATURES:
-        one = reading_of(film.features, name)
+        one = getattr(film.features, name)
         unit = _FEATURE_UNITS[name]
         key = f"{name}_{unit}" if unit else name
         found[key] = {"value": one.value, "std": one.error, "reason": one.reason}
@@ -316,12 +300,93 @@ def _profile(one: Profile, fit: Fit) -> dict[str, Any]:
     }
 
 
-def _plain(value: Any) -> Any:
-    """Numbers that JSON does not know become null."""
-    if isinstance(value, dict):
-        return {key: _plain(one) for key, one in value.items()}
-    if isinstance(value, list):
-        return [_plain(one) for one in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+LAW_HEADINGS = ("law", "constants", "AICc", "BIC", "above the best", "weight", "residuals", "rms")
+"""Of the columns of :func:`law_texts`."""
+
+
+def law_texts(found: LawComparison, row: Ranked) -> tuple[str, ...]:
+    """One row of the table in words; a law that could not be fitted has no numbers."""
+    law = row.law
+    if law.failure:
+        return (law.name, str(law.unknowns), NONE, NONE, NONE, NONE, "no fit", NONE)
+    one = found.fits[law.name]
+    spread = residual_std(one)
+    numbers = (_number(row.aicc), _number(row.bic), _number(row.difference), f"{row.weight:.2f}")
+    return (law.name, str(law.unknowns), *numbers, one.checks.verdict, length_unit(spread).text(spread))
+
+
+def law_remarks(found: LawComparison) -> list[str]:
+    """What to know beside the table: values of every law, failures, restarts."""
+    said = [f"{row.law.name}: {values}" for row in found.choice.table if (values := _values(found, row))]
+    said += [f"{law} was started again from the optimum of {other}" for law, other in found.restarted.items()]
+    said += [f"no fit of {law}: {reason}" for law, reason in found.failures.items()]
+    return said
+
+
+def laws_document(found: LawComparison) -> dict[str, Any]:
+    """What a program may want of the comparison, in SI; infinite where there are too few readings, or no fit."""
+    return {
+        "verdict": found.choice.verdict,
+        "sentence": found.sentence,
+        "criterion": found.choice.criterion,
+        "close": list(found.choice.close),
+        "restarted": dict(found.restarted),
+        "table": [_entry(found, row) for row in found.choice.table],
+    }
+
+
+def laws_csv(found: LawComparison) -> bytes:
+    """Tabulate the ranking, the best law first; places of what is not known are empty."""
+    columns = ("law", "constants", "squares", "aic", "aicc", "bic", "difference", "weight", "residual_std_m")
+    words = ("residuals", "outcome", "failure")
+    rows = []
+    for rank, row in enumerate(found.choice.table, start=1):
+        entry = _entry(found, row)
+        rows.append((rank, *(entry[k] for k in columns), *(" ".join(str(entry[k] or "").split()) for k in words)))
+    return csv_bytes(("rank", *columns, *words), rows)
+
+
+def _entry(found: LawComparison, row: Ranked) -> dict[str, Any]:
+    one = found.fits.get(row.law.name)
+    return {
+        "law": row.law.name,
+        "constants": row.law.unknowns,
+        "squares": None if one is None else row.law.squares,
+        "aic": row.aic,
+        "aicc": row.aicc,
+        "bic": row.bic,
+        "difference": row.difference,
+        "weight": row.weight,
+        "residual_std_m": None if one is None else residual_std(one),
+        "residuals": None if one is None else one.checks.verdict,
+        "outcome": None if one is None else one.outcome.word,
+        "failure": row.law.failure,
+        "effects": [] if one is None else list(one.effects),
+        "parameters": {} if one is None else {name: parameter_document(p) for name, p in one.parameters.items()},
+    }
+
+
+def residual_std(one: Fit) -> float:
+    """Root mean square of model less measurement over all readings [m]."""
+    left = np.concatenate([film.model - film.measured for film in one.films])
+    return float(np.sqrt(np.mean(left**2)))
+
+
+def _values(found: LawComparison, row: Ranked) -> str:
+    """The fitted values of a law in words."""
+    one = found.fits.get(row.law.name)
+    return "" if one is None else ", ".join(_laws_value(p) for p in one.parameters.values())
+
+
+def _laws_value(one: FittedParameter) -> str:
+    name, value, *_ = parameter_texts(one)
+    if one.value is None:
+        return f"{one.name} {one.verdict}"
+    label, _, unit = name.partition(" [")
+    return f"{label} {value} {unit.rstrip(']')}".rstrip()
+
+
+def _number(value: float) -> str:
+    if not math.isfinite(value):
+        return "infinite"
+    return f"{value:.1f}".replace("-", "\N{MINUS SIGN}")

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from softcat_sym.files import write_all
 from softcat_sym.fitting.flow_curve import CRITERION, RATE, STRESS, Floats
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import HEADING, axes_in_inches, new_figure, png, significant
+from softcat_sym.plotting.files import columns_csv, json_bytes, write_results
+from softcat_sym.plotting.style import legend
+from softcat_sym.plotting.units import significant
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,8 +26,6 @@ if TYPE_CHECKING:
 
 CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"
 
-_LEFT, _RIGHT = 0.85, 0.3
-_HEIGHT, _BOTTOM, _GAP, _ABOVE, _BELOW = 5.8, 0.62, 0.2, 3.2, 0.95
 _LOOKS: dict[str, tuple[str, Any, str]] = {
     "bingham": (style.BLUE, (0, (5, 1.5)), "s"),
     "power-law": (style.GREEN, (0, (1.5, 1.2)), "^"),
@@ -38,16 +36,11 @@ _LOOKS: dict[str, tuple[str, Any, str]] = {
 def flow_curve_figure(fit: FlowCurveFit) -> Figure:
     """Draw data and fitted laws on logarithmic axes, their relative residuals below."""
     curve = fit.curve
+    title = curve.path.name if curve.path else "Flow curve"
+    found = f"flow curve, {len(curve.shear_rate)} points · {fit.best.law} by AICc · rms relative residuals"
     with style.styled():
-        figure = new_figure(style.WIDTH, _HEIGHT)
-        width, top = style.WIDTH - _LEFT - _RIGHT, _HEIGHT - HEADING
-        title = style.printable(curve.path.name) if curve.path else "Flow curve"
-        found = f"flow curve, {len(curve.shear_rate)} points · {fit.best.law} by AICc · rms relative residuals"
-        place = _LEFT / style.WIDTH
-        figure.text(place, 1 - 0.12 / _HEIGHT, title, va="top", fontsize=10.5, fontweight="bold", parse_math=False)
-        figure.text(place, 1 - 0.33 / _HEIGHT, found, va="top", fontsize=8.5, color=style.GREY)
-        above = axes_in_inches(figure, _LEFT, _BOTTOM + _BELOW + _GAP, width, _ABOVE)
-        below = axes_in_inches(figure, _LEFT, _BOTTOM, width, _BELOW)
+        figure, body = style.sheet(title, found, height=5.2)
+        above, below = body.subplots(2, 1, height_ratios=[3.4, 1])
         _draw_stresses(above, fit)
         _draw_residuals(below, fit)
         for axes in (above, below):
@@ -56,9 +49,7 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
             style.lighten(axes)
         above.tick_params(labelbottom=False)
         below.set_xlabel("shear rate [1/s]")
-        spot = (place, top / _HEIGHT)
-        close: dict[str, Any] = {"columnspacing": 1.0, "handlelength": 1.9, "fontsize": 7.5, "borderaxespad": 0.0}
-        figure.legend(loc="upper left", bbox_to_anchor=spot, ncols=4, **close)
+        legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4, handlelength=1.9)
     return figure
 
 
@@ -115,8 +106,7 @@ def flow_curve_csv(fit: FlowCurveFit) -> bytes:
     for one in fit.candidates:
         name = one.law.replace("-", "_")
         columns |= {f"{name}_Pa": one.fitted, f"{name}_relative_residual": one.residuals}
-    rows = zip(*(column.tolist() for column in columns.values()), strict=True)
-    return "".join([",".join(columns) + "\n", *(",".join(map(repr, row)) + "\n" for row in rows)]).encode()
+    return columns_csv(columns)
 
 
 def flow_curve_document(fit: FlowCurveFit, law: str | None = None) -> dict[str, Any]:
@@ -226,16 +216,11 @@ def print_flow_curve(fit: FlowCurveFit, console: Console | None = None) -> None:
 def write_flow_curve(
     fit: FlowCurveFit, directory: str | Path, law: str | None = None, scene: Scene | None = None
 ) -> list[Path]:
-    """Write ``flow_curve.json``, ``flow_curve.csv``, ``flow_curve.png`` and, of a scene, ``scene.toml``.
-
-    Everything is drawn before anything is written, and each file replaces its predecessor whole.
-    """
-    document = json.dumps(flow_curve_document(fit, law), indent=2, allow_nan=False, ensure_ascii=False)
+    """Write ``flow_curve.json``, ``flow_curve.csv``, ``flow_curve.png`` and, of a scene, ``scene.toml``."""
     contents = {
-        "flow_curve.json": (document + "\n").encode(),
+        "flow_curve.json": json_bytes(flow_curve_document(fit, law), is_ascii=False),
         "flow_curve.csv": flow_curve_csv(fit),
-        "flow_curve.png": png(flow_curve_figure(fit)),
+        "flow_curve.png": flow_curve_figure(fit),
+        "scene.toml": None if scene is None else scene.to_toml(),
     }
-    if scene is not None:
-        contents["scene.toml"] = scene.to_toml().encode()
-    return write_all(directory, contents)
+    return write_results(directory, contents)

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import base64
-import csv
 import io
 import json
 import math
+from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields
-from html import escape
-from importlib import resources
 from pathlib import Path
-from string import Template
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,11 +17,12 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
-from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.section import Floats, telling_frames, vertical_stretch
-from softcat_sym.plotting.shapes import Shape, shapes_of
-from softcat_sym.plotting.style import axes_in_inches, length_unit, new_figure, nice_floor, png, significant, time_unit
+from softcat_sym.plotting.files import csv_bytes, json_bytes, page, write_results
+from softcat_sym.plotting.run import Shape, largest_sag, shapes_of
+from softcat_sym.plotting.section import telling_frames, vertical_stretch
+from softcat_sym.plotting.style import axes_in_inches, new_figure
+from softcat_sym.plotting.units import length_unit, nice_floor, significant, time_unit
 from softcat_sym.studies.gallery import Exhibit
 
 if TYPE_CHECKING:
@@ -58,8 +55,7 @@ def tile(data: xr.Dataset, scene: Scene, exhibit: Exhibit) -> Figure:
         room = np.array([_WIDTH - 2 * _SIDE, _HEIGHT - _TEXT - _FOOT])
         axes = axes_in_inches(figure, _SIDE, _FOOT, *room)
         axes.set_axis_off()
-        sag = max(float(np.abs(one.section.y - _chord(one)).max()) for one in shapes)
-        stretch = vertical_stretch(sag, scene.filament.thickness, scene.filament.span)
+        stretch = vertical_stretch(largest_sag(shapes), scene.filament.thickness, scene.filament.span)
         # Equal lengths within the room, centred; three per cent of air around.
         scale = min(room[0] / (high[0] - low[0]), room[1] / (stretch * (high[1] - low[1]))) / 1.06
         centre, half = (low + high) / 2, room / np.array([scale, scale * stretch]) / 2
@@ -76,12 +72,6 @@ def _shown(data: xr.Dataset, span: float) -> xr.Dataset:
     """The part of a run that fits a picture."""
     deep = np.abs(data["y"].values).max(axis=1) > _DEEPEST * max(span, float(np.ptp(data["x"].values, axis=1).max()))
     return data.isel(time=slice(0, max(2, int(deep.argmax())))) if deep.any() else data
-
-
-def _chord(shape: Shape) -> Floats:
-    y = shape.section.y
-    line: Floats = np.linspace(y[0], y[-1], y.size)
-    return line
 
 
 def _draw(axes: Axes, shape: Shape, strength: float) -> None:
@@ -170,11 +160,11 @@ def kept_exhibits(directory: str | Path) -> dict[str, Exhibit]:
 def write_exhibit(asked: Asked, trajectory: Trajectory, done: Mapping[str, Exhibit], directory: str | Path) -> None:
     """Write picture and scene file of the scene that was just run, and the document of all that are finished."""
     contents = {
-        f"{asked.name}.png": png(tile(trajectory.data, trajectory.scene, done[asked.name])),
-        f"{asked.name}.toml": asked.text.encode(),
+        f"{asked.name}.png": tile(trajectory.data, trajectory.scene, done[asked.name]),
+        f"{asked.name}.toml": asked.text,
         DOCUMENT: _document(done),
     }
-    write_all(directory, contents)
+    write_results(directory, contents)
 
 
 def write_gallery(done: Mapping[str, Exhibit], directory: str | Path) -> list[Path]:
@@ -186,10 +176,10 @@ def write_gallery(done: Mapping[str, Exhibit], directory: str | Path) -> list[Pa
     contents = {
         "gallery.html": _page(exhibits, pictures, texts),
         "gallery.png": contact_sheet(list(pictures.values())),
-        "gallery.csv": _table(exhibits),
+        "gallery.csv": csv_bytes(_NAMES, (asdict(one).values() for one in exhibits)),
         DOCUMENT: _document(done),
     }
-    return write_all(folder, contents)
+    return write_results(folder, contents)
 
 
 def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:
@@ -210,35 +200,15 @@ def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:
 
 def _document(done: Mapping[str, Exhibit]) -> bytes:
     rows = [{_UNITS.get(key, key): value for key, value in asdict(done[name]).items()} for name in sorted(done)]
-    return (json.dumps({"note": NOTE, "scenes": rows}, indent=2, allow_nan=False, ensure_ascii=False) + "\n").encode()
-
-
-def _table(exhibits: Sequence[Exhibit]) -> bytes:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_NAMES)
-    writer.writerows(["" if value is None else value for value in asdict(one).values()] for one in exhibits)
-    return text.getvalue().encode()
+    return json_bytes({"note": NOTE, "scenes": rows}, is_ascii=False)
 
 
 def _page(exhibits: Sequence[Exhibit], pictures: Mapping[str, bytes], texts: Mapping[str, str]) -> bytes:
-    folder = resources.files("softcat_sym.plotting") / "templates"
-    template = Template((folder / "gallery.html").read_text(encoding="utf-8"))
-    cards = "\n".join(_card(one, pictures[one.name], texts[one.name]) for one in exhibits)
     spent = significant(sum(one.wall for one in exhibits))
+    cards = [(one, _facts(one), b64encode(pictures[one.name]).decode(), texts[one.name]) for one in exhibits]
     subtitle = f"{len(exhibits)} scene{'s' if len(exhibits) > 1 else ''}, run in {spent} s"
-    return template.substitute(subtitle=escape(subtitle), note=escape(NOTE), cards=cards).encode()
+    return page("gallery.html", title="softcat scenes", subtitle=subtitle, note=NOTE, cards=cards)
 
 
-def _card(one: Exhibit, picture: bytes, text: str) -> str:
-    data = base64.b64encode(picture).decode()
-    ruler, clock = length_unit(one.span), time_unit(one.duration)
-    facts = f"{one.law} · span {ruler.text(one.span)} · {clock.text(one.duration)}"
-    name = escape(one.name)
-    return (
-        f'<article id="{name}">\n'
-        f'<img src="data:image/png;base64,{data}" alt="{name}: {escape(one.title)}">\n'
-        f"<h2>{escape(one.title)}</h2>\n<p>{escape(one.lesson)}</p>\n"
-        f'<p class="grey">{escape(facts)}</p>\n<pre>softcat run {name} -o out</pre>\n'
-        f"<details><summary>{name}.toml</summary><pre>{escape(text)}</pre></details>\n</article>"
-    )
+def _facts(one: Exhibit) -> str:
+    return f"{one.law} · span {length_unit(one.span).text(one.span)} · {time_unit(one.duration).text(one.duration)}"

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 import math
-import textwrap
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -15,9 +11,11 @@ from typing import TYPE_CHECKING, Any
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.style import HEADING, axes_in_inches, head, label_points, new_figure, png, significant
+from softcat_sym.plotting.files import csv_bytes, write_results
+from softcat_sym.plotting.style import headed, label_points, legend
+from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.units import significant
 from softcat_sym.studies.pricing import DEFINITION, Pricing, Unpriced, percent, reading
 
 if TYPE_CHECKING:
@@ -34,12 +32,8 @@ _HEAD = ("scene", "effects in force", "what moves the answer most", "time of eve
 
 def rows_csv(pricing: Pricing) -> bytes:
     """A line for each effect and for everything at once; what is not there is empty, every number reads back."""
-    stream = io.StringIO()
     lines = [_flat(row) for row in (*pricing.rows, pricing.everything)]
-    writer = csv.DictWriter(stream, list(lines[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(lines)
-    return stream.getvalue().encode()
+    return csv_bytes(lines[0], (line.values() for line in lines))
 
 
 def document(pricing: Pricing) -> dict[str, Any]:
@@ -108,11 +102,11 @@ def _nested(row: PricingRow) -> dict[str, Any]:
     }
 
 
-def _flat(row: PricingRow) -> dict[str, str]:
+def _flat(row: PricingRow) -> dict[str, object]:
     nested = _nested(row)
     run = nested.pop("run") or {}
     names = ("states", "algebraic", "instructions", "solve_s", "solver", "outcome", "message")
-    return {name: _cell(value) for name, value in (nested | {name: run.get(name) for name in names}).items()}
+    return {**nested, "also": " ".join(row.also), **{name: run.get(name) for name in names}}
 
 
 def _cost(run: PricedRun) -> dict[str, Any]:
@@ -127,15 +121,6 @@ def _cost(run: PricedRun) -> dict[str, Any]:
     }
 
 
-def _cell(value: object) -> str:
-    if value is None:
-        return ""
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        return " ".join(map(str, value))
-    return repr(value) if isinstance(value, float) else str(value)
-
-
-_LEFT, _RIGHT, _GAP, _SIDE, _TALL, _LINE = 0.95, 0.2, 0.16, 1.12, 3.5, 0.145
 _UNSEEN = 1e-3
 """Changes below this share of the accuracy asked are drawn there: solver tolerances make the rest."""
 
@@ -163,38 +148,36 @@ def pricing_figure(pricing: Pricing) -> Figure:
     # Everything is a point of its own only where it is more than the base.
     rows = [*pricing.rows, *([pricing.everything] if pricing.everything.also else [])]
     shown = [row for row in rows if row.share is not None and row.time_ratio is not None]
-    notes = _notes(pricing, rows)
-    bottom = 0.98 + _LINE * len(notes)
+    accuracy = pricing.scene.run.accuracy
+    heights = [max(row.share or 0.0, _UNSEEN * accuracy) for row in shown]
     with style.styled():
-        figure = new_figure(style.WIDTH, bottom + _TALL + HEADING)
-        head(
-            figure,
-            "each effect left out or put in, in turn",
-            {"outcome": pricing.base.outcome.name},
-            pricing.scene,
-            _LEFT,
-        )
-        width = style.WIDTH - _LEFT - _RIGHT - 2 * (_SIDE + _GAP)
-        places = [(_LEFT, width), *((_LEFT + width + _GAP + k * (_SIDE + _GAP), _SIDE) for k in (0, 1))]
-        panels = [axes_in_inches(figure, left, bottom, wide, _TALL) for left, wide in places]
+        figure, body = headed(
+            pricing.scene, "each effect left out or put in, in turn", {"outcome": pricing.base.outcome.name},
+            height=4.2, notes="\n".join(_notes(pricing, rows)),
+        )  # fmt: skip
+        panels = body.subplots(1, 3, sharey=True, width_ratios=[3, 1, 1])
+        panels[0].set_yscale("log")
+        # Room for names above and below.
+        panels[0].set_ylim(min([accuracy / 3, *heights]) / 3, 3 * max([10 * accuracy, *heights]))
+        _upwards(panels[0])
+        handles = [
+            Line2D([], [], linestyle="none", markersize=5.5, label=name, **mark) for name, mark in _MARKS.items()
+        ]
+        asked = f"accuracy asked, {percent(accuracy)}"
+        handles.append(Line2D([], [], color=style.GREY, linewidth=0.9, linestyle=(0, (4, 2)), label=asked))
+        legend(body, handles=handles, ncols=4)
+        # Ticks and names go where there is room for them.
+        figure.draw_without_rendering()
         ratios = ("time_ratio", "states_ratio", "instructions_ratio")
-        accuracy = pricing.scene.run.accuracy
-        floor = _UNSEEN * accuracy
-        heights = [max(row.share or 0.0, floor) for row in shown]
         for axes, ratio, name in zip(panels, ratios, ("solve time", "unknowns", "instructions"), strict=True):
             points = [(getattr(row, ratio), height) for row, height in zip(shown, heights, strict=True)]
-            axes.set_yscale("log")
-            # Room for names above and below.
-            axes.set_ylim(min([accuracy / 3, *heights]) / 3, 3 * max([10 * accuracy, *heights]))
-            _upwards(axes)
             _panel(axes, points, shown, accuracy)
             axes.set_xlabel(name)
         panels[0].set_ylabel("change of the midpoint / its largest")
-        for axes in panels[1:]:
-            axes.tick_params(labelleft=False)
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")
         times = [row.time_ratio or 1.0 for row in shown]
         label_points(panels[0], list(zip(times, heights, strict=True)), [row.effect for row in shown])
-        _explain(figure, pricing, notes)
     return figure
 
 
@@ -261,18 +244,7 @@ def _notes(pricing: Pricing, rows: Sequence[PricingRow]) -> list[str]:
     ]
     if ends:
         said.append(f"Not to be trusted, and not drawn: {'; '.join(ends)}.")
-    return [line for text in said for line in textwrap.wrap(text, 112)]
-
-
-def _explain(figure: Figure, pricing: Pricing, notes: Sequence[str]) -> None:
-    height = figure.get_size_inches()[1]
-    handles = [Line2D([], [], linestyle="none", markersize=5.5, label=name, **mark) for name, mark in _MARKS.items()]
-    asked = f"accuracy asked, {percent(pricing.scene.run.accuracy)}"
-    handles.append(Line2D([], [], color=style.GREY, linewidth=0.9, linestyle=(0, (4, 2)), label=asked))
-    place = (_LEFT / style.WIDTH, (0.32 + _LINE * len(notes)) / height)
-    figure.legend(handles=handles, loc="center left", bbox_to_anchor=place, ncols=4, borderaxespad=0.0, columnspacing=1)
-    for k, line in enumerate(reversed(notes)):
-        figure.text(_LEFT / style.WIDTH, (0.08 + _LINE * k) / height, line, fontsize=7.5, color=style.GREY)
+    return said
 
 
 _NOTE = (
@@ -292,24 +264,11 @@ def row_texts(row: PricingRow) -> tuple[str, ...]:
 
 def pricing_columns(pricing: Pricing) -> Table:
     """Lay the rows out as a table for the terminal."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(
-        title=Text(pricing.scene.title or "Filament", style="bold"),
-        title_justify="left",
-        caption=Text(_NOTE, style="dim"),
-        caption_justify="left",
-        box=box.SIMPLE_HEAD,
-        padding=(0, 1, 0, 0),
-    )
     names = ("effect", "", "change", "own", "expected", "un-\nknowns", "instruc-\ntions", "time")
-    for k, name in enumerate(names):
-        table.add_column(Text(name), justify="left" if k < 2 else "right", no_wrap=True)
-    for row in (*pricing.rows, pricing.everything):
-        table.add_row(*(Text(text) for text in row_texts(row)))
-    return table
+    rows = [row_texts(row) for row in (*pricing.rows, pricing.everything)]
+    title = pricing.scene.title or "Filament"
+    looks: dict[str, Any] = {"right": range(2, 8), "whole": range(9), "padding": (0, 1, 0, 0)}
+    return text_table(names, rows, title=title, caption=_NOTE, **looks)
 
 
 def remarks(pricing: Pricing) -> list[str]:
@@ -341,12 +300,12 @@ def print_pricing(pricing: Pricing, console: Console | None = None) -> None:
 def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
     """Write ``effects.json``, ``effects.csv``, ``effects.png`` and ``scene.toml``."""
     contents = {
-        "effects.json": _json(pricing),
+        "effects.json": document(pricing),
         "effects.csv": rows_csv(pricing),
-        "effects.png": png(pricing_figure(pricing)),
-        "scene.toml": pricing.scene.to_toml().encode(),
+        "effects.png": pricing_figure(pricing),
+        "scene.toml": pricing.scene.to_toml(),
     }
-    return write_all(directory, contents)
+    return write_results(directory, contents)
 
 
 def write_pricings(pricings: Iterable[Pricing | Unpriced], directory: str | Path) -> list[Path]:
@@ -355,16 +314,12 @@ def write_pricings(pricings: Iterable[Pricing | Unpriced], directory: str | Path
     written: dict[Path, None] = {}
     for one in pricings:
         done.append(one)
-        contents = {"pricing.md": pricing_table(done).encode()}
+        contents: dict[str, object] = {"pricing.md": pricing_table(done)}
         if not isinstance(one, Unpriced):
-            contents[f"effects_{one.name}.json"] = _json(one)
-            contents[f"effects_{one.name}.png"] = png(pricing_figure(one))
-        written |= dict.fromkeys(write_all(directory, contents))
+            contents[f"effects_{one.name}.json"] = document(one)
+            contents[f"effects_{one.name}.png"] = pricing_figure(one)
+        written |= dict.fromkeys(write_results(directory, contents))
     return list(written)
-
-
-def _json(pricing: Pricing) -> bytes:
-    return (json.dumps(document(pricing), indent=2, allow_nan=False) + "\n").encode()
 
 
 def _share(value: float | None) -> str:

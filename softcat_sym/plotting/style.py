@@ -1,27 +1,35 @@
-"""One restrained publication style: colours, fonts, units in which values read best, names beside points, stamps."""
+"""One restrained publication style: colours, fonts, sheets with their headings, names beside points, stamps."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
 from functools import cache
 from io import BytesIO
-from typing import TYPE_CHECKING, Any, Final, Protocol, TypeAlias
+from textwrap import fill
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 import numpy as np
+from matplotlib import rc_context
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.transforms import Bbox
-from numpy.typing import ArrayLike, NDArray
+from matplotlib.figure import Figure, SubFigure
+from matplotlib.font_manager import findfont, get_font
+from matplotlib.legend import Legend
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.transforms import Bbox, ScaledTranslation
+from numpy.typing import ArrayLike
 
 from softcat_sym.errors import SoftcatError
+from softcat_sym.plotting.units import Summary, time_unit
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.text import Text
+
+    from softcat_sym.scene.scene import Scene
 
 SCREEN: Final = "screen"
 STYLES: Final = {SCREEN: SCREEN, "publication": "column", "column": "column", "page": "page"}
@@ -36,179 +44,6 @@ def picture_style(asked: str) -> str:
             "page (174 mm wide)"
         )
     return STYLES[asked]
-
-
-Summary: TypeAlias = Mapping[str, Any]
-"""The dictionary that ``summary.json`` holds."""
-
-
-class PicturedFilament(Protocol):
-    """Geometry and density of the filament, SI."""
-
-    @property
-    def span(self) -> float:
-        """Distance between the supports [m]."""
-
-    @property
-    def thickness(self) -> float:
-        """Initial thickness [m]."""
-
-    @property
-    def density(self) -> float:
-        """Density [kg/m^3]."""
-
-
-class PicturedMaterial(Protocol):
-    """The law and the two moduli that scale a picture, SI."""
-
-    @property
-    def law(self) -> str:
-        """Name of the law."""
-
-    @property
-    def youngs_modulus(self) -> float | None:
-        """Young's modulus [Pa]; ``None`` for a law without elasticity."""
-
-    @property
-    def yield_stress(self) -> float | None:
-        """Tensile yield stress [Pa]; ``None`` for a law that does not yield."""
-
-
-class PicturedLoad(Protocol):
-    """The load, SI."""
-
-    @property
-    def gravity(self) -> float:
-        """Acceleration of gravity [m/s^2]."""
-
-
-class PicturedEnds(Protocol):
-    """What holds the ends."""
-
-    @property
-    def left(self) -> str:
-        """``"clamped"``, or another kind of end."""
-
-    @property
-    def right(self) -> str:
-        """Likewise."""
-
-    @property
-    def drop(self) -> float:
-        """Right support below the left one [m]."""
-
-    @property
-    def motion(self) -> tuple[tuple[float, float, float], ...]:
-        """Path of the right support; empty where it stays."""
-
-
-class PicturedRun(Protocol):
-    """What was asked of the run."""
-
-    @property
-    def accuracy(self) -> float:
-        """Accuracy of the midpoint relative to its largest sag."""
-
-
-class PicturedScene(Protocol):
-    """The part of a scene that reaches a picture or a table."""
-
-    @property
-    def title(self) -> str:
-        """Title, possibly empty."""
-
-    @property
-    def filament(self) -> PicturedFilament:
-        """The filament."""
-
-    @property
-    def material(self) -> PicturedMaterial:
-        """The material."""
-
-    @property
-    def ends(self) -> PicturedEnds:
-        """The ends."""
-
-    @property
-    def load(self) -> PicturedLoad:
-        """The load."""
-
-    @property
-    def run(self) -> PicturedRun:
-        """The run."""
-
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """A display unit."""
-
-    symbol: str  # Symbol written on the axis
-    size: float  # Size of the unit in SI units
-
-    def of(self, value: ArrayLike) -> NDArray[np.float64]:
-        """Express SI values in this unit."""
-        return np.asarray(value, dtype=np.float64) / self.size
-
-    def text(self, value: float) -> str:
-        """Write one SI value with three significant digits and this unit."""
-        return f"{significant(value / self.size)} {self.symbol}"
-
-
-LENGTHS = (Unit("nm", 1e-9), Unit("µm", 1e-6), Unit("mm", 1e-3), Unit("m", 1.0), Unit("km", 1e3))
-# An hour and a minute begin late: 90 s and 100 min read better than 1.5 min and 1.67 h.
-TIMES = (Unit("µs", 1e-6), Unit("ms", 1e-3), Unit("s", 1.0), Unit("min", 60.0), Unit("h", 3600.0))
-TIMES_BEGIN = (1e-6, 1e-3, 1.0, 300.0, 10800.0)
-ENERGIES = (Unit("pJ", 1e-12), Unit("nJ", 1e-9), Unit("µJ", 1e-6), Unit("mJ", 1e-3), Unit("J", 1.0), Unit("kJ", 1e3))
-SHARES = (Unit("ppb", 1e-9), Unit("ppm", 1e-6), Unit("%", 1e-2))
-SHARES_BEGIN = (1e-9, 1e-6, 1e-4)
-STRESSES = (Unit("mPa", 1e-3), Unit("Pa", 1.0), Unit("kPa", 1e3), Unit("MPa", 1e6), Unit("GPa", 1e9))
-
-
-def length_unit(largest: float, fallback: float = 1.0) -> Unit:
-    """Choose nm, µm, mm, m or km for lengths up to ``largest`` [m]."""
-    return _choose(LENGTHS, tuple(unit.size for unit in LENGTHS), largest or fallback)
-
-
-def time_unit(largest: float) -> Unit:
-    """Choose µs, ms, s, min (from 300 s) or h (from 3 h) for times up to ``largest`` [s]."""
-    return _choose(TIMES, TIMES_BEGIN, largest or 1.0)
-
-
-def energy_unit(largest: float) -> Unit:
-    """Choose a prefix of the joule for energies up to ``largest`` [J]."""
-    return _choose(ENERGIES, tuple(unit.size for unit in ENERGIES), largest or 1.0)
-
-
-def share_unit(largest: float) -> Unit:
-    """Choose ppb, ppm (from 1e-6) or per cent (from 1e-4) for shares up to ``largest``."""
-    return _choose(SHARES, SHARES_BEGIN, largest or 1.0)
-
-
-def stress_unit(largest: float) -> Unit:
-    """Choose a prefix of the pascal for stresses up to ``largest`` [Pa]."""
-    return _choose(STRESSES, tuple(unit.size for unit in STRESSES), largest or 1.0)
-
-
-def significant(value: float) -> str:
-    """Write a number with three significant digits, a true minus sign and no exponent between 1e-3 and 1e5."""
-    if value == 0 or not math.isfinite(value):
-        return f"{abs(value):g}" if value == 0 else str(value)
-    exponent = math.floor(math.log10(abs(float(f"{value:.2e}"))))
-    text = f"{value:.{max(0, 2 - exponent)}f}" if -3 <= exponent < 5 else f"{value:.2e}"
-    return text.replace("-", "\N{MINUS SIGN}", 1) if value < 0 else text
-
-
-def nice_floor(value: float) -> float:
-    """Round a positive number down to 1, 2 or 5 times a power of ten."""
-    power = 10.0 ** math.floor(math.log10(value))
-    # The tiny slack keeps 0.02 / 0.01 a two, and not 1.9999999999999998.
-    return max((step for step in (1.0, 2.0, 5.0) if step * power <= value * (1 + 1e-12)), default=1.0) * power
-
-
-def _choose(units: tuple[Unit, ...], begins: tuple[float, ...], largest: float) -> Unit:
-    """Take the last unit whose range has begun; the slack keeps 0.999999999999 s in seconds."""
-    reached = [unit for unit, begin in zip(units, begins, strict=True) if abs(largest) >= begin * (1 - 1e-9)]
-    return reached[-1] if reached else units[0]
 
 
 BLACK: Final = "#222222"
@@ -276,8 +111,6 @@ RC: Final[dict[str, Any]] = {
 
 def styled() -> AbstractContextManager[None]:
     """Put the style in force for the length of a ``with`` block; what was set before comes back."""
-    from matplotlib import rc_context
-
     # Matplotlib's versions disagree on the type of the keys, not on the keys.
     settings: Any = RC
     return rc_context(settings)
@@ -305,8 +138,6 @@ def printable(text: str, longest: int = 78) -> str:
 @cache
 def _glyphs() -> frozenset[int]:
     """Code points of the report's font."""
-    from matplotlib.font_manager import findfont, get_font
-
     return frozenset(get_font(findfont("DejaVu Sans")).get_charmap())
 
 
@@ -381,19 +212,13 @@ def new_figure(width: float, height: float) -> Figure:
     return figure
 
 
-def constrained(figure: Figure, heading: float = HEADING) -> None:
-    """Let Matplotlib's constrained layout place the axes of a figure below a heading of this height [inch]."""
-    height = figure.get_size_inches()[1]
-    figure.set_layout_engine("constrained", rect=(0.0, 0.0, 1.0, 1.0 - heading / height), w_pad=0.06, h_pad=0.04)
-
-
 def axes_in_inches(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
     """Add axes at a place given in inches, so that a layout needs no solver and an aspect is exact."""
     full_width, full_height = figure.get_size_inches()
     return figure.add_axes((left / full_width, bottom / full_height, width / full_width, height / full_height))
 
 
-def head(figure: Figure, what: str, summary: Summary, scene: PicturedScene, left: float) -> None:
+def head(figure: Figure, what: str, summary: Summary, scene: Scene, left: float) -> None:
     """Write the scene's title, what is shown and how the run ended along the top; stamp what is refused."""
     width, height = figure.get_size_inches()
     ending = [str(summary[key]) for key in ("regime", "outcome") if summary.get(key)]
@@ -406,15 +231,86 @@ def head(figure: Figure, what: str, summary: Summary, scene: PicturedScene, left
     stamp(figure, summary)
 
 
+def sheet(
+    title: str, below: str = "", *, height: float, notes: str = "", width: float = WIDTH, columns: int = 118
+) -> tuple[Figure, SubFigure]:
+    """A figure with a title and what is shown along its top and notes along its bottom, and the part in between.
+
+    Matplotlib's constrained layout places axes and legends in that part, which is `height` [inch] high.
+    """
+    text = "\n".join(fill(line, columns) for line in notes.splitlines())
+    top = HEADING if below else _TITLE + 0.05
+    foot = 0.2 + 0.145 * text.count("\n") if text else 0.0
+    tall = top + height + foot
+    figure = new_figure(width, tall)
+    figure.set_layout_engine("constrained", w_pad=0.06, h_pad=0.04)
+    ratios = [top, height, *([foot] if foot else [])]
+    parts: Any = figure.subfigures(len(ratios), 1, height_ratios=ratios)
+    body: SubFigure = parts[1]
+    for words, down, look in (
+        (printable(title), 0.12, {"fontsize": 10.5, "fontweight": "bold"}),
+        (printable(below, 118), 0.33, {"fontsize": 8.5, "color": GREY}),
+        (text, tall - foot + 0.03, {"fontsize": 7.5, "linespacing": 1.3}),
+    ):
+        if not words:
+            continue
+        # In inches from the top: a figure may yet be made as high as its panels need.
+        place = figure.transFigure + ScaledTranslation(0.2, -down, figure.dpi_scale_trans)
+        figure.text(0.0, 1.0, words, va="top", parse_math=False, transform=place, **look)
+    return figure, body
+
+
+def headed(
+    scene: Scene, what: str, summary: Summary, *, height: float, notes: str = "", columns: int = 118
+) -> tuple[Figure, SubFigure]:
+    """A :func:`sheet` with the scene's title, what is shown and how the run ended; stamped if it is refused."""
+    ending = [str(summary[key]) for key in ("regime", "outcome") if summary.get(key)]
+    below = " · ".join([what, *ending])
+    figure, body = sheet(scene.title or "Filament", below, height=height, notes=notes, columns=columns)
+    stamp(figure, summary)
+    return figure, body
+
+
+def legend(part: Figure | SubFigure, where: str = "lower left", **settings: Any) -> Legend:
+    """A legend outside the axes of a part of a figure."""
+    close = {"borderaxespad": 1.0, "columnspacing": 1.1, "handletextpad": 0.5, "fontsize": 7.5, **settings}
+    place: Any = f"outside {where}"
+    drawn: Legend = part.legend(loc=place, **close)
+    return drawn
+
+
+def secondary_scale(factor: float) -> tuple[Callable[[ArrayLike], ArrayLike], Callable[[ArrayLike], ArrayLike]]:
+    """Multiplication by a factor and its inverse, as a secondary axis wants them."""
+    return lambda values: np.asarray(values) * factor, lambda values: np.asarray(values) / factor
+
+
+def plain_log(axis: Axis, text: Callable[[float], str] = "{:g}".format, subs: Sequence[float] | None = None) -> None:
+    """Write the ticks of a logarithmic axis as plain numbers; Matplotlib's formulas need fonts that not all have."""
+    if subs is not None:
+        axis.set_major_locator(LogLocator(subs=subs, numticks=12))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: text(value)))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def png(figure: Figure, *, titled: bool = True) -> bytes:
     """Draw a figure."""
     content = BytesIO()
-    # Some settings are read only now: ticks are made, and fonts found, while drawing.
     width, height = figure.get_size_inches()
-    shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
+    # Some settings are read only now: ticks are made, and fonts found, while drawing.
     with styled():
+        shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
         figure.savefig(content, format="png", bbox_inches=shown)
     return content.getvalue()
+
+
+def printed(name: str, figure: Figure, dpi: int) -> dict[str, bytes]:
+    """Draw a figure as PDF and PNG under the style in force; the same figure gives the same bytes."""
+    drawn = {}
+    for ending, metadata in (("pdf", {"CreationDate": None}), ("png", None)):
+        content = BytesIO()
+        figure.savefig(content, format=ending, dpi=dpi, metadata=metadata)
+        drawn[f"{name}.{ending}"] = content.getvalue()
+    return drawn
 
 
 _FONT, _MARKER, _PAD = 7.5, 4.0, 1.0
@@ -495,27 +391,3 @@ def _box(centre: Pixel, size: Pixel, pad: float) -> Bbox:
 
 def _around(x: float, y: float, half: float) -> Bbox:
     return Bbox.from_extents(x - half, y - half, x + half, y + half)
-
-
-REGIMES = {
-    "no-yield": "it holds: no fibre yields",
-    "arrested-overdamped": "it yields, sags and stops",
-    "arrested-underdamped": "it yields, overshoots, swings back and stops",
-    "descending": "it does not stop within this run",
-    "viscous": "it flows for as long as it is loaded",
-    "shaken": "it has yielded, is shaken, and flows no further",
-    "elastic": "it is elastic and sags no further than its modulus lets it",
-}
-"""Regimes by name."""
-
-
-def regime_words(name: str) -> str:
-    """A regime in words, and its name."""
-    return f"{REGIMES[name]} ({name})" if name in REGIMES else name
-
-
-def error_percent(share: float) -> str:
-    """An error in per cent with one digit, two if the first is a one: ``0.09 %``, ``1.1 %``."""
-    rough = f"{100 * share:.1e}"
-    digits = 2 if rough.startswith("1") else 1
-    return f"{float(f'{100 * share:.{digits}g}'):g} %"

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from softcat_sym.plotting.style import error_percent, length_unit, regime_words, significant, time_unit
+from softcat_sym.plotting.units import error_percent, length_unit, regime_words, significant, time_unit
 from softcat_sym.progress import Display
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.table import Table
 
-    from softcat_sym.plotting.style import PicturedScene, Summary
+    from softcat_sym.plotting.units import Summary
+    from softcat_sym.scene.scene import Scene
 
 
 class IntegrationProgress(Display):
@@ -76,13 +79,13 @@ _NAMED, _NARROW = 2, 30
 Rows = list[tuple[str, str]]
 
 
-def headline(summary: Summary, scene: PicturedScene) -> str:
+def headline(summary: Summary, scene: Scene) -> str:
     """The title, behind a stamp if the answer is refused."""
     title = scene.title or "Filament"
     return title if summary["outcome"] == "solved" else f"{REFUSED} ({summary['outcome']}): {title}"
 
 
-def answer_rows(summary: Summary, scene: PicturedScene) -> Rows:
+def answer_rows(summary: Summary, scene: Scene) -> Rows:
     """What is asked of a run, in words."""
     refused = summary["outcome"] != "solved"
     rows: Rows = [("outcome", str(summary["outcome"]))]
@@ -121,7 +124,7 @@ def detail_rows(summary: Summary) -> Rows:
 
 def print_summary(
     summary: Summary,
-    scene: PicturedScene,
+    scene: Scene,
     files: Sequence[Path] = (),
     *,
     verbose: bool = False,
@@ -160,7 +163,39 @@ def print_rows(rows: Rows, console: Console) -> None:
             console.print(Text.assemble((label, _STYLES.get(name, "dim")), (line, style)), soft_wrap=True)
 
 
-def _place(summary: Summary, scene: PicturedScene, *, refused: bool) -> Rows:
+def text_table(
+    header: Sequence[str],
+    rows: Iterable[Sequence[str]],
+    *,
+    title: str = "",
+    caption: str = "",
+    right: Container[int] = (),
+    styles: Iterable[str] = (),
+    whole: Container[int] = (),
+    **settings: Any,
+) -> Table:
+    """A table of texts, none of which is read as markup; columns on the `right`, and those that stay `whole`."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    looks: dict[str, Any] = {
+        "box": box.SIMPLE_HEAD,
+        "show_header": any(header),
+        "title_justify": "left",
+        "title_style": "bold",
+    } | settings
+    table = Table(title=Text(title) if title else None, **looks)
+    if caption:
+        table.caption, table.caption_justify = Text(caption, style="dim"), "left"
+    for k, name in enumerate(header):
+        table.add_column(Text(name), justify="right" if k in right else "left", no_wrap=k in whole, overflow="fold")
+    for row, style in zip_longest(rows, styles, fillvalue=""):
+        table.add_row(*(Text(cell, style=style) for cell in row))
+    return table
+
+
+def _place(summary: Summary, scene: Scene, *, refused: bool) -> Rows:
     """Where the midpoint is in the end, with its error; the mean of what still swings."""
     final = summary.get("midpoint_final_m")
     if final is None:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import math
-import textwrap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,11 +11,15 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+from rich.console import Console
+from rich.text import Text
 
-from softcat_sym.files import write_all
 from softcat_sym.plotting import style
-from softcat_sym.plotting.compare_files import document as comparison_document
-from softcat_sym.plotting.style import HEADING, axes_in_inches, head, new_figure, png, significant
+from softcat_sym.plotting.compare import document as comparison_document
+from softcat_sym.plotting.files import csv_bytes, write_results
+from softcat_sym.plotting.style import headed, legend
+from softcat_sym.plotting.terminal import text_table
+from softcat_sym.plotting.units import significant
 from softcat_sym.studies import theory_end
 from softcat_sym.studies.compare import SHARES, moments
 from softcat_sym.studies.theory_end import Limit
@@ -25,7 +27,6 @@ from softcat_sym.studies.theory_end import Limit
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from rich.console import Console
 
     from softcat_sym.discretization.grid import Floats
     from softcat_sym.reference.elements import ElementRun
@@ -66,7 +67,7 @@ def errors_csv(end: TheoryEnd) -> bytes:
             told = [theory.row.name.replace(",", ""), summary["outcome"], summary["regime"] or ""]
             rows.append([one.value, *told, last, *theory.error.values, theory.grid])
     rows += [[lost.value, "", "not run", "", None, *[None] * len(names), None] for lost in end.unmeasured]
-    return _csv(header, rows)
+    return csv_bytes(header, rows)
 
 
 def limits_csv(end: TheoryEnd) -> bytes:
@@ -78,7 +79,7 @@ def limits_csv(end: TheoryEnd) -> bytes:
             if limit is not None:
                 parts = (limit.intercept, limit.uncertainty, limit.leaving_out, limit.mesh, limit.coefficients[1])
                 rows.append([name.replace(",", ""), moment, *parts, limit.order])
-    return _csv(header, rows)
+    return csv_bytes(header, rows)
 
 
 def cost_rows(one: Measured) -> Iterator[tuple[str, int, int, float, float | None, float]]:
@@ -105,7 +106,7 @@ def cost_csv(end: TheoryEnd) -> bytes:
         for name, dofs, steps, solve, total, error in cost_rows(one):
             ratios = (_over(run.dofs, dofs), _over(run.steps, steps), _over(run.wall, solve))
             rows.append([one.value, name.replace(",", ""), dofs, steps, solve, total, error, *ratios])
-    return _csv(header, rows)
+    return csv_bytes(header, rows)
 
 
 def document(end: TheoryEnd) -> dict[str, Any]:
@@ -113,7 +114,7 @@ def document(end: TheoryEnd) -> dict[str, Any]:
 
     Each of ``values`` holds what a comparison of that scene alone would, and beside it the errors of this study.
     """
-    found = {
+    return {
         "title": end.scene.title,
         "vary": end.variation.path,
         "definition": theory_end.DEFINITION,
@@ -127,7 +128,6 @@ def document(end: TheoryEnd) -> dict[str, Any]:
         if end.limits
         else None,
     }
-    return dict(_finite(found))
 
 
 def mesh_name(run: ElementRun) -> str:
@@ -190,29 +190,6 @@ def _over(one: float, other: float) -> float:
     return one / other if other else math.nan
 
 
-def _finite(value: Any) -> Any:
-    """The same with null in place of what JSON cannot say."""
-    if isinstance(value, Mapping):
-        return {name: _finite(part) for name, part in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(part) for part in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def _csv(header: Sequence[str], rows: Sequence[Sequence[object]]) -> bytes:
-    """Rows under a header; every number reads back exactly, what is not there is empty."""
-    lines = [",".join(header), *(",".join(_cell(cell) for cell in row) for row in rows)]
-    return "\n".join([*lines, ""]).encode()
-
-
-def _cell(value: object) -> str:
-    if isinstance(value, float):
-        # NumPy's own floats print their type with repr.
-        return repr(float(value)) if math.isfinite(value) else ""
-    return "" if value is None else str(value)
-
-
-_LEFT, _RIGHT, _GAP, _TALL, _BELOW, _LINE = 0.8, 0.15, 0.2, 2.7, 0.98, 0.145
 _ROOM, _LEAST = 1.12, 0.5
 _LOGARITHMIC = 5.0
 """Values that span this ratio stand on a logarithmic axis."""
@@ -231,24 +208,19 @@ _SHOWN = ("published, material closure", "filament")
 def theory_end_figure(end: TheoryEnd) -> Figure:
     """Draw one panel for the published theory, one for the scene's own; errors in % upwards, all on one scale."""
     names = [name for name in _SHOWN if name in end.names]
-    notes = _notes(end, names)
-    below = _BELOW + _LINE * len(notes)
+    what = "midpoint, filament against elements: where the theory ends"
     with style.styled():
-        figure = new_figure(style.WIDTH, below + _TALL + 0.25 + HEADING)
-        head(figure, "midpoint, filament against elements: where the theory ends", {}, end.scene, _LEFT)
-        wide = (style.WIDTH - _LEFT - _RIGHT - _GAP * (len(names) - 1)) / len(names)
+        figure, body = headed(end.scene, what, {}, height=3.9, notes="\n".join(_notes(end, names)))
         extent = _ROOM * max(_LEAST, *_known(end, names))
-        for k, name in enumerate(names):
-            axes = axes_in_inches(figure, _LEFT + k * (wide + _GAP), below, wide, _TALL)
+        panels = body.subplots(1, len(names), squeeze=False, sharey=True).ravel()
+        for axes, name in zip(panels, names, strict=True):
             _scales(axes, end, extent)
             _panel(axes, end, name)
             own = end.scene.run.effects == "auto" or name != "filament"
             axes.set_title(_TITLES[name] if own else "the scene's own effects", fontsize=9.0, loc="left")
-            if k == 0:
-                axes.set_ylabel("filament / elements − 1  [%]\n← sags less        sags more →", fontsize=8.5)
-            else:
-                axes.tick_params(labelleft=False)
-        _legend(figure, end, below, notes)
+        panels[0].set_ylabel("filament / elements − 1  [%]\n← sags less        sags more →", fontsize=8.5)
+        handles = _handles(end)
+        legend(body, handles=handles, ncols=len(handles), columnspacing=0.9, handlelength=1.5, handletextpad=0.4)
     return figure
 
 
@@ -368,47 +340,22 @@ def _notes(end: TheoryEnd, names: list[str]) -> list[str]:
         terms = max(len(limit.coefficients) for name in names for limit in end.limits[name] if limit is not None)
         order = "first" if terms == 2 else "second"
         said.append(f"Lines: fit of {order} order in the thickness; diamonds: its intercept, with uncertainty.")
-    return [line for text in said for line in textwrap.wrap(text, 112)]
+    return said
 
 
 def _untrusted(one: Measured, names: list[str]) -> bool:
     return any(not theory.error.trusted for theory in one.theories if theory.row.name in names)
 
 
-def _legend(figure: Figure, end: TheoryEnd, below: float, notes: list[str]) -> None:
-    height = figure.get_size_inches()[1]
-    moments = moment_names(end)[: len(SHARES)]
-    handles: list[Any] = [
-        Line2D([], [], color=colour, marker="o", markersize=4.5, linewidth=1.2, label=name)
-        for colour, name in zip(_COLOURS, moments, strict=True)
+def _handles(end: TheoryEnd) -> list[Any]:
+    point: dict[str, Any] = {"marker": "o", "markersize": 4.5}
+    named = zip(_COLOURS, moment_names(end)[: len(SHARES)], strict=True)
+    return [
+        *(Line2D([], [], color=colour, linewidth=1.2, label=name, **point) for colour, name in named),
+        Line2D([], [], label="largest since the first", **_LARGEST),
+        Line2D([], [], color=style.BLACK, markerfacecolor="white", linestyle="none", label="at rest", **point),
+        Patch(label="elements' own", **_BAND),
     ]
-    handles.append(Line2D([], [], label="largest since the first", **_LARGEST))
-    handles.append(
-        Line2D(
-            [],
-            [],
-            color=style.BLACK,
-            marker="o",
-            markerfacecolor="white",
-            linestyle="none",
-            markersize=4.5,
-            label="at rest",
-        )
-    )
-    handles.append(Patch(label="elements' own", **_BAND))
-    figure.legend(
-        handles=handles,
-        loc="center left",
-        bbox_to_anchor=(_LEFT / style.WIDTH, (0.3 + _LINE * len(notes)) / height),
-        ncols=len(handles),
-        borderaxespad=0.0,
-        columnspacing=0.9,
-        handlelength=1.5,
-        handletextpad=0.4,
-        fontsize=7.5,
-    )
-    for k, line in enumerate(reversed(notes)):
-        figure.text(_LEFT / style.WIDTH, (0.08 + _LINE * k) / height, line, fontsize=7.5, color=style.GREY)
 
 
 Table = tuple[str, tuple[str, ...], list[tuple[str, ...]]]
@@ -465,20 +412,11 @@ def remarks(end: TheoryEnd) -> list[str]:
 
 def print_theory_end(end: TheoryEnd, console: Console | None = None) -> None:
     """Print the tables and the remarks."""
-    from rich import box
-    from rich.console import Console
-    from rich.table import Table as RichTable
-    from rich.text import Text
-
     screen = console or Console()
     tables = [error_table(end), *([limit_table(end)] if end.limits else []), cost_table(end)]
     for title, header, rows in tables:
-        table = RichTable(title=Text(title), title_justify="left", box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0))
-        for k, name in enumerate(header):
-            table.add_column(Text(name), justify="left" if k < 2 else "right", no_wrap=True)
-        for row in rows:
-            table.add_row(*(Text(cell) for cell in row))
-        screen.print(table)
+        looks: dict[str, Any] = {"right": range(2, len(header)), "whole": range(9), "padding": (0, 1, 0, 0)}
+        screen.print(text_table(header, rows, title=title, title_style="none", **looks))
     for text in remarks(end):
         screen.print(Text(text))
 
@@ -519,17 +457,13 @@ def _cost(one: Measured) -> Iterator[tuple[str, ...]]:
 
 
 def write_theory_end(end: TheoryEnd, directory: str | Path) -> list[Path]:
-    """Write ``compare.json``, ``scene.toml``, the chart and the tables of errors, costs and limits.
-
-    Everything is drawn before anything is written, and each file replaces its predecessor whole.
-    """
+    """Write ``compare.json``, ``scene.toml``, the chart and the tables of errors, costs and limits."""
     contents = {
-        "compare.json": (json.dumps(document(end), indent=2, allow_nan=False) + "\n").encode(),
-        "scene.toml": end.scene.to_toml().encode(),
-        "compare_vary.png": png(theory_end_figure(end)),
+        "compare.json": document(end),
+        "scene.toml": end.scene.to_toml(),
+        "compare_vary.png": theory_end_figure(end),
         "compare_vary_errors.csv": errors_csv(end),
         "compare_vary_cost.csv": cost_csv(end),
+        "compare_vary_limit.csv": limits_csv(end) if end.limits else None,
     }
-    if end.limits:
-        contents["compare_vary_limit.csv"] = limits_csv(end)
-    return write_all(directory, contents)
+    return write_results(directory, contents)

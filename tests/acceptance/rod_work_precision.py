@@ -8,7 +8,7 @@ import numpy as np
 
 import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.plotting.work_precision import WorkCurve, WorkPoint
+from softcat_sym.plotting.accuracy import WorkCurve, WorkPoint
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 

@@ -13,9 +13,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import cache_folder
-from softcat_sym.plotting.figure_midpoints import midpoints_figure
-from softcat_sym.plotting.figure_snapshots import snapshots_figure
-from softcat_sym.plotting.figure_strips import BLACK_RATE, strip_at
+from softcat_sym.plotting.paper_figures import BLACK_RATE, midpoints_figure, snapshots_figure, strip_at
 from softcat_sym.results.motion import turned_back
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.compare import filament_clamp_strain

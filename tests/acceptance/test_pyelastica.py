@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 
 from softcat_sym.codegen.compiler import find_compiler
-from softcat_sym.plotting.work_precision import WorkPanel, draw, seconds_for
+from softcat_sym.plotting.accuracy import WorkPanel, draw, seconds_for
 
 from .table import show
 

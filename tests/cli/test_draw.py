@@ -13,7 +13,7 @@ import xarray as xr
 from PIL import Image
 
 import softcat_sym as sc
-from softcat_sym.plotting.run_files import write_run
+from softcat_sym.plotting.run import write_run
 from softcat_sym.results.files import open_run
 from tests.cli.in_process import Softcat
 

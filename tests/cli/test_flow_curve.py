@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
 from matplotlib.text import Text
 from rich.console import Console
 
@@ -144,7 +145,7 @@ def test_the_picture_has_room_for_its_words(name: str) -> None:
             assert box.x0 >= 0 and box.y0 >= 0, text
             assert box.x1 <= paper.width and box.y1 <= paper.height, text
     above, below = figure.axes
-    (legend,) = figure.legends
+    (legend,) = figure.findobj(Legend)
     assert not any(legend.get_window_extent().overlaps(axes.bbox) for axes in figure.axes)
     assert above.get_xlim() == below.get_xlim()
     low, high = above.get_ylim()

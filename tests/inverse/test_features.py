@@ -11,7 +11,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.features import Features, read_features
-from softcat_sym.plotting.features import features_figure
+from softcat_sym.plotting.fit_figures import features_figure
 from softcat_sym.plotting.style import png
 from tests.inverse.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
 

@@ -15,8 +15,7 @@ from matplotlib import colormaps
 from PIL import Image
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.plotting.animation import Animation
-from softcat_sym.plotting.animation_frames import film_order, write_film
+from softcat_sym.plotting.animation import Animation, film_order, write_film
 
 HAS_FFMPEG = shutil.which("ffmpeg") is not None or find_spec("imageio_ffmpeg") is not None
 GIF = film_order("gif", 1.0)

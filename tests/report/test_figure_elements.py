@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.plotting.figure_strips import boundary
+from softcat_sym.plotting.paper_figures import boundary
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.reference.elements import run_elements
 from softcat_sym.scene.scene import Scene, elastic_time

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.plotting.figure_phase import caption, phase_figure, phase_files
+from softcat_sym.plotting.paper_figures import phase_caption as caption
+from softcat_sym.plotting.paper_figures import phase_figure, phase_files
 from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, phase_diagram
 
 

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from softcat_sym.plotting.figure_files import DPI, facts, printed, table
-from softcat_sym.plotting.figure_strips import strip_at
+from softcat_sym.plotting.files import json_bytes
+from softcat_sym.plotting.paper_figures import DPI, printed, strip_at, table
 from softcat_sym.plotting.style import axes_in_inches, new_figure
 from softcat_sym.studies.paper_figures import PAPER, stopping_depth
 
@@ -41,7 +41,7 @@ def straight(mean: float, bending: float, *, angle: float = 0.0, shear: float | 
 
 @pytest.fixture(autouse=True)
 def _unit_of_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("softcat_sym.plotting.figure_strips.elastic_time", lambda scene: 1.0)
+    monkeypatch.setattr("softcat_sym.plotting.paper_figures.elastic_time", lambda scene: 1.0)
 
 
 @pytest.mark.parametrize(
@@ -111,4 +111,4 @@ def test_table_reads_back() -> None:
     rows = list(csv.DictReader(io.StringIO(table(("name", "value"), [("a", 1 / 3), ("b", 2)]).decode())))
     assert [row["name"] for row in rows] == ["a", "b"]
     assert float(rows[0]["value"]) == pytest.approx(1 / 3, rel=1e-7)
-    assert facts({"a": 1}) == b'{\n  "a": 1\n}\n'
+    assert json_bytes({"a": 1}) == b'{\n  "a": 1\n}\n'

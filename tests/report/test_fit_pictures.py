@@ -15,10 +15,16 @@ from matplotlib.text import Text
 import softcat_sym as sc
 from softcat_sym.fitting.fit import FitOutcome
 from softcat_sym.plotting import style
-from softcat_sym.plotting.fit_correlation import JOINT, correlation_figure, unit_ellipse
-from softcat_sym.plotting.fit_curves import curves_figure, model_bands
-from softcat_sym.plotting.fit_profiles import profiles_figure, smooth
-from softcat_sym.plotting.fit_starts import starts_figure
+from softcat_sym.plotting.fit_figures import (
+    JOINT,
+    correlation_figure,
+    curves_figure,
+    model_bands,
+    profiles_figure,
+    smooth,
+    starts_figure,
+    unit_ellipse,
+)
 from softcat_sym.plotting.style import png
 from tests.inverse.filmed import film, scene
 

@@ -16,7 +16,7 @@ import softcat_sym as sc
 from softcat_sym.fitting.fit import FitOutcome, FittedParameter
 from softcat_sym.fitting.identifiability import Statistic
 from softcat_sym.fitting.least_squares import Fall, Waterfall
-from softcat_sym.plotting.fit_files import fit_page, fitted_toml, print_fit
+from softcat_sym.plotting.fit import fit_page, fitted_toml, print_fit
 from softcat_sym.plotting.fit_words import (
     display_unit,
     fit_document,
@@ -118,7 +118,7 @@ def test_terminal_page_and_scene_say_what_is_not_known(fitted: sc.Fit) -> None:
     printed = " ".join(screen.file.getvalue().split())  # type: ignore[attr-defined]
     page = fit_page(fit, {}, "softcat fit 'a <b>.csv'").decode()
     assert "<no & why>" in printed and "&lt;no &amp; why&gt;" in page and "<no" not in page and "<shear" not in page
-    assert "&#x27;a &lt;b&gt;.csv&#x27;" in page and " doubtful" in page
+    assert "&#39;a &lt;b&gt;.csv&#39;" in page and " doubtful" in page
     for words in fit.combinations + fit.repeats + fit.notes:
         assert words in printed and escape(words) in page
     assert "…" not in printed

@@ -12,10 +12,8 @@ import numpy as np
 import pytest
 
 from softcat_sym.errors import SoftcatError
-from softcat_sym.plotting import publication as panels
-from softcat_sym.plotting.publication import LINES, MILLIMETRE, WIDTHS, Sheet, printed, publication_style
-from softcat_sym.plotting.run_files import write_pictures
-from softcat_sym.plotting.style import STYLES, picture_style
+from softcat_sym.plotting.run import FIGURES, LINES, space_time_figure, styled_for, write_pictures
+from softcat_sym.plotting.style import STYLES, picture_style, printed
 
 NAMES = {f"{name}.{ending}" for name in ("midpoint", "shapes", "energy", "space-time") for ending in ("pdf", "png")}
 
@@ -86,23 +84,21 @@ def test_pdfs_are_as_wide_as_asked_and_hold_truetype(descent, summary, scene, tm
 
 
 def test_the_same_figure_gives_the_same_bytes(descent, scene):
-    sheet = Sheet(WIDTHS["column"] * MILLIMETRE, descent, {}, scene)
-
     def twice() -> dict[str, bytes]:
-        with publication_style():
+        with styled_for("column"):
             assert matplotlib.rcParams["font.size"] == 8
-            return printed("space-time", panels.space_time(sheet))
+            return printed("space-time", space_time_figure(descent, {}, scene, "column"), 400)
 
     assert twice() == twice()
 
 
 @pytest.mark.parametrize("frames", [1, 5])
-@pytest.mark.parametrize("draw", [panels.midpoint, panels.shapes, panels.energy, panels.space_time])
+@pytest.mark.parametrize("draw", FIGURES.values())
 def test_a_run_that_never_moves_and_a_single_frame_are_drawn(make_run, make_scene, draw, frames):
     still = make_scene(limit=None, law="elastic")
     at_rest = make_run(still, np.zeros(frames), np.linspace(0, 1, frames), cells=20)
-    with publication_style():
-        draw(Sheet(3.3, at_rest, {}, still)).canvas.draw()
+    with styled_for("column"):
+        draw(at_rest, {}, still, "column").canvas.draw()
 
 
 def test_styles_have_names():

@@ -12,12 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
-from softcat_sym.plotting import publication as panels
-from softcat_sym.plotting.energy import energy_figure
-from softcat_sym.plotting.publication import MILLIMETRE, WIDTHS, Sheet, publication_style
-from softcat_sym.plotting.run import midpoint_figure
-from softcat_sym.plotting.shapes import shapes_figure
-from softcat_sym.plotting.space_time import space_time_figure
+from softcat_sym.plotting.run import FIGURES, midpoint_figure, shapes_figure, space_time_figure, styled_for
 from softcat_sym.plotting.style import styled
 
 TIMES = np.linspace(0, 2, 201)
@@ -33,8 +28,6 @@ SCENES = {
     "deep": (0.08, 1e-2, 0.06 * HELD, 0.3 * TIMES, 1e3),
     "at-rest": (0.2, 6e-3, 0 * TIMES, TIMES, 9.32e3),
 }
-SCREEN = [midpoint_figure, shapes_figure, energy_figure, space_time_figure]
-PRINT = [panels.midpoint, panels.shapes, panels.energy, panels.space_time]
 
 
 def run_and_scene(name, make_run, make_scene):
@@ -80,35 +73,25 @@ def check(figure: Figure) -> None:
     assert [text for text in offsets if text] == []
 
 
-@pytest.mark.parametrize("draw", SCREEN)
+@pytest.mark.parametrize("draw", FIGURES.values())
+@pytest.mark.parametrize("style", ["screen", "column", "page"])
 @pytest.mark.parametrize("name", SCENES)
-def test_pictures_for_the_screen_can_be_read(make_run, make_scene, summary, name, draw):
+def test_pictures_can_be_read(make_run, make_scene, summary, name, style, draw):
     run, scene = run_and_scene(name, make_run, make_scene)
-    figure = draw(run, summary, scene)
-    with styled():
-        check(figure)
-
-
-@pytest.mark.parametrize("draw", PRINT)
-@pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", SCENES)
-def test_pictures_for_print_can_be_read(make_run, make_scene, summary, name, width, draw):
-    run, scene = run_and_scene(name, make_run, make_scene)
-    with publication_style():
-        check(draw(Sheet(WIDTHS[width] * MILLIMETRE, run, summary, scene)))
+    with styled_for(style):
+        check(draw(run, summary, scene, style))
 
 
 def test_what_is_drawn_for_print_is_named(descent, summary, scene):
-    with publication_style():
-        sheet = Sheet(WIDTHS["column"] * MILLIMETRE, descent, summary, scene)
-        midpoint, shapes = panels.midpoint(sheet), panels.shapes(sheet)
+    midpoint, shapes = (draw(descent, summary, scene, "column") for draw in (midpoint_figure, shapes_figure))
     assert [text.get_text() for text in midpoint.legends[0].get_texts()] == ["midpoint", "shapes drawn"]
     assert [text.get_text().split(",")[0] for text in shapes.legends[0].get_texts()] == ["yielded: stress > 9.32 kPa"]
 
 
-def test_panels_of_printed_shapes_have_one_scale_and_equal_lengths(descent, summary, scene):
-    with publication_style():
-        figure = panels.shapes(Sheet(WIDTHS["column"] * MILLIMETRE, descent, summary, scene))
+@pytest.mark.parametrize("style", ["screen", "column", "page"])
+def test_panels_of_shapes_have_one_scale_and_equal_lengths(descent, summary, scene, style):
+    with styled_for(style):
+        figure = shapes_figure(descent, summary, scene, style)
         figure.canvas.draw()
     scales = []
     for axes in figure.axes:

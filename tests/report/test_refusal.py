@@ -5,20 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from softcat_sym.plotting import publication as panels
 from softcat_sym.plotting.animation import Animation
-from softcat_sym.plotting.energy import energy_figure
-from softcat_sym.plotting.publication import Sheet, publication_style
-from softcat_sym.plotting.run import midpoint_figure
-from softcat_sym.plotting.run_files import write_pictures
-from softcat_sym.plotting.shapes import shapes_figure
-from softcat_sym.plotting.space_time import space_time_figure
+from softcat_sym.plotting.run import FIGURES, midpoint_figure, shapes_figure, write_pictures
 from softcat_sym.plotting.style import refused, shown_part
 from softcat_sym.solvers.outcome import Outcome
 
 TIMES = np.linspace(0, 2, 201)
-SCREEN = [midpoint_figure, shapes_figure, energy_figure, space_time_figure]
-PRINT = [panels.midpoint, panels.shapes, panels.energy, panels.space_time]
 
 
 @pytest.fixture
@@ -38,17 +30,11 @@ def test_every_outcome_but_success_is_refused():
 
 
 @pytest.mark.parametrize("outcome", ["localised", "inaccurate", "solved"])
-@pytest.mark.parametrize("draw", SCREEN)
-def test_pictures_for_the_screen_are_stamped(descent, summary, scene, draw, outcome):
-    figure = draw(descent, summary | {"outcome": outcome}, scene)
+@pytest.mark.parametrize("style", ["screen", "column"])
+@pytest.mark.parametrize("draw", FIGURES.values())
+def test_pictures_are_stamped(descent, summary, scene, draw, style, outcome):
+    figure = draw(descent, summary | {"outcome": outcome}, scene, style)
     assert stamps(figure) == ([] if outcome == "solved" else [f"REFUSED: {outcome}"])
-
-
-@pytest.mark.parametrize("draw", PRINT)
-def test_pictures_for_print_are_stamped(descent, summary, scene, draw):
-    with publication_style():
-        assert stamps(draw(Sheet(3.3, descent, summary | {"outcome": "ruptured"}, scene))) == ["REFUSED: ruptured"]
-        assert stamps(draw(Sheet(3.3, descent, summary, scene))) == []
 
 
 def test_every_moment_of_a_film_is_stamped(descent, summary, scene):
@@ -61,7 +47,7 @@ def test_every_moment_of_a_film_is_stamped(descent, summary, scene):
 
 
 def test_the_stamp_lies_within_the_paper(descent, summary, scene):
-    for draw in SCREEN:
+    for draw in FIGURES.values():
         figure = draw(descent, summary | {"outcome": "no_equilibrium"}, scene)
         (stamp,) = (text for text in figure.texts if text.get_text().startswith("REFUSED"))
         box, paper = stamp.get_window_extent(), figure.bbox

@@ -11,7 +11,7 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import LogNorm
 from PIL import Image
 
-from softcat_sym.plotting.space_time import MAX_FRAMES, ROWS, maps_of, space_time_figure, time_to_nine_tenths
+from softcat_sym.plotting.run import MAX_FRAMES, ROWS, maps_of, space_time_figure, time_to_nine_tenths
 from softcat_sym.plotting.style import png
 
 

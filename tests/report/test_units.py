@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from softcat_sym.plotting.style import energy_unit, length_unit, nice_floor, significant, stress_unit, time_unit
+from softcat_sym.plotting.units import energy_unit, length_unit, nice_floor, significant, stress_unit, time_unit
 
 
 @pytest.mark.parametrize(

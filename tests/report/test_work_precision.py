@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from softcat_sym.plotting.work_precision import (
+from softcat_sym.plotting.accuracy import (
     WorkCurve,
     WorkPanel,
     WorkPoint,
@@ -76,7 +76,9 @@ def test_decades_are_labelled_and_nothing_else() -> None:
 
 
 def test_one_panel_takes_the_whole_width() -> None:
-    (axes,) = work_precision_figure(panels()[:1], "One").axes
+    figure = work_precision_figure(panels()[:1], "One")
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
     assert axes.get_position().width > 0.8
 
 

@@ -1,0 +1,91 @@
+"""Files of results: pictures, tables and documents, all made before any is written."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Callable, Iterable, Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import jinja2
+import numpy as np
+from matplotlib.figure import Figure
+
+from softcat_sym.files import write_all
+from softcat_sym.plotting.style import png
+
+
+def write_results(directory: str | Path, contents: Mapping[str, object]) -> list[Path]:
+    """Write figures as PNG, documents as JSON, texts and bytes as they are; each file replaces its predecessor whole.
+
+    Everything is drawn before anything is written. What is None is left out.
+    """
+    return write_all(directory, {name: _encoded(one) for name, one in contents.items() if one is not None})
+
+
+def _encoded(content: object) -> bytes:
+    if isinstance(content, bytes):
+        return content
+    if isinstance(content, Figure):
+        return png(content)
+    return content.encode() if isinstance(content, str) else json_bytes(content)
+
+
+def json_bytes(content: object, *, is_ascii: bool = True) -> bytes:
+    """A document; what is not finite in it is null."""
+    return (json.dumps(finite(content), indent=2, allow_nan=False, ensure_ascii=is_ascii) + "\n").encode()
+
+
+def finite(value: Any) -> Any:
+    """The same with None in place of what JSON cannot say."""
+    if isinstance(value, Mapping):
+        return {name: finite(part) for name, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [finite(part) for part in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+class Quoted(str):
+    """A text that stands in quotation marks in a table, whatever is in it; those within become single."""
+
+    __slots__ = ()
+
+
+def csv_bytes(header: Iterable[str], rows: Iterable[Iterable[object]], number: Callable[[float], str] = repr) -> bytes:
+    """A table; every number reads back exactly, what is not there or not finite is empty."""
+    lines = [header, *rows]
+    return "".join(",".join(_cell(cell, number) for cell in line) + "\n" for line in lines).encode()
+
+
+def columns_csv(columns: Mapping[str, Iterable[object]]) -> bytes:
+    """A table of columns under their names."""
+    lists = [values.tolist() if isinstance(values, np.ndarray) else list(values) for values in columns.values()]
+    return csv_bytes(columns, zip(*lists, strict=True))
+
+
+def _cell(value: object, number: Callable[[float], str]) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, float):
+        # NumPy's own floats print their type with repr.
+        return number(float(value)) if math.isfinite(value) else ""
+    if isinstance(value, Quoted):
+        return f'"{value.replace(chr(34), chr(39))}"'
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="").writerow([str(value), ""])
+    return stream.getvalue()[:-1]
+
+
+def page(template: str, **values: Any) -> bytes:
+    """A page of the package's templates, in which no text is read as HTML unless it is marked as such."""
+    folder = resources.files("softcat_sym.plotting") / "templates"
+    sources = {one.name: one.read_text(encoding="utf-8") for one in folder.iterdir() if one.name.endswith(".html")}
+    environment = jinja2.Environment(
+        loader=jinja2.DictLoader(sources), autoescape=True, trim_blocks=True, lstrip_blocks=True,
+        undefined=jinja2.StrictUndefined,
+    )  # fmt: skip
+    return environment.get_template(template).render(**values).encode()

@@ -1,0 +1,743 @@
+"""The paper's figures: pictures for screen and print, data and facts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.figure import Figure, SubFigure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
+
+from softcat_sym.physics.regimes import arrest_threshold_exact
+from softcat_sym.plotting import style
+from softcat_sym.plotting.files import Quoted, csv_bytes, json_bytes
+from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
+from softcat_sym.plotting.style import legend
+from softcat_sym.scene.scene import elastic_time, groups_of
+from softcat_sym.studies.paper_figures import (
+    ALPHA,
+    INSTANTS,
+    MOMENTS,
+    OWN,
+    PAPER,
+    PRINTED,
+    SNAPSHOTS,
+    THEORIES,
+    scene_facts,
+)
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from softcat_sym.discretization.grid import Floats
+    from softcat_sym.studies.paper_figures import FilmedScene, Panel, Snapshot
+    from softcat_sym.studies.phase import PhaseDiagram, PhaseSheet
+
+DPI = 240
+"""Of the PNG files: a figure as wide as a page is sharp in print."""
+
+
+def printed(name: str, figure: Figure) -> dict[str, bytes]:
+    """Draw a figure as PNG and PDF; the same figure gives the same bytes."""
+    with style.styled():
+        return style.printed(name, figure, DPI)
+
+
+def table(columns: Iterable[str], rows: Iterable[Iterable[object]]) -> bytes:
+    """Write a CSV file: names first, numbers to eight digits."""
+    return csv_bytes(columns, rows, "{:.8g}".format)
+
+
+_WIDTH, _COLUMNS = 9.6, 158
+
+
+_MAXWELL_LINES: dict[str, Any] = {
+    "full model": {"color": style.BLACK, "linewidth": 2.0},
+    "reduced model (2.18)": {"color": style.SKY, "linewidth": 1.2, "linestyle": "--"},
+    "free fall": {"color": style.GREEN, "linewidth": 1.2, "linestyle": ":"},
+    "(2.20) from rest": {"color": style.BLUE, "linewidth": 1.2, "linestyle": "-."},
+    "(2.20) as printed": {"color": style.BLUE, "linewidth": 0.8, "linestyle": ":"},
+    "1/3 law": {"color": style.PURPLE, "linewidth": 1.2, "linestyle": ":"},
+    "(2.21) integrated": {"color": style.ORANGE, "linewidth": 1.4},
+    "(2.22)": {"color": style.VERMILLION, "linewidth": 1.2, "linestyle": "--"},
+}
+
+_MAXWELL_CAPTION = (
+    "Figure 2. Sag of the midpoint of a Maxwell filament, gravity switched on at once, B = 3.3e-5; times in sqrt(L/g). "
+    "Vertical lines: t_low and t_high. The curves of (2.21) and (2.22) carry three constants each, fitted to the full "
+    "model over one and a half periods after t_high; (2.20) from rest starts at phi(0) = (6 B tau)^(1/3), the "
+    "elastic string; as printed its constant is another, and the 1/3 law alone is nearer. "
+    "Above, delta = 0.0025: at t_high tension carries {slender:.1f} times what bending does, and the filament falls "
+    "freely, rings and follows the 1/3 law, as the text says. Below, delta = 0.025 as printed under the figure: "
+    "tension carries only {thick:.2f} of what bending does at t_high, bending rules until t* of about 10, and neither "
+    "the ringing of (2.22) nor the 1/3 law is what the filament does."
+)
+
+
+def maxwell_caption(panels: Sequence[Panel]) -> str:
+    """The caption, with the share of tension at t_high measured for both slendernesses."""
+    shares = {panel.delta: panel.tension_over_bending for panel in panels}
+    return _MAXWELL_CAPTION.format(slender=shares[min(shares)], thick=shares[max(shares)])
+
+
+def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
+    """Draw the panels, two a row, with the caption below."""
+    rows = (len(panels) + 1) // 2
+    with style.styled():
+        figure, body = style.sheet(
+            "", height=3.7 * rows + 0.5, notes=maxwell_caption(panels), width=_WIDTH, columns=_COLUMNS
+        )
+        each = body.subplots(rows, 2, squeeze=False)
+        for k, panel in enumerate(panels):
+            _maxwell_draw(each.flat[k], panel)
+            each.flat[k].label_outer()
+        legend(body, handles=each.flat[0].get_legend_handles_labels()[0], ncols=4)
+    return figure
+
+
+def _maxwell_draw(axes: Axes, panel: Panel) -> None:
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    for curve in panel.curves:
+        shown = (curve.sag > 0) & (curve.time > 0)
+        axes.plot(curve.time[shown], curve.sag[shown], label=curve.name, **_MAXWELL_LINES[curve.name])
+    deepest = max(float(np.max(curve.sag)) for curve in panel.curves[:2])
+    axes.set_xlim(0.02, 20)
+    axes.set_ylim(1.5e-4, 2.2 * deepest)
+    for time, name, side in ((panel.t_low, "t_low", "right"), (panel.t_high, "t_high", "left")):
+        axes.axvline(time, color=style.GREY, linewidth=0.8)
+        axes.text(time * (0.95 if side == "right" else 1.06), 1.8e-4, name, ha=side, fontsize=7.5, color=style.GREY)
+    axes.set_title(f"tau* = {panel.tau_star:g}, delta = {panel.delta:g}", fontsize=9)
+    axes.grid(True)
+    style.lighten(axes)
+    axes.set_xlabel("t* = t sqrt(g/L)")
+    axes.set_ylabel("sag / L")
+
+
+def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
+    """Picture, data and facts of figure 2, by file name."""
+    rows = [
+        (panel.delta, panel.tau_star, Quoted(curve.name), time, sag)
+        for panel in panels
+        for curve in panel.curves
+        for time, sag in zip(curve.time.tolist(), curve.sag.tolist(), strict=True)
+    ]
+    told = [
+        {
+            "delta": panel.delta,
+            "tau_star": panel.tau_star,
+            "t_low": panel.t_low,
+            "t_high": panel.t_high,
+            "tension_over_bending_at_t_high": panel.tension_over_bending,
+            "outcomes": panel.outcomes,
+        }
+        for panel in panels
+    ]
+    return {
+        **printed("figure2", maxwell_descent_figure(panels)),
+        "figure2.csv": csv_bytes(("delta", "tau_star", "curve", "time_star", "sag_over_span"), rows),
+        "figure2.json": json_bytes({"caption": maxwell_caption(panels), "panels": told}),
+    }
+
+
+_REGIMES = {
+    "no-yield": ("no yielding", "#f4f4f0"),
+    "arrested-underdamped": ("arrested, underdamped", "#bfe3f5"),
+    "arrested-overdamped": ("arrested, overdamped", "#a5dcc6"),
+    CLAMPS_ONLY: ("descent, fast at the clamps alone", "#fce6d6"),
+    "descending": ("continual descent", "#f4b98f"),
+}
+_NONE = ("no answer, localised", "#9a9a9a")
+_PHASE_LINES: dict[str, dict[str, Any]] = {
+    "paper": {"color": style.BLACK, "linewidth": 1.4, "linestyle": (0, (5, 2))},
+    "exact": {"color": style.BLUE, "linewidth": 1.3},
+    "estimate": {"color": style.PURPLE, "linewidth": 1.2, "linestyle": (0, (1.5, 1.2))},
+}
+_NAMES = {
+    "paper": "the paper: G = 2δ, G = √2",
+    "exact": "exact: sudden load (left), slow load with tension, catenary",
+    "estimate": "estimates: first yield with this ramp, spring-back of 5 %",
+}
+_AXES = {"delta": "δ = h0 / L", "V": "V = η / (ρ √(g L³))", "G": "G = ρ g L / σY"}
+
+# The paper's parameters in figure 3(b): G, V.
+_PAPER = ((0.01, 26.0), (0.4, 26.0), (0.4, 0.4), (1.9, 26.0))
+
+_PHASE_CAPTION = (
+    "Figure 3(a). Regimes by what each run shows, paper's physics, gravity switched on over t~ = 10, each filament "
+    "watched until it has shown whether it stops. Left: V = {V:.3g}; right: delta = {delta:.3g}; span, density and "
+    "modulus are the paper's. Crosses: its parameter sets. Dots: {runs} runs, {nodes} lattice nodes; {saved} of them "
+    "needed no run. Arrested: in the last tenth of the run no fibre flows faster than sigma_Y/(2 eta). "
+    "First yield: (3.11) is a beam's under a slow load. The load that is suddenly there swings the beam to twice that "
+    "sag, which at worst halves G; with this ramp the runs yield at {yields:.2f} of 2 delta in the median. The most "
+    "slender are carried by their tension, which (3.11) leaves out, and yield later. "
+    "Arrest: (3.12) and the exact G = 1.3255 are a catenary's at rest. A filament has hinges at its clamps too, and "
+    "falls past its rest with speed: some fibre flows on from {descends:.2f} of sqrt 2 in the median. In the light "
+    "tint that is so within L/10 of the clamps alone; the rest of it flows at {below:.2f} sigma_Y/eta in the median "
+    "where G < 1.3255, at {above:.2f} where it is larger (left). "
+    "Right: with less viscosity the overshoot is deeper, and a neck at the clamp is drawn out for which the published "
+    "physics has no limit (grey); the paper's underdamped set is there."
+)
+
+
+def phase_caption(diagram: PhaseDiagram) -> str:
+    """The caption, every number from the runs."""
+    groups, first = groups_of(diagram.scene), diagram.sheets[0]
+    threshold = float(arrest_threshold_exact())
+    clamps = [point.run for point in first.points if point.run.mark == CLAMPS_ONLY]
+    below = [run.span_rate for run in clamps if run.place.G < threshold]
+    above = [run.span_rate for run in clamps if run.place.G >= threshold]
+    return _PHASE_CAPTION.format(
+        V=groups.V,
+        delta=groups.delta,
+        runs=sum(sheet.runs for sheet in diagram.sheets),
+        saved=sum(sheet.saved for sheet in diagram.sheets),
+        nodes=sum(sheet.nodes for sheet in diagram.sheets),
+        yields=1 + _median(first, "first yield"),
+        descends=1 + _median(first, "arrest"),
+        below=np.median(below) if below else np.nan,
+        above=np.median(above) if above else np.nan,
+    )
+
+
+def _median(sheet: PhaseSheet, kind: str) -> float:
+    """Median distance of a simulated boundary from the paper's line, as a share of it."""
+    of = (each for each in sheet.distances if each.kind == kind and each.line.source == "paper")
+    return next((each.median for each in of), float("nan"))
+
+
+def phase_figure(diagram: PhaseDiagram) -> Figure:
+    """Draw the planes beside each other."""
+    with style.styled():
+        figure, body = style.sheet("", height=4.6, notes=phase_caption(diagram), width=_WIDTH, columns=_COLUMNS)
+        for axes, sheet in zip(body.subplots(1, len(diagram.sheets), squeeze=False).flat, diagram.sheets, strict=True):
+            _phase_draw(axes, diagram, sheet)
+        kinds = (*_REGIMES.values(), _NONE)
+        patches = [Patch(facecolor=c, edgecolor=style.GREY, linewidth=0.4, label=name) for name, c in kinds]
+        lines = [Line2D([], [], label=_NAMES[source], **line) for source, line in _PHASE_LINES.items()]
+        legend(body, handles=patches, ncols=len(patches), handlelength=2.0, fontsize=7.2)
+        legend(body, "upper left", handles=lines, ncols=len(lines), handlelength=2.0, fontsize=7.2)
+    return figure
+
+
+def _phase_draw(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
+    marks = list(_REGIMES)
+    numbers = np.vectorize(lambda mark: marks.index(mark) if mark in marks else len(marks))(sheet.labels)
+    colours = ListedColormap([colour for _, colour in (*_REGIMES.values(), _NONE)])
+    edges = (_edges(sheet.x), _edges(sheet.y))
+    axes.pcolormesh(*edges, numbers.T, cmap=colours, vmin=-0.5, vmax=len(marks) + 0.5, rasterized=True)
+    run = np.array([(sheet.x[point.i], sheet.y[point.j]) for point in sheet.points])
+    axes.plot(*run.T, ".", color=style.BLACK, markersize=1.6, alpha=0.35, markeredgewidth=0)
+    for line in sheet.lines:
+        axes.plot(line.G, line.other, **_PHASE_LINES[line.source])
+    for G, V in _PAPER:
+        other = V if sheet.plane.y.key == "V" else groups_of(diagram.scene).delta
+        if sheet.plane.y.key == "V" or np.isclose(V, groups_of(diagram.scene).V or np.nan):
+            axes.plot(G, other, "x", color=style.BLACK, markersize=6, markeredgewidth=1.4, clip_on=False)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlim(sheet.x[0], sheet.x[-1])
+    axes.set_ylim(sheet.y[0], sheet.y[-1])
+    axes.set_xlabel(_AXES[sheet.plane.x.key])
+    axes.set_ylabel(_AXES[sheet.plane.y.key])
+    for axis in (axes.xaxis, axes.yaxis):
+        style.plain_log(axis)
+    held = ("δ", groups_of(diagram.scene).delta) if sheet.plane.y.key == "V" else ("V", groups_of(diagram.scene).V)
+    axes.set_title(f"{held[0]} = {held[1]:.3g}", fontsize=9)
+    style.lighten(axes)
+
+
+def _edges(values: Floats) -> Floats:
+    """Boundaries between lattice values, half a step beyond the first and the last."""
+    log = np.log(values)
+    middle = (log[1:] + log[:-1]) / 2
+    return np.asarray(np.exp(np.concatenate([[2 * log[0] - middle[0]], middle, [2 * log[-1] - middle[-1]]])))
+
+
+def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
+    """Picture, data and facts of figure 3(a), by file name."""
+    names = ("plane", "G", "V", "delta", "regime", "outcome", "sag_over_L", "largest_rate_over_sY_by_eta")
+    return {
+        **printed("figure3a", phase_figure(diagram)),
+        "figure3a-runs.csv": table(names, _runs(diagram)),
+        "figure3a-lines.csv": table(("plane", "line", "source", "equation", "other", "G"), _lines(diagram)),
+        "figure3a.json": json_bytes(
+            {"caption": phase_caption(diagram), "planes": [_phase_facts(sheet) for sheet in diagram.sheets]}
+        ),
+    }
+
+
+def _runs(diagram: PhaseDiagram) -> Iterator[tuple[object, ...]]:
+    for sheet in diagram.sheets:
+        for point in sheet.points:
+            run = point.run
+            place = (run.place.G, run.place.V, run.place.delta)
+            yield (sheet.plane.name, *place, run.regime or "none", run.outcome, run.sag, run.rate)
+
+
+def _lines(diagram: PhaseDiagram) -> Iterator[tuple[object, ...]]:
+    for sheet in diagram.sheets:
+        for line in sheet.lines:
+            about = (text.replace(",", " with") for text in (line.name, line.source, line.equation))
+            about_line = tuple(about)
+            for other, G in zip(line.other.tolist(), line.G.tolist(), strict=True):
+                yield (sheet.plane.name, *about_line, other, G)
+
+
+def _phase_facts(sheet: PhaseSheet) -> dict[str, Any]:
+    return {
+        "plane": sheet.plane.name,
+        "runs": sheet.runs,
+        "lattice_nodes": sheet.nodes,
+        "nodes_never_run": sheet.saved,
+        "regimes": sheet.counts,
+        "boundary_over_formula": [
+            {
+                "boundary": each.kind,
+                "line": each.line.name,
+                "source": each.line.source,
+                "rows": each.rows,
+                "median": 1 + each.median,
+                "least": 1 + each.least,
+                "most": 1 + each.most,
+            }
+            for each in sheet.distances
+        ],
+    }
+
+
+_ELEMENTS: dict[str, Any] = {"color": style.BLACK, "linewidth": 3.2, "alpha": 0.35, "solid_capstyle": "butt"}
+_MIDPOINTS_LINES: dict[str, dict[str, Any]] = {
+    PAPER: {"color": style.ORANGE, "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
+    PRINTED: {"color": style.VERMILLION, "linewidth": 1.1, "linestyle": (0, (1.5, 1.2))},
+    OWN: {"color": style.BLUE, "linewidth": 1.0},
+}
+_COLOURS = (style.BLUE, style.GREEN, style.PURPLE, style.VERMILLION, style.ORANGE)
+
+# The panel with all scenes has the paper's own parameters; ours of the underdamped arrest has a panel to itself.
+_LEFT_OUT, _MIDPOINTS_EDGE = "arrested-underdamped", "edge-of-rupture"
+
+# Whose curves stay within a few per cent of one level: there is nothing to see above it.
+_LEVEL, _SHOWN = "arrested-overdamped", 0.72
+
+_MIDPOINTS_CAPTION = (
+    "Figure 3(b). Height of the midpoint, delta = 0.03, gravity switched on over t~ = 10. Top left: the paper's four "
+    "parameter sets, finite elements ({along} x {through} over the half span, plane stress) wide and pale, the "
+    "filament by the paper's physics thin. Other panels: the elements against the paper's physics in both closures and "
+    "against what the program chooses. G and V are the paper's; with its E, rho and L the yield strains are {strains} "
+    "where the paper rounds to 0.07, 0.002, 0.0005. At t~ = 460 the paper's physics misses the elements by "
+    "{over[0]:+.1f}\u00a0% (overdamped) and {descent[0]:+.1f}\u00a0% (descent), the program's choice by "
+    "{over[1]:+.1f}\u00a0% and {descent[1]:+.1f}\u00a0%. Dotted level: the stopping depth (3.13). Sudden loading and "
+    "creep carry the filament below it: the overdamped one to {deep:.4f} L, {beyond:.0f}\u00a0% past. With the "
+    "paper's underdamped numbers (G = 0.4, V = 0.4) a neck is drawn out at the clamp: elements still stop on this "
+    "mesh, at {edge:.3f} L, "
+    "a little deeper on each finer one; filaments are refused as localised and drawn as far as the frame. At "
+    "G = 0.25 the elements and the program's filament ring about the same sag, {ring[0]:.4f} and {ring[1]:.4f} L in "
+    "the mean."
+)
+
+
+def midpoints_caption(facts_of: Mapping[str, Mapping[str, Any]]) -> str:
+    """The caption, every number from the runs."""
+    over, descent, ring = (facts_of[name] for name in ("arrested-overdamped", "continual-descent", _LEFT_OUT))
+    last = f"{MOMENTS[-1]:g}"
+    deep = -over["midpoint_over_L"]["elements"][last]
+    strains = ", ".join(
+        f"{facts_of[name]['eps_Y']:.2g}" for name in ("no-yield", "arrested-overdamped", "continual-descent")
+    )
+    return _MIDPOINTS_CAPTION.format(
+        along=over["mesh"][0],
+        through=over["mesh"][1],
+        strains=strains,
+        over=_misses(over, last),
+        descent=_misses(descent, last),
+        deep=deep,
+        beyond=100 * (deep / over["stopping_depth_over_L"]["paper"] - 1),
+        edge=-facts_of[_MIDPOINTS_EDGE]["midpoint_over_L"]["elements"][last],
+        ring=[-(ring["midpoint_over_L"][name]["mean"] or np.nan) for name in ("elements", OWN)],
+    )
+
+
+def _misses(of: Mapping[str, Any], moment: str) -> list[float]:
+    """Per cent by which the filaments sag more than the elements: the paper's physics, the program's choice."""
+    heights = of["midpoint_over_L"]
+    return [100 * ((heights[name][moment] or np.nan) / heights["elements"][moment] - 1) for name in (PAPER, OWN)]
+
+
+def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
+    """Draw the paper's axes with all scenes, then each scene by itself."""
+    known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
+    with style.styled():
+        figure, body = style.sheet("", height=5.6, notes=midpoints_caption(known), width=_WIDTH, columns=_COLUMNS)
+        panels = body.subplots(2, 3)
+        for k, (axes, filmed) in enumerate(zip(panels.flat, (None, *scenes), strict=True)):
+            if filmed is None:
+                _together(axes, scenes)
+            else:
+                _alone(axes, filmed, known[filmed.of.name]["stopping_depth_over_L"]["paper"])
+            axes.set_xlim(0, MOMENTS[-1])
+            axes.grid(True)
+            style.lighten(axes)
+            if k >= 3:
+                axes.set_xlabel("t~ = (t/L) √(E/ρ)")
+            if k % 3 == 0:
+                axes.set_ylabel("y / L of the midpoint")
+        legend(body, handles=panels.flat[1].get_legend_handles_labels()[0], ncols=4)
+    return figure
+
+
+def _together(axes: Axes, scenes: Sequence[FilmedScene]) -> None:
+    chosen = [filmed for filmed in scenes if filmed.of.name != _LEFT_OUT]
+    for filmed, colour in zip(chosen, _COLOURS, strict=False):
+        axes.plot(*filmed.elements, color=colour, linewidth=2.6, alpha=0.4)
+        if filmed.filaments[PAPER].outcome.is_success:
+            axes.plot(*filmed.filament(PAPER), color=colour, linewidth=0.9)
+        time, height = filmed.elements
+        # Named where there is room: beside the end of its curve, at its usual height.
+        level = float(np.min(height[time > time[-1] / 2]))
+        title = "arrested, underdamped" if filmed.of.name == _MIDPOINTS_EDGE else filmed.of.title
+        axes.text(455, level - 0.004, title, ha="right", va="top", fontsize=6.8, color=colour)
+    axes.set_ylim(-0.27, 0.005)
+    axes.set_title("the paper's parameters", fontsize=9)
+
+
+def _alone(axes: Axes, filmed: FilmedScene, stop: float | None) -> None:
+    time, height = filmed.elements
+    deepest = float(-height.min())
+    axes.plot(time, height, label="elements", **_ELEMENTS)
+    refused = []
+    for name in THEORIES:
+        when, where = filmed.filament(name)
+        axes.plot(when, where, label=name, **_MIDPOINTS_LINES[name])
+        if not filmed.filaments[name].outcome.is_success:
+            refused.append(name)
+    top = -_SHOWN * deepest if filmed.of.name == _LEVEL else 0.03 * deepest
+    axes.set_ylim(-(1.45 if refused else 1.05) * deepest, top)
+    if stop is not None and filmed.of.name != "no-yield":
+        axes.axhline(-stop, color=style.GREY, linewidth=1.0, linestyle=":")
+        axes.text(455, -stop, "(3.13)", ha="right", va="bottom", fontsize=7, color=style.GREY)
+    if refused:
+        which = "all filaments" if len(refused) == len(THEORIES) else "paper's physics"
+        label = f"{which}: refused, localised"
+        axes.text(455, -1.42 * deepest, label, fontsize=7, ha="right", va="bottom", color=style.GREY)
+    axes.set_title(f"{filmed.of.title}: {filmed.of.parameters}", fontsize=8.3)
+    axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+    axes.yaxis.set_major_formatter("{x:.3g}")
+
+
+def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
+    """Picture, data and facts of figure 3(b), by file name."""
+    known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
+    rows = (row for filmed in scenes for row in _rows(filmed))
+    return {
+        **printed("figure3b", midpoints_figure(scenes)),
+        "figure3b.csv": table(("scene", "curve", "t_tilde", "midpoint_over_L"), rows),
+        "figure3b.json": json_bytes({"caption": midpoints_caption(known), "scenes": list(known.values())}),
+    }
+
+
+def _rows(filmed: FilmedScene) -> Iterator[tuple[object, ...]]:
+    curves: dict[str, tuple[Floats, Floats]] = {"elements": filmed.elements}
+    curves |= {name.replace(",", " with"): filmed.filament(name) for name in THEORIES}
+    for name, (time, height) in curves.items():
+        for t, y in zip(time.tolist(), height.tolist(), strict=True):
+            yield filmed.of.name, name, t, y
+
+
+BLACK_RATE = 4.4e-4
+"""Plastic shear rate times L sqrt(rho/E) that the paper's scale shows as black; white is 0."""
+
+YIELDED = style.VERMILLION
+_STRIPS_EDGE = 0.5
+
+
+@dataclass(frozen=True)
+class Strip:
+    """A filament at one instant, whole span; lengths over the span."""
+
+    section: Section  # Centreline, normals, thickness on the nodes
+    # shape (cells,); Limits in zeta of the part that does not yield, by the stress sigma_0 + sigma_1 zeta of (2.24).
+    low: Floats
+    high: Floats
+    X: Floats  # shape (cells,); Material coordinate and place of the middle of each cell
+    place: Floats
+
+    @property
+    def yielded_share(self) -> float:
+        """Part of the side view that yields, cells weighted by their length."""
+        length = np.hypot(np.diff(self.section.x), np.diff(self.section.y))
+        return float(np.average(1 - (self.high - self.low) / 2, weights=length))
+
+    def side(self, zeta: float) -> Floats:
+        """Right half of a face, or of the centreline; shape (points, 2)."""
+        return np.asarray(self.section.at(zeta)[self.section.x >= -1e-12])
+
+    @property
+    def yielded(self) -> Floats:
+        """Quads of the yielded zones of the right half; shape (quads, 4, 2)."""
+        quads = quads_outside(self.section, self.low, self.high)
+        return np.asarray(quads[quads[:, :, 0].mean(axis=1) > 0])
+
+
+def strip_at(filmed: FilmedScene, instant: float, theory: str = PAPER) -> Strip:
+    """The filament of one theory at the frame nearest to t~."""
+    data, span = filmed.filaments[theory].data, filmed.scene.filament.span
+    frame = int(np.abs(data["time"].values / elastic_time(filmed.scene) - instant).argmin())
+    section = _section_of(data, frame)
+    scaled = Section(section.x / span, section.y / span, section.normal, section.thickness / span)
+    mean, bending = data["stress_mean"].values[frame], data["stress_bending"].values[frame]
+    low, high = elastic_core(mean, bending, filmed.scene.material.yield_stress or np.inf)
+    middle = np.column_stack([(c[1:] + c[:-1]) / 2 for c in (scaled.x, scaled.y)])
+    return Strip(scaled, low, high, data["X_cell"].values / span, middle)
+
+
+def _section_of(data: xr.Dataset, frame: int) -> Section:
+    """Sections turn by psi = theta - atan(Gam/Lam): normal to the centreline only where nothing shears."""
+    section = section_at(data, frame, (True, True))
+    shear = data["shear"].values[frame] if "shear" in data else np.zeros(data.sizes["cell"])
+    if not shear.any():
+        return section
+    turned = np.arctan2(np.diff(section.y), np.diff(section.x)) - np.arctan(shear)
+    nodes, cells = data["X_node"].values, data["X_cell"].values
+    angle = np.interp(nodes, [nodes[0], *cells, nodes[-1]], [0.0, *turned, 0.0])
+    return replace(section, normal=np.column_stack([-np.sin(angle), np.cos(angle)]))
+
+
+def boundary(shot: Snapshot, through: int) -> Floats:
+    """Outline of the half strip of elements, along the bottom and back along the top; shape (points, 2)."""
+    columns = shot.outline.reshape(-1, through, 8, 2)
+    bottom, top = columns[:, 0, :3].reshape(-1, 2), columns[:, -1, 4:7][:, ::-1].reshape(-1, 2)
+    return np.concatenate([bottom, top[::-1], bottom[:1]])
+
+
+def draw_elements(axes: Axes, shot: Snapshot, through: int) -> PolyCollection:
+    """Draw the strip as the left half, in the grey of its plastic shear rate."""
+    mirror = np.array([-1.0, 1.0])
+    # Anti-aliasing would leave hairlines between neighbouring quarters.
+    field = PolyCollection(
+        list(mirror * shot.quarter),
+        array=shot.rate,
+        cmap="gray_r",
+        norm=Normalize(0.0, BLACK_RATE),
+        edgecolors="none",
+        antialiaseds=False,
+        rasterized=True,
+    )
+    axes.add_collection(field, autolim=False)
+    axes.plot(*(mirror * boundary(shot, through)).T, color=style.BLACK, linewidth=_STRIPS_EDGE)
+    return field
+
+
+def draw_filament(axes: Axes, strip: Strip) -> None:
+    """Draw the filament as the right half: centreline, faces, and its yielded zones."""
+    zones = PolyCollection(
+        list(strip.yielded), facecolors=YIELDED, edgecolors="none", antialiaseds=False, rasterized=True
+    )
+    axes.add_collection(zones, autolim=False)
+    for zeta, line in ((-1.0, "-"), (0.0, (0, (6, 2))), (1.0, "-")):
+        axes.plot(*strip.side(zeta).T, color=style.BLACK, linewidth=_STRIPS_EDGE, linestyle=line)
+    bottom, top = strip.side(-1.0)[-1], strip.side(1.0)[-1]
+    axes.plot([bottom[0], top[0]], [bottom[1], top[1]], color=style.BLACK, linewidth=_STRIPS_EDGE)
+
+
+def draw_mesh(axes: Axes, shot: Snapshot) -> None:
+    """Draw both halves of the deformed mesh."""
+    for side in (-1.0, 1.0):
+        mesh = PolyCollection(
+            list(np.array([side, 1.0]) * shot.outline), facecolors="#f2f2f2", edgecolors="#5a5a5a", linewidths=0.3
+        )
+        axes.add_collection(mesh, autolim=False)
+
+
+_ZOOM = 2.6
+_MARGIN = 0.008
+_SHARES = ("α/4", "α/2", "α", "2α")
+_LETTERS = "abc"
+_OUTLINES: dict[str, dict[str, Any]] = {
+    PAPER: {"color": style.ORANGE, "linewidth": 1.3},
+    OWN: {"color": style.BLUE, "linewidth": 1.0, "linestyle": (0, (4, 1.5))},
+}
+
+_SNAPSHOTS_CAPTION = (
+    "Figure 4. (a)-(c) Left half: finite elements ({along} x {through} over the half span, plane stress), grey by the "
+    "plastic shear rate |Lp| L sqrt(rho/E) from 0 = white to 4.4e-4 = black; |Lp| is sqrt(3) times the equivalent "
+    "tensile rate, which (3.7) as printed gives at the same stress. Right half: the filament by the paper's physics, "
+    "its centreline (dashed) and its faces, shaded where the stress linear in z exceeds the yield stress. alpha = 46. "
+    "The paper's text names alpha and 10 alpha; the other instants are chosen here, early, where the flow varies most. "
+    "(a) Nothing flows. (b) Flow begins at the clamps and at midspan, spreads, and dies out: at 2 alpha the largest "
+    "rate is {fades:.2f} of that at alpha/2. (c) All but a corner at the clamp flows, faster than the scale's end: "
+    "half of the points by more than {median:.1e} at alpha, the fastest by {rates}. "
+    "(d) Deformed mesh and filaments at t~ = 10 alpha = 460, continual descent: the midpoint hangs {sag:.3f} L deep "
+    "(elements), {paper:.3f} L (paper's physics), {own:.3f} L (chosen by the program); the axial strain of the "
+    "elements at the clamp is {mean:.0f}\u00a0% in the mean, {strain:.0f}\u00a0% at most."
+)
+
+
+def snapshots_caption(scenes: Mapping[str, FilmedScene]) -> str:
+    """The caption, every number from the runs."""
+    last = scenes[SNAPSHOTS[-1]]
+    arrest = scenes[SNAPSHOTS[1]].film
+    rate = last.film.at(ALPHA).rate
+    return _SNAPSHOTS_CAPTION.format(
+        along=last.film.run.mesh.along,
+        through=last.film.run.mesh.through,
+        fades=float(arrest.at(2 * ALPHA).rate.max() / arrest.at(ALPHA / 2).rate.max()),
+        median=float(np.median(rate)),
+        rates=f"{rate.max():.1e}",
+        sag=-last.elements[1][-1],
+        paper=-last.filament(PAPER)[1][-1],
+        own=-last.filament(OWN)[1][-1],
+        mean=100 * np.expm1(last.film.run.clamp_strain[-1]),
+        strain=100 * np.expm1(last.film.run.clamp_strain_largest[-1]),
+    )
+
+
+def snapshots_figure(filmed: Sequence[FilmedScene]) -> Figure:
+    """Draw (a)-(c), four instants each, and (d) with its clamp enlarged."""
+    scenes = {each.of.name: each for each in filmed}
+    depths = [_depth(scenes[name], INSTANTS[k : k + 2]) for name in SNAPSHOTS for k in (0, 2)]
+    final = _depth(scenes[SNAPSHOTS[-1]], INSTANTS[-1:])
+    # Panels are so wide that lengths are equal along both axes.
+    rows, last = [4.3 * sum(depth) for depth in depths], 6.2 * sum(final)
+    with style.styled():
+        height = sum(rows) + last + 0.34 * (len(rows) + 1) + 1.6
+        figure, body = style.sheet("", height=height, notes=snapshots_caption(scenes), width=_WIDTH, columns=_COLUMNS)
+        parts: Any = body.subfigures(2, 1, height_ratios=[sum(rows) + 0.34 * len(rows) + 0.9, last + 1.0])
+        upper, lower = parts
+        panels = upper.subplots(len(rows), 2, height_ratios=rows, sharex=True)
+        for (row, column), axes in np.ndenumerate(panels):
+            of, instant = scenes[SNAPSHOTS[row // 2]], 2 * (row % 2) + column
+            bar = draw_elements(axes, of.film.at(INSTANTS[instant]), of.film.run.mesh.through)
+            draw_filament(axes, strip_at(of, INSTANTS[instant]))
+            _frame(axes, depths[row])
+            name = f"({_LETTERS[row // 2]}) {of.of.title}, " if instant == 0 else ""
+            axes.set_title(f"{name}t~ = {_SHARES[instant]}", loc="left", fontsize=8.5, pad=2.5)
+        for axes in panels[-1]:
+            axes.set_xlabel("x / L", labelpad=1.0)
+        ticks = [0, 1.1e-4, 2.2e-4, 3.3e-4, BLACK_RATE]
+        colours = upper.colorbar(bar, ax=panels, location="bottom", extend="max", ticks=ticks, aspect=60, fraction=0.03)
+        colours.set_ticklabels(["0", "1.1e−4", "2.2e−4", "3.3e−4", "4.4e−4"], fontsize=7)
+        colours.set_label("|Lp| L √(ρ/E), elements", fontsize=7.5)
+        _last(lower, scenes[SNAPSHOTS[-1]], final)
+    return figure
+
+
+def _depth(of: FilmedScene, instants: Sequence[float]) -> tuple[float, float]:
+    """How far the strips reach above and below the supports, over the span."""
+    heights = [of.film.at(instant).outline[..., 1] for instant in instants]
+    return max(float(h.max()) for h in heights) + _MARGIN, _MARGIN - min(float(h.min()) for h in heights)
+
+
+def _frame(axes: Axes, depth: tuple[float, float]) -> None:
+    axes.set_xlim(-0.515, 0.515)
+    axes.set_ylim(-depth[1], depth[0])
+    axes.set_aspect("equal")
+    axes.axvline(0.0, color=style.GREY, linewidth=0.5, linestyle=":")
+    axes.set_yticks([-step for step in (0.0, 0.05, 0.1, 0.15) if step < depth[1]])
+    axes.set_xticks([-0.5, -0.25, 0.0, 0.25, 0.5])
+    axes.tick_params(labelsize=7)
+    style.lighten(axes)
+
+
+def _last(part: SubFigure, of: FilmedScene, depth: tuple[float, float]) -> None:
+    """Panel (d), and its clamp enlarged."""
+    axes, close = part.subplots(1, 2, width_ratios=[3, 1])
+    shot = of.film.at(INSTANTS[-1])
+    for each in (axes, close):
+        draw_mesh(each, shot)
+        for theory, line in _OUTLINES.items():
+            section = strip_at(of, INSTANTS[-1], theory).section
+            for zeta in (-1.0, 1.0):
+                each.plot(*section.at(zeta).T, **line)
+        style.lighten(each)
+        each.tick_params(labelsize=7)
+        each.set_xlabel("x / L", labelpad=1.0)
+    axes.set_xlim(-0.515, 0.515)
+    axes.set_ylim(-depth[1], depth[0])
+    axes.set_aspect("equal")
+    thickness = of.scene.filament.thickness / of.scene.filament.span
+    close.set_xlim(0.5 + 0.25 * thickness - _ZOOM * thickness, 0.5 + 0.25 * thickness, auto=True)
+    close.set_ylim(0.75 * thickness - 1.5 * _ZOOM * thickness, 0.75 * thickness, auto=True)
+    close.set_aspect("equal", adjustable="datalim", anchor="N")
+    axes.set_title(f"(d) {of.of.title}, t~ = 10α = 460", loc="left", fontsize=8.5, pad=2.5)
+    close.set_title("at the clamp", loc="left", fontsize=8.5, pad=2.5)
+    handles = [
+        Patch(facecolor=YIELDED, label="yielded, filament"),
+        *(Line2D([], [], label=f"(d) {theory}", **line) for theory, line in _OUTLINES.items()),
+    ]
+    legend(part, handles=handles, ncols=3)
+
+
+def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
+    """Picture, data and facts of figure 4, by file name."""
+    scenes = {each.of.name: each for each in filmed if each.of.name in SNAPSHOTS}
+    last = scenes[SNAPSHOTS[-1]]
+    outline = last.film.at(INSTANTS[-1]).outline
+    corners = ((e, k, *map(float, outline[e, k])) for e in range(len(outline)) for k in range(8))
+    return {
+        **printed("figure4", snapshots_figure(filmed)),
+        "figure4-elements.csv": table(
+            ("panel", "t_tilde", "X_over_L", "Y_over_L", "x_over_L", "y_over_L", "plastic_shear_rate"),
+            (row for panel in _panels(scenes) for row in _points(*panel)),
+        ),
+        "figure4-filament.csv": table(
+            ("panel", "t_tilde", "X_over_L", "x_over_L", "y_over_L", "thickness_over_L", "core_low", "core_high"),
+            (row for panel in _panels(scenes) for row in _cells(*panel)),
+        ),
+        "figure4-mesh.csv": table(("element", "corner", "x_over_L", "y_over_L"), corners),
+        "figure4.json": json_bytes(
+            {"caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": _snapshots_facts(scenes)}
+        ),
+    }
+
+
+def _panels(scenes: Mapping[str, FilmedScene]) -> Iterator[tuple[str, float, FilmedScene]]:
+    for letter, name in zip(_LETTERS, SNAPSHOTS, strict=True):
+        for instant in INSTANTS[:-1]:
+            yield letter, instant, scenes[name]
+    yield "d", INSTANTS[-1], scenes[SNAPSHOTS[-1]]
+
+
+def _points(letter: str, instant: float, of: FilmedScene) -> Iterator[tuple[object, ...]]:
+    shot = of.film.at(instant)
+    for reference, place, rate in zip(of.film.point.tolist(), shot.place.tolist(), shot.rate.tolist(), strict=True):
+        yield letter, instant, *reference, *place, rate
+
+
+def _cells(letter: str, instant: float, of: FilmedScene) -> Iterator[tuple[object, ...]]:
+    strip = strip_at(of, instant)
+    thickness = (strip.section.thickness[1:] + strip.section.thickness[:-1]) / 2
+    columns = np.column_stack([strip.X, strip.place, thickness, strip.low, strip.high])
+    for row in columns.tolist():
+        yield letter, instant, *row
+
+
+def _snapshots_facts(scenes: Mapping[str, FilmedScene]) -> list[dict[str, Any]]:
+    found = []
+    for letter, instant, of in _panels(scenes):
+        shot, strip = of.film.at(instant), strip_at(of, instant)
+        flowing = float(np.mean(shot.rate > 0))
+        found.append(
+            {
+                "panel": letter,
+                "scene": of.of.name,
+                "t_tilde": shot.time,
+                "largest_rate": float(shot.rate.max()),
+                "flowing_share_of_elements": flowing,
+                "yielded_share_of_filament": strip.yielded_share,
+                "sag_over_L": {"elements": _lowest(of, instant), "filament": -float(strip.section.y.min())},
+            }
+        )
+    return found
+
+
+def _lowest(of: FilmedScene, instant: float) -> float:
+    return -float(np.interp(instant, *of.elements))
