@@ -38,7 +38,7 @@ def as_scene(given: SceneLike) -> Scene:
     ----------
     given : Scene, str, path or mapping
         A scene; the name of a bundled one or a path, as :func:`load_scene` takes them; or nested tables, whose
-        quantities are text with a unit or pint quantities.
+        quantities are numbers in SI, text with a unit or pint quantities.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def as_scene(given: SceneLike) -> Scene:
         return given
     if isinstance(given, (str, os.PathLike)):
         return load_scene(given)
-    return Scene.model_validate(given)
+    return Scene.from_dict(given)
 
 
 def load_scene(

@@ -13,7 +13,7 @@ from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import SOLIDS, Material, power
+from softcat_sym.scene.material import SOLIDS, Material, Modes, power
 from softcat_sym.scene.parts import (
     Ends,
     Filament,
@@ -29,7 +29,7 @@ from softcat_sym.scene.parts import (
     motion_faults,
 )
 from softcat_sym.scene.toml import Override, apply, toml_of
-from softcat_sym.scene.units import Choice, Text, fault_of, shown
+from softcat_sym.scene.units import Choice, Motion, Quantity, Text, fault_of, in_si, shown
 
 _ROUNDING = 1e-12
 
@@ -288,8 +288,9 @@ LATE = "late overrides"
 class Scene(Part):
     """All that is asked of one run; frozen, every value plain SI.
 
-    Build one with `load_scene`, or with ``Scene.model_validate`` from nested dicts whose quantities are text with a
-    unit or pint quantities.
+    Build one with `load_scene`, from keywords, one a table of the scene file (``Scene(filament={"span": 0.2, ...},
+    material={...}, run={...})``), or with `from_dict`. A quantity is a number in SI, text with a unit, or a pint
+    quantity; ``Scene.model_validate`` reads tables as a scene file has them, whose quantities always have their units.
 
     Attributes
     ----------
@@ -318,6 +319,29 @@ class Scene(Part):
     surroundings: Surroundings = Surroundings()
     run: Run
     numerics: Numerics = Numerics()
+
+    def __init__(self, **tables: Any) -> None:
+        super().__init__(**_from_python(tables))
+
+    # By this mark pydantic does not pass through `__init__` when it validates a scene file.
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    @classmethod
+    def from_dict(cls, tables: Mapping[str, Any]) -> Scene:
+        """Build a scene from nested dicts, its keys those of the scene file.
+
+        Parameters
+        ----------
+        tables : mapping
+            ``{"filament": {"span": 0.2, "thickness": "6 mm", ...}, "material": {...}, "run": {...}}``: a quantity is a
+            number in SI, text with a unit, or a pint quantity.
+
+        Raises
+        ------
+        SceneError
+            With every fault at once.
+        """
+        return cls.model_validate(_from_python(tables))
 
     @model_validator(mode="wrap")
     @classmethod
@@ -401,6 +425,22 @@ def _as_table(data: object) -> Table:
         key: value.given() if isinstance(value, Part) else dict(value) if isinstance(value, Mapping) else value
         for key, value in data.items()
     }
+
+
+def _from_python(tables: Any) -> Any:
+    """Mark the bare numbers that stand for quantities as SI; of `material.parameters` they are pure numbers."""
+    if not isinstance(tables, Mapping):
+        return tables
+    marked = dict(tables)
+    for name, part in parts_of_scene().items():
+        table = tables.get(name)
+        if isinstance(table, Mapping):
+            kinds = kinds_of(part)
+            marked[name] = {
+                key: in_si(value) if isinstance(kinds.get(key), (Quantity, Motion, Modes)) else value
+                for key, value in table.items()
+            }
+    return marked
 
 
 @cache

@@ -90,6 +90,26 @@ class NotAQuantity(ValueError):  # noqa: N818 - its text is "what was found", ne
     """A value that is no quantity of the dimension asked for; the text says what was found. Never leaves `scene`."""
 
 
+class SI(float):
+    """A bare number that Python gave for a quantity: its value in the SI unit of the key."""
+
+    __slots__ = ()
+
+
+def in_si(value: Any) -> Any:
+    """Mark the bare numbers of a value, of its rows or of its tables, as SI."""
+    if isinstance(value, Mapping):
+        return {key: in_si(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [in_si(item) for item in value]
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return value
+    try:
+        return SI(value)
+    except OverflowError:
+        return SI(math.inf)
+
+
 @cache
 def registry() -> UnitRegistry[float]:
     """Build pint's registry on first use; an import of the package should not pay for it."""
@@ -169,6 +189,10 @@ def _article(noun: str) -> str:
 
 def to_si(value: object, dimension: str, unit: str = "") -> float:
     """Turn a quantity into its SI value."""
+    if isinstance(value, SI):
+        if not math.isfinite(value):
+            raise NotAQuantity(f"{shown(value)} is not finite")
+        return float(value)
     wanted = _article(dimension) + (f" in {unit}" if unit else "")
     si, found, name = _read(value, wanted)
     if not same_dimension(found, _measured(unit or SI_UNITS[dimension])[1]):

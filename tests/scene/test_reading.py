@@ -18,12 +18,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from softcat_sym.errors import SceneError
 from softcat_sym.scene.bundled import bundled_names, bundled_text
 from softcat_sym.scene.parts import Filament
-from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene
 
-from .tables import BINGHAM, refused, spoiled
+from .tables import BINGHAM, faults_of, refused, spoiled
 
 
 @pytest.mark.parametrize(
@@ -145,6 +146,58 @@ def test_python_values() -> None:
     assert pickle.loads(pickle.dumps(scene)) == scene
     with pytest.raises(ValueError, match="frozen"):
         scene.filament.span = 1.0  # type: ignore[misc]
+
+
+def in_three_forms(ureg: pint.UnitRegistry[float]) -> list[dict[str, Any]]:
+    """A scene with numbers in SI, text with units, and pint quantities: a consistency, modes and a path among them."""
+    values: dict[str, Any] = {
+        "filament.span": (0.2, "m"),
+        "filament.thickness": (0.006, "m"),
+        "filament.density": (1900, "kg/m^3"),
+        "material.youngs_modulus": (4e6, "Pa"),
+        "material.yield_stress": (9320.0, "Pa"),
+        "material.shear_consistency": (120.0, "Pa*s^0.5"),
+        "run.duration": (2, "s"),
+    }
+    forms = []
+    for write in (lambda n, _: n, lambda n, unit: f"{n!r} {unit}", lambda n, unit: ureg.Quantity(n, unit)):
+        table = spoiled({key: write(*value) for key, value in values.items()}, {})
+        table["material"] |= {"law": "herschel-bulkley", "index": 0.5}
+        table["ends"] = {"motion": [[write(t, "s"), write(dx, "m"), write(0, "m")] for t, dx in ((0, 0), (1.0, 0.01))]}
+        forms.append(table)
+    return forms
+
+
+def test_numbers_in_si_text_and_pint_quantities_give_the_same_scene() -> None:
+    number, text, quantity = in_three_forms(pint.UnitRegistry())
+    scene = Scene.model_validate(text)
+    assert scene.to_toml() == Scene(**number).to_toml() == Scene(**text).to_toml() == Scene(**quantity).to_toml()
+    assert scene == Scene.from_dict(number) == Scene.from_dict(text) == Scene.from_dict(quantity) == as_scene(number)
+    modes = {"law": "multimode-maxwell", "modes": [{"youngs_modulus": 1e6, "viscosity": 2000}]}
+    units = {"law": "multimode-maxwell", "modes": [{"youngs_modulus": "1 MPa", "viscosity": "2 kPa*s"}]}
+    assert Scene(**number | {"material": modes}) == Scene.model_validate(text | {"material": units})
+    grouped = {"groups": {"delta": 0.03, "law": "elastic", "E_star": 1000.0}, "filament": {"span": 0.3}}
+    assert Scene(**grouped, run={"duration": 2}).filament.thickness == pytest.approx(0.009)
+
+
+def test_bad_numbers_of_python_are_refused_and_a_file_still_needs_units() -> None:
+    number, text, _ = in_three_forms(pint.UnitRegistry())
+    number["filament"] |= {"span": -1, "thickness": math.nan, "density": True, "spam": 1.0}
+    number["material"]["shear_consistency"] = 10**400
+    with pytest.raises(SceneError) as caught:
+        Scene(**number)
+    found = {fault.path: fault.found for fault in caught.value.faults}
+    assert found == {
+        "filament.span": "-1.0 is negative",
+        "filament.thickness": "nan is not finite",
+        "filament.density": "true is not a quantity",
+        "filament.spam": "unknown key (did you mean 'span'?)",
+        "material.shear_consistency": "inf is not finite",
+    }
+    text["filament"]["span"] = 0.2
+    assert [fault.found for fault in faults_of(text)] == ["0.2 has no unit"]
+    with pytest.raises(SceneError, match="is not a table"):
+        Scene.from_dict([1])  # type: ignore[arg-type]
 
 
 positive = st.floats(1e-12, 1e12)
