@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,9 @@ from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True, eq=False)
@@ -396,6 +399,37 @@ class Fit:
     repeats: tuple[str, ...]
     seconds: float
     message: str = ""
+
+    def plot(self, what: str = "curves") -> Figure:
+        """Draw one picture of the fit.
+
+        Parameters
+        ----------
+        what : str
+            ``curves``, ``profiles``, ``correlation`` or ``starts``.
+
+        Raises
+        ------
+        SoftcatError
+            If there is no such picture.
+        """
+        from softcat_sym.plotting.fit_figures import FIGURES
+        from softcat_sym.plotting.notebook import drawn
+
+        return drawn(FIGURES, what, self)
+
+    def __repr__(self) -> str:
+        lines = [f"Fit {self.scene.title!r}: {self.outcome.name}"]
+        for name, one in self.parameters.items():
+            value = f"{one.value:.4g}" if one.value is not None else "not known"
+            error = f" +- {one.std:.2g}" if one.std is not None else ""
+            lines.append(f"{name} = {value}{error} {one.unit}: {one.verdict}")
+        return "\n  ".join(lines)
+
+    def _repr_html_(self) -> str:
+        from softcat_sym.plotting.notebook import html
+
+        return html(repr(self), self.plot())
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -584,3 +584,11 @@ def _draw_law(axes: Axes, one: Fit, far: float, ruler: Unit, clock: Unit) -> Non
     axes.yaxis.set_major_locator(MaxNLocator(4, symmetric=True))
     axes.yaxis.set_major_formatter(FuncFormatter(plain))
     style.lighten(axes)
+
+
+FIGURES = {
+    "curves": curves_figure,
+    "profiles": profiles_figure,
+    "correlation": correlation_figure,
+    "starts": starts_figure,
+}

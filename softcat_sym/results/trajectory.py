@@ -23,6 +23,7 @@ from softcat_sym.solvers.solution import Silence, Solution
 
 if TYPE_CHECKING:
     import xarray as xr
+    from matplotlib.figure import Figure
 
 
 @dataclass(frozen=True)
@@ -108,6 +109,29 @@ class Trajectory:
             changed |= {"message": missed, "regime": None}
         self.data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(told["wall_s"])}
         return replace(self, summary=self.summary | changed, outcome=outcome)
+
+    def plot(self, what: str = "midpoint") -> Figure:
+        """Draw one picture of the run.
+
+        Parameters
+        ----------
+        what : str
+            ``midpoint``, ``shapes``, ``energy`` or ``space-time``.
+
+        Raises
+        ------
+        SoftcatError
+            If there is no such picture.
+        """
+        from softcat_sym.plotting.notebook import drawn
+        from softcat_sym.plotting.run import FIGURES
+
+        return drawn(FIGURES, what, self.data, self.summary, self.scene)
+
+    def _repr_html_(self) -> str:
+        from softcat_sym.plotting.notebook import html
+
+        return html(repr(self), self.plot())
 
     def save(self, directory: str | Path) -> list[Path]:
         """Write ``trajectory.nc``, ``summary.json`` and ``scene.toml``; files of the same name are replaced whole.

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from html import escape
 from typing import Annotated, Any, Literal
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
@@ -412,6 +413,9 @@ class Scene(Part):
         if faults:
             raise SceneError(faults)
         return Scene.model_validate(table)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(self.to_toml())}</pre>"
 
     def to_toml(self) -> str:
         """Write the scene as TOML in physical form with units; reading it again gives an equal scene."""

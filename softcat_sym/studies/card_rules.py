@@ -32,6 +32,8 @@ from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.studies.pricing import dependants, ordered, with_effects
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from softcat_sym.design.critical_span import CriticalSpan
     from softcat_sym.results.trajectory import Trajectory
 
@@ -146,6 +148,17 @@ class Card:
     span: CriticalSpan | None
     span_text: str
     notes: tuple[str, ...]
+
+    def plot(self) -> Figure:
+        """Draw the final shape, the descent and the rules beside it."""
+        from softcat_sym.plotting.card import card_figure
+
+        return card_figure(self)
+
+    def _repr_html_(self) -> str:
+        from softcat_sym.plotting.notebook import html
+
+        return html(f"Card {self.name}, longest span {self.span_text or 'not asked'}\n{self.run!r}", self.plot())
 
     @property
     def summary(self) -> Mapping[str, Any]:

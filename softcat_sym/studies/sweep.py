@@ -36,6 +36,7 @@ from softcat_sym.studies.sweep_table import SHAPE_FRAMES, SHAPE_NODES, SweepPlan
 
 if TYPE_CHECKING:
     import xarray as xr
+    from matplotlib.figure import Figure
 
 REFUSED, FAILED, LOST = "refused", "failed", "lost"
 """Outcomes that no run has: a scene that makes no sense, a program that failed, workers that died."""
@@ -479,6 +480,28 @@ class Sweep:
         import xarray as xr
 
         return self.loaded if self.loaded is not None else xr.open_dataset(self.path, engine="h5netcdf")
+
+    def plot(self) -> Figure:
+        """Draw the sag over what varies.
+
+        Raises
+        ------
+        SoftcatError
+            If no key takes two values.
+        """
+        from softcat_sym.plotting.notebook import drawn
+        from softcat_sym.plotting.sweep import sweep_figure
+
+        return drawn({"sag": sweep_figure}, "sag", self)
+
+    def __repr__(self) -> str:
+        outcomes = ", ".join(f"{name} {count}" for name, count in sorted(self.counts.outcomes.items()))
+        return f"Sweep {self.plan.scene.title!r}: {len(self)} filaments ({outcomes})\n  .data, .summary(), {self.path}"
+
+    def _repr_html_(self) -> str:
+        from softcat_sym.plotting.notebook import html
+
+        return html(repr(self), self.plot())
 
     def in_memory(self) -> Sweep:
         """The same with its data loaded, independent of the file."""
