@@ -207,12 +207,12 @@ import sympy; mark("import sympy")
 from softcat_sym.single_run import build
 from softcat_sym.codegen.model import structure_of, model_for
 from softcat_sym.solvers.compiled import compile_filament
-from softcat_sym.solvers import compiled_settings, choose_backend, prepare
-from softcat_sym.effects import choose_effects
+from softcat_sym.solvers.run import prepare
+from softcat_sym.solvers.settings import choose_backend, compiled_settings
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.discretization import assemble
-from softcat_sym.discretization.assembly import choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.assembly import assemble, choose_body, choose_grid, choose_theory
 mark("import the rest")
 def line():
     effects = choose_effects(scene); mark("effects")

@@ -18,7 +18,7 @@ OWN |= {"parameters.txt", "scene.toml"}
 TEXT = """
 import hashlib
 from softcat_sym.generation import contents_of
-from softcat_sym.scene import load_scene
+from softcat_sym.scene.reading import load_scene
 for name in ("no-yield", "slime-slope"):
     files = contents_of(load_scene(name), "filament", rhs=name == "no-yield")
     for file, text in sorted(files.items()):
