@@ -548,9 +548,9 @@ def laws_figure(found: LawComparison) -> Figure:
             _draw_law(axes, one, far, ruler, clock)
             time_axis(axes, clock.of(np.concatenate([film.time for film in one.films])))
             axes.set_title(_title(row, one, found.choice.criterion), loc="left", fontsize=8.5, pad=3, parse_math=False)
-            axes.set_ylabel(f"residual [{ruler.symbol}]", fontsize=8)
             axes.set_xlabel(f"time [{clock.symbol}]")
             axes.label_outer()
+        body.supylabel(f"residual [{ruler.symbol}]", fontsize=8)
     return figure
 
 
@@ -578,7 +578,8 @@ def _draw_law(axes: Axes, one: Fit, far: float, ruler: Unit, clock: Unit) -> Non
         out = np.abs(left) > far
         time, height = clock.of(film.time), ruler.of(np.clip(left, -far, far))
         axes.plot(time[~out], height[~out], ".", color=colour, markersize=3.5, clip_on=False)
-        axes.plot(time[out], height[out], "x", color=colour, markersize=3.5, clip_on=False)
+        if np.any(out):  # an empty line would claim room for itself
+            axes.plot(time[out], height[out], "x", color=colour, markersize=3.5, clip_on=False)
     edge = float(ruler.of(far))
     axes.set_ylim(-edge, edge)
     axes.yaxis.set_major_locator(MaxNLocator(4, symmetric=True))

@@ -275,7 +275,6 @@ def _extrapolated(axes: Axes, end: TheoryEnd, name: str, moment: int) -> None:
         markersize=4.0,
         capsize=2.5,
         linewidth=1.0,
-        clip_on=False,
         zorder=4,
     )
 

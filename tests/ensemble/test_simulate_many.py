@@ -101,7 +101,7 @@ def test_a_row_of_equilibria() -> None:
 
 
 def test_failures_are_rows_and_the_others_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiled, "_MOST_STEPS", 1)
+    monkeypatch.setattr(compiled, "_MAX_STEPS", 1)
     monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", 20)
     scene = sc.load_scene("continual-descent", SHORT)
     table = {"groups.G": [0.4, 8.0, 0.4], "groups.V": [30.0, 0.3, 20.0], "run.duration": [0.05, 0.4, 0.06]}

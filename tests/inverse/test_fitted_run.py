@@ -55,7 +55,7 @@ def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:
         asked.append(one)
         return sc.simulate(one)
 
-    monkeypatch.setattr(fitted_run, "simulated", simulate)
+    monkeypatch.setattr(fitted_run, "recalled", simulate)
     found = fitted("viscosity", "time_offset")
     (one,) = asked
     assert one.material.viscosity == pytest.approx(found.parameters["viscosity"].best)
@@ -71,5 +71,5 @@ def test_a_filament_that_cannot_begin(monkeypatch: pytest.MonkeyPatch) -> None:
     def refused(one: sc.Scene) -> sc.Trajectory:
         raise sc.SceneError([])
 
-    monkeypatch.setattr(fitted_run, "simulated", refused)
+    monkeypatch.setattr(fitted_run, "recalled", refused)
     assert fitted().outcome is FitOutcome.run_in_doubt

@@ -50,7 +50,7 @@ def test_a_better_optimum_that_a_profile_meets_is_the_one_that_is_judged() -> No
 
 
 def test_no_more_restarts_than_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(inference, "MOST_RESTARTS", 0)
+    monkeypatch.setattr(inference, "MAX_RESTARTS", 0)
     p = wells()
     found = infer(p, multi_start(p, [np.array([1.4])]), LINEAR)
     assert found.restarts == 0 and found.profiles[0].better is not None
