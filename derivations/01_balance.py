@@ -33,17 +33,14 @@ import mpmath as mp
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata
 
-from softcat_sym.physics import kinematics
-from softcat_sym.physics import kinematics as balance
-from softcat_sym.physics import kinematics as motion
-from softcat_sym.physics import loads as loading
+from softcat_sym.physics import kinematics, loads
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.equation import check
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.symbols import A0, M_X, Q, X, a_g, f_g, g, g_on, rho, s, t, x_X, x_X_before, y_X, y_X_before
 
-x, y, S, theta = motion.x, motion.y, motion.stretch, motion.angle
-axial, shear, moment = motion.axial_force, motion.transverse_force, motion.moment
+x, y, S, theta = kinematics.x, kinematics.y, kinematics.stretch, kinematics.angle
+axial, shear, moment = kinematics.axial_force, kinematics.transverse_force, kinematics.moment
 
 # %% [markdown]
 # ## The element
@@ -105,12 +102,12 @@ moment_balance = sp.expand(couples / d).subs(d, 0)
 r_X = S * tangent
 along_curve = {sp.Derivative(x, X): r_X[0], sp.Derivative(y, X): r_X[1]}
 N_derived = sp.solve(sp.simplify(moment_balance.subs(along_curve)), shear)[0]
-prove_equal(N_derived, motion.MOMENT_BALANCE.right)
-assert motion.MOMENT_BALANCE.left == shear
+prove_equal(N_derived, kinematics.MOMENT_BALANCE.right)
+assert kinematics.MOMENT_BALANCE.left == shear
 
 per_arclength = force_balance / S
-prove_equal(sp.trigsimp(sp.expand(tangent.dot(per_arclength))), sp.expand(motion.TANGENTIAL.residual()))
-prove_equal(sp.trigsimp(sp.expand(normal.dot(per_arclength))), sp.expand(motion.TRANSVERSE.residual()))
+prove_equal(sp.trigsimp(sp.expand(tangent.dot(per_arclength))), sp.expand(kinematics.TANGENTIAL.residual()))
+prove_equal(sp.trigsimp(sp.expand(normal.dot(per_arclength))), sp.expand(kinematics.TRANSVERSE.residual()))
 
 # %% [markdown]
 # ## Change to the material coordinate
@@ -124,7 +121,7 @@ eliminated = force_balance.subs(shear, N_derived).doit()
 at_rest = {x.diff(t, 2): 0, y.diff(t, 2): 0}
 accelerations = [sp.expand(force / lambda_0) for force in eliminated.subs(at_rest)]
 # What is left of the balance is -lambda_0 r_tt: so these are the accelerations.
-for left, derived, held in zip(eliminated, accelerations, motion.MOTION, strict=True):
+for left, derived, held in zip(eliminated, accelerations, kinematics.MOTION, strict=True):
     prove_equal(sp.expand(left), sp.expand(lambda_0 * (derived - held.left)))
     prove_equal(derived, sp.expand(held.right))
 
@@ -132,7 +129,7 @@ N_X = sp.diff(moment.diff(X) / S, X)
 prove_equal(N_X, (moment.diff(X, 2) - moment.diff(X) * S.diff(X) / S) / S)
 rotation = sp.Matrix.hstack(tangent, normal)
 column = sp.Matrix([axial.diff(X) - moment.diff(X) * theta.diff(X) / S, N_X + axial * theta.diff(X)])
-for entry, held in zip(column, motion.net_force(), strict=True):
+for entry, held in zip(column, kinematics.net_force(), strict=True):
     prove_equal(entry, held)
 weight = lambda_0 * g * sp.Matrix([sp.sin(theta), sp.cos(theta)])
 for derived, expected in zip(rotation * (column - weight) / lambda_0, accelerations, strict=True):
@@ -145,11 +142,11 @@ for derived, expected in zip(rotation * (column - weight) / lambda_0, accelerati
 # = \partial_X\Big(Q\,\mathbf t + \tfrac{M_X}{s_X}\,\mathbf n\Big) - \lambda_0 g\,\mathbf e_y .$$
 
 # %%
-for derived, held in zip(accelerations, motion.CONSERVATIVE, strict=True):
+for derived, held in zip(accelerations, kinematics.CONSERVATIVE, strict=True):
     prove_equal(sp.expand(lambda_0 * derived), sp.expand(held.right.doit()))
-prove_equal(lambda_0, balance.mass_per_length())
+prove_equal(lambda_0, kinematics.mass_per_length())
 # Mass: what an arc of the length s_X carries is what it always carried.
-prove_equal(rho * (A0 / s) * s, balance.mass_per_length())
+prove_equal(rho * (A0 / s) * s, kinematics.mass_per_length())
 
 # %% [markdown]
 # ## Geometry: (2.5)
@@ -166,7 +163,7 @@ in_polar = [
     (sp.Derivative(y, X), r_X_[1]),
     (S, S_),
 ]
-held_stretch, held_change, held_angle, held_turning = (e.right.subs(in_polar) for e in motion.GEOMETRY)
+held_stretch, held_change, held_angle, held_turning = (e.right.subs(in_polar) for e in kinematics.GEOMETRY)
 prove_equal(S_, held_stretch)
 prove_equal(S_.diff(X), held_change)
 prove_equal(theta_.diff(X), held_turning)
@@ -207,7 +204,7 @@ prove_equal(cosine, s * s_before * sp.cos(behind - before))
 # ... and its change with the second tangent is the theta_X of (2.5).
 x_XX, y_XX = sp.symbols("x_XX y_XX", real=True)
 change = sp.diff(turning, x_X) * x_XX + sp.diff(turning, y_X) * y_XX
-turning_2_5 = motion.GEOMETRY[3].right.subs(
+turning_2_5 = kinematics.GEOMETRY[3].right.subs(
     [(x.diff(X, 2), x_XX), (y.diff(X, 2), y_XX), (x.diff(X), x_X), (y.diff(X), y_X), (S, s)]
 )
 prove_equal(change, turning_2_5.subs(s, sp.sqrt(x_X**2 + y_X**2)))
@@ -241,7 +238,7 @@ falling = {axial: 0, moment: 0}
 printed_fall = (printed_rotation * (column - weight) / lambda_0).subs(falling).doit().applyfunc(sp.trigsimp)
 prove_equal(printed_fall[0], -g * sp.sin(2 * theta))
 prove_equal(printed_fall[1], -g * sp.cos(2 * theta))
-for held, expected in zip(motion.MOTION, (0, -g), strict=True):
+for held, expected in zip(kinematics.MOTION, (0, -g), strict=True):
     prove_equal(held.right.subs(falling).doit(), expected)
 
 # %% [markdown]
@@ -288,7 +285,7 @@ prove_equal(printed_column[1].subs(uniform).doit(), 2 * column[1].subs(uniform).
 # The two components are, in the angle,
 
 # %%
-for derived, held in zip(F, balance.BALANCE_EQUATIONS, strict=True):
+for derived, held in zip(F, kinematics.BALANCE_EQUATIONS, strict=True):
     with_N = derived.subs(shear, N_derived)
     prove_equal(with_N.subs([(moment.diff(X), M_X), (axial, Q), (S, s), (theta, sy.theta)]), held.right)
 
@@ -302,12 +299,12 @@ for derived, held in zip(F, balance.BALANCE_EQUATIONS, strict=True):
 derived_stretch = sp.sqrt(x_X**2 + y_X**2)
 prove_equal(kinematics.LARGE_ROTATION.stretch, derived_stretch)
 assert [e.right for e in kinematics.KINEMATICS_EQUATIONS[:2]] == [derived_stretch, sp.atan2(y_X, x_X)]
-force = balance.internal_force(kinematics.LARGE_ROTATION, bending=True)
+force = kinematics.internal_force(kinematics.LARGE_ROTATION, bending=True)
 polar = {x_X: s * sp.cos(sy.theta), y_X: s * sp.sin(sy.theta)}
-string = balance.internal_force(kinematics.LARGE_ROTATION, bending=False)
+string = kinematics.internal_force(kinematics.LARGE_ROTATION, bending=False)
 for held, taut, derived in (
-    (force.horizontal, string.horizontal, balance.BALANCE_EQUATIONS[0].right),
-    (force.vertical, string.vertical, balance.BALANCE_EQUATIONS[1].right),
+    (force.horizontal, string.horizontal, kinematics.BALANCE_EQUATIONS[0].right),
+    (force.vertical, string.vertical, kinematics.BALANCE_EQUATIONS[1].right),
 ):
     prove_equal(derived, held.subs(polar))
     prove_equal(derived.subs(M_X, 0), taut.subs(polar))
@@ -329,7 +326,7 @@ for held, stretch, angle in (
     (kinematics.LARGE_ROTATION, derived_stretch, sp.atan2(y_X, x_X)),
     (kinematics.SMALL_SLOPE, x_X + y_X**2 / 2, y_X),
 ):
-    pulled = balance.internal_force(held, bending=True)
+    pulled = kinematics.internal_force(held, bending=True)
     power = pulled.horizontal * x_Xt + pulled.vertical * y_Xt
     prove_equal(Q * rate(stretch) + M_X * rate(angle), power.subs(s, stretch))
 
@@ -366,7 +363,7 @@ exact_stretch = derived_stretch.subs(flat)
 prove_equal(1 + small**2 * leading(exact_stretch - 1, 2), held.stretch.subs(flat))
 prove_equal(small * leading(turning.subs(flat), 1), held.turning.subs(flat))
 exact_force = [component.subs(s, derived_stretch).subs(flat) for component in (force.horizontal, force.vertical)]
-shallow = balance.internal_force(held, bending=True)
+shallow = kinematics.internal_force(held, bending=True)
 prove_equal(small**2 * leading(exact_force[0], 2), shallow.horizontal.subs(flat))
 prove_equal(small**3 * leading(exact_force[1], 3), sp.expand(shallow.vertical.subs(flat)))
 
@@ -383,8 +380,8 @@ step = sum(b * u**k for k, b in enumerate(coefficients))
 conditions = [sp.diff(step, u, k).subs(u, end) - (end if k == 0 else 0) for k in range(3) for end in (0, 1)]
 step = step.subs(sp.solve(conditions, coefficients))
 inside = {sp.Max(0, u): u, sp.Min(1, sp.Max(0, u)): u, sp.Min(1, u): u}
-prove_equal(step, loading.quintic_step(u).subs(inside))
-assert [loading.quintic_step(sp.Integer(k)) for k in (-1, 0, 1, 2)] == [0, 0, 1, 1]
+prove_equal(step, loads.quintic_step(u).subs(inside))
+assert [loads.quintic_step(sp.Integer(k)) for k in (-1, 0, 1, 2)] == [0, 0, 1, 1]
 
 
 def during(expression: sp.Expr) -> sp.Expr:
@@ -394,11 +391,11 @@ def during(expression: sp.Expr) -> sp.Expr:
 
 
 ramp = g * step.subs(u, t / g_on)
-prove_equal(ramp, during(loading.ramped_gravity()))
-prove_equal(sp.diff(ramp, t), during(loading.ramp_rate()))
-assert [e.right for e in loading.LOADING_EQUATIONS][:2] == [loading.ramped_gravity(), loading.ramp_rate()]
+prove_equal(ramp, during(loads.ramped_gravity()))
+prove_equal(sp.diff(ramp, t), during(loads.ramp_rate()))
+assert [e.right for e in loads.LOADING_EQUATIONS][:2] == [loads.ramped_gravity(), loads.ramp_rate()]
 for outside in (-g_on, 2 * g_on):
-    assert loading.ramp_rate().subs(t, outside) == 0
+    assert loads.ramp_rate().subs(t, outside) == 0
 
 # %% [markdown]
 # ## Gravity shaken
@@ -412,17 +409,17 @@ for outside in (-g_on, 2 * g_on):
 
 # %%
 table_height = -a_g * g / (2 * sp.pi * f_g) ** 2 * sp.sin(2 * sp.pi * f_g * t)
-prove_equal(g + sp.diff(table_height, t, 2), g * loading.shaking())
-prove_equal(sp.diff(loading.shaking(), t), loading.shaking_rate())
-assert [e.right for e in loading.LOADING_EQUATIONS][2:] == [loading.shaking(), loading.shaking_rate()]
+prove_equal(g + sp.diff(table_height, t, 2), g * loads.shaking())
+prove_equal(sp.diff(loads.shaking(), t), loads.shaking_rate())
+assert [e.right for e in loads.LOADING_EQUATIONS][2:] == [loads.shaking(), loads.shaking_rate()]
 shaken = Terms(
-    gravity=loading.ramped_gravity(),
-    gravity_rate=loading.ramp_rate(),
-    shaking=loading.shaking(),
-    shaking_rate=loading.shaking_rate(),
+    gravity=loads.ramped_gravity(),
+    gravity_rate=loads.ramp_rate(),
+    shaking=loads.shaking(),
+    shaking_rate=loads.shaking_rate(),
 )
-prove_equal(during(shaken.load), ramp * loading.shaking())
-prove_equal(during(shaken.load_rate), sp.diff(ramp * loading.shaking(), t))
+prove_equal(during(shaken.load), ramp * loads.shaking())
+prove_equal(during(shaken.load_rate), sp.diff(ramp * loads.shaking(), t))
 assert (shaken.load.subs(t, 0), Terms().load, Terms().load_rate) == (0, g, 0)
 
 # %% [markdown]
@@ -431,9 +428,13 @@ assert (shaken.load.subs(t, 0), Terms().load, Terms().load_rate) == (0, g, 0)
 # Every term of every equation has one dimension, and the errata table gets its two rows.
 
 # %%
-for module in (motion, kinematics, balance, loading):
-    for equation in module.EQUATIONS:
-        check(equation)
+for equation in (
+    *kinematics.MOTION_EQUATIONS,
+    *kinematics.KINEMATICS_EQUATIONS,
+    *kinematics.BALANCE_EQUATIONS,
+    *loads.LOADING_EQUATIONS,
+):
+    check(equation)
 
 record_errata(
     "01_balance",

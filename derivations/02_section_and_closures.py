@@ -31,16 +31,7 @@ from dataclasses import replace
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata
 
-from softcat_sym.physics import closures as closure
-from softcat_sym.physics import closures as layers
-from softcat_sym.physics import closures as paper_section
-from softcat_sym.physics import energy, filament, kinematics
-from softcat_sym.physics import kinematics as balance
-from softcat_sym.physics import kinematics as motion
-from softcat_sym.physics import laws as bingham
-from softcat_sym.physics import laws as maxwell
-from softcat_sym.physics import laws as rheology
-from softcat_sym.physics import sections as section
+from softcat_sym.physics import closures, energy, filament, kinematics, laws, sections
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.equation import check
 from softcat_sym.physics.laws import law_of
@@ -94,14 +85,14 @@ prove_equal(true_strain, sp.log(s) - theta_X / s * z)
 prove_equal(kinematics.TRUE_STRAIN.strain - theta_X / kinematics.TRUE_STRAIN.arc_stretch * z, true_strain)
 for shrinking in (UNIFORM, WIDE):
     of_zeta = true_strain.subs(z, shrinking.thickness * zeta / 2)
-    prove_equal(of_zeta, layers.fibre_strain(shrinking))
+    prove_equal(of_zeta, closures.fibre_strain(shrinking))
 
 # %% [markdown]
 # The paper prints $\epsilon = \log s - \theta_X z$. Its bending strain is too large by $(s-1)$ of itself: a fifth at
 # twenty per cent stretch.
 
 # %%
-excess = (paper_section.PRINTED_STRAIN - true_strain) / (-theta_X / s * z)
+excess = (closures.PRINTED_STRAIN - true_strain) / (-theta_X / s * z)
 prove_equal(excess, s - 1)
 assert excess.subs(s, sp.Rational(6, 5)) == sp.Rational(1, 5)
 
@@ -115,9 +106,7 @@ s_1, s_new, turning_new = sp.symbols("s_1 s' theta_X'", positive=True)
 renamed = {s: s_1 * s_new, theta_X: s_1 * turning_new}
 anew = {s: s_new, theta_X: turning_new}
 prove_equal((true_strain.subs(renamed, simultaneous=True) - true_strain.subs(anew)).diff(turning_new), 0)
-assert sp.simplify(
-    (paper_section.PRINTED_STRAIN.subs(renamed) - paper_section.PRINTED_STRAIN.subs(anew)).diff(turning_new)
-)
+assert sp.simplify((closures.PRINTED_STRAIN.subs(renamed) - closures.PRINTED_STRAIN.subs(anew)).diff(turning_new))
 prove_equal(kinematics.SMALL_STRAIN.strain, sp.series(sp.log(s), s, 1, 2).removeO())
 assert kinematics.SMALL_STRAIN.arc_stretch == 1
 
@@ -153,7 +142,7 @@ assert RECTANGLE.weight == SHEET.weight == sp.Rational(1, 2)
 ROUND = 2 / sp.pi * sp.sin(phi) ** 2
 
 
-def moment_of_weight(shape: section.Section, power: int) -> sp.Expr:
+def moment_of_weight(shape: sections.Section, power: int) -> sp.Expr:
     """<zeta^n>."""
     if shape is CIRCLE:
         return sp.integrate(sp.expand(sp.cos(phi) ** power) * ROUND, (phi, 0, sp.pi))
@@ -163,7 +152,7 @@ def moment_of_weight(shape: section.Section, power: int) -> sp.Expr:
 MOMENTS = {shape.name: [moment_of_weight(shape, power) for power in range(9)] for shape in (RECTANGLE, SHEET, CIRCLE)}
 
 
-def mean(shape: section.Section, polynomial: sp.Expr) -> sp.Expr:
+def mean(shape: sections.Section, polynomial: sp.Expr) -> sp.Expr:
     """<f> of a polynomial in zeta."""
     terms = sp.Poly(polynomial, zeta).terms()
     return sp.Add(*(coefficient * MOMENTS[shape.name][power] for (power,), coefficient in terms))
@@ -179,11 +168,11 @@ prove_equal(h * D * (h / 2) ** 2 * RECTANGLE.zeta_squared, D * h**3 / 12)
 prove_equal(sp.pi * h**2 / 4 * (h / 2) ** 2 * CIRCLE.zeta_squared, sp.pi * h**4 / 64)
 of_a_rectangle = UNIFORM.area * (UNIFORM.thickness / 2) ** 2 * RECTANGLE.zeta_squared
 for letter, derived in (
-    (paper_section.A, UNIFORM.area),
-    (paper_section.h, UNIFORM.thickness),
-    (paper_section.I_z, of_a_rectangle),
+    (closures.A, UNIFORM.area),
+    (closures.h, UNIFORM.thickness),
+    (closures.I_z, of_a_rectangle),
 ):
-    prove_equal(derived, next(e.right for e in paper_section.PAPER_SECTION_EQUATIONS if e.left == letter))
+    prove_equal(derived, next(e.right for e in closures.PAPER_SECTION_EQUATIONS if e.left == letter))
 
 # %% [markdown]
 # ## Tension and moment: (2.10), (2.11), (2.23)
@@ -192,34 +181,34 @@ for letter, derived in (
 # $P = \int_A\epsilon^p\,da$ and $C = \int_A\epsilon^pz\,da$. A stress $\sigma_0 + \sigma_1\zeta$ gives (2.23).
 
 # %%
-A, I_z = paper_section.A, paper_section.I_z
+A, I_z = closures.A, closures.I_z
 plastic = sum(b * zeta**n for n, b in enumerate(sp.symbols("e_0:5", real=True)))
 for shape in (RECTANGLE, CIRCLE):
     area_, inertia_ = A, A * (h / 2) ** 2 * shape.zeta_squared
-    stress = E * (paper_section.PRINTED_STRAIN.subs(z, h * zeta / 2) - plastic)
+    stress = E * (closures.PRINTED_STRAIN.subs(z, h * zeta / 2) - plastic)
     P_, C_ = area_ * mean(shape, plastic), area_ * h / 2 * mean(shape, plastic * zeta)
-    letters = {paper_section.P: P_, paper_section.C: C_, I_z: inertia_}
-    prove_equal(area_ * mean(shape, stress), paper_section.TENSION.subs(letters))
-    prove_equal(area_ * h / 2 * mean(shape, stress * zeta), paper_section.MOMENT.subs(letters))
+    letters = {closures.P: P_, closures.C: C_, I_z: inertia_}
+    prove_equal(area_ * mean(shape, stress), closures.TENSION.subs(letters))
+    prove_equal(area_ * h / 2 * mean(shape, stress * zeta), closures.MOMENT.subs(letters))
     linear = sigma_0 + sigma_1 * zeta
     tension, moment = area_ * mean(shape, linear), area_ * h / 2 * mean(shape, linear * zeta)
     prove_equal(tension, area_ * sigma_0)
     prove_equal(moment, inertia_ * (sigma_1 / (h / 2)))
-    prove_equal(paper_section.STRESS_FIELD.subs({T: tension, M: moment, I_z: inertia_, z: h * zeta / 2}), linear)
-by_name = {e.name: e.right for e in paper_section.PAPER_SECTION_EQUATIONS}
-assert (by_name["tension"], by_name["moment"]) == (paper_section.TENSION, paper_section.MOMENT)
+    prove_equal(closures.STRESS_FIELD.subs({T: tension, M: moment, I_z: inertia_, z: h * zeta / 2}), linear)
+by_name = {e.name: e.right for e in closures.PAPER_SECTION_EQUATIONS}
+assert (by_name["tension"], by_name["moment"]) == (closures.TENSION, closures.MOMENT)
 prove_equal(by_name["tension of a linear stress"], sigma_0 * A)
-prove_equal(by_name["moment of a linear stress"], I_z * paper_section.stress_slope)
+prove_equal(by_name["moment of a linear stress"], I_z * closures.stress_slope)
 
 # %% [markdown]
 # ## The Maxwell fluid: (2.7), (2.8), (2.12)
 
 # %%
-assert maxwell.maxwell_rate() == sigma / eta
-prove_equal(rheology.elastic_stress(zeta, c), E * (zeta - c))
+assert laws.maxwell_rate() == sigma / eta
+prove_equal(laws.elastic_stress(zeta, c), E * (zeta - c))
 for shape in SHAPES:
-    flow = maxwell.maxwell_rate().subs(sigma, linear)
-    means = maxwell.maxwell_means(shape)
+    flow = laws.maxwell_rate().subs(sigma, linear)
+    means = laws.maxwell_means(shape)
     prove_equal(mean(shape, flow), means.rate)
     prove_equal(mean(shape, flow * zeta) / mean(shape, zeta**2), means.bending_rate)
     assert means.yielded_fraction == 1
@@ -264,8 +253,8 @@ for stress_, derived in (
     (-2, (sigma + sigma_Y) / eta),
 ):
     sample = at_unit | {sigma: sp.sympify(stress_)}
-    prove_equal(derived, settle(bingham.bingham_rate(), sample))
-    prove_equal(derived, settle(paper_section.bingham_rate(), sample))
+    prove_equal(derived, settle(laws.bingham_rate(), sample))
+    prove_equal(derived, settle(closures.bingham_rate(), sample))
 
 # %% [markdown]
 # ### The paper's formulas, by integration
@@ -276,8 +265,8 @@ for stress_, derived in (
 
 # %%
 p, q = sp.symbols("p q", real=True)
-h, D, z_L, z_H = paper_section.h, paper_section.D, paper_section.z_L, paper_section.z_H
-stress = paper_section.STRESS_FIELD.subs({A: h * D, I_z: h**3 * D / 12})
+h, D, z_L, z_H = closures.h, closures.D, closures.z_L, closures.z_H
+stress = closures.STRESS_FIELD.subs({A: h * D, I_z: h**3 * D / 12})
 prove_equal(sp.simplify(stress.subs(z, h / 2) * D * h**2), h * T + 6 * M)
 prove_equal(sp.simplify(stress.subs(z, -h / 2) * D * h**2), h * T - 6 * M)
 
@@ -290,11 +279,11 @@ def yielded(weight: sp.Expr) -> sp.Expr:
 
 
 signs = {sp.sign(6 * M + h * T): p, sp.sign(6 * M - h * T): q}
-prove_equal(sp.expand(yielded(sp.Integer(1))), sp.expand(paper_section.plastic_stretch_rate().subs(signs)))
-prove_equal(sp.expand(yielded(z)), sp.expand(paper_section.plastic_bend_rate().subs(signs)))
-assert by_name["plastic stretch"] == paper_section.plastic_stretch_rate()
-assert by_name["plastic bend"] == paper_section.plastic_bend_rate()
-assert by_name["Bingham-Norton flow rule"] == paper_section.bingham_rate()
+prove_equal(sp.expand(yielded(sp.Integer(1))), sp.expand(closures.plastic_stretch_rate().subs(signs)))
+prove_equal(sp.expand(yielded(z)), sp.expand(closures.plastic_bend_rate().subs(signs)))
+assert by_name["plastic stretch"] == closures.plastic_stretch_rate()
+assert by_name["plastic bend"] == closures.plastic_bend_rate()
+assert by_name["Bingham-Norton flow rule"] == closures.bingham_rate()
 
 # %% [markdown]
 # ### Partial moments of the section
@@ -317,7 +306,7 @@ for shape in SHAPES:
             derived = sp.integrate(sp.expand(sp.sympify(weight) / 2), (zeta, c, 1))
         prove_equal(derived, held)
     assert all(abs(abs(end) - 1) <= sp.Rational(1, 10**12) for end in shape.interval)
-for shape, rows in zip(SHAPES, (section.EQUATIONS[:3], section.EQUATIONS[3:6], section.EQUATIONS[6:]), strict=True):
+for shape, rows in zip(SHAPES, (sections.EQUATIONS[:3], sections.EQUATIONS[3:6], sections.EQUATIONS[6:]), strict=True):
     assert [row.left for row in rows] == [shape.area, shape.overstress_mean, shape.overstress_moment]
     for row, weight in zip(rows, (1, zeta - c, (zeta - c) * zeta), strict=True):
         assert row.right.function == weight * shape.weight
@@ -366,7 +355,7 @@ assert len(seen) == 12
 
 # %%
 anywhere = sp.Symbol("z_0", real=True)
-means = bingham.bingham_means(RECTANGLE)
+means = laws.bingham_means(RECTANGLE)
 for mean_, slope_ in REGIONS:
     sample = at_unit | {sigma_0: mean_, sigma_1: slope_}
     where = {zone(sign, sample): sign for sign in (1, -1)}
@@ -378,13 +367,13 @@ for mean_, slope_ in REGIONS:
     full_sample = sample | {h: sp.Integer(1), D: sp.Integer(1), anywhere: sp.Rational(1, 7)}
     P_t, C_t = (
         settle(rate.subs(letters), full_sample)
-        for rate in (paper_section.plastic_stretch_rate(), paper_section.plastic_bend_rate())
+        for rate in (closures.plastic_stretch_rate(), closures.plastic_bend_rate())
     )
     prove_equal(sp.cancel(P_t / (h * D)), settle(means.rate, sample))
     bending = C_t / (h * D * h / 2) / RECTANGLE.zeta_squared
     prove_equal(sp.cancel(bending), settle(means.bending_rate, sample))
     prove_equal((bottom + h / 2 + h / 2 - top) / h, settle(means.yielded_fraction, sample))
-    ends = [settle(bingham.bingham_rate().subs(sigma, sigma_0 + sigma_1 * k), sample) for k in (1, -1)]
+    ends = [settle(laws.bingham_rate().subs(sigma, sigma_0 + sigma_1 * k), sample) for k in (1, -1)]
     largest = max((abs(end.subs(sample)), n) for n, end in enumerate(ends))[1]
     prove_equal(ends[largest] ** 2, settle(means.largest_rate, sample) ** 2)
 
@@ -441,8 +430,8 @@ def on_the_circle(expression: sp.Expr) -> sp.Expr:
 
 
 # Outside the section the code keeps an edge within 1e-14 of the rim, for the sake of derivatives; here it may touch it.
-means = bingham.bingham_means(replace(CIRCLE, interval=(sp.Integer(-1), sp.Integer(1))))
-as_run = bingham.bingham_means(CIRCLE)
+means = laws.bingham_means(replace(CIRCLE, interval=(sp.Integer(-1), sp.Integer(1))))
+as_run = laws.bingham_means(CIRCLE)
 for mean_, slope_ in REGIONS:
     sample = at_unit | {sigma_0: mean_, sigma_1: slope_}
     where = {zone(sign, sample): sign for sign in (1, -1)}
@@ -472,7 +461,7 @@ for mean_, slope_ in REGIONS:
 for shape in (RECTANGLE, CIRCLE):
     for stress_, derived in ((2, sigma_0 - sigma_Y), (-2, sigma_0 + sigma_Y), (sp.Rational(1, 2), 0)):
         uniform = at_unit | {sigma_0: sp.sympify(stress_)}
-        held = bingham.bingham_means(shape)
+        held = laws.bingham_means(shape)
         prove_equal(derived / eta, settle(held.rate.subs(sigma_1, 0), uniform))
         prove_equal(0, held.bending_rate.subs(sigma_1, 0))
 
@@ -487,17 +476,17 @@ for shape in (RECTANGLE, CIRCLE):
 m_2 = sp.Symbol("m_2", positive=True)  # <zeta^2>
 area, thick = UNIFORM.area, UNIFORM.thickness
 inertia = area * (thick / 2) ** 2 * m_2
-states = {paper_section.P: A0 * a_0, paper_section.C: A0 * h0 / 2 * m_2 * a_1, A: area, I_z: inertia}
-field = paper_section.STRESS_FIELD.subs({T: paper_section.TENSION, M: paper_section.MOMENT})
+states = {closures.P: A0 * a_0, closures.C: A0 * h0 / 2 * m_2 * a_1, A: area, I_z: inertia}
+field = closures.STRESS_FIELD.subs({T: closures.TENSION, M: closures.MOMENT})
 field = sp.expand(field.subs(z, thick * zeta / 2).subs(states))
-printed = closure.printed(kinematics.TRUE_STRAIN, UNIFORM)
+printed = closures.printed(kinematics.TRUE_STRAIN, UNIFORM)
 prove_equal(field.coeff(zeta, 0), E * (sp.log(s) - printed.recall_mean * a_0))
 prove_equal(field.coeff(zeta, 1), -E * (printed.lever * theta_X + printed.recall_bending * a_1))
 assert printed.axial_correction == 0
 rate, bending_rate = sp.symbols("rate bending_rate", real=True)  # <phi> and <phi zeta>/<zeta^2>
 prove_equal(area * rate / A0, rate / printed.recall_mean)
 prove_equal(area * thick / 2 * m_2 * bending_rate / (A0 * h0 / 2 * m_2), bending_rate / printed.recall_bending)
-held = {e.name: e.right for e in closure.CLOSURE_EQUATIONS}
+held = {e.name: e.right for e in closures.CLOSURE_EQUATIONS}
 prove_equal(field.coeff(zeta, 0), held["mean stress, printed closure"])
 prove_equal(field.coeff(zeta, 1), held["bending stress, printed closure"])
 assert held["axial force, printed closure"] == T
@@ -512,7 +501,7 @@ assert held["axial force, printed closure"] == T
 S, Theta = sp.Function("S", positive=True)(t), sp.Function("Theta", real=True)(t)
 A_t = A0 / S
 trouton = eta * A_t * S.diff(t) / S
-P_rigid = sp.solve((paper_section.TENSION / E).subs({A: A_t, s: S}), paper_section.P)[0]
+P_rigid = sp.solve((closures.TENSION / E).subs({A: A_t, s: S}), closures.P)[0]
 loses = sp.simplify(eta * P_rigid.diff(t) / trouton)
 prove_equal(loses, 1 - sp.log(S))
 assert loses.subs(S, sp.exp(sp.Rational(1, 5))) == sp.Rational(4, 5)
@@ -538,8 +527,8 @@ for shape in SHAPES:
     for n in range(ORDER + 1):
         new = zeta**n - sum(mean(shape, zeta**n * other) / mean(shape, other**2) * other for other in found)
         found.append(sp.expand(new / new.subs(zeta, 1)))
-        prove_equal(found[n], layers.polynomial(shape, n))
-        prove_equal(mean(shape, found[n] ** 2), layers.mean_square(shape, n))
+        prove_equal(found[n], closures.polynomial(shape, n))
+        prove_equal(mean(shape, found[n] ** 2), closures.mean_square(shape, n))
     POLYNOMIALS[shape.name] = found
     assert found[1] == zeta
 
@@ -557,9 +546,9 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (SHEET, WIDE), (CIRCLE, UNIFORM))
     grown = sum(rate_ * p_n for rate_, p_n in zip(rates, basis, strict=True))
     for n, p_n in enumerate(basis):
         prove_equal(mean(shape, p_n * grown) / mean(shape, p_n**2), rates[n])
-        projection = layers.amplitude_rate(shape, n, layers.flow_rule(sigma)) * mean(shape, p_n**2)
+        projection = closures.amplitude_rate(shape, n, closures.flow_rule(sigma)) * mean(shape, p_n**2)
         assert projection.limits == ((zeta, -1, 1),)
-        prove_equal(projection.function / layers.flow_rule(sigma), p_n * shape.weight)
+        prove_equal(projection.function / closures.flow_rule(sigma), p_n * shape.weight)
     stress = sp.expand(
         E
         * (
@@ -567,17 +556,17 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (SHEET, WIDE), (CIRCLE, UNIFORM))
             - sum(a * p_n for a, p_n in zip(amplitudes, basis, strict=True))
         )
     )
-    prove_equal(stress, sp.expand(layers.fibre_stress(shape, shrinking, amplitudes)))
-    b = layers.stress_amplitudes(shrinking, amplitudes)
+    prove_equal(stress, sp.expand(closures.fibre_stress(shape, shrinking, amplitudes)))
+    b = closures.stress_amplitudes(shrinking, amplitudes)
     prove_equal(stress, sp.expand(sum(b_n * p_n for b_n, p_n in zip(b, basis, strict=True))))
-    prove_equal(shrinking.area * mean(shape, stress), layers.tension(shrinking, b))
+    prove_equal(shrinking.area * mean(shape, stress), closures.tension(shrinking, b))
     prove_equal(
-        shrinking.area * shrinking.thickness / 2 * mean(shape, stress * zeta), layers.moment(shape, shrinking, b)
+        shrinking.area * shrinking.thickness / 2 * mean(shape, stress * zeta), closures.moment(shape, shrinking, b)
     )
-    prove_equal(sp.expand(A0 / (2 * E) * mean(shape, stress**2)), sp.expand(layers.stored_energy(shape, b)))
-    power = layers.dissipation(shape, sigma, layers.flow_rule(sigma)) / A0
-    assert (power.function, power.limits) == (sigma * layers.flow_rule(sigma) * shape.weight, ((zeta, -1, 1),))
-assert layers.moment(RECTANGLE, UNIFORM, b[:1]) == 0  # order 0: a membrane
+    prove_equal(sp.expand(A0 / (2 * E) * mean(shape, stress**2)), sp.expand(closures.stored_energy(shape, b)))
+    power = closures.dissipation(shape, sigma, closures.flow_rule(sigma)) / A0
+    assert (power.function, power.limits) == (sigma * closures.flow_rule(sigma) * shape.weight, ((zeta, -1, 1),))
+assert closures.moment(RECTANGLE, UNIFORM, b[:1]) == 0  # order 0: a membrane
 
 # %% [markdown]
 # Trouton, again: $a_0 = \log s$ and $T = A\sigma_0$ with $\sigma_0 = \eta\dot a_0$. Nothing is lost. The moment of a
@@ -585,7 +574,7 @@ assert layers.moment(RECTANGLE, UNIFORM, b[:1]) == 0  # order 0: a membrane
 # closure has $-\eta\,\partial_t(I\theta_X)$ instead.
 
 # %%
-b_0 = layers.stress_amplitudes(UNIFORM, (a_0,))[0].subs(s, S)
+b_0 = closures.stress_amplitudes(UNIFORM, (a_0,))[0].subs(s, S)
 prove_equal(A_t * eta * sp.solve(b_0 / E, a_0)[0].diff(t), trouton)
 half = (UNIFORM.thickness / 2).subs(s, S)
 I_t = A_t * half**2 * m_2
@@ -616,11 +605,11 @@ for name, shrinking, factor in (("filament", UNIFORM, sp.Rational(3, 2)), ("shee
     CONJUGATE[name] = power.coeff(S.diff(t)).subs({S: s, Theta: theta_X})
     prove_equal(CONJUGATE[name], T + factor * M * theta_X / s)
     prove_equal(power.coeff(Theta.diff(t)), -M)
-    prove_equal(CONJUGATE[name], layers.conjugate_force(shrinking))
-    prove_equal(CONJUGATE[name], T + closure.material(kinematics.TRUE_STRAIN, shrinking).axial_correction)
+    prove_equal(CONJUGATE[name], closures.conjugate_force(shrinking))
+    prove_equal(CONJUGATE[name], T + closures.material(kinematics.TRUE_STRAIN, shrinking).axial_correction)
 prove_equal(CONJUGATE["filament"], held["axial force, material closure"])
 prove_equal(CONJUGATE["sheet"], held["axial force of a sheet, material closure"])
-assert closure.material(kinematics.SMALL_STRAIN, NONE).axial_correction == 0
+assert closures.material(kinematics.SMALL_STRAIN, NONE).axial_correction == 0
 
 # %% [markdown]
 # The printed closure has no such force. Even if nothing flows, its $T = EA\log s$ and $M = -EI\theta_X$ are not
@@ -641,7 +630,7 @@ assert printed_M != 0
 
 
 # %%
-def cell(shape: section.Section, name: str, law: str, *, finite: bool = True) -> SectionResponse:
+def cell(shape: sections.Section, name: str, law: str, *, finite: bool = True) -> SectionResponse:
     """What the solver holds."""
     terms = filament.Terms(
         centreline=kinematics.LARGE_ROTATION,
@@ -657,12 +646,12 @@ def cell(shape: section.Section, name: str, law: str, *, finite: bool = True) ->
     return filament.derive(terms, shape, name).response
 
 
-def modulus_of(shape: section.Section) -> sp.Expr:
+def modulus_of(shape: sections.Section) -> sp.Expr:
     """E, or E/(1 - nu^2) of a sheet, whose width is held (plane strain)."""
     return E / (1 - nu**2) if shape is SHEET else E
 
 
-def prove_common(shape: section.Section, shrinking: section.Contraction, held: SectionResponse) -> None:
+def prove_common(shape: sections.Section, shrinking: sections.Contraction, held: SectionResponse) -> None:
     """Size, resultants and energies, which do not depend on the closure."""
     area, half, m_2 = shrinking.area, shrinking.thickness / 2, mean(shape, zeta**2)
     tension, moment = area * mean(shape, linear), area * half * mean(shape, linear * zeta)
@@ -684,23 +673,23 @@ def prove_common(shape: section.Section, shrinking: section.Contraction, held: S
 
 
 for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE), (RECTANGLE, NONE)):
-    for law, closed in (("maxwell", maxwell.maxwell_means), ("bingham", bingham.bingham_means)):
+    for law, closed in (("maxwell", laws.maxwell_means), ("bingham", laws.bingham_means)):
         response = cell(shape, "material", law, finite=shrinking is not NONE)
         prove_common(shape, shrinking, response)
         if shrinking is NONE:
             b_0, b_1 = E * (s - 1 - a_0), -E * (theta_X * h0 / 2 + a_1)
             correction = sp.Integer(0)
         else:
-            b_0, b_1 = layers.stress_amplitudes(shrinking, (a_0, a_1))
-            correction = layers.conjugate_force(shrinking) - T
+            b_0, b_1 = closures.stress_amplitudes(shrinking, (a_0, a_1))
+            correction = closures.conjugate_force(shrinking) - T
         prove_equal(b_0.subs(E, modulus_of(shape)), response.branch.stress_mean)
         prove_equal(b_1.subs(E, modulus_of(shape)), response.branch.stress_bending)
         prove_equal(correction, response.axial_correction)
         means = scaled(closed(shape), PLANE_STRAIN) if shape is SHEET else closed(shape)
         assert response.branch.rate_mean == means.rate
         assert response.branch.rate_bending == means.bending_rate
-prove_equal(layers.stress_amplitudes(UNIFORM, (a_0, a_1))[0], held["mean stress, material closure"])
-prove_equal(layers.stress_amplitudes(UNIFORM, (a_0, a_1))[1], held["bending stress, material closure"])
+prove_equal(closures.stress_amplitudes(UNIFORM, (a_0, a_1))[0], held["mean stress, material closure"])
+prove_equal(closures.stress_amplitudes(UNIFORM, (a_0, a_1))[1], held["bending stress, material closure"])
 
 for shape in (RECTANGLE, CIRCLE):
     response = cell(shape, "printed", "maxwell")
@@ -723,12 +712,12 @@ for shape in (RECTANGLE, CIRCLE):
 # free end ($\mathbf F = 0$, $M = 0$) and a plane of symmetry ($v_x = 0$, $N = 0$, $\theta_t = 0$).
 
 # %%
-x, y, stretch, theta = motion.x, motion.y, motion.stretch, motion.angle
+x, y, stretch, theta = kinematics.x, kinematics.y, kinematics.stretch, kinematics.angle
 in_motion = [
     (energy.stored.diff(t), energy.stress_power() - energy.dissipated),
     (x.diff(X, t), (stretch * sp.cos(theta)).diff(t)),
     (y.diff(X, t), (stretch * sp.sin(theta)).diff(t)),
-    *((e.left, e.right.doit()) for e in motion.MOTION),
+    *((e.left, e.right.doit()) for e in kinematics.MOTION),
 ]
 residual = energy.BALANCE.residual().doit()
 for old, new in in_motion:
@@ -736,8 +725,8 @@ for old, new in in_motion:
 prove_equal(sp.trigsimp(sp.expand(residual)), 0)
 prove_equal(
     energy.flux(),
-    sum(f * v for f, v in zip(motion.internal_force_field(), (x.diff(t), y.diff(t)), strict=True))
-    - motion.moment * theta.diff(t),
+    sum(f * v for f, v in zip(kinematics.internal_force_field(), (x.diff(t), y.diff(t)), strict=True))
+    - kinematics.moment * theta.diff(t),
 )
 
 # %% [markdown]
@@ -757,12 +746,12 @@ for shape, shrinking, axial in (
 ):
     basis = POLYNOMIALS[shape.name]
     for k in (1, 2, ORDER):
-        b = layers.stress_amplitudes(shrinking, a_of_t[: k + 1])
-        stored = layers.stored_energy(shape, b).subs(moving)
+        b = closures.stress_amplitudes(shrinking, a_of_t[: k + 1])
+        stored = closures.stored_energy(shape, b).subs(moving)
         flowing = {a_of_t[n].diff(t): r[n] / mean(shape, basis[n] ** 2) for n in range(k + 1)}
         stored_rate = stored.diff(t).subs(flowing)
         dissipated = A0 * sum(b[n] * r[n] for n in range(k + 1))
-        resultants = {T: layers.tension(shrinking, b), M: layers.moment(shape, shrinking, b)}
+        resultants = {T: closures.tension(shrinking, b), M: closures.moment(shape, shrinking, b)}
         for wrong in (False, True):
             force = T if wrong else axial
             power = (force * S.diff(t) - M * Theta.diff(t)).subs(resultants).subs(moving)
@@ -773,7 +762,7 @@ for shape, shrinking, axial in (
                 prove_equal(defect, 0)
 assert energy.STORED.right == A0 / (2 * E) * sp.Integral(energy.stress**2 * energy.weight, (zeta, -1, 1))
 assert energy.DISSIPATED.right == A0 * sp.Integral(
-    energy.stress * layers.flow_rule(energy.stress) * energy.weight, (zeta, -1, 1)
+    energy.stress * closures.flow_rule(energy.stress) * energy.weight, (zeta, -1, 1)
 )
 assert energy.CONJUGACY.left == energy.stress_power()
 assert energy.CONJUGACY.right == A0 * sp.Integral(energy.stress * energy.strain.diff(t) * energy.weight, (zeta, -1, 1))
@@ -819,7 +808,7 @@ for shape in SHAPES:
 # $$T = EA\,\tfrac12\langle y_X^2\rangle,\qquad EI\,y_{XXXX} - T\,y_{XX} = -q .$$
 
 # %%
-shallow = balance.internal_force(kinematics.SMALL_SLOPE, bending=True)
+shallow = kinematics.internal_force(kinematics.SMALL_SLOPE, bending=True)
 assert shallow.horizontal == Q
 prove_equal(shallow.vertical, Q * y_X + M_X)
 rise = sp.Function("w", real=True)(X)
@@ -912,14 +901,14 @@ for law in ("maxwell", "bingham"):
 # ours times $\sqrt{h/(2n+1)}$.
 
 # %%
-L_n = [paper_section.scaled_legendre(n) for n in range(4)]
+L_n = [closures.scaled_legendre(n) for n in range(4)]
 for n in range(4):
     for m in range(n + 1):
         inner = sp.integrate(sp.expand(L_n[n] * L_n[m]), (z, -h / 2, h / 2))
         prove_equal(sp.Integer(n == m), inner)
 to_paper = [sp.sqrt(h / (2 * n + 1)) for n in range(4)]
 for n in range(4):
-    prove_equal(to_paper[n] * L_n[n].subs(z, h * zeta / 2), layers.polynomial(RECTANGLE, n))
+    prove_equal(to_paper[n] * L_n[n].subs(z, h * zeta / 2), closures.polynomial(RECTANGLE, n))
 
 # %% [markdown]
 # With $dz = \frac h2d\zeta$ the right-hand side of (A2) is $\sqrt{h/(2n+1)}$ times ours, *provided* that the stress
@@ -928,19 +917,19 @@ for n in range(4):
 # %%
 in_paper = [amplitudes[n] * to_paper[n] for n in range(4)]
 for n in range(4):
-    held_integral = paper_section.coefficient_rate(n, in_paper)
+    held_integral = closures.coefficient_rate(n, in_paper)
     assert held_integral.limits == ((z, -h / 2, h / 2),)
     flow_of = next(iter(held_integral.function.atoms(sp.core.function.AppliedUndef)))
-    ours = layers.fibre_stress(RECTANGLE, NONE, amplitudes[:4]).subs({s: 1, h0: h})
+    ours = closures.fibre_stress(RECTANGLE, NONE, amplitudes[:4]).subs({s: 1, h0: h})
     prove_equal(sp.expand(flow_of.args[0].subs({z: h * zeta / 2, s: 1})), sp.expand(ours))
     integrand = sp.simplify((held_integral.function / flow_of).subs(z, h * zeta / 2) * h / 2)
-    projection = layers.amplitude_rate(RECTANGLE, n, sp.Integer(1))
-    prove_equal(integrand, to_paper[n] * (2 * n + 1) * layers.polynomial(RECTANGLE, n) / 2)
+    projection = closures.amplitude_rate(RECTANGLE, n, sp.Integer(1))
+    prove_equal(integrand, to_paper[n] * (2 * n + 1) * closures.polynomial(RECTANGLE, n) / 2)
     assert projection.as_coeff_Mul()[0] == 2 * n + 1
-appendix = [e for e in paper_section.PAPER_SECTION_EQUATIONS if e.source.startswith("A 2")]
+appendix = [e for e in closures.PAPER_SECTION_EQUATIONS if e.source.startswith("A 2")]
 for n, row in enumerate(appendix):
-    assert row.left == paper_section.coefficients[n].diff(t)
-    assert row.right == paper_section.coefficient_rate(n, paper_section.coefficients)
+    assert row.left == closures.coefficients[n].diff(t)
+    assert row.right == closures.coefficient_rate(n, closures.coefficients)
 
 # %% [markdown]
 # So in a filament whose thickness does not change (A2) *is* the material closure, order by order, and its $k = 1$ is
@@ -977,17 +966,25 @@ prove_equal(literal, 1 - sp.log(S) / 4)
 # ## What is left behind
 
 # %%
-for module in (section, rheology, bingham, maxwell, closure, layers, paper_section, energy):
-    for equation in module.EQUATIONS:
-        check(equation)
-for equation in layers.THROUGH_THICKNESS_EQUATIONS:
+for equation in (
+    *sections.EQUATIONS,
+    *laws.RHEOLOGY_EQUATIONS,
+    *laws.BINGHAM_EQUATIONS,
+    *laws.MAXWELL_EQUATIONS,
+    *closures.CLOSURE_EQUATIONS,
+    *closures.THROUGH_THICKNESS_EQUATIONS,
+    *closures.PAPER_SECTION_EQUATIONS,
+    *energy.ENERGY_EQUATIONS,
+):
+    check(equation)
+for equation in closures.THROUGH_THICKNESS_EQUATIONS:
     if equation.left.is_Derivative:
-        n = layers.amplitudes.index(equation.left.expr)
+        n = closures.amplitudes.index(equation.left.expr)
         shape = next(shape for shape in SHAPES if equation.name.endswith(shape.name))
         shrinking = WIDE if shape is SHEET else UNIFORM
-        states_ = layers.amplitudes[:4]
-        flow = layers.flow_rule(layers.fibre_stress(shape, shrinking, states_))
-        assert equation.right == layers.amplitude_rate(shape, n, flow)
+        states_ = closures.amplitudes[:4]
+        flow = closures.flow_rule(closures.fibre_stress(shape, shrinking, states_))
+        assert equation.right == closures.amplitude_rate(shape, n, flow)
 
 record_errata(
     "02_section_and_closures",

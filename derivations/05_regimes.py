@@ -23,14 +23,13 @@ import mpmath as mp
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.physics import equation as dimensions
-from softcat_sym.physics import regimes
+from softcat_sym.physics import equation, regimes
 from softcat_sym.physics.regimes import BEAMS, E_star, G, H, V, a_c, delta, eps_Y, k_on, psi_T, tau_star, u_L
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, sigma_Y
 
-for equation in regimes.EQUATIONS:
-    dimensions.check(equation)
+for one in regimes.EQUATIONS:
+    equation.check(one)
 
 # %% [markdown]
 # ## The groups
@@ -58,8 +57,8 @@ prove_equal(modulus / relaxing, definitions[V])
 prove_equal(1 / relaxing, definitions[tau_star])
 prove_equal(threshold / modulus, definitions[eps_Y])
 prove_equal(h0 / L, definitions[delta])
-for equation in regimes.GROUPS[6:]:
-    assert vanishes(equation.residual().subs(definitions))
+for one in regimes.GROUPS[6:]:
+    assert vanishes(one.residual().subs(definitions))
 
 # %% [markdown]
 # So *five* numbers describe a filament ($\delta$, $G$, $\epsilon_Y$, $V$ and the shape of the section), as the paper
@@ -593,7 +592,7 @@ for number, printed_strain, agrees in (("0.01", 0.07, False), ("0.4", 0.002, Tru
 # ## What the program predicts with them
 
 # %%
-from softcat_sym.effects import scaling_estimates as prediction
+from softcat_sym.effects import scaling_estimates
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.scene.reading import load_scene
 
@@ -602,10 +601,10 @@ for section in gyration:
         scene = load_scene(
             "arrested-overdamped", {"filament.section": section.name, "ends.left": ends[0], "ends.right": ends[1]}
         )
-        predicted = prediction.first_yield_gravity_number(scene)
+        predicted = scaling_estimates.first_yield_gravity_number(scene)
         assert abs(predicted - at_yield[section, ends].subs(delta, sp.Rational(3, 100))) < 1e-14, (section.name, ends)
         stiffness = gyration[section] * sp.Rational(9, 10**4) / BEAMS[ends].midspan_sag
-        assert abs(prediction.bending_stiffness(scene) - stiffness) < 1e-14 * stiffness
+        assert abs(scaling_estimates.bending_stiffness(scene) - stiffness) < 1e-14 * stiffness
 for number in ("0.4", "1.0"):
     scene = load_scene("arrested-overdamped", {"groups.G": float(number), "groups.duration": 1e9})
     forecast_motion = expected_regime(scene, ("inertia", "bending", "viscous-flow", "yielding")).stopping_depth_paper

@@ -24,9 +24,7 @@
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.physics import bulk
-from softcat_sym.physics import laws as bingham
-from softcat_sym.physics import laws as maxwell
+from softcat_sym.physics import bulk, laws
 from softcat_sym.physics.equation import check
 from softcat_sym.physics.symbols import E, eta, sigma, sigma_Y
 
@@ -77,7 +75,7 @@ moduli
 # %%
 held_strain = bulk.elastic_strain
 derived_stress = isotropic(held_strain).subs(moduli)
-for derived, held in zip(derived_stress, bulk.general(bingham.bingham_rate()).stress, strict=True):
+for derived, held in zip(derived_stress, bulk.general(laws.bingham_rate()).stress, strict=True):
     prove_equal(derived, held)
 prove_equal(moduli[mu], bulk.shear_modulus())
 
@@ -174,7 +172,7 @@ prove_equal(derived_equivalent**2, law.equivalent**2)  # both are positive roots
 derived_flow = stress_deviator * strength.subs(tensile, bulk.sigma_eq)
 for derived, held in zip(derived_flow, law.flow, strict=True):
     prove_equal(derived, held)
-for rule in (bingham.bingham_rate(), maxwell.maxwell_rate()):
+for rule in (laws.bingham_rate(), laws.maxwell_rate()):
     flow_of_rule = derived_flow.subs(phi(bulk.sigma_eq), rule.subs(sigma, bulk.sigma_eq))
     assert entries_vanish(flow_of_rule - bulk.general(rule).flow)
 
@@ -194,7 +192,7 @@ prove_equal(printed_rate, sp.sqrt(2) * axial_rate)
 prove_equal(printed_rate / sp.sqrt(2), axial_rate)
 
 excess = sp.Symbol("excess", positive=True)
-held_rate = bulk.plastic_flow(simple_tension, bingham.bingham_rate())[0, 0].subs(bulk.sigma_eq, tensile)
+held_rate = bulk.plastic_flow(simple_tension, laws.bingham_rate())[0, 0].subs(bulk.sigma_eq, tensile)
 prove_equal(held_rate.subs(tensile, sigma_Y + excess), axial_rate.subs(tensile, sigma_Y + excess))
 assert held_rate.subs(tensile, sigma_Y / 2) == 0
 
@@ -308,14 +306,14 @@ prove_equal(sheet_rate, (tensile - 2 / sp.sqrt(3) * sigma_Y) / (sp.Rational(4, 3
 e1, e2 = held_strain[0, 0], held_strain[1, 1]
 e3 = sp.Symbol("e3")
 no_stress = sp.solve(isotropic(sp.diag(e1, e2, e3)).subs(moduli)[2, 2], e3)[0]
-flat = bulk.plane_stress(bingham.bingham_rate())
+flat = bulk.plane_stress(laws.bingham_rate())
 prove_equal(no_stress, bulk.width_strain())
 prove_equal(no_stress, flat.strain[2, 2])
 prove_equal(E / (1 - nu**2) * (e1 + nu * e2), flat.stress[0, 0])
 prove_equal(E / (1 - nu**2) * (e2 + nu * e1), flat.stress[1, 1])
 prove_equal(flat.stress[2, 2], 0)
 prove_equal(flat.equivalent**2, M[0, 0] ** 2 - M[0, 0] * M[1, 1] + M[1, 1] ** 2)
-in_axes = bulk.principal(bingham.bingham_rate())
+in_axes = bulk.principal(laws.bingham_rate())
 for i in range(3):
     prove_equal(in_axes.stress[i, i], isotropic(sp.diag(e1, e2, held_strain[2, 2])).subs(moduli)[i, i])
 
@@ -335,7 +333,7 @@ update = 2 * mu * dt * sp.Rational(3, 2) * phi(new) * direction  # 2 mu dt Lp
 shrink = (new * direction + update - trial * direction)[0, 0] / n1
 prove_equal(shrink.subs(moduli), bulk.return_residual(phi(sigma)))
 
-for rule in (bingham.bingham_rate(), maxwell.maxwell_rate()):
+for rule in (laws.bingham_rate(), laws.maxwell_rate()):
     prove_equal(shrink.subs(moduli).subs(phi(new), rule.subs(sigma, new)), bulk.return_residual(rule))
 
 flowing = shrink.subs(moduli).subs(phi(new), (new - sigma_Y) / eta)
@@ -349,14 +347,14 @@ prove_equal(below, sigma_Y / 2)
 
 # %%
 held = {equation.name: equation for equation in bulk.BULK_EQUATIONS}
-bingham_flow = derived_flow.subs(phi(new), bingham.bingham_rate().subs(sigma, new))
+bingham_flow = derived_flow.subs(phi(new), laws.bingham_rate().subs(sigma, new))
 prove_equal(held["elasticity, normal"].right, derived_stress[0, 0])
 prove_equal(held["elasticity, shear"].right, derived_stress[0, 1])
 prove_equal(held["elasticity in plane stress"].right, E / (1 - nu**2) * (e1 + nu * e2))
 prove_equal(held["equivalent stress"].right ** 2, derived_equivalent**2)
 prove_equal(held["plastic rate, normal"].right, bingham_flow[0, 0])
 prove_equal(held["plastic rate, shear"].right, bingham_flow[0, 1])
-prove_equal(held["plastic power"].right, new * bingham.bingham_rate().subs(sigma, new))
+prove_equal(held["plastic power"].right, new * laws.bingham_rate().subs(sigma, new))
 for equation in bulk.BULK_EQUATIONS:
     check(equation)
 

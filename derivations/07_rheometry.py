@@ -25,8 +25,7 @@ import math
 import sympy as sp
 from proving import Erratum, prove_equal, record_errata, vanishes
 
-from softcat_sym.physics import equation as dimensions
-from softcat_sym.physics import regimes, rheometry
+from softcat_sym.physics import equation, regimes, rheometry
 from softcat_sym.physics.regimes import E_star, H, V, tau_star
 from softcat_sym.physics.rheometry import (
     I_0,
@@ -46,8 +45,8 @@ from softcat_sym.physics.rheometry import (
 )
 from softcat_sym.physics.symbols import A0, E, L, eta, g, rho
 
-for equation in rheometry.RHEOMETRY_EQUATIONS:
-    dimensions.check(equation)
+for one in rheometry.RHEOMETRY_EQUATIONS:
+    equation.check(one)
 
 tau = tau_star
 half = sp.Rational(1, 2)
@@ -145,12 +144,12 @@ prove_equal(2 * R * tau, R / decay)
 # The same $R$, $d$ and $t_{high}$ stand in notebook 4:
 
 # %%
-from softcat_sym.physics import closed_forms as asymptotics
+from softcat_sym.physics import closed_forms
 
-prove_equal(frequency, asymptotics.FREQUENCY)
-prove_equal(decay, asymptotics.DECAY_RATE)
-prove_equal(asymptotics.T_HIGH.subs(B, B_onset), t_high)
-prove_equal(law, asymptotics.THIRD_LAW_FACTOR)
+prove_equal(frequency, closed_forms.FREQUENCY)
+prove_equal(decay, closed_forms.DECAY_RATE)
+prove_equal(closed_forms.T_HIGH.subs(B, B_onset), t_high)
+prove_equal(law, closed_forms.THIRD_LAW_FACTOR)
 
 # %% [markdown]
 # ## Two relaxation times for one frequency
@@ -380,7 +379,7 @@ assert sp.limit(number_squared, arc, sp.pi / 2, "-") == 0
 # %%
 def ring(relaxation: float, load: float, step: float = 1e-4) -> tuple[float, float, float, float]:
     """Time, frequency, decay rate and mean phi over the first whole period of phi'' after t_high."""
-    start = float(asymptotics.T_HIGH.subs({B: load, alpha: sp.Rational(1, 15)}))
+    start = float(closed_forms.T_HIGH.subs({B: load, alpha: sp.Rational(1, 15)}))
 
     def rate(factor: float, speed: float, held: float) -> tuple[float, float, float]:
         return speed, 6 - 12 * factor * held / (relaxation * load), factor * speed / 6 - held / relaxation
@@ -435,7 +434,7 @@ assert errors[0.35][0] > 0.2
 
 # %%
 spread = {var_R: sp.Rational(2, 100) ** 2, var_t: sp.Rational(5, 100) ** 2, var_B: sp.Rational(3, 100) ** 2}
-onset_time = float(asymptotics.T_HIGH.subs({B: load, alpha: sp.Rational(1, 15)}))
+onset_time = float(closed_forms.T_HIGH.subs({B: load, alpha: sp.Rational(1, 15)}))
 print("tau*   R      chi    other tau*   E (plain)  E (combined)  E (t_high alone)  eta")
 for relaxation in (0.035, 0.35):
     true = {tau: relaxation, t_high: onset_time, B: load}

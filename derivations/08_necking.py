@@ -32,12 +32,7 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.physics import kinematics as motion
-from softcat_sym.physics import laws as bingham
-from softcat_sym.physics import laws as maxwell
-from softcat_sym.physics import loads as surface
-from softcat_sym.physics import necking
-from softcat_sym.physics import sections as section
+from softcat_sym.physics import kinematics, laws, loads, necking, sections
 from softcat_sym.physics.equation import check
 from softcat_sym.physics.symbols import A0, T, X, eta, h0, s, sigma, sigma_Y, t, x_X, y_X
 
@@ -91,7 +86,7 @@ prove_equal(through(s22), sp.diff(through(y * s12), x))
 # In material coordinates $' = s^{-1}\partial_X$, and $\langle y^2\rangle$ shrinks with $s$.
 
 # %%
-stretch, tension = motion.stretch, necking.tension
+stretch, tension = kinematics.stretch, necking.tension
 gyration = sp.Symbol("gyration", positive=True)  # <y^2 + z^2> of the undeformed section
 lateral = sp.Symbol("lateral", positive=True)
 
@@ -182,8 +177,8 @@ def loss(contraction, squares, shear_weight):
 
 square_of_distance = {"both": gyration / s, "sheet": gyration / s**2}
 lost = {
-    "both": loss(section.UNIFORM, square_of_distance["both"], 3),
-    "sheet": loss(section.WIDE, square_of_distance["sheet"], 4),
+    "both": loss(sections.UNIFORM, square_of_distance["both"], 3),
+    "sheet": loss(sections.WIDE, square_of_distance["sheet"], 4),
 }
 flowing = {tension: flow_stress * A0 / s, stretch: s}
 for name, neck in necking.NECKS.items():
@@ -260,7 +255,7 @@ round_excess, sheet_excess
 
 # %%
 curvature_of_s = sp.Symbol("s_XX", real=True)
-for name, excess, contraction in (("circle", round_excess, section.UNIFORM), ("sheet", sheet_excess, section.WIDE)):
+for name, excess, contraction in (("circle", round_excess, sections.UNIFORM), ("sheet", sheet_excess, sections.WIDE)):
     radius = contraction.thickness / 2
     profile = sp.diff(radius, s) * curvature_of_s / s**2  # a'' at the throat, s_X = 0
     bridgman = excess.subs(bluntness, radius * profile)
@@ -290,7 +285,7 @@ growth
 # %%
 prove_equal(growth.subs(b_here, 0), sigma * slope_of_rule)
 beyond = sp.Symbol("beyond", positive=True)
-for rule in (bingham.bingham_rate(), maxwell.maxwell_rate()):
+for rule in (laws.bingham_rate(), laws.maxwell_rate()):
     stress = sigma_Y + beyond
     slope_here = sp.diff(rule, sigma).subs(sigma, stress)
     prove_equal(slope_here, 1 / eta)
@@ -402,7 +397,7 @@ for name, derived in derived_stiffness.items():
 
 # %%
 held = {equation.name: equation for equation in necking.EQUATIONS}
-rate = bingham.bingham_rate()
+rate = laws.bingham_rate()
 for name, derived in derived_stiffness.items():
     pulling = {tension: positive_tension}
     gain = -sp.diff(derived * first, X)
@@ -459,10 +454,10 @@ perimeters = {
 }
 pulls = {"circle": sp.pi * gamma * h0 / 2, "rectangle": gamma * (h0 + width), "sheet": 2 * gamma * width}
 for name, (perimeter, area) in perimeters.items():
-    kept = surface.SURFACES[name]
+    kept = loads.SURFACES[name]
     energy = gamma * perimeter * s
-    prove_equal(energy, area * kept.energy().subs(surface.surface_tension, gamma))
-    prove_equal(sp.diff(energy, s), area * kept.force().subs(surface.surface_tension, gamma))
+    prove_equal(energy, area * kept.energy().subs(loads.surface_tension, gamma))
+    prove_equal(sp.diff(energy, s), area * kept.force().subs(loads.surface_tension, gamma))
     prove_equal(sp.diff(energy, s).subs(s, 1), pulls[name])
     stretched = energy.subs(s, sp.sqrt(x_X**2 + y_X**2))
     tangential = sp.diff(energy, s).subs(s, sp.sqrt(x_X**2 + y_X**2)) / sp.sqrt(x_X**2 + y_X**2)
@@ -481,5 +476,5 @@ stiffness = sp.diff(E * sp.log(s) / s + pressure / sp.sqrt(s), s).subs(s, 1)
 prove_equal(stiffness, E - pressure / 2)
 prove_equal(sp.solve(stiffness.subs({pressure: gamma / R, E: 3 * mu}), gamma)[0], 6 * mu * R)
 prove_equal(-gamma / R + 2 * gamma / R, gamma / R)  # A sigma_xx + 2 pi gamma R = A sigma + pi gamma R
-for equation in surface.SURFACE_EQUATIONS:
+for equation in loads.SURFACE_EQUATIONS:
     check(equation)

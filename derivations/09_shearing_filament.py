@@ -29,13 +29,7 @@
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.physics import bulk, kinematics, reissner
-from softcat_sym.physics import closures as closure
-from softcat_sym.physics import kinematics as balance
-from softcat_sym.physics import kinematics as motion
-from softcat_sym.physics import laws as bingham
-from softcat_sym.physics import laws as maxwell
-from softcat_sym.physics import sections as section
+from softcat_sym.physics import bulk, closures, kinematics, laws, reissner, sections
 from softcat_sym.physics.equation import check
 from softcat_sym.physics.reissner import Gam, Lam, S, gamma_p, k, kappa_s, psi, tau_f
 from softcat_sym.physics.symbols import (
@@ -95,7 +89,7 @@ prove_equal(first_order.coeff(small, 2), (Gam**2 - y**2 * k**2) / (2 * Lam**2))
 prove_equal(sp.series(sp.atan2(small * Gam, Lam), small, 0, 2).removeO().coeff(small, 1), Gam / Lam)
 
 thickness = {"both ways": h0 / sp.sqrt(Lam), "sheet": h0 / Lam}
-cells = {"both ways": reissner.shearing_cell(section.UNIFORM), "sheet": reissner.shearing_cell(section.WIDE)}
+cells = {"both ways": reissner.shearing_cell(sections.UNIFORM), "sheet": reissner.shearing_cell(sections.WIDE)}
 axial = {name: sp.log(Lam) - h * zeta / 2 * k / Lam for name, h in thickness.items()}
 shear = Gam / Lam
 shear_modulus = E / (2 * (1 + bulk.nu))
@@ -153,7 +147,7 @@ prove_equal(derived["sheet"][0], T + 2 * M * k / Lam - S * Gam / Lam)
 # $\Gamma = r_X\cdot d_2$, is stationary. The forces that are not elastic do the same virtual work.
 
 # %%
-x_of, y_of, psi_of = (motion.x, motion.y, reissner.section_angle)
+x_of, y_of, psi_of = (kinematics.x, kinematics.y, reissner.section_angle)
 rates = sp.symbols("x_t y_t psi_t", real=True)
 gradient = sp.symbols("x_X y_X psi_X", real=True)
 height, turned = sp.symbols("height turned", real=True)
@@ -219,7 +213,7 @@ thinned = (
     rho * sp.integrate(y**2, (y, -thickness["both ways"] / 2, thickness["both ways"] / 2)) * A0 / thickness["both ways"]
 )
 prove_equal(thinned, section_inertia / Lam)
-for shape, squared in ((section.RECTANGLE, sp.Rational(1, 12)), (section.CIRCLE, sp.Rational(1, 16))):
+for shape, squared in ((sections.RECTANGLE, sp.Rational(1, 12)), (sections.CIRCLE, sp.Rational(1, 16))):
     prove_equal(reissner.rotary_inertia(shape), rho * A0 * h0**2 * squared)
 
 root = sp.nsolve(sp.cos(y) * sp.cosh(y) - 1, y, 4.73)
@@ -277,12 +271,12 @@ both = cells["both ways"]
 moment_balance = -M_X + both.turning_moment.subs(unsheared)
 transverse_force = sp.solve(moment_balance, reissner.n_2)[0]
 prove_equal(transverse_force, M_X / s)
-for name, contraction in (("both ways", section.UNIFORM), ("sheet", section.WIDE)):
-    closed = closure.material(kinematics.TRUE_STRAIN, contraction)
+for name, contraction in (("both ways", sections.UNIFORM), ("sheet", sections.WIDE)):
+    closed = closures.material(kinematics.TRUE_STRAIN, contraction)
     prove_equal(derived[name][0].subs(unsheared) - T, closed.axial_correction)
     prove_equal(-sp.diff(axial[name], zeta).subs(unsheared) / theta_X, closed.lever)
 
-kirchhoff = balance.internal_force(kinematics.LARGE_ROTATION, bending=True)
+kirchhoff = kinematics.internal_force(kinematics.LARGE_ROTATION, bending=True)
 for held, paper in zip(both.force, (kirchhoff.horizontal, kirchhoff.vertical), strict=True):
     limit = held.subs(unsheared).subs({reissner.n_1: Q, reissner.n_2: transverse_force})
     prove_equal(limit, paper.subs(straight))
@@ -295,7 +289,7 @@ for held, paper in zip(both.force, (kirchhoff.horizontal, kirchhoff.vertical), s
 # $-k$, and $m = -M$ that of $k$. For an elastic section:
 
 # %%
-weighted = sp.integrate(axial["both ways"] * zeta * section.RECTANGLE.weight, (zeta, -1, 1))
+weighted = sp.integrate(axial["both ways"] * zeta * sections.RECTANGLE.weight, (zeta, -1, 1))
 elastic_moment = both.moment.subs(reissner.sigma_zeta, E * weighted)
 prove_equal(elastic_moment, -E * (A0 * h0**2 / 12 / Lam**2) * k / Lam)
 
@@ -354,7 +348,7 @@ def by_energy(weight):
 
 
 # The parabola follows from equilibrium: a bending stress linear in zeta leaves tau_zeta w proportional to zeta w.
-for shape in (section.RECTANGLE, section.CIRCLE):
+for shape in (sections.RECTANGLE, sections.CIRCLE):
     carried = sp.diff(parabola * shape.weight, zeta) / (zeta * shape.weight)
     assert vanishes(sp.diff(carried, zeta))
 prove_equal(by_energy(sp.Rational(1, 2)), reissner.RECTANGLE_SHEAR)
@@ -381,7 +375,7 @@ for name, found in zip(("Lam", "Gam"), derived["both ways"], strict=False):
     prove_equal(held[f"force conjugate to {name}"].right, found)
 prove_equal(held["moment conjugate to k"].right, derived["both ways"][2])
 prove_equal(held["equivalent stress of a fibre"].right ** 2, equivalent**2)
-for rule in (bingham.bingham_rate(), maxwell.maxwell_rate()):
+for rule in (laws.bingham_rate(), laws.maxwell_rate()):
     of_rule = reissner.fibre_flow(rule)
     speed = rule.subs(sigma, bulk.sigma_eq)
     prove_equal(of_rule.shear_rate, 3 * speed * tau_f / bulk.sigma_eq)

@@ -26,9 +26,7 @@
 import sympy as sp
 from proving import prove_equal
 
-from softcat_sym.physics import bulk
-from softcat_sym.physics import closed_forms as from_shear
-from softcat_sym.physics import closed_forms as strings
+from softcat_sym.physics import bulk, closed_forms
 from softcat_sym.physics.equation import all_equations, check
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.laws import (
@@ -115,18 +113,18 @@ prove_equal(shear_rate, sp.sqrt(3) * phi(sp.sqrt(3) * tau))
 rate = sp.Symbol("rate", positive=True)
 measured = {
     # yield stress: where phi begins
-    sigma_Y: sp.solve(sp.Eq(sp.sqrt(3) * from_shear.tau_Y, sigma_Y), sigma_Y)[0],
+    sigma_Y: sp.solve(sp.Eq(sp.sqrt(3) * closed_forms.tau_Y, sigma_Y), sigma_Y)[0],
     # Trouton: tau = mu times the shear rate
     eta: sp.solve(sp.Eq(rate, sp.sqrt(3) * (sp.sqrt(3) * mu * rate) / eta), eta)[0],
 }
-held = {equation.left: equation.right for equation in from_shear.FROM_SHEAR_EQUATIONS}
+held = {equation.left: equation.right for equation in closed_forms.FROM_SHEAR_EQUATIONS}
 for constant, derived in measured.items():
     prove_equal(derived, held[constant])
 # tau - tau_Y = k rate^n, put into the rule in tension
-overstress = sp.sqrt(3) * (from_shear.tau_Y + from_shear.k_shear * rate**n) - held[sigma_Y]
+overstress = sp.sqrt(3) * (closed_forms.tau_Y + closed_forms.k_shear * rate**n) - held[sigma_Y]
 in_shear = sp.sqrt(3) * (sp.expand(overstress) / held[K]) ** (1 / n)
 prove_equal(sp.powsimp(sp.powdenest(sp.simplify(in_shear), force=True)), rate)
-prove_equal(held[K].subs(n, 1) / from_shear.k_shear, held[eta] / mu)
+prove_equal(held[K].subs(n, 1) / closed_forms.k_shear, held[eta] / mu)
 
 # %% [markdown]
 # ## A wide sheet
@@ -219,8 +217,8 @@ shape = 4 * H * (x / L) ** 2 - H
 area, tension = sp.symbols("area tension", positive=True)
 prove_equal(shape.subs(x, L / 2), 0)
 carried = sp.solve(tension * sp.diff(shape, x, 2) - rho * g * area, tension)[0]
-prove_equal(carried / area, strings.string_stress())
-prove_equal(sp.integrate(sp.diff(shape, x) ** 2 / 2, (x, -L / 2, L / 2)) / L, strings.string_strain())
+prove_equal(carried / area, closed_forms.string_stress())
+prove_equal(sp.integrate(sp.diff(shape, x) ** 2 / 2, (x, -L / 2, L / 2)) / L, closed_forms.string_strain())
 
 # %% [markdown]
 # **Elastic**: the stress is $E$ times the strain. **Power law**: $\epsilon_t = (\sigma/K)^{1/n}$ is separable in $H$;
@@ -228,20 +226,20 @@ prove_equal(sp.integrate(sp.diff(shape, x) ** 2 / 2, (x, -L / 2, L / 2)) / L, st
 # $$H^{2 + 1/n} = \frac{2n+1}{n}\,\frac{3L^2}{16}\left(\frac{\rho g L^2}{8K}\right)^{1/n} t.$$
 
 # %%
-at_rest = sp.solve(E * strings.string_strain() - strings.string_stress(), H)
+at_rest = sp.solve(E * closed_forms.string_strain() - closed_forms.string_stress(), H)
 prove_equal(at_rest[0] ** 3, sp.Rational(3, 64) * rho * g * L**4 / E)
-prove_equal(strings.elastic_string_sag() ** 3, at_rest[0] ** 3)
+prove_equal(closed_forms.elastic_string_sag() ** 3, at_rest[0] ** 3)
 
-cost = sp.diff(strings.string_strain(), H) / (strings.string_stress() / K) ** (1 / n)  # dt/dH
+cost = sp.diff(closed_forms.string_strain(), H) / (closed_forms.string_stress() / K) ** (1 / n)  # dt/dH
 time = sp.integrate(sp.powsimp(sp.powdenest(sp.expand_power_base(cost, force=True), force=True)), H)
 assert sp.limit(time.subs(n, 2), H, 0) == 0  # straight at t = 0
 for index in (sp.Rational(3, 10), sp.Rational(1, 2), sp.Integer(1), sp.Integer(2)):
-    of_index = strings.power_law_string_sag().subs(n, index)
+    of_index = closed_forms.power_law_string_sag().subs(n, index)
     assert sp.simplify(time.subs(n, index).subs(H, of_index) / t - 1).equals(0)
     growth = sp.simplify(t * sp.diff(sp.log(of_index), t))
     prove_equal(growth, index / (2 * index + 1))
     print(f"n = {index}: H ~ t^({growth}),  H = {sp.simplify(of_index)}")
 
-viscous = strings.power_law_string_sag().subs({n: 1, K: eta})
+viscous = closed_forms.power_law_string_sag().subs({n: 1, K: eta})
 prove_equal(viscous**3, sp.Rational(9, 128) * rho * g * L**4 * t / eta)
-prove_equal(strings.viscous_string_sag() ** 3, viscous**3)
+prove_equal(closed_forms.viscous_string_sag() ** 3, viscous**3)

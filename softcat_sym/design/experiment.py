@@ -294,11 +294,11 @@ def design_experiment(
         ``filament.span``, ``filament.thickness``, ``frame_rate`` and ``run.duration``. What is left out stays.
     nuisance : sequence of str
         More that is unknown and does not count.
-    frames_at_most : int, optional
+    max_frames : int, optional
         That the camera keeps.
     rough : float
         Factor by which rough values may be wrong: the worst error over all corners, two a parameter, is minimised.
-    sag_at_most : str or float, optional
+    max_sag : str or float, optional
         How far the filament may sag: a length with its unit, or a fraction of the span, ``"5 %"``.
     told : callable, optional
         Told every trial.

@@ -375,7 +375,7 @@ class Fit:
         Why the fit was repeated with more effects.
     seconds : float
         What it took after compiling, without the run that judges it.
-    complaint : str
+    message : str
         What speaks against a run of the fitted filament; empty if nothing does.
     """
 

@@ -120,7 +120,7 @@ class Run:
         Absolute tolerance of the work; 0 where its error is not controlled.
     kinks : ndarray
         Times that no step runs over.
-    most_steps : int
+    max_steps : int
         Before it gives up.
     max_step : float
         0 for none.
