@@ -184,7 +184,7 @@ class CompiledRates:
 
     def sparse(self, t: float, state: Floats) -> Any:
         """The Jacobian as a ``scipy.sparse.csc_matrix``, shape (size, size)."""
-        from scipy.sparse import csc_matrix  # type: ignore[import-untyped]
+        from scipy.sparse import csc_matrix
 
         values = self.values(t, state)[self._order]
         return csc_matrix((values, self._rows[self._order], self._starts), shape=(self.size, self.size))
@@ -452,7 +452,7 @@ def _own(prepared: Prepared) -> Solved:
 def _scipy(prepared: Prepared, method: str) -> Callable[[], Solved]:
     """One of SciPy's integrators with an exact Jacobian, banded for LSODA, sparse for the others."""
     try:
-        from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+        from scipy.integrate import solve_ivp
     except ImportError:
         raise SoftcatError(_MISSING) from None
     rates, times = CompiledRates(prepared), prepared.times
