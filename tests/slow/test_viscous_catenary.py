@@ -22,9 +22,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from .rheology import Array, limit_of, scene, solved
-from .table import show
-from .viscous_string import breaking_time, viscous_string
+from tests.acceptance.rheology import Array, limit_of, scene, solved
+from tests.common.table import show
+from tests.common.viscous_string import breaking_time, viscous_string
+
+pytestmark = pytest.mark.slow
 
 EFFECTS = ("bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-stress")
 VISCOSITY = 1e4
@@ -38,74 +40,47 @@ EARLY, THIN, MIDDLE = 0.02, (2e-3, 1e-3, 5e-4), 1e-4
 
 def run(thickness: float, times: Array, cells: int) -> xr.Dataset:
     """A filament clamped at both ends on a grid graded towards them, at equally spaced times from the start."""
-    asked = scene(
-        {"law": "newtonian", "viscosity": VISCOSITY},
-        {"thickness": thickness, "section": "circle"},
-        effects=EFFECTS,
-        run={"duration": times[-1], "frames": len(times)},
-        cells=cells,
-        rtol=1e-6,
-    )
-    graded = asked.numerics.model_copy(update={"grading": None})
-    return solved(asked.model_copy(update={"numerics": graded}))
+    material, filament = {"law": "newtonian", "viscosity": VISCOSITY}, {"thickness": thickness, "section": "circle"}
+    span = {"duration": times[-1], "frames": len(times)}
+    asked = scene(material, filament, effects=EFFECTS, run=span, cells=cells, rtol=1e-6)
+    return solved(asked.model_copy(update={"numerics": asked.numerics.model_copy(update={"grading": None})}))
 
 
-def sags(thickness: float, times: Array) -> Array:
-    """Sags over L, extrapolated from two grids."""
-    return limit_of(*(-run(thickness, times, cells)["midpoint"].values for cells in CELLS))
-
-
-def test_string_begins_by_its_power_law_and_breaks_in_a_finite_time() -> None:
-    """The judge alone: (9 t/128)^(1/3) with a correction that vanishes, and a breaking time that needs no grid."""
-    times = np.array([1e-6, 1e-5, 1e-4])
-    excess = viscous_string(times, elements=60).sag / (9 * times / 128) ** (1 / 3) - 1
-    assert excess == pytest.approx(0, abs=1e-3)
-    assert np.log(excess[2] / excess[1]) / np.log(10) == pytest.approx(2 / 3, abs=0.02)
-    coarse, fine = breaking_time(30), breaking_time(60)
-    assert coarse == pytest.approx(fine, rel=1e-6)
-    # Below that of a straight thread as long as half the span, which bears its own weight alone: 2 eta/(rho g L).
-    assert 1 < fine < 2
-
-
-@pytest.mark.slow
 def test_first_a_beam_then_a_string() -> None:
     """Exponents 1 and 1/3 with their prefactors; the asymptotes cross at 1.30 diameters."""
-    early = np.linspace(0, 0.5 * EARLY**3, 3)
+
+    def sags(thickness: float, times: Array) -> Array:
+        return limit_of(*(-run(thickness, times, cells)["midpoint"].values for cells in CELLS))
+
+    early, times = np.linspace(0, 0.5 * EARLY**3, 3), np.linspace(0, 1.1 * MIDDLE, 23)
     beam = sags(EARLY, early)[-1] / early[-1] * 24 * EARLY**2
     string = viscous_string(np.array([MIDDLE])).sag[0] / (9 * MIDDLE / 128) ** (1 / 3)
-    rows = [["beam, sag = 0.02 D", "1", f"{1:.4f}", f"{beam:.4f}"]]
-    ratios = []
+    rows, ratios = [["beam, sag = 0.02 D", "1", f"{1:.4f}", f"{beam:.4f}"]], []
     for thickness in THIN:
-        times = np.linspace(0, 1.1 * MIDDLE, 23)
         found = sags(thickness, times)
-        at = found[20] / (9 * times[20] / 128) ** (1 / 3)
+        ratios.append(found[20] / (9 * times[20] / 128) ** (1 / 3))
         slope = np.log(found[22] / found[18]) / np.log(times[22] / times[18])
-        ratios.append(at)
-        rows.append([f"string, D/L = {thickness:g}", f"{slope:.3f}", f"{string:.4f}", f"{at:.4f}"])
+        rows.append([f"string, D/L = {thickness:g}", f"{slope:.3f}", f"{string:.4f}", f"{ratios[-1]:.4f}"])
     crossing = np.sqrt((9 / 128) * 24 / beam)
     show("viscous catenary: sag over its law", ("", "exponent", "theory", "found"), rows)
     print(f"\nasymptotes cross at {crossing:.3f} D; theory {np.sqrt(27 / 16):.3f} D")
     assert beam == pytest.approx(1, abs=2e-3)
     assert crossing == pytest.approx(np.sqrt(27 / 16), rel=2e-3)
     misses = np.abs(np.array(ratios) / string - 1)
-    rates = np.log2(misses[:-1] / misses[1:])
     assert misses[-1] < 0.02
-    assert rates == pytest.approx(1, abs=0.15)
+    assert np.log2(misses[:-1] / misses[1:]) == pytest.approx(1, abs=0.15)
 
 
-@pytest.mark.slow
 def test_filament_tends_to_the_string_until_it_breaks() -> None:
     """At a sag of the order of the span and beyond; the clamps' bending is of first order in the thickness."""
-    exact = viscous_string(np.array(TIMES))
-    times = np.linspace(0, TIMES[-1], 16)
+    exact, times = viscous_string(np.array(TIMES)), np.linspace(0, TIMES[-1], 16)
     places = [int(np.argmin(np.abs(times - t))) for t in TIMES]
-    data = {thickness: run(thickness, times, FINE) for thickness in THICKNESSES}
-    found = {thickness: -each["midpoint"].values[places] for thickness, each in data.items()}
-    drawn = [float(each["stretch"].values[-1].max()) for each in data.values()]
-    misses = np.array([values / exact.sag - 1 for values in found.values()])
+    data = [run(thickness, times, FINE) for thickness in THICKNESSES]
+    drawn = [float(each["stretch"].values[-1].max()) for each in data]
+    misses = np.array([-each["midpoint"].values[places] / exact.sag - 1 for each in data])
     rates = np.log2(misses[:-1] / misses[1:])
     rows = [["string", *(f"{sag:.5f}" for sag in exact.sag), f"{exact.end_stretch[-1]:.2f}"]]
-    for thickness, miss, stretch in zip(found, misses, drawn, strict=True):
+    for thickness, miss, stretch in zip(THICKNESSES, misses, drawn, strict=True):
         rows.append([f"D/L = {thickness:g}", *(f"{m:+.2%}" for m in miss), f"{stretch:.2f}"])
     rows.append(["rate in D/L", *(f"{rate:.2f}" for rate in rates[-1]), ""])
     header = ("t rho g L/eta", *(f"{t:g}" for t in TIMES), "largest stretch")

@@ -1,6 +1,7 @@
-"""The rigid-viscoplastic bridge, of which Balmforth & Hewitt (2013) published the theory, as the limit of ours.
+"""Plastic collapse by every theory; and the rigid-viscoplastic bridge, as the limit of a filament without elasticity.
 
-The equations and the solver are ``rigid_viscoplastic_bridge``'s, derived here; of the publication no number is used.
+Balmforth & Hewitt (2013) published the bridge's theory. Its equations and solver are ``rigid_bridge``'s, derived here;
+of the publication no number is used.
 The filament has an elastic modulus and exact geometry: it must tend to the rigid bridge as eps_Y = sY/E goes to zero,
 in proportion to it, up to what small slope leaves out, some (4 H/L)^2, and fibres resolve. In the groups of the
 bridge, Gamma = (rho g L/sY)/(h/L), the elasticity is eps_Y (L/h)^2: the elastic sag over h is 5/32 Gamma times it.
@@ -11,43 +12,33 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from .rheology import GEOMETRY, Array, scene, solved
-from .rigid_viscoplastic_bridge import Bridge, first_speed, section_rates
-from .table import show
+from tests.acceptance.rheology import GEOMETRY, Array, scene, solved
+from tests.common.rigid_bridge import Bridge
+from tests.common.table import show
+from tests.test_plastic_collapse import QUASI_STATIC, Theory, judge
 
+pytestmark = pytest.mark.slow
+
+FIBRES = (*QUASI_STATIC, "fibres")
 EFFECTS = (*GEOMETRY, "extensibility", "viscous-flow", "yielding", "fibres")
 GAMMA, SLENDERNESS, STRESS = 8.0, 0.01, 1e4
 """Load; h/L; rho g L [Pa] with L = 1 m."""
 ELASTICITIES = (0.04, 0.02, 0.01, 0.005)
 
 
-def test_section_law_inverts_its_means() -> None:
-    """Tension and moment of the rates, summed over fibres, are those that were asked; rigid below yield."""
-    zeta, weight = np.polynomial.legendre.leggauss(2000)
-    rng = np.random.default_rng(3)
-    for n in (0.0, 0.3, 0.9, 1.0, 1.4):
-        m = rng.uniform(-2, 2, 40)
-        e, k = section_rates(n, m)
-        rate = e[:, None] + k[:, None] * zeta
-        stress = np.sign(rate) + rate
-        flows = (e != 0) | (k != 0)
-        assert np.array_equal(flows, (np.abs(m) > (1 - n**2) / 2) if n < 1 else np.full(40, n > 1) | (m != 0))
-        assert stress[flows] @ weight / 2 == pytest.approx(n, abs=2e-3)
-        assert (stress[flows] * zeta) @ weight / 2 == pytest.approx(m[flows], abs=2e-3)
-
-
-@pytest.mark.parametrize(("clamped", "load"), [(False, 2.0), (True, 4.0)])
-def test_bridge_falls_above_its_collapse_load_only(clamped: bool, load: float) -> None:
-    """8 M_p/L^2 between pins and 16 M_p/L^2 between clamps are Gamma = 2 and 4."""
-    for gamma, falls in ((0.99 * load, False), (1.01 * load, True)):
-        bridge = Bridge(gamma, clamped, 400)
-        assert bool(bridge.rates(0.0, np.zeros_like(bridge.xi))[0] > 1e-7) is falls
-
-
-def test_bridge_starts_at_its_closed_form_speed() -> None:
-    for gamma in (3.0, GAMMA, 30.0):
-        bridge = Bridge(gamma, clamped=False)
-        assert bridge.rates(0.0, np.zeros_like(bridge.xi))[0] == pytest.approx(first_speed(gamma), rel=1e-4)
+def test_every_theory_collapses_where_it_should() -> None:
+    """More fibres, no shear, a circle, the program's own choice and the published list, both with inertia."""
+    theories = [
+        (Theory("6 fibres", FIBRES, 10, 0.02, fibres=6), 5e-3),
+        (Theory("6 fibres", FIBRES, 20, 0.02, fibres=6), 5e-3),
+        (Theory("6 fibres", FIBRES, 40, 0.02, fibres=6), 5e-3),
+        (Theory("12 fibres", FIBRES, 20, 0.02, fibres=12), 5e-3),
+        (Theory("circle, 6 fibres", (*QUASI_STATIC, "shear", "fibres"), 20, 0.02, "circle", 6), 5e-3),
+        (Theory("auto", "auto", 20, 0.1), 5e-3),
+        (Theory("paper, rectangle", "paper", 40, 1e-3, "rectangle", linear=True), 3e-2),
+        (Theory("paper, circle", "paper", 40, 1e-3, "circle", linear=True), 3e-2),
+    ]
+    judge(theories)
 
 
 def filament_sag(elasticity: float, ends: str, times: Array, fibres: int) -> Array:
@@ -72,12 +63,8 @@ def filament_sag(elasticity: float, ends: str, times: Array, fibres: int) -> Arr
     return -solved(asked.model_copy(update={"numerics": numerics}))["midpoint"].values[1:] / SLENDERNESS
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("ends", "fibres", "end", "left"),
-    # A clamp's hinge turns within a few cells, all of its fibres at the yield stress: it takes more of them.
-    [("pinned", 8, 3.0, 2e-3), ("clamped", 24, 6.0, 1e-2)],
-)
+# A clamp's hinge turns within a few cells, all of its fibres at the yield stress: it takes more of them.
+@pytest.mark.parametrize(("ends", "fibres", "end", "left"), [("pinned", 8, 3.0, 2e-3), ("clamped", 24, 6.0, 1e-2)])
 def test_filament_tends_to_the_rigid_bridge(ends: str, fibres: int, end: float, left: float) -> None:
     times = end * np.arange(1, 7) / 6
     rigid = Bridge(GAMMA, ends == "clamped").sag(times)
@@ -86,9 +73,8 @@ def test_filament_tends_to_the_rigid_bridge(ends: str, fibres: int, end: float, 
     steps = misses[:-1] - misses[1:]
     rates = np.log2(steps[:-1] / steps[1:])
     rows = [["rigid, W = sag/h", *(f"{value:.4f}" for value in rigid)]]
-    rows += [
-        [f"eps_Y (L/h)^2 = {e:g}", *(f"{m:+.2%}" for m in miss)] for e, miss in zip(ELASTICITIES, misses, strict=True)
-    ]
+    for name, values in zip([f"eps_Y (L/h)^2 = {e:g}" for e in ELASTICITIES], misses, strict=True):
+        rows.append([name, *(f"{value:+.2%}" for value in values)])
     rows += [["extrapolated to none", *(f"{m:+.2%}" for m in limit)], ["rate", *(f"{rate:.2f}" for rate in rates[-1])]]
     header = ("t sY/eta (L/h)^2", *(f"{t:g}" for t in times))
     show(f"bridge between {ends} ends, Gamma = {GAMMA:g}", header, rows)
