@@ -65,9 +65,7 @@ class _HalfString:
 def viscous_string(times: Array, elements: int = ELEMENTS) -> ViscousString:
     """Follow the string through `times`, rising and later than 1e-9, by DOP853."""
     half = _HalfString(elements)
-    found = solve_ivp(
-        half.rates, (START, times[-1]), half.start, t_eval=times, method="DOP853", rtol=1e-10, atol=1e-12
-    )
+    found = solve_ivp(half.rates, (START, times[-1]), half.start, t_eval=times, method="DOP853", rtol=1e-10, atol=1e-12)
     if not found.success:
         raise RuntimeError(found.message)
     return ViscousString(np.array([half.sag(slack) for slack in found.y.T]), 1 / found.y[-1])

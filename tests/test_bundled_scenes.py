@@ -4,51 +4,60 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
 import numpy as np
-import pytest
 
 import softcat_sym as sc
-from softcat_sym.results.trajectory import Trajectory
-from tests.marks import few
-
-from ..oracle import curves
-from .table import show
+from tests.common.table import show
+from tests.oracle import curves
 
 Checked = list[tuple[str, float, float, float]]
 """What was looked at, found, expected, and the largest difference in parts of what is expected."""
+Check = Callable[[sc.Trajectory], Checked]
+CHECKS: dict[str, Check] = {}
+SLOW_CHECKS: dict[str, Check] = {}
+"""By the name of the scene; the slow ones are run by ``slow/test_bundled_scenes``."""
 TRIED = np.linspace(0.7, 1.3, 601)
 """Frequencies of a string, over the one expected."""
 WITHOUT_INERTIA = ["bending", "finite-stretch", "thinning", "large-rotation", "shear"]
 
 
 @cache
-def run(name: str, *changes: str) -> Trajectory:
+def run(name: str, *changes: str) -> sc.Trajectory:
     """A bundled scene run once on twenty cells, without an estimate; the same run is not made twice."""
     done = sc.simulate(sc.load_scene(name, ["numerics.cells=20", "numerics.estimate=false", *changes]))
     assert done.outcome is sc.Outcome.solved, done.summary["message"]
     return done
 
 
-def final(done: Trajectory) -> float:
+def every_time(check: Check) -> Check:
+    return CHECKS.setdefault(check.__name__.replace("_", "-"), check)
+
+
+def not_every_time(check: Check) -> Check:
+    return SLOW_CHECKS.setdefault(check.__name__.replace("_", "-"), check)
+
+
+def final(done: sc.Trajectory) -> float:
     return float(done.data.midpoint.values[-1])
 
 
-def at_cells(done: Trajectory, name: str, frame: int = -1) -> np.ndarray[Any, Any]:
+def at_cells(done: sc.Trajectory, name: str, frame: int = -1) -> np.ndarray[Any, Any]:
     return np.asarray(done.data[name].values[frame])
 
 
-def hardly_bent(done: Trajectory) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
+def hardly_bent(done: sc.Trajectory) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
     """Mean stress and plastic rate, at the end, of the cells that hardly bend."""
     mean, bending, rate = (at_cells(done, name) for name in ("stress_mean", "stress_bending", "plastic_rate"))
     straight = np.abs(bending) < 0.1 * mean
     return mean[straight], rate[straight]
 
 
-def beam_viscometer(done: Trajectory) -> Checked:
+@every_time
+def beam_viscometer(done: sc.Trajectory) -> Checked:
     """ASTM C598, and what shear adds to three-point bending: 12 E I/(kappa G A L^2) with E = 3 G."""
     part, g = done.scene.filament, done.scene.load.gravity
     second_moment, mu = part.thickness**4 / 12, done.scene.material.viscosity / 3
@@ -58,10 +67,11 @@ def beam_viscometer(done: Trajectory) -> Checked:
     return [("sag after an hour [m]", -final(done), 60 * per_minute * shear, 5e-3)]
 
 
-def bread_dough(done: Trajectory) -> Checked:
+@every_time
+def bread_dough(done: sc.Trajectory) -> Checked:
     """Index 0.3: a fifth more weight on the same shape makes it flow 1.2^(1/0.3) = 1.84 times as fast."""
 
-    def speed(one: Trajectory) -> float:
+    def speed(one: sc.Trajectory) -> float:
         midpoint = one.data.midpoint.values
         return float(midpoint[100] - midpoint[180:].mean())
 
@@ -69,7 +79,8 @@ def bread_dough(done: Trajectory) -> Checked:
     return [("speed with 1.2 g, over that with g", speed(heavier) / speed(done), 1.2 ** (1 / 0.3), 0.3)]
 
 
-def cold_honey(done: Trajectory) -> Checked:
+@every_time
+def cold_honey(done: sc.Trajectory) -> Checked:
     """sigma = 3 mu d log(s)/dt in the middle of the thread."""
     data, frame, cell = done.data, 120, 20
     rate = np.gradient(np.log(data.stretch.values[:, cell]), data.time.values)[frame]
@@ -77,7 +88,8 @@ def cold_honey(done: Trajectory) -> Checked:
     return [("mean stress at midspan [Pa]", stress, done.scene.material.viscosity * rate, 2e-3)]
 
 
-def cooked_spaghetti(done: Trajectory) -> Checked:
+@every_time
+def cooked_spaghetti(done: sc.Trajectory) -> Checked:
     """Peirce's heavy elastica, which does not shear: 1 % is left to that and to the last of the swinging."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
     area = math.pi * part.thickness**2 / 4
@@ -89,14 +101,16 @@ def cooked_spaghetti(done: Trajectory) -> Checked:
     return [("tip [m]", float(y[-1]), float(shape.y[-1]), 0.01), ("lowest node", float(y.argmin()), 40, 0)]
 
 
-def curled_rod(done: Trajectory) -> Checked:
+@every_time
+def curled_rod(done: sc.Trajectory) -> Checked:
     """It starts as the arc of its own curvature."""
     part = done.scene.filament
     rise = (1 - math.cos(part.curvature * part.span)) / part.curvature
     return [("tip at the start [m]", float(at_cells(done, "y", 0)[-1]), rise, 1e-3)]
 
 
-def drawn_blob(done: Trajectory) -> Checked:
+@every_time
+def drawn_blob(done: sc.Trajectory) -> Checked:
     """The right end comes to its place; while it goes, T = eta A0 v/(s^2 L)."""
     part, frame = done.scene.filament, 50
     speed = 0.040 / 0.5
@@ -110,7 +124,8 @@ def drawn_blob(done: Trajectory) -> Checked:
     ]
 
 
-def drying_ink(done: Trajectory) -> Checked:
+@not_every_time
+def drying_ink(done: sc.Trajectory) -> Checked:
     """Tension -E P at the start; without the initial state nothing yields."""
     part, material = done.scene.filament, done.scene.material
     pull = 0.003 * material.youngs_modulus * math.pi * part.thickness**2 / 4
@@ -122,7 +137,8 @@ def drying_ink(done: Trajectory) -> Checked:
     ]
 
 
-def gelatin_strand(done: Trajectory) -> Checked:
+@every_time
+def gelatin_strand(done: sc.Trajectory) -> Checked:
     """It comes to rest as the elastic beam."""
     table = tomllib.loads(done.scene.to_toml())
     table["material"] = {"law": "elastic", "youngs_modulus": table["material"]["youngs_modulus"]}
@@ -131,7 +147,8 @@ def gelatin_strand(done: Trajectory) -> Checked:
     return [("sag at the end [m]", -final(done), -final(rest), 2e-3)]
 
 
-def hot_glue_string(done: Trajectory) -> Checked:
+@every_time
+def hot_glue_string(done: sc.Trajectory) -> Checked:
     """It starts as its profile, 1 to 0.6; all of it carries the same pull, which stretches the thin half more."""
     thickness, stretch = at_cells(done, "thickness", 0), at_cells(done, "stretch")
     thin, thick = np.log(stretch[20:]).mean(), np.log(stretch[:20]).mean()
@@ -141,7 +158,8 @@ def hot_glue_string(done: Trajectory) -> Checked:
     ]
 
 
-def oobleck(done: Trajectory) -> Checked:
+@not_every_time
+def oobleck(done: sc.Trajectory) -> Checked:
     """Where it hardly bends, stress is K rate^1.5; it sags less than the fluid of index one."""
     mean, rate = hardly_bent(done)
     of_rate = (mean / done.scene.material.viscosity) ** (1 / 1.5)
@@ -152,7 +170,8 @@ def oobleck(done: Trajectory) -> Checked:
     ]
 
 
-def polyethylene_melt(done: Trajectory) -> Checked:
+@every_time
+def polyethylene_melt(done: sc.Trajectory) -> Checked:
     """Boltzmann's integral over the strain of the middle, exact for a strain that is linear between frames."""
     data, cell = done.data, 20
     steps, strain = np.diff(data.time.values), np.diff(np.log(data.stretch.values[:, cell]))
@@ -166,7 +185,8 @@ def polyethylene_melt(done: Trajectory) -> Checked:
     return [("mean stress at midspan [Pa]", float(data.stress_mean.values[-1, cell]), total, 2e-3)]
 
 
-def putty_arch(done: Trajectory) -> Checked:
+@every_time
+def putty_arch(done: sc.Trajectory) -> Checked:
     """It leaves the grips at 15 degrees, stands above the line at first and hangs below it in the end."""
     x, y = at_cells(done, "x", 0), at_cells(done, "y", 0)
     midpoint = done.data.midpoint.values
@@ -178,14 +198,16 @@ def putty_arch(done: Trajectory) -> Checked:
     ]
 
 
-def rubber_strand(done: Trajectory) -> Checked:
+@every_time
+def rubber_strand(done: sc.Trajectory) -> Checked:
     """The elastic cable of its long-time modulus."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
     cable = (3 * part.density * done.scene.load.gravity * part.span**4 / (64 * E)) ** (1 / 3)
     return [("sag at the end [m]", -float(done.data.midpoint.values[-20:].mean()), cable, 0.03)]
 
 
-def slack_taffy(done: Trajectory) -> Checked:
+@every_time
+def slack_taffy(done: sc.Trajectory) -> Checked:
     """It starts as the elastic catenary of its rest length, but for its stiff ends, and grows."""
     length, part = 0.3, done.scene.filament
     stress = part.density * done.scene.load.gravity
@@ -201,7 +223,8 @@ def slack_taffy(done: Trajectory) -> Checked:
     ]
 
 
-def slime_slope(done: Trajectory) -> Checked:
+@every_time
+def slime_slope(done: sc.Trajectory) -> Checked:
     """Supports at their heights, the deepest point on the side of the lower one."""
     x, y = at_cells(done, "x"), at_cells(done, "y")
     return [
@@ -210,7 +233,8 @@ def slime_slope(done: Trajectory) -> Checked:
     ]
 
 
-def stretched_rubber_band(done: Trajectory) -> Checked:
+@every_time
+def stretched_rubber_band(done: sc.Trajectory) -> Checked:
     """A string of tension E log(1.25): 2 L/c between two visits to the top."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
     period = 2 * part.span / math.sqrt(E * math.log(1.25) / part.density)
@@ -219,14 +243,16 @@ def stretched_rubber_band(done: Trajectory) -> Checked:
     return [("frequency over c/(2 L)", float(TRIED[int(np.argmax(spectrum))]), 1, 0.03)]
 
 
-def thermoforming_sheet(done: Trajectory) -> Checked:
+@not_every_time
+def thermoforming_sheet(done: sc.Trajectory) -> Checked:
     """It keeps its width: 4/3 more viscous than the strip, so (3/4)^(1/3) of its sag."""
     strip = run("thermoforming-sheet", "filament.section=rectangle")
     late = [one.data.midpoint.values[-60:].mean() for one in (done, strip)]
     return [("sag over that of a strip", float(late[0] / late[1]), 0.75 ** (1 / 3), 0.015)]
 
 
-def toothpaste(done: Trajectory) -> Checked:
+@not_every_time
+def toothpaste(done: sc.Trajectory) -> Checked:
     """Yields, then stops; a paste of ten times the strength does not yield."""
     midpoint = done.data.midpoint.values
     strong = run("toothpaste", "material.shear_yield_stress=2 kPa")
@@ -237,7 +263,8 @@ def toothpaste(done: Trajectory) -> Checked:
     ]
 
 
-def transient_gel(done: Trajectory) -> Checked:
+@not_every_time
+def transient_gel(done: sc.Trajectory) -> Checked:
     """Where it hardly bends the rate is sinh(sigma/s0)/t0; the fluid of its viscosity at rest, s0 t0, flows less."""
     mean, rate = hardly_bent(done)
     eyring = np.sinh(mean / 500) / 60
@@ -248,34 +275,28 @@ def transient_gel(done: Trajectory) -> Checked:
     ]
 
 
-# fmt: off
-CHECKS: dict[str, Callable[[Trajectory], Checked]] = {
-    check.__name__.replace("_", "-"): check
-    for check in (
-        beam_viscometer, bread_dough, cold_honey, cooked_spaghetti, curled_rod, drawn_blob, drying_ink,
-        gelatin_strand, hot_glue_string, oobleck, polyethylene_melt, putty_arch, rubber_strand, slack_taffy,
-        slime_slope, stretched_rubber_band, thermoforming_sheet, toothpaste, transient_gel,
-    )
-}
-# fmt: on
-SLOW = {"toothpaste", "transient-gel", "thermoforming-sheet", "drying-ink", "oobleck"}
-QUICK = [name for name in CHECKS if name not in SLOW]
-
-
-@pytest.mark.parametrize("name", few(CHECKS, *QUICK))
-def test_scene_shows_its_physics(name: str) -> None:
-    rows = CHECKS[name](run(name))
-    text = [[what, f"{found:.6g}", f"{expected:.6g}", f"{tolerance:g}"] for what, found, expected, tolerance in rows]
-    show(name, ("what", "found", "expected", "tolerance"), text)
-    for what, found, expected, tolerance in rows:
-        assert abs(found - expected) <= tolerance * abs(expected), what
-
-
-def test_scene_keeps_its_energy_and_is_written_as_it_was_read() -> None:
-    for name in QUICK:
+def judge(checks: Mapping[str, Check]) -> None:
+    """What each scene stands for; and that it keeps its energy."""
+    rows, missed = [], []
+    for name, check in checks.items():
         done = run(name)
-        assert done.summary["energy_residual"] < done.scene.run.accuracy
-        assert sc.Scene.model_validate(tomllib.loads(done.scene.to_toml())) == done.scene
+        residual = ("energy residual", done.summary["energy_residual"], 0.0, done.scene.run.accuracy)
+        for what, found, expected, tolerance in (*check(done), residual):
+            rows.append([name, what, f"{found:.6g}", f"{expected:.6g}", f"{tolerance:g}"])
+            if abs(found - expected) > tolerance * (abs(expected) if what != "energy residual" else 1):
+                missed.append(rows[-1])
+    show("bundled scenes", ("scene", "what", "found", "expected", "tolerance"), rows)
+    assert not missed
+
+
+def test_scenes_show_their_physics_and_keep_their_energy() -> None:
+    judge(CHECKS)
+
+
+def test_every_scene_is_written_as_it_was_read() -> None:
+    for name in sc.bundled_names():
+        scene = sc.load_scene(name)
+        assert sc.Scene.model_validate(tomllib.loads(scene.to_toml())) == scene, name
 
 
 def test_every_law_section_end_and_start_has_a_scene() -> None:
