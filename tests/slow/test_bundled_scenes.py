@@ -30,7 +30,8 @@ def test_every_scene_as_it_stands_keeps_its_energy_and_is_saved_as_it_was_read(t
         print(*rows[-1], flush=True)
         run.save(tmp_path / name)
         read = sc.open_run(tmp_path / name).scene, sc.load_scene(tmp_path / name / "scene.toml")
-        if not run.outcome.is_success or residual > accuracy or read != (scene, scene):
+        expected = sc.Outcome.localised if name == "edge-of-rupture" else sc.Outcome.solved
+        if run.outcome is not expected or residual > accuracy or read != (scene, scene):
             missed.append(name)
     show("energy residual of the bundled scenes", ("scene", "outcome", "residual", "accuracy"), rows)
     assert not missed
