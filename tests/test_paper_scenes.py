@@ -43,7 +43,7 @@ def test_midpoint_is_within_half_a_percent_of_the_converged_value() -> None:
         rows.append([name, closure, *(f"{m:.5f} ({e:+.2%})" for m, e in zip(midpoint, error, strict=True))])
         assert found.outcome is sc.Outcome.solved
         assert np.max(np.abs(error)) < 0.005
-    show("midpoint/L, and its difference from the converged", ("scene", "closure", *"46 115 230 460".split()), rows)
+    show("midpoint/L, and its difference from the converged", ("scene", "closure", "46", "115", "230", "460"), rows)
 
 
 def test_edge_of_rupture_is_refused_as_localised() -> None:
@@ -196,3 +196,20 @@ def test_the_outer_solution_beats_the_third_law_for_the_full_filament_too() -> N
         rows.append([name, f"{np.mean(with_log):.2%}", f"{np.mean(bare):.2%}"])
         assert np.all(with_log < bare)
     show("full model, mean difference over 4 < t* < 20", ("scene", "(2.20) with its log term", "bare 1/3 law"), rows)
+
+
+def test_energies_add_up_with_every_effect_in_force() -> None:
+    """The ringing filament until it has stopped and turned back, when all of its hinge has formed."""
+    changes = {"groups.duration": 40.0, "run.frames": 41, "numerics.cells": 20, "numerics.fibres": 6}
+    short = sc.load_scene("arrested-underdamped", {**changes, "numerics.estimate": False})
+    chosen, rows = list(sc.simulate(short).summary["effects"]), []
+    every = [*chosen, "rotary-inertia"]
+    for effects in (chosen, every):
+        found = sc.simulate(short.replace({"run.effects": effects}))
+        gradient = found.data.energy_gradient.values[-1] / found.data.energy_dissipated.values[-1]
+        residual = found.summary["energy_residual"]
+        rows.append([len(effects), found.summary["solver"], f"{residual:.1e}", f"{gradient:.1e}"])
+        assert found.outcome is sc.Outcome.solved
+        assert residual < found.scene.run.accuracy and gradient > 10 * residual
+    assert len(set(every)) == len(every) == 13
+    show("energy residual", ("effects", "solver", "residual", "work against the gradient/dissipated"), rows)

@@ -1,4 +1,4 @@
-"""What ``import softcat_sym as sc`` offers: every name is there, says what it is, and is loaded when it is used."""
+"""What ``import softcat_sym as sc`` offers: every name is there, documented, and loaded when it is used."""
 
 from __future__ import annotations
 
@@ -14,18 +14,38 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.errors import SceneError, SoftcatError
 
+FUNCTIONS = (
+    *("card", "explain", "fit_flow_curve", "generate", "load_scene", "price_effects", "simulate", "simulate_many"),
+)
+TINY = ["numerics.cells=4", "run.frames=2", "run.duration=1 ms", "numerics.estimate=false"]
+# What each step of a program loads, in a new Python.
+LIGHT = """
+import sys
 
-def in_a_new_python(code: str) -> None:
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+def none_of(*names):
+    loaded = set(names) & set(sys.modules)
+    assert not loaded, loaded
+
+import softcat_sym as sc
+dir(sc), sc.__all__, sc.__doc__
+none_of("sympy", "casadi", "matplotlib", "xarray", "pint", "pydantic", "scipy", "pandas", "rich")
+
+sc.load_scene("no-yield"), sc.bundled_names()
+none_of("sympy", "casadi", "matplotlib", "scipy")
+
+scene = sc.load_scene("cold-honey", ["numerics.cells=4", "run.frames=2", "run.duration=1 ms"])
+assert sc.explain(scene).regime and sc.simulate(scene).outcome.is_success
+# Simplifying loads the units of SymPy, in a seventh of a second.
+none_of("matplotlib", "sympy.physics.units")
+
+# Loading a module of the same name would put the module where the function was.
+import softcat_sym.simulate, softcat_sym.studies.explanation, softcat_sym.cli
+assert all(callable(getattr(sc, name)) for name in sc.__all__)
+"""
 
 
-def test_the_names_are_sorted_once_each_and_listed() -> None:
-    assert list(sc.__all__) == sorted(set(sc.__all__))
-    assert dir(sc) == sorted(sc.__all__)
-
-
-def test_every_name_resolves_and_says_what_it_is() -> None:
+def test_every_name_is_sorted_documented_and_resolves() -> None:
+    assert list(sc.__all__) == sorted(set(sc.__all__)) == dir(sc)
     for name in sc.__all__:
         thing = getattr(sc, name)
         assert callable(thing)
@@ -33,21 +53,12 @@ def test_every_name_resolves_and_says_what_it_is() -> None:
         assert len((inspect.getdoc(thing) or "").split()) >= 4
         # The docstring that a dataclass makes by itself is its signature.
         assert not (thing.__doc__ or "").startswith(f"{name}(")
+    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Card, Ensemble, .*simulate"):
+        _ = sc.simulat
+    assert sc.__version__ == version("softcat_sym")
 
 
-FUNCTIONS = [
-    "card",
-    "explain",
-    "fit_flow_curve",
-    "generate",
-    "load_scene",
-    "price_effects",
-    "simulate",
-    "simulate_many",
-]
-
-
-def test_every_function_tells_its_parameters_and_annotates_them() -> None:
+def test_every_function_documents_and_annotates_its_parameters() -> None:
     for name in FUNCTIONS:
         function = getattr(sc, name)
         signature = inspect.signature(function)
@@ -57,56 +68,14 @@ def test_every_function_tells_its_parameters_and_annotates_them() -> None:
         assert signature.return_annotation is not inspect.Signature.empty
 
 
-def test_a_name_that_is_not_there_is_told_with_those_that_are() -> None:
-    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Card, Ensemble, .*simulate"):
-        _ = sc.simulat
-
-
 def test_one_exception_catches_all() -> None:
     assert issubclass(SceneError, SoftcatError)
     assert (sc.SceneError, sc.SoftcatError) == (SceneError, SoftcatError)
 
 
-def test_a_name_takes_the_place_of_no_module() -> None:
-    """Loading a module of the same name would put the module where the function was."""
-    code = (
-        "import softcat_sym as sc, softcat_sym.simulate, softcat_sym.studies.explanation, softcat_sym.cli\n"
-        "assert all(callable(getattr(sc, name)) for name in sc.__all__)\n"
-    )
-    in_a_new_python(code)
-
-
-def test_neither_the_import_nor_a_list_of_its_names_loads_anything_heavy() -> None:
-    code = (
-        "import sys, softcat_sym as sc\n"
-        "dir(sc), sc.__all__, sc.__doc__\n"
-        "heavy = {'sympy', 'matplotlib', 'casadi', 'xarray', 'pint', 'pydantic', 'rich'} & set(sys.modules)\n"
-        "assert not heavy, heavy\n"
-    )
-    in_a_new_python(code)
-
-
-def test_a_scene_is_read_without_sympy_casadi_or_matplotlib() -> None:
-    code = (
-        "import sys, softcat_sym as sc\n"
-        "sc.load_scene('no-yield'), sc.bundled_names()\n"
-        "heavy = {'sympy', 'matplotlib', 'casadi'} & set(sys.modules)\n"
-        "assert not heavy, heavy\n"
-    )
-    in_a_new_python(code)
-
-
-def test_a_scene_is_explained_and_run_without_matplotlib() -> None:
-    code = (
-        "import sys, softcat_sym as sc\n"
-        "scene = sc.load_scene('cold-honey', ['numerics.cells=4', 'run.frames=2', 'run.duration=1 ms'])\n"
-        "assert sc.explain(scene).regime and sc.simulate(scene).outcome.is_success\n"
-        "assert 'matplotlib' not in sys.modules\n"
-    )
-    in_a_new_python(code)
-
-
-TINY = ["numerics.cells=4", "run.frames=2", "run.duration=1 ms", "numerics.estimate=false"]
+def test_each_step_loads_only_what_it_needs() -> None:
+    done = subprocess.run([sys.executable, "-c", LIGHT], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
 
 
 def test_a_scene_is_given_by_path_table_or_itself_and_a_run_read_again(tmp_path: Path) -> None:
@@ -124,10 +93,6 @@ def test_a_scene_is_given_by_path_table_or_itself_and_a_run_read_again(tmp_path:
     assert (again.summary, again.scene, again.outcome) == (runs[0].summary, scene, runs[0].outcome)
     with pytest.raises(SoftcatError, match="no such file; accepted: a trajectory"):
         sc.open_run(tmp_path)
-
-
-def test_the_version_is_told() -> None:
-    assert sc.__version__ == version("softcat_sym")
 
 
 def test_warnings_of_a_run_are_pythons_too_once_each(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -29,7 +29,6 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
-
 from tests.acceptance.rheology import scene
 
 SEED = 20261121

@@ -11,9 +11,8 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.slow
 
-
+@pytest.mark.slow
 def test_the_program_answers_as_recorded() -> None:
     command = [sys.executable, "-m", "tests.golden.golden", "check"]
     done = subprocess.run(command, cwd=Path(__file__).parents[2], capture_output=True, text=True, check=False)

@@ -1,16 +1,21 @@
-"""A newcomer's stopwatch: from a clone to the answer for a filament of one's own.
+"""README and the how-to pages, as a newcomer meets them; ``pytest -s -m slow`` prints seconds of each step.
 
-``pytest -s -m slow tests/slow/test_newcomer.py`` prints the seconds of each step. It installs from the registry that
-pip is set up for, and compiles into a cache of its own.
+The stopwatch runs from a clone to the answer for a filament of one's own: it installs from the registry that pip is set
+up for, and compiles into a cache of its own.
 """
 
 from __future__ import annotations
 
+import html
 import json
 import os
 import re
+import resource
+import signal
 import subprocess
+import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -18,6 +23,76 @@ import pytest
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+BLOCKS: list[tuple[str, str]] = re.findall(r"(?ms)^```(\w+)\n(.*?)^```", README)
+"""Language and text of every fenced block."""
+LIMIT = 900.0
+"""Seconds of the wall in which a line must end."""
+
+
+def steps() -> Iterator[tuple[str, int]]:
+    """Every line but the two that install, and the exit status that is promised; a program is run from a file."""
+    for language, text in BLOCKS:
+        if language == "sh":
+            for line in text.replace("\\\n", " ").splitlines():
+                if line.strip() and not line.startswith("#") and "pip install" not in line:
+                    promised = re.search(r"#.*exit status (\d+)", line)
+                    yield line, int(promised[1]) if promised else 0
+        elif language == "toml":
+            yield f"cat > my-ink.toml <<'END'\n{text}END\nsoftcat run my-ink.toml", 0
+        elif language == "python":
+            yield f"{sys.executable} - <<'END'\n{text}END", 0
+        else:
+            yield f"echo 'a block of {language} is not run'; false", 0
+
+
+def run(command: str, folder: Path, environment: dict[str, str]) -> tuple[int | str, str]:
+    """Exit status or ``timeout``, and the last words; prints both, and seconds of the processor and of the wall."""
+    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    shell = subprocess.Popen(
+        ["bash", "-c", command],
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        start_new_session=True,
+    )
+    status: int | str
+    try:
+        said, _ = shell.communicate(timeout=LIMIT)
+        status = shell.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(shell.pid, signal.SIGKILL)
+        said, _ = shell.communicate()
+        status = "timeout"
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    wall = time.monotonic() - began
+    print(f"{status!s:>8} {spent:8.1f} s {wall:5.0f} s  {command.splitlines()[0][:80]}", flush=True)
+    return status, said[-1500:]
+
+
+def test_every_code_block_of_the_readme_runs_as_typed(tmp_path: Path) -> None:
+    environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
+    environment |= {"MPLBACKEND": "agg", "COLUMNS": "100"}
+    wrong = []
+    print(f"\n{'status':>8} {'processor':>10} {'wall':>7}")
+    for command, promised in steps():
+        status, said = run(command, tmp_path, environment)
+        wrong += [f"{command}\n  {status} in place of {promised}; {said}"] if status != promised else []
+    assert not wrong, "\n".join(wrong)
+
+
+def test_the_readme_installs_twice_and_shows_the_sample() -> None:
+    installing = [line for _, text in BLOCKS for line in text.splitlines() if "pip install" in line]
+    assert ["softcat run" in line or "pytest" in line for line in installing] == [True, True]
+    assert len(list(steps())) > 10
+    (scene,) = (text for language, text in BLOCKS if language == "toml")
+    assert (ROOT / "softcat_sym" / "samples" / "my-ink.toml").read_text(encoding="utf-8") == scene
+
+
+OWN = "export PATH=$PWD/.venv/bin:$PATH && "
 NEW = (
     "softcat new my-ink.toml --span '2 mm' --diameter '0.25 mm' --density '1100 kg/m^3' --youngs-modulus '45 kPa'"
     " --law herschel-bulkley --shear-yield-stress '200 Pa' --shear-consistency '60 Pa*s^0.4' --index 0.4"
@@ -26,30 +101,42 @@ NEW = (
 
 
 def test_from_a_clone_to_an_answer_of_ones_own(tmp_path: Path) -> None:
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    found = re.search(r"(?m)^python3 -m venv .*pip install.*softcat run.*$", readme)
+    found = re.search(r"(?m)^python3 -m venv .*pip install.*softcat run.*$", README)
     assert found is not None
     folder = tmp_path / "softcat_sym"
-    own = "export PATH=$PWD/.venv/bin:$PATH && "
-    steps = [
-        ("clone", f"git clone -q '{ROOT}' '{folder}'", tmp_path),
-        ("README's first command", found[0], folder),
-        ("softcat new", own + NEW, folder),
-        ("softcat run", own + "softcat run my-ink.toml", folder),
-    ]
     # Neither the libraries nor the modules of who tests are there for a newcomer.
     environment = {name: text for name, text in os.environ.items() if name not in ("PYTHONPATH", "VIRTUAL_ENV")}
     environment |= {"SOFTCAT_CACHE": str(tmp_path / "cache")}
-    print()
     began = time.monotonic()
-    for name, command, where in steps:
-        start = time.monotonic()
-        done = subprocess.run(
-            ["bash", "-c", command], cwd=where, env=environment, capture_output=True, text=True, check=False
-        )
-        print(f"{time.monotonic() - start:7.1f} s  {name}", flush=True)
-        assert done.returncode == 0, f"{command}\n{done.stdout[-3000:]}{done.stderr[-3000:]}"
+    for command in (f"git clone -q '{ROOT}' '{folder}'", found[0], OWN + NEW, f"{OWN}softcat run my-ink.toml"):
+        status, said = run(command, folder if folder.exists() else tmp_path, environment)
+        assert status == 0, said
     print(f"{time.monotonic() - began:7.1f} s  together")
     summary = json.loads((folder / "softcat-out" / "my-ink" / "summary.json").read_text(encoding="utf-8"))
     assert summary["outcome"] == "solved"
     assert summary["midpoint_final_m"] < 0
+
+
+PAGES = {
+    "12_own_rheology": "",
+    "13_first_run": "expected: descending",
+    "14_ink_bridging": "",
+    "15_fit_your_data": "",
+    "16_take_the_c_away": "",
+}
+"""How-to pages; each has pictures and printed text; of one, what it must print."""
+
+
+def test_how_to_pages_show_what_their_notebooks_print_and_draw(tmp_path: Path) -> None:
+    """Built as CONTRIBUTING says, without a warning."""
+    status, said = run(f"{sys.executable} -m sphinx -W -q -b html .docs {tmp_path}", ROOT, dict(os.environ))
+    assert status == 0, said
+    for name, expected in PAGES.items():
+        page = (tmp_path / "howto" / f"{name}.html").read_text(encoding="utf-8")
+        blocks = re.findall(r'<div class="output highlight-text.*?</div>', page, re.DOTALL)
+        texts = [html.unescape(re.sub(r"<[^>]+>", "", block)).strip() for block in blocks]
+        pictures = re.findall(r'<img class="output"[^>]* src="data:image/png;base64,\w', page)
+        print(f"{name:20} {len(texts)} texts, {len(pictures)} pictures")
+        assert texts and pictures
+        assert any(text.startswith(expected) for text in texts)
+        assert not any("Traceback" in text for text in texts)

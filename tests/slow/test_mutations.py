@@ -1,0 +1,66 @@
+"""What the notebooks prove is what the code runs: a slip in the equations makes one of them fail."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.common.table import show
+
+pytestmark = pytest.mark.slow
+
+ROOT = Path(__file__).parents[2]
+CLOSURES = "02_section_and_closures"
+# What stands in softcat_sym/physics, what a slip of the pen makes of it, the notebook that must notice.
+MUTATIONS = [
+    ("x_X_before * y_X - y_X_before", "x_X_before * y_X + y_X_before", "01_balance"),
+    ("axial_correction=-M * theta_X", "axial_correction=M * theta_X", CLOSURES),
+    ("recall_bending=shrink * h0 / contraction.thickness", "recall_bending=shrink", CLOSURES),
+    ("overstress_mean=((2 + c**2)", "overstress_mean=((2 - c**2)", CLOSURES),
+    ("zeta_squared=sp.Rational(1, 3)", "zeta_squared=sp.Rational(1, 4)", CLOSURES),
+    (
+        "UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s)",
+        "UNIFORM = Contraction(area=A0 / s, thickness=h0 / s",
+        CLOSURES,
+    ),
+    ("/ (section.zeta_squared * eta)", "/ eta", CLOSURES),
+    ("-(delta**2) * K_I * _mb / 2", "-(delta**2) * K_I * _mb", "03_small_deflection"),
+    ("moment_rate=-E * inertia", "moment_rate=E * inertia", "03_small_deflection"),
+    ("Rational(-3, 5)", "Rational(-2, 5)", "04_asymptotics"),
+    ("sp.Integer(1), 6 * (3 * t_star**2", "sp.Integer(1), 5 * (3 * t_star**2", "04_asymptotics"),
+    ("CLAMPED = Beam(Rational(1, 12)", "CLAMPED = Beam(Rational(1, 8)", "05_regimes"),
+    ("(1 / (2 * G)) ** 2 - Rational(1, 8)", "(1 / (2 * G)) ** 2 + Rational(1, 8)", "05_regimes"),
+    ("* sp.Rational(3, 2) / sigma_eq", "* sp.Rational(1, 2) / sigma_eq", "06_bulk_law"),
+    ("24 * tension_stiffness() * tau_star", "12 * tension_stiffness() * tau_star", "07_rheometry"),
+    ("beta=sp.Rational(1, 48)", "beta=sp.Rational(1, 40)", "08_necking"),
+    ("RECTANGLE_SHEAR = sp.Rational(5, 6)", "RECTANGLE_SHEAR = sp.Rational(4, 6)", "09_shearing_filament"),
+]
+
+
+def notices(folder: Path, old: str, new: str, notebook: str) -> bool:
+    """Whether the notebook fails on a copy of the package in which `old` stands as `new`."""
+    shutil.rmtree(folder, ignore_errors=True)
+    for part in ("softcat_sym", "derivations"):
+        shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
+    files = [path for path in (folder / "softcat_sym" / "physics").rglob("*.py") if old in path.read_text("utf-8")]
+    assert files, f"no module of the physics holds {old}"
+    files[0].write_text(files[0].read_text("utf-8").replace(old, new), encoding="utf-8")
+    command, environment = [sys.executable, f"{notebook}.py"], {**os.environ, "PYTHONPATH": str(folder)}
+    done = subprocess.run(command, cwd=folder / "derivations", env=environment, capture_output=True, check=False)
+    return done.returncode != 0
+
+
+def test_a_slip_in_the_equations_makes_a_notebook_fail(tmp_path: Path) -> None:
+    rows, survivors = [], []
+    for old, new, notebook in MUTATIONS:
+        noticed = notices(tmp_path / "copy", old, new, notebook)
+        rows.append([f"`{old}`", f"`{new}`", notebook, "noticed" if noticed else "MISSED"])
+        print(*rows[-1], flush=True)
+        survivors += [] if noticed else [old]
+    show("mutations of softcat_sym/physics", ("from", "to", "notebook", ""), rows)
+    assert not survivors
