@@ -7,7 +7,6 @@ import math
 import subprocess
 import sys
 import tomllib
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -18,13 +17,10 @@ from hypothesis import strategies as st
 
 import softcat_sym as sc
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.errors import SceneError, SoftcatError
-from softcat_sym.scene.reading import load_scene
-from softcat_sym.scene.scene import Scene
-
-from .acceptance.table import show
-from .cli.in_process import Softcat, sets
-from .scene.tables import BINGHAM, faults_of, spoiled
+from softcat_sym.errors import Fault, SceneError
+from tests.cli.in_process import Softcat, sets
+from tests.common.table import show
+from tests.scene.tables import BINGHAM, faults_of, spoiled
 
 BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.spam": "0.2 m"}, "filament.spam", "unknown key (did you mean 'span'?)"),
@@ -32,221 +28,122 @@ BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"material.density": "1 kg/m^3"}, "material.density", "did you mean 'filament.density'?"),
     ({"filament.zzzz": 1}, "filament.zzzz", "unknown key; accepted: span, "),
     ({"duration": "2 s"}, "duration", "did you mean 'run.duration'?"),
-    ({"material.law": "binghamm"}, "material.law", "did you mean 'bingham'?"),
-    (
-        {"material.law": "Bingham"},
-        "material.law",
-        "accepted: elastic, maxwell, newtonian, kelvin-voigt, standard",
-    ),
+    ({"material.law": "Bingham"}, "material.law", "accepted: elastic, maxwell, newtonian, kelvin-voigt, standard"),
     ({"material.law": 3}, "material.law", "3 is not a name"),
     ({"material.law": None}, "material.law", "missing"),
     ({"filament.section": "rectange"}, "filament.section", "did you mean 'rectangle'?"),
     ({"ends.left": "clampd"}, "ends.left", "did you mean 'clamped'?"),
-    ({"run.closure": "materiel"}, "run.closure", "did you mean 'material'?"),
     ({"run.closure": "quux"}, "run.closure", "accepted: material, printed"),
     ({"numerics.solver": "cvode"}, "numerics.solver", "did you mean 'cvodes'?"),
     ({"numerics.backend": "interpret"}, "numerics.backend", "did you mean 'interpreted'?"),
     ({"model": "filamant"}, "model", "did you mean 'filament'?"),
     ({"filament.span": 0.2}, "filament.span", '0.2 has no unit; accepted: a positive length with its unit, such as "0'),
     ({"filament.span": "0.2"}, "filament.span", "has no unit"),
-    ({"filament.span": 1}, "filament.span", "1 has no unit"),
     ({"filament.span": True}, "filament.span", "true is not a quantity"),
-    ({"filament.span": ["0.2 m"]}, "filament.span", "is not a quantity"),
     ({"filament.span": {"m": 2}}, "filament.span", "a table is not a quantity"),
     ({"filament.span": ""}, "filament.span", "'' is not a number with a unit"),
     ({"filament.span": "m"}, "filament.span", "not a number with a unit"),
     ({"filament.span": "5 kPa"}, "filament.span", "'kPa' is a stress, not a length"),
-    ({"filament.span": "5 K"}, "filament.span", "'K' is of dimension [temperature], not a length"),
     ({"filament.span": "20 degC"}, "filament.span", "'degC' is of dimension"),
     ({"filament.span": "5 metrs"}, "filament.span", "unknown unit 'metrs'"),
     ({"filament.span": "5 m)"}, "filament.span", "unknown unit 'm)'"),
-    ({"filament.span": "5 -"}, "filament.span", "unknown unit '-'"),
     ({"filament.span": "1,5 m"}, "filament.span", "unknown unit ',5 m'"),
-    ({"filament.span": "1 000 m"}, "filament.span", "unknown unit '000 m'"),
     ({"filament.span": "0 m"}, "filament.span", "is zero"),
     ({"filament.span": "-1 m"}, "filament.span", "is negative"),
     ({"filament.span": "nan m"}, "filament.span", "'nan m' is not finite"),
     ({"filament.span": math.nan}, "filament.span", "nan has no unit"),
-    ({"filament.span": "inf m"}, "filament.span", "'inf m' is not finite"),
     ({"filament.span": "1e308 km"}, "filament.span", "is not finite"),
-    ({"filament.span": "1e999 m"}, "filament.span", "is not finite"),
     ({"filament.span": None}, "filament.span", 'missing; accepted: a positive length with its unit, such as "0.2 m"'),
     ({"filament.span": pint.Quantity(1.0, "s")}, "filament.span", "is a time, not a length"),
     ({"filament.span": pint.Quantity(math.nan, "m")}, "filament.span", "nan is not finite"),
-    ({"filament.density": "-1900 kg/m^3"}, "filament.density", "is negative; accepted: a positive density"),
-    ({"filament.thickness": "0 mm"}, "filament.thickness", "'0 mm' is zero"),
     ({"filament.thickness": "0.2 m"}, "filament.thickness", "not less than the span; accepted: a thickness below"),
-    ({"filament.thickness": "1 m"}, "filament.thickness", "not less than the span"),
-    ({"filament.width": "-1 mm"}, "filament.width", "is negative"),
     ({"filament.section": "circle", "filament.width": "1 mm"}, "filament.width", "a circle has no width"),
-    ({"filament": 3}, "filament", "3 is not a table; accepted: a table [filament]"),
+    ({"filament.rest_length": "1e9 km"}, "filament.rest_length", "times the distance of the supports"),
     ({"ends": []}, "ends", "[] is not a table"),
     ({"title": 3}, "title", "3 is not text"),
+    ({"title": "a\0b"}, "title", "holds a control character"),
+    ({"title": "a\x1b[2J"}, "title", "holds a control character"),
     ({"material.youngs_modulus": None}, "material.youngs_modulus", "missing: the law 'bingham' needs it"),
-    ({"material.viscosity": None}, "material.viscosity", "missing: the law 'bingham' needs it"),
-    ({"material.yield_stress": None}, "material.yield_stress", "missing: the law 'bingham' needs it"),
     ({"material.viscosity": "9 kPa"}, "material.viscosity", "'kPa' is a stress, not a viscosity"),
-    ({"material.yield_stress": "inf Pa"}, "material.yield_stress", "is not finite"),
-    (
-        {"material.shear_yield_stress": "5 kPa"},
-        "material.yield_stress",
-        "given twice, here and as material.shear_yield_stress",
-    ),
+    ({"material.shear_yield_stress": "5 kPa"}, "material.yield_stress", "given twice, here and as material.shear_yiel"),
     ({"material.shear_viscosity": "5 Pa s"}, "material.viscosity", "given twice, here and as material.shear_viscosity"),
+    ({"material.yield_stress": "1e-300 Pa"}, "material.yield_stress", "beyond 1e-30 to 1e+30 in SI units"),
     ({"load.gravity": "-9.81 m/s^2"}, "load.gravity", "is negative; accepted: a non-negative acceleration"),
-    ({"load.gravity": 9.81}, "load.gravity", "9.81 has no unit"),
-    ({"load.ramp": "-1 s"}, "load.ramp", "is negative"),
     ({"surroundings.surface_tension": "-1 N/m"}, "surroundings.surface_tension", "is negative"),
     ({"run.duration": "0 s"}, "run.duration", "is zero; accepted: a positive time"),
-    ({"run.duration": None}, "run.duration", "missing"),
-    ({"run.frames": -3}, "run.frames", "-3 is out of range; accepted: a whole number from 2"),
-    ({"run.frames": 1}, "run.frames", "1 is out of range"),
+    ({"run.frames": 1}, "run.frames", "1 is out of range; accepted: a whole number from 2"),
     ({"run.frames": 2.5}, "run.frames", "2.5 is not a whole number"),
     ({"run.frames": True}, "run.frames", "true is not a whole number"),
     ({"run.frames": 10**12}, "run.frames", "out of range"),
     ({"run.accuracy": 0}, "run.accuracy", "accepted: a number between 0 and 1, both excluded"),
-    ({"run.accuracy": 1.0}, "run.accuracy", "out of range"),
     ({"run.accuracy": math.nan}, "run.accuracy", "nan is not finite"),
-    ({"run.accuracy": math.inf}, "run.accuracy", "inf is not finite"),
     ({"run.accuracy": 10**400}, "run.accuracy", "is not finite"),
     ({"run.accuracy": "1e-3"}, "run.accuracy", "'1e-3' is not a number"),
-    ({"run.effects": "papers"}, "run.effects", "did you mean 'paper'?"),
-    ({"run.effects": 3}, "run.effects", "3 is not a list of names"),
-    ({"run.effects": ["inertia", 3]}, "run.effects", "is not a list of names"),
-    ({"run.effects": ["inertia", "inertia"]}, "run.effects", "'inertia' named twice"),
     ({"numerics.cells": 3}, "numerics.cells", "3 is out of range; accepted: a whole number from 4"),
     ({"numerics.rtol": -1e-3}, "numerics.rtol", "out of range"),
-    ({"title": "a\0b"}, "title", "holds a control character"),
-    ({"title": "a\x1b[2J"}, "title", "holds a control character"),
     ({"numerics.order": 2, "numerics.fibres": 8}, "numerics.order", "2, but numerics.fibres is 8"),
-    ({"material.yield_stress": "1e-300 Pa"}, "material.yield_stress", "beyond 1e-30 to 1e+30 in SI units"),
-    ({"filament.rest_length": "1e9 km"}, "filament.rest_length", "times the distance of the supports"),
 ]
+"""What is changed in a sound scene, the key at fault, and what must be said."""
+
+
+def judge(title: str, name: object, faults: tuple[Fault, ...], path: str, says: tuple[str, ...]) -> None:
+    """One fault for one mistake, at its path, with these words."""
+    text = [str(fault) for fault in faults]
+    assert [fault.path for fault in faults] == [path], (title, name, text)
+    assert all(word in text[0] for word in says), (title, name, text)
 
 
 def test_one_bad_value_is_one_fault() -> None:
     for changes, path, says in BAD:
-        faults = faults_of(spoiled(changes))
-        if changes == {"filament": 3}:
-            faults = faults[:1]
-        assert [fault.path for fault in faults] == [path], changes
-        assert says in str(faults[0]), changes
+        judge("bad value", changes, faults_of(spoiled(changes)), path, (says,))
 
 
-@pytest.mark.parametrize(
-    ("law", "given_but_unused"),
-    [("elastic", ["viscosity", "yield_stress"]), ("maxwell", ["yield_stress"])],
-)
-def test_a_constant_that_the_law_does_not_use_is_refused(law: str, given_but_unused: list[str]) -> None:
-    faults = faults_of(spoiled({"material.law": law}))
-    assert [fault.path for fault in faults] == [f"material.{name}" for name in given_but_unused]
-    assert all(f"the law '{law}' does not" in fault.found for fault in faults)
+def test_a_constant_that_the_law_does_not_use_is_refused() -> None:
+    for law, unused in {"elastic": ["viscosity", "yield_stress"], "maxwell": ["yield_stress"]}.items():
+        faults = faults_of(spoiled({"material.law": law}))
+        assert [fault.path for fault in faults] == [f"material.{name}" for name in unused]
+        assert all(f"the law '{law}' does not" in fault.found for fault in faults)
 
 
-def test_every_fault_of_a_bad_scene_is_listed() -> None:
+def test_every_fault_of_a_bad_scene_is_listed(tmp_path: Path) -> None:
     bad = {
-        "filament.span": "0.2",
-        "filament.density": "-1 kg/m^3",
-        "filament.colour": "red",
-        "material.yield_stress": None,
-        "material.viscosity": "1 m",
-        "ends.left": "loose",
-        "run.frames": -3,
-        "numerics.cells": 2,
-        "nonsense": 1,
+        **{"filament.span": "0.2", "filament.density": "-1 kg/m^3", "filament.colour": "red", "nonsense": 1},
+        **{"material.yield_stress": None, "material.viscosity": "1 m", "ends.left": "loose", "run.frames": -3},
     }
     with pytest.raises(SceneError) as caught:
-        Scene.model_validate(spoiled(bad))
-    error = caught.value
-    assert {fault.path for fault in error.faults} == set(bad)
-    assert len(error.faults) == len(bad)
-    text = str(error)
-    assert text.startswith("scene: 9 faults\n")
-    assert "pydantic" not in text
-    assert "validation error" not in text
-
-
-def test_cross_checks_run_beside_other_faults() -> None:
+        sc.Scene.model_validate(spoiled(bad))
+    assert sorted(fault.path for fault in caught.value.faults) == sorted(bad)
+    assert str(caught.value).startswith("scene: 8 faults\n")
+    assert "pydantic" not in str(caught.value) and "validation error" not in str(caught.value)
+    # Checks across keys run beside other faults.
     bad = {"filament.density": 3, "filament.thickness": "3 m", "material.viscosity": 3, "material.yield_stress": None}
-    assert [fault.path for fault in faults_of(spoiled(bad))] == [
-        "filament.thickness",
-        "filament.density",
-        "material.viscosity",
-        "material.yield_stress",
-    ]
-
-
-def test_an_empty_table_names_every_required_key() -> None:
-    paths = [fault.path for fault in faults_of({})]
-    assert paths == ["filament.span", "filament.thickness", "filament.density", "material.law", "run.duration"]
-
-
-def test_what_is_no_table_is_refused() -> None:
+    assert sorted(fault.path for fault in faults_of(spoiled(bad))) == sorted(bad)
+    required = ["filament.span", "filament.thickness", "filament.density", "material.law", "run.duration"]
+    assert [fault.path for fault in faults_of({})] == required
     for data in (None, 3, "arrested", [1]):
         (fault,) = faults_of(data)
         assert "is not a table" in fault.found
+    (tmp_path / "mine.toml").write_text('[filament]\nspan = "0.2"\n')
+    with pytest.raises(SceneError, match=r"^scene .*mine.toml: 5 faults"):
+        sc.load_scene(tmp_path / "mine.toml")
 
 
-def test_the_source_is_named(tmp_path: Any) -> None:
-    path = tmp_path / "mine.toml"
-    path.write_text('[filament]\nspan = "0.2"\n')
-    with pytest.raises(SceneError) as caught:
-        load_scene(path)
-    assert str(caught.value).startswith(f"scene {path}: 5 faults")
+UNITS = st.text(alphabet="mskgPaN*/^()-+ 123.degCµ²_'\"#", max_size=12)
+VALUES = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
+    max_leaves=5,
+)
+PLACES = ("filament", "material", "run.frames", "ends.motion", "groups", "groups.G", "initial.P", "load")
 
 
-@given(st.text(max_size=20) | st.builds("1 {}".format, st.text(alphabet="mskgPaN*/^()-+ 123.degCµ²_'\"#", max_size=12)))
+@given(st.text(max_size=20) | st.builds("1 {}".format, UNITS), VALUES)
 @settings(max_examples=100, deadline=None)
-def test_no_text_escapes_as_another_exception(text: str) -> None:
+def test_nothing_escapes_as_another_exception(text: str, value: object) -> None:
     for path in ("filament.span", "load.gravity", "run.effects", "title", "material.law"):
         faults_of(spoiled({path: text}))
-
-
-@given(
-    st.recursive(
-        st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
-        lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
-        max_leaves=5,
-    ),
-    st.sampled_from(["filament", "material", "run.frames", "ends.motion", "groups", "groups.G", "initial.P", "load"]),
-)
-@settings(max_examples=100, deadline=None)
-def test_no_value_escapes_as_another_exception(value: object, path: str) -> None:
-    faults_of(spoiled({path: value}, BINGHAM))
-
-
-FILES: dict[str, tuple[bytes | None, str]] = {
-    "value": (Scene.model_validate(BINGHAM).to_toml().replace("frames = ", "frames = -").encode(), "run.frames"),
-    "empty": (b"", "empty"),
-    "no TOML": (b"span == 3 metres", "TOML"),
-    "binary": (b"\xff\xfe\x00\x01", "UTF-8"),
-    "missing": (None, "no such"),
-}
-
-
-@pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
-def test_a_bad_file_is_one_clear_error(softcat: Softcat, tmp_path: Path) -> None:
-    output = tmp_path / "out"
-    for case, (content, named) in FILES.items():
-        scene = tmp_path / f"{case}.toml"
-        if content is not None:
-            scene.write_bytes(content)
-        done = softcat("run", str(scene), "-o", str(output))
-        assert (done.status, done.out, output.exists()) == (2, "", False), case
-        assert named.lower() in done.err.lower(), done.err
-    done = softcat("run", str(tmp_path), "-o", str(output))
-    assert (done.status, "directory" in done.err, output.exists()) == (2, True, False)
-
-
-def test_the_program_itself_refuses_with_status_2(tmp_path: Path) -> None:
-    command = [str(Path(sys.executable).with_name("softcat")), "run", str(tmp_path / "no.toml"), "-o", str(tmp_path)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert "no such" in done.stderr and "Traceback" not in done.stderr
+    for path in PLACES:
+        faults_of(spoiled({path: value}, BINGHAM))
 
 
 NAMES = ", ".join(effect.name for effect in REGISTRY)
@@ -260,289 +157,176 @@ def of(*names: object) -> str:
     return f"run.effects={json.dumps(names)}"
 
 
-@dataclass(frozen=True)
-class Mistake:
-    """A scene, what is changed in it, the key at fault, and what must be said: what was found, what is accepted."""
-
-    scene: str
-    changes: tuple[str, ...]
-    found: str
-    accepted: str
-    path: str = "run.effects"
-
-
-MISTAKES: dict[str, Mistake] = {
+ALONE = "leave {} out".format
+MISTAKES: dict[tuple[str, ...], tuple[str, ...]] = {
     # Names.
-    "misspelt": Mistake(INK, (of("inertia", "bendign"),), "'bendign' (did you mean 'bending'?)", "one of"),
-    "underscore": Mistake(INK, (of("viscous_flow"),), "(did you mean 'viscous-flow'?)", "one of"),
-    "capital": Mistake(INK, (of("Inertia"),), "(did you mean 'inertia'?)", "one of"),
-    "unknown": Mistake(INK, (of("inertia", "magic"),), "unknown effect 'magic'", f"one of {NAMES}"),
-    "empty name": Mistake(INK, (of(""),), "unknown effect ''", f"one of {NAMES}"),
-    "named twice": Mistake(INK, (of("bending", "inertia", "bending"),), "'bending' named twice", "each name once"),
-    "named thrice": Mistake(INK, (of("bending", "bending", "bending"),), "'bending' named", "each name once"),
-    "auto in a list": Mistake(INK, (of("auto"),), "'auto'", NAMES),
-    "misspelt auto": Mistake(INK, ("run.effects=atuo",), "did you mean 'auto'?", "auto, paper, or a list"),
-    "a name, not a list": Mistake(INK, ("run.effects=inertia",), "'inertia'", '["inertia"]'),
-    "a number": Mistake(INK, ("run.effects=3",), "3 is not a list of names", "auto, paper, or a list of names"),
-    "numbers": Mistake(INK, (of(1, 2),), "[1, 2] is not a list of names", "auto, paper, or a list of names"),
-    "an empty list": Mistake(INK, ("run.effects=[]",), "[] names nothing", "auto, paper, or a list of names"),
+    (INK, of("inertia", "bendign")): ("'bendign' (did you mean 'bending'?)", "one of"),
+    (INK, of("viscous_flow")): ("(did you mean 'viscous-flow'?)", "one of"),
+    (INK, of("Inertia")): ("(did you mean 'inertia'?)", "one of"),
+    (INK, of("inertia", "magic")): ("unknown effect 'magic'", f"one of {NAMES}"),
+    (INK, of("")): ("unknown effect ''", f"one of {NAMES}"),
+    (INK, of("bending", "bending", "bending")): ("'bending' named", "each name once"),
+    (INK, of("auto", "shear")): ("'auto'", NAMES),
+    (INK, "run.effects=atuo"): ("did you mean 'auto'?", "auto, paper, or a list"),
+    (INK, "run.effects=inertia"): ("'inertia'", '["inertia"]'),
+    (INK, "run.effects=3"): ("3 is not a list of names", "auto, paper, or a list of names"),
+    (INK, of(1, 2)): ("[1, 2] is not a list of names", "auto, paper, or a list of names"),
+    (INK, "run.effects=[]"): ("[] names nothing", "auto, paper, or a list of names"),
     # Effects that miss another.
-    "yields without flow": Mistake(INK, (of("yielding"),), "'yielding' without 'viscous-flow'", "add 'viscous-flow'"),
-    "shear, no bending": Mistake(INK, (of(*STRING, "shear"),), "'shear' without 'bending'", "leave 'shear' out"),
-    "rotary inertia, no shear": Mistake(
-        INK, (of(*STRING, "bending", "rotary-inertia"),), "'rotary-inertia' without 'shear'", "add 'shear'"
-    ),
-    "rotary inertia, no inertia": Mistake(
-        INK, (of(*STRING[1:], "bending", "shear", "rotary-inertia"),), "without 'inertia'", "add 'inertia'"
-    ),
-    "fibres, no flow": Mistake(INK, (of(*STRING, "bending", "fibres"),), "'fibres' without 'viscous-flow'", "add"),
-    "neck, no thinning": Mistake(
-        INK, (of("finite-stretch", "viscous-flow", "necking-gradient"),), "without 'thinning'", "add 'thinning'"
-    ),
-    # Effects that the law cannot have.
-    "a gel flows": Mistake(STRAND, (of("viscous-flow"),), "no plastic strain", "leave 'viscous-flow' out"),
-    "a fluid flows plastically": Mistake(
-        HONEY, (of("viscous-stress", "viscous-flow"),), "no plastic strain", "leave 'viscous-flow' out"
-    ),
-    "Maxwell yields": Mistake(MAXWELL, (of("viscous-flow", "yielding"),), "no yield stress", "leave 'yielding' out"),
-    "Bingham, a viscous stress": Mistake(
-        INK, (of("bending", "viscous-stress"),), "'viscous-stress' cannot be had", "leave 'viscous-stress' out"
-    ),
-    "rubber, a viscous stress": Mistake(
-        "stretched-rubber-band", (of("viscous-stress"),), "'viscous-stress' cannot be had", "leave"
-    ),
-    "fluid without its stress": Mistake(HONEY, (of("inertia", "bending"),), "no other stress", "add 'viscous-stress'"),
+    (INK, of("yielding")): ("'yielding' without 'viscous-flow'", "add 'viscous-flow'"),
+    (INK, of(*STRING, "shear")): ("'shear' without 'bending'", ALONE("'shear'")),
+    (INK, of(*STRING, "bending", "rotary-inertia")): ("'rotary-inertia' without 'shear'", "add 'shear'"),
+    (INK, of(*STRING[1:], "bending", "shear", "rotary-inertia")): ("without 'inertia'", "add 'inertia'"),
+    (INK, of(*STRING, "bending", "fibres")): ("'fibres' without 'viscous-flow'", "add"),
+    (INK, of("finite-stretch", "viscous-flow", "necking-gradient")): ("without 'thinning'", "add 'thinning'"),
+    # Effects that the law cannot have, or cannot do without.
+    (STRAND, of("viscous-flow")): ("no plastic strain", ALONE("'viscous-flow'")),
+    (STRAND, of("bending", "yielding")): ("no yield stress", ALONE("'yielding'")),
+    (STRAND, of(*STRING, "bending", "fibres")): ("'fibres' cannot be had", ALONE("'fibres'")),
+    (HONEY, of("viscous-stress", "viscous-flow")): ("no plastic strain", ALONE("'viscous-flow'")),
+    (HONEY, of("inertia", "bending")): ("no other stress", "add 'viscous-stress'"),
+    (MAXWELL, of("viscous-flow", "yielding")): ("no yield stress", ALONE("'yielding'")),
+    (INK, of("bending", "viscous-stress")): ("'viscous-stress' cannot be had", ALONE("'viscous-stress'")),
     # Effects that the scene, the model or the closure cannot have, or cannot do without.
-    "ramp without a ramp": Mistake(
-        INK, ("load.ramp=0 s", of("gravity-ramp")), "load.ramp is zero", "leave 'gravity-ramp' out"
-    ),
-    "plastic start, no flow": Mistake(
-        "drying-ink", (of("inertia", "bending"),), "initial state is a plastic strain", "add 'viscous-flow'"
-    ),
-    "curled, no bending": Mistake(
-        "curled-rod", (of("extensibility", "viscous-stress"),), "curved by nature", "add 'bending'"
-    ),
-    "small deflections stretch": Mistake(
-        MAXWELL, (SMALL, of("bending", "extensibility")), "small-deflection", "leave 'extensibility' out"
-    ),
-    "small deflections of Bingham": Mistake(INK, (SMALL,), "'bingham'", "elastic or maxwell", "material.law"),
-    "printed closure, shear": Mistake(
-        FOUR, (PRINTED, of(*PUBLISHED, "shear")), "'printed' with shear", "'material'", "run.closure"
-    ),
-    "printed closure, necks": Mistake(
-        FOUR, (PRINTED, of(*PUBLISHED, "necking-gradient")), "with necking-gradient", "'material'", "run.closure"
-    ),
-    "printed closure, order 3": Mistake(FOUR, (PRINTED, "numerics.order=3"), "'printed'", "order = 1", "run.closure"),
-    "printed closure, 8 fibres": Mistake(FOUR, (PRINTED, "numerics.fibres=8"), "'printed'", "fibres", "run.closure"),
-    "fibres of a gel": Mistake(STRAND, ("numerics.fibres=8",), "does not flow", "leaving it out", "numerics.fibres"),
-    "order of a gel": Mistake(STRAND, ("numerics.order=3",), "does not flow", "leaving it out", "numerics.order"),
-    "cvodes, no inertia": Mistake(
-        INK, (of("bending"), "numerics.solver=cvodes"), "without inertia", "idas", "numerics.solver"
-    ),
+    (INK, "load.ramp=0 s", of("gravity-ramp")): ("load.ramp is zero", ALONE("'gravity-ramp'")),
+    ("drying-ink", of("inertia", "bending")): ("initial state is a plastic strain", "add 'viscous-flow'"),
+    ("curled-rod", of("extensibility", "viscous-stress")): ("curved by nature", "add 'bending'"),
+    (MAXWELL, SMALL, of("bending", "extensibility")): ("small-deflection", ALONE("'extensibility'")),
+    (MAXWELL, SMALL, of("bending", "shear")): ("small-deflection", ALONE("'shear'")),
+    (INK, SMALL): ("material.law", "'bingham'", "elastic or maxwell"),
+    (FOUR, PRINTED, of(*PUBLISHED, "shear")): ("run.closure", "'printed' with shear", "'material'"),
+    (FOUR, PRINTED, of(*PUBLISHED, "necking-gradient")): ("run.closure", "with necking-gradient", "'material'"),
+    (FOUR, PRINTED, "numerics.order=3"): ("run.closure", "'printed'", "order = 1"),
+    (FOUR, PRINTED, "numerics.fibres=8"): ("run.closure", "'printed'", "fibres"),
+    (STRAND, "numerics.fibres=8"): ("numerics.fibres", "does not flow", "leaving it out"),
+    (STRAND, "numerics.order=3"): ("numerics.order", "does not flow", "leaving it out"),
+    (INK, of("bending"), "numerics.solver=cvodes"): ("numerics.solver", "without inertia", "idas"),
+    # One mistake that could be named in many ways.
+    (INK, of("inertia", "shear")): ("'shear' without", ALONE("'shear'")),
+    (INK, of("bending", "viscous-flow"), "numerics.fibres=8"): ("numerics.fibres", "without 'finite-stretch'"),
+    (INK, of("inertia", "bending", "rotary-inertia")): ("'rotary-inertia' without", "'finite-stretch'"),
 }
-
-# One mistake that could be told in many ways.
-ONCE: dict[str, Mistake] = {
-    "auto and more": Mistake(INK, (of("auto", "shear"),), "'auto'", NAMES),
-    "shear alone": Mistake(INK, (of("inertia", "shear"),), "'shear' without", "leave 'shear' out"),
-    "neck alone": Mistake(INK, (of("bending", "necking-gradient"),), "'necking-gradient' without", "leave"),
-    "fibres alone": Mistake(INK, (of("bending", "viscous-flow", "fibres"),), "'fibres' without", "leave 'fibres' out"),
-    "8 fibres and a list": Mistake(
-        INK,
-        (of("bending", "viscous-flow"), "numerics.fibres=8"),
-        "without 'finite-stretch'",
-        "run.effects",
-        "numerics.fibres",
-    ),
-    "rotary inertia alone": Mistake(
-        INK, (of("inertia", "bending", "rotary-inertia"),), "'rotary-inertia' without", "'finite-stretch'"
-    ),
-    "a gel yields": Mistake(STRAND, (of("bending", "yielding"),), "no yield stress", "leave 'yielding' out"),
-    "honey yields": Mistake(HONEY, (of("viscous-stress", "yielding"),), "no yield stress", "leave 'yielding' out"),
-    "a gel has fibres": Mistake(
-        STRAND, (of(*STRING, "bending", "fibres"),), "'fibres' cannot be had", "leave 'fibres' out"
-    ),
-    "small deflections shear": Mistake(
-        MAXWELL, (SMALL, of("bending", "shear")), "small-deflection", "leave 'shear' out"
-    ),
-    "small deflections neck": Mistake(
-        MAXWELL, (SMALL, of("viscous-flow", "necking-gradient")), "small-deflection", "leave 'necking-gradient' out"
-    ),
-}
+"""A bundled scene with changes: what must be said, and before it the key at fault, unless that is run.effects."""
+KEYS = ("material.law", "run.closure", "numerics.fibres", "numerics.order", "numerics.solver")
 
 
-def refused(softcat: Softcat, command: str, mistake: Mistake, output: Path) -> str:
-    """The only fault that the command tells; it must leave nothing behind."""
-    changes = sets(*mistake.changes, "numerics.cells=4")
-    done = softcat(command, mistake.scene, "-o", str(output), *changes)
-    assert (done.status, done.out) == (2, ""), done
-    assert not output.exists()
-    head, *faults = done.err.splitlines()
-    assert head.startswith("softcat: scene") and head.endswith("1 fault"), done.err
-    assert len(faults) == 1
-    return faults[0].strip()
-
-
-def check(softcat: Softcat, command: str, mistake: Mistake, output: Path) -> str:
-    fault = refused(softcat, command, mistake, output)
-    assert fault.startswith(f"{mistake.path}: "), fault
-    found, accepted = fault.split("; accepted: ")
-    assert mistake.found in found, fault
-    assert mistake.accepted in accepted, fault
-    return fault
-
-
-def test_each_mistake_is_one_clear_fault(softcat: Softcat, tmp_path: Path) -> None:
+def test_each_mistake_about_effects_is_one_clear_fault() -> None:
     rows = []
-    for name, mistake in MISTAKES.items():
-        fault = check(softcat, "explain", mistake, tmp_path / "out")
-        rows.append([name, mistake.scene, fault.replace(NAMES, "...")])
-    show("bad lists of effects", ["mistake", "scene", "what is said"], rows)
-    assert len(rows) >= 15
+    for (scene, *changes), words in MISTAKES.items():
+        with pytest.raises(SceneError) as caught:
+            sc.explain(sc.load_scene(scene, [*changes, "numerics.cells=4"]))
+        path, says = (words[0], words[1:]) if words[0] in KEYS else ("run.effects", words)
+        judge("effects", (scene, *changes), caught.value.faults, path, says)
+        rows.append([scene, "; ".join(changes), str(caught.value.faults[0]).replace(NAMES, "...")])
+    show("bad lists of effects", ["scene", "mistake", "what is said"], rows)
+    with pytest.raises(SceneError, match="2 faults") as caught:
+        sc.explain(sc.load_scene(INK, [of("magic", "viscous-stress")]))
+    assert "'magic'" in str(caught.value) and "'viscous-stress' cannot be had" in str(caught.value)
 
 
-def test_every_command_refuses_before_it_runs(softcat: Softcat, tmp_path: Path) -> None:
-    for name in ("misspelt", "auto in a list", "curled, no bending", "printed closure, order 3"):
-        for command in ("run", "effects"):
-            check(softcat, command, MISTAKES[name], tmp_path / "out")
-
-
-def test_a_mistake_is_told_once(softcat: Softcat, tmp_path: Path) -> None:
-    for mistake in ONCE.values():
-        check(softcat, "explain", mistake, tmp_path / "out")
-
-
-def test_two_mistakes_are_two_faults(softcat: Softcat, tmp_path: Path) -> None:
-    done = softcat("explain", INK, "-o", str(tmp_path / "out"), *sets(of("magic", "viscous-stress")))
-    assert done.status == 2
-    assert "2 faults" in done.err and "'magic'" in done.err and "'viscous-stress' cannot be had" in done.err
-    assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.parametrize(
-    ("scene", "names", "implied"),
-    [
-        ("slack-taffy", ("inertia", "bending", "viscous-flow"), True),
-        ("slime-slope", ("inertia", "bending", "viscous-flow"), True),
-        ("drying-ink", ("inertia", "bending", "viscous-flow"), True),
-        (INK, ("inertia",), True),
-        (INK, ("inertia", "bending"), False),
-        (INK, ("bending", "finite-stretch"), True),
-    ],
-)
-def test_what_is_no_mistake_stretching_is_implied_where_nothing_else_would_do(
-    scene: str, names: tuple[str, ...], implied: bool, softcat: Softcat, tmp_path: Path
-) -> None:
-    done = softcat("explain", scene, "-q", "-o", str(tmp_path), *sets(of(*names), "numerics.cells=4"))
-    assert (done.status, done.err) == (0, "")
-    told = {one["effect"]: one for one in json.loads((tmp_path / "explain.json").read_text())["effects"]}
-    in_force = {name for name, one in told.items() if one["in_force"]}
-    assert in_force == {*names, *(["extensibility"] if implied else [])}
-    assert told["extensibility"]["reason"] != "named in run.effects"
+def test_stretching_is_implied_where_nothing_else_would_do() -> None:
+    for scene, *names in (
+        ("slack-taffy", "inertia", "bending", "viscous-flow"),
+        ("slime-slope", "inertia", "bending", "viscous-flow"),
+        ("drying-ink", "inertia", "bending", "viscous-flow"),
+        (INK, "inertia"),
+        (INK, "inertia", "bending"),
+        (INK, "bending", "finite-stretch"),
+    ):
+        told = {
+            each.effect: each for each in sc.explain(sc.load_scene(scene, [of(*names), "numerics.cells=4"])).effects
+        }
+        implied = (scene, *names) != (INK, "inertia", "bending")
+        in_force = {name for name, each in effects.items() if each.in_force}
+        assert in_force == {*names, *(["extensibility"] if implied else [])}, (scene, names)
+        assert effects["extensibility"].reason != "named in run.effects"
 
 
 BODY = {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"}
-EYRING = {"s0": "3 kPa", "t0": "2 s"}
-GENTLE = [["0 s", "0 m", "0 m"]]
+SHORT = {"filament": BODY, "run": {"duration": "0.2 s", "frames": 11}}
+ELASTIC = {**SHORT, "material": {"law": "elastic", "youngs_modulus": "2 MPa"}}
+VISCOUS = {"youngs_modulus": "2 MPa", "viscosity": "1 kPa*s"}
+FLUID = {**SHORT, "material": {"law": "newtonian", "viscosity": "1 kPa*s"}}
+POWER = {**SHORT, "material": {"law": "power-law", **VISCOUS, "index": 1.0}}
+EYRING = {"law": "custom", "youngs_modulus": "2 MPa", "parameters": {"s0": "3 kPa", "t0": "2 s"}}
+CUSTOM = {**SHORT, "material": {**EYRING, "flow": "sinh(sigma/s0)/t0"}}
+SLACK = spoiled(
+    {"filament.rest_length": "0.25 m", "run.effects": ["finite-stretch", "thinning", "large-rotation"]}, ELASTIC
+)
 
 
-def custom(flow: str, **parameters: object) -> dict[str, object]:
-    return {
-        "material": {
-            "law": "custom",
-            "youngs_modulus": "2 MPa",
-            "flow": flow,
-            "parameters": {**EYRING, **parameters},
-        }
-    }
+def moved(*rows: list[str]) -> dict[str, object]:
+    return {"ends.motion": [["0 s", "0 m", "0 m"], *rows]}
 
 
-def power(index: float) -> dict[str, object]:
-    return {"material": {"law": "power-law", "youngs_modulus": "2 MPa", "viscosity": "1 kPa*s", "index": index}}
+REFUSED: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
+    (CUSTOM, {"material.flow": "sigma**2/(s0**2*t0)"}, "material.flow", "not odd"),
+    (CUSTOM, {"material.flow": "-sigma/(s0*t0)"}, "material.flow", "negative dissipation"),
+    (CUSTOM, {"material.flow": "sin(sigma/s0)/t0"}, "material.flow", "decreases"),
+    (CUSTOM, {"material.flow": "sinh(sigma/s1)/t0 + sigma/(s0*t0)"}, "material.flow", "'s1'"),
+    (CUSTOM, {"material.parameters.s0": 3000}, "material.flow", "pure number"),
+    (CUSTOM, {"material.flow": "sigma/s0*t0"}, "material.flow", "1/s"),
+    (CUSTOM, {"material.flow": "__import__('os').system('true')"}, "material.flow", "accepted"),
+    (CUSTOM, {"material.flow": "sigma.__class__"}, "material.flow", "accepted"),
+    (CUSTOM, {"material.flow": "sigma[0]/(s0*t0)"}, "material.flow", "accepted"),
+    (CUSTOM, {"material.flow": "9**9**9**9*sigma/(s0*t0)"}, "material.flow", "accepted"),
+    (POWER, {"material.index": 0}, "material.index", "out of range"),
+    (POWER, {"material.index": -0.5}, "material.index", "out of range"),
+    (POWER, {"material.index": 0.5}, "material.viscosity", "Pa"),
+    (ELASTIC, moved(["0.1 s", "-0.3 m", "0 m"]), "ends.motion", "come within"),
+    (ELASTIC, moved(["9 s", "0.5 m", "0 m"]), "ends.motion", "2.718"),
+    (ELASTIC, moved(["2 s", "1 cm", "0 m"], ["1 s", "0 m", "0 m"]), "ends.motion", "1"),
+    (SHORT, {"material": {"law": "maxwell", **VISCOUS}, **moved(["1 ms", "0.1 m", "0 m"])}, "ends.motion", "waves"),
+    (SLACK, {"load.gravity": "0 m/s^2"}, "load.gravity", "slack"),
+    (SLACK, {"load.ramp": "0.1 s"}, "load.ramp", "slack"),
+    (FLUID, {"ends.left_angle": "10 deg"}, "ends.left_angle", "elastic shape"),
+    (FLUID, {"run.effects": ["inertia", "bending"]}, "run.effects", "viscous-stress"),
+]
+"""Rheology, ends and starts: a sound scene, what is changed in it, the key at fault, and what must be said."""
 
 
-def moved(*rows: list[str], law: str = "elastic") -> dict[str, object]:
-    material = {"law": law, "youngs_modulus": "2 MPa"} | ({"viscosity": "1 kPa*s"} if law == "maxwell" else {})
-    return {"material": material, "ends": {"motion": [*GENTLE, *rows]}}
-
-
-STRINGS = ["finite-stretch", "thinning", "large-rotation"]
-SLACK = {"filament": {**BODY, "rest_length": "0.25 m"}, "material": {"law": "elastic", "youngs_modulus": "2 MPa"}}
-
-BAD_RHEOLOGY: dict[str, tuple[dict[str, object], str, str]] = {
-    "not odd": (custom("sigma**2/(s0**2*t0)"), "material.flow", "not odd"),
-    "gives work back": (custom("-sigma/(s0*t0)"), "material.flow", "negative dissipation"),
-    "decreases": (custom("sin(sigma/s0)/t0"), "material.flow", "decreases"),
-    "unknown symbol": (custom("sinh(sigma/s1)/t0 + sigma/(s0*t0)"), "material.flow", "'s1'"),
-    "parameter without a unit": (custom("sinh(sigma/s0)/t0", s0=3000), "material.flow", "pure number"),
-    "rate of the wrong dimension": (custom("sigma/s0*t0"), "material.flow", "1/s"),
-    "import": (custom("__import__('os').system('true')"), "material.flow", "accepted"),
-    "attribute": (custom("sigma.__class__"), "material.flow", "accepted"),
-    "subscript": (custom("sigma[0]/(s0*t0)"), "material.flow", "accepted"),
-    "tower of powers": (custom("9**9**9**9*sigma/(s0*t0)"), "material.flow", "accepted"),
-    "index zero": (power(0), "material.index", "out of range"),
-    "index negative": (power(-0.5), "material.index", "out of range"),
-    "consistency of another index": (power(0.5), "material.viscosity", "Pa"),
-    "supports meet": (moved(["0.1 s", "-0.3 m", "0 m"]), "ends.motion", "come within"),
-    "beyond what an elastic filament follows": (moved(["9 s", "0.5 m", "0 m"]), "ends.motion", "2.718"),
-    "faster than its waves": (moved(["1 ms", "0.1 m", "0 m"], law="maxwell"), "ends.motion", "waves"),
-    "time runs back": (moved(["2 s", "1 cm", "0 m"], ["1 s", "0 m", "0 m"]), "ends.motion", "1"),
-    "slack string without weight": (
-        {**SLACK, "load": {"gravity": "0 m/s^2"}, "run": {"effects": STRINGS}},
-        "load.gravity",
-        "slack",
-    ),
-    "slack string, weight to come": (
-        {**SLACK, "load": {"ramp": "0.1 s"}, "run": {"effects": STRINGS}},
-        "load.ramp",
-        "slack",
-    ),
-    "fluid in a turned clamp": (
-        {"material": {"law": "newtonian", "viscosity": "1 kPa*s"}, "ends": {"left_angle": "10 deg"}},
-        "ends.left_angle",
-        "elastic shape",
-    ),
-    "fluid without its stress": (
-        {"material": {"law": "newtonian", "viscosity": "1 kPa*s"}, "run": {"effects": ["inertia", "bending"]}},
-        "run.effects",
-        "viscous-stress",
-    ),
-}
-
-
-def refusal(changes: dict[str, object]) -> str:
-    """What is said of a scene; it must be refused before it runs."""
-    run = {"duration": "0.2 s", "frames": 11, **changes.get("run", {})}  # type: ignore[dict-item]
-    with pytest.raises(SoftcatError) as caught:
-        sc.simulate(sc.Scene.model_validate({"filament": BODY, **changes, "run": run}))
-    return str(caught.value)
-
-
-def test_bad_rheology_ends_and_starts_are_one_clear_error_each() -> None:
-    rows = []
-    for name, (changes, path, word) in BAD_RHEOLOGY.items():
-        said = refusal(changes)
-        rows.append([name, said.splitlines()[-1].strip()[:110]])
-        assert path in said, (name, said)
-        assert word in said, (name, said)
-        assert "Traceback" not in said
-        # One fault for one mistake; an unknown name leaves the parameter that it replaces unused.
-        assert said.splitlines()[0].endswith("1 fault"), (name, said)
-    show("bad rheology, ends and starts", ["mistake", "what is said"], rows)
+def test_bad_rheology_ends_and_starts_are_one_clear_error_each_before_anything_runs() -> None:
+    for base, changes, path, says in REFUSED:
+        with pytest.raises(SceneError) as caught:
+            sc.simulate(sc.Scene.model_validate(spoiled(changes, base)))
+        judge("rheology", changes, caught.value.faults, path, (says,))
 
 
 def test_a_slack_string_that_could_only_be_pushed_is_not_solved(tmp_path: Path) -> None:
     """A right support that comes back turns a string slack: without weight it has no shape, and no answer is given."""
-    scene = sc.Scene.model_validate(
-        {
-            "filament": BODY,
-            "material": {"law": "elastic", "youngs_modulus": "2 MPa"},
-            "load": {"gravity": "0 m/s^2"},
-            "ends": {"motion": [*GENTLE, ["0.1 s", "-1 cm", "0 m"]]},
-            "run": {"duration": "0.2 s", "frames": 11, "effects": STRINGS},
-        }
-    )
-    done = sc.simulate(scene)
+    changes = {"load.gravity": "0 m/s^2", "filament.rest_length": None, **moved(["0.1 s", "-1 cm", "0 m"])}
+    done = sc.simulate(sc.Scene.model_validate(spoiled(changes, SLACK)))
     assert not done.outcome.is_success
     done.save(tmp_path)
     assert tomllib.loads((tmp_path / "scene.toml").read_text(encoding="utf-8"))["ends"]["motion"]
+
+
+def test_commands_refuse_before_they_write_anything(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    softcat, output = Softcat(monkeypatch, capsys), tmp_path / "out"
+    files: dict[str, tuple[bytes | None, str]] = {
+        "value": (sc.Scene.model_validate(BINGHAM).to_toml().replace("frames = ", "frames = -").encode(), "run.frames"),
+        "empty": (b"", "empty"),
+        "no TOML": (b"span == 3 metres", "TOML"),
+        "binary": (b"\xff\xfe\x00\x01", "UTF-8"),
+        "missing": (None, "no such"),
+    }
+    for case, (content, named) in files.items():
+        scene = tmp_path / f"{case}.toml"
+        if content is not None:
+            scene.write_bytes(content)
+        done = softcat("run", str(scene), "-o", str(output))
+        assert (done.status, done.out, output.exists()) == (2, "", False), case
+        assert named.lower() in done.err.lower(), done.err
+    done = softcat("run", str(tmp_path), "-o", str(output))
+    assert (done.status, "directory" in done.err, output.exists()) == (2, True, False)
+    for mistake in ((INK, of("inertia", "bendign")), (FOUR, PRINTED, "numerics.order=3")):
+        for command in ("run", "explain", "effects"):
+            done = softcat(command, mistake[0], "-o", str(output), *sets(*mistake[1:]))
+            assert (done.status, done.out, output.exists()) == (2, "", False), done
+            assert done.err.startswith("softcat: scene") and "1 fault\n" in done.err
+    program = [str(Path(sys.executable).with_name("softcat")), "run", str(tmp_path / "no.toml"), "-o", str(output)]
+    ended = subprocess.run(program, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stdout) == (2, "")
+    assert "no such" in ended.stderr and "Traceback" not in ended.stderr

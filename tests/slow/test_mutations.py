@@ -57,6 +57,7 @@ def notices(folder: Path, old: str, new: str, notebook: str) -> bool:
 
 def test_a_slip_in_the_equations_makes_a_notebook_fail(tmp_path: Path) -> None:
     rows, survivors = [], []
+    assert not notices(tmp_path / "copy", "sp.", "sp.", "01_balance"), "fails on a copy without a slip"
     for old, new, notebook in MUTATIONS:
         noticed = notices(tmp_path / "copy", old, new, notebook)
         rows.append([f"`{old}`", f"`{new}`", notebook, "noticed" if noticed else "MISSED"])
