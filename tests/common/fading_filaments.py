@@ -35,6 +35,14 @@ def sag(material: Mapping[str, Any], filament: Mapping[str, Any], effects: tuple
     return -np.asarray(solved(made.replace(numerics))["midpoint"].values)
 
 
+def pair(
+    effect: str, without: tuple[str, ...], material: Mapping[str, Any], filament: Mapping[str, Any], **asked: Any
+) -> Pair:
+    """Sags with an effect and without it."""
+    with_it, without_it = (sag(material, filament, names, **asked) for names in ((*without, effect), without))
+    return with_it, without_it
+
+
 def cable_modulus(depth: float) -> float:
     """Modulus [Pa] of the elastic cable of this sag: H^3 = 3 rho g L^4/(64 E)."""
     return 3 * WEIGHT / (64 * depth**3)
@@ -85,8 +93,7 @@ def inertia_late(density: float) -> Pair:
 def inertia_of_a_beam(density: float) -> Pair:
     fluid, load = {"law": "newtonian", "viscosity": 1e5}, {"gravity": 10 / density}
     filament = {"thickness": 0.1, "density": 1000 * density}
-    without = ("bending", *STRETCHES, "viscous-stress")
-    return sag(fluid, filament, ("inertia", *without), load=load), sag(fluid, filament, without, load=load)
+    return pair("inertia", ("bending", *STRETCHES, "viscous-stress"), fluid, filament, load=load)
 
 
 # --- bending: l/L to zero, l = sqrt(EI/T) = L (h/H)/sqrt(32 L^2) on the elastic cable of sag H ---------------------
@@ -102,17 +109,14 @@ def bending_of_a_cable(ends: Mapping[str, str], layer: float) -> Pair:
     thickness = layer * np.sqrt(32) * CABLE_SAG
     material = {"law": "elastic", "youngs_modulus": cable_modulus(CABLE_SAG)}
     asked = {"ends": ends, "cells": 120, "run": {"frames": 2}, "numerics": {"grading": 20.0}}
-    filament = {"thickness": thickness}
-    return sag(material, filament, ("bending", *STRETCHES), **asked), sag(material, filament, STRETCHES, **asked)
+    return pair("bending", STRETCHES, material, {"thickness": thickness}, **asked)
 
 
 def bending_of_a_creeping_string(thickness: float) -> Pair:
     material = {"law": "maxwell", "youngs_modulus": LAID_DOWN, "viscosity": VISCOSITY}
     asked = {"ends": PINNED, "cells": 40, "numerics": {"grading": 10.0}}
-    without = (*STRETCHES, "viscous-flow")
-    found = (sag(material, {"thickness": thickness}, effects, **asked) for effects in (("bending", *without), without))
-    with_it, without_it = found
-    return with_it[-1:], without_it[-1:]
+    found = pair("bending", (*STRETCHES, "viscous-flow"), material, {"thickness": thickness}, **asked)
+    return found[0][-1:], found[1][-1:]
 
 
 # --- extensibility: H/h to zero ----------------------------------------------------------------------------------
@@ -124,9 +128,7 @@ STIFFENING = 256 / 105 * 12 / 40
 def extensibility_of_a_beam(relative: float) -> Pair:
     thickness = 0.05
     material = {"law": "elastic", "youngs_modulus": beam_modulus(relative * thickness, thickness)}
-    asked = {"cells": 40, "run": {"frames": 2}}
-    filament = {"thickness": thickness}
-    return sag(material, filament, ("bending", *STRETCHES), **asked), sag(material, filament, ("bending",), **asked)
+    return pair("extensibility", ("bending",), material, {"thickness": thickness}, cells=40, run={"frames": 2})
 
 
 # --- geometry of a cable: mean strain e = (8/3)(H/L)^2 to zero ----------------------------------------------------
@@ -135,9 +137,8 @@ def extensibility_of_a_beam(relative: float) -> Pair:
 # H^3 E* 64/3 = 1 + a^2/20: share a^2/60 = (16/15)(H/L)^2 = (2/5) e.
 def geometry_of_a_cable(effect: str, strain: float) -> Pair:
     material = {"law": "elastic", "youngs_modulus": cable_modulus(float(np.sqrt(3 * strain / 8)))}
-    left = tuple(name for name in STRING if name != effect)
-    filament, asked = {"thickness": 0.01}, {"cells": 40, "run": {"frames": 2}}
-    return sag(material, filament, STRETCHES + STRING, **asked), sag(material, filament, STRETCHES + left, **asked)
+    left = STRETCHES + tuple(name for name in STRING if name != effect)
+    return pair(effect, left, material, {"thickness": 0.01}, cells=40, run={"frames": 2})
 
 
 # --- material ----------------------------------------------------------------------------------------------------
@@ -145,17 +146,14 @@ def geometry_of_a_cable(effect: str, strain: float) -> Pair:
 def flow_of_a_cable(relaxed: float) -> Pair:
     modulus = cable_modulus(0.1)
     material = {"law": "maxwell", "youngs_modulus": modulus, "viscosity": modulus / relaxed}
-    filament = {"thickness": 0.01}
-    return sag(material, filament, (*STRETCHES, "viscous-flow")), sag(material, filament, STRETCHES)
+    return pair("viscous-flow", STRETCHES, material, {"thickness": 0.01})
 
 
 # Viscous stress on a linear Kelvin-Voigt beam: H(t) = H_elastic(t - eta/E). The quintic ramp is steepest halfway, 15/8.
 def viscous_stress_of_a_beam(retarded: float) -> Pair:
     material = {"law": "kelvin-voigt", "youngs_modulus": 1e6, "viscosity": 1e6 * retarded}
     asked = {"load": {"ramp": 1.0}, "run": {"frames": 41}}
-    without = ("bending", "gravity-ramp")
-    filament = {"thickness": 0.1}
-    return sag(material, filament, (*without, "viscous-stress"), **asked), sag(material, filament, without, **asked)
+    return pair("viscous-stress", ("bending", "gravity-ramp"), material, {"thickness": 0.1}, **asked)
 
 
 # Yielding on a creeping string, e_t = (sigma - sigma_Y)/eta and sigma = W L/(8 H): (H^3)_t falls by 8 H sigma_Y/W.
@@ -166,23 +164,20 @@ CREPT = (9 * WEIGHT / (128 * VISCOSITY)) ** (1 / 3)
 def yielding_of_a_string(threshold: float) -> Pair:
     material = {"law": "bingham", "youngs_modulus": LAID_DOWN, "viscosity": VISCOSITY}
     material["yield_stress"] = threshold * WEIGHT
-    without, filament = (*STRETCHES, "viscous-flow"), {"thickness": 0.01}
-    return sag(material, filament, (*without, "yielding")), sag(material, filament, without)
+    return pair("yielding", (*STRETCHES, "viscous-flow"), material, {"thickness": 0.01})
 
 
 # Gravity ramp: everything comes half a ramp later. A creeping beam (linear) has H = v t; a swinging one is off by
 # half a ramp of its largest speed.
 def ramp_of_a_creeping_beam(ramp: float) -> Pair:
-    material, filament, load = {"law": "newtonian", "viscosity": 1e6}, {"thickness": 0.1}, {"ramp": ramp}
-    without = ("bending", "viscous-stress")
-    return sag(material, filament, (*without, "gravity-ramp"), load=load), sag(material, filament, without, load=load)
+    material, filament = {"law": "newtonian", "viscosity": 1e6}, {"thickness": 0.1}
+    return pair("gravity-ramp", ("bending", "viscous-stress"), material, filament, load={"ramp": ramp})
 
 
 def ramp_of_a_swinging_beam(ramp: float) -> Pair:
     material, filament = {"law": "elastic", "youngs_modulus": 1e6}, {"thickness": 0.05}
     asked = {"load": {"ramp": ramp}, "run": {"frames": 201, "duration": 0.5}}
-    without = ("inertia", "bending")
-    return sag(material, filament, (*without, "gravity-ramp"), **asked), sag(material, filament, without, **asked)
+    return pair("gravity-ramp", ("inertia", "bending"), material, filament, **asked)
 
 
 # Shaking: linear in a; its prefactor is Duhamel's integral over the modes, at three quarters of the first frequency.
@@ -212,11 +207,8 @@ def surface_of_a_beam(force: float) -> Pair:
     thickness = 0.05
     modulus = beam_modulus(1e-3 * thickness, thickness)
     asked = {"cells": 40, "run": {"frames": 2}, "surface_tension": force * modulus * thickness**3 / 24}
-    material, filament, without = {"law": "elastic", "youngs_modulus": modulus}, {"thickness": thickness}, _BENT
-    return sag(material, filament, (*without, "surface-tension"), **asked), sag(material, filament, without, **asked)
-
-
-_BENT = ("bending", *STRETCHES)
+    material, filament = {"law": "elastic", "youngs_modulus": modulus}, {"thickness": thickness}
+    return pair("surface-tension", ("bending", *STRETCHES), material, filament, **asked)
 
 
 # --- section -----------------------------------------------------------------------------------------------------
@@ -258,8 +250,7 @@ def fibres_of_a_beam(threshold: float) -> Pair:
 # vanish, in a layer as wide as h where s is wrong by h: again h^2.
 def gradient_of_a_string(delta: float) -> Pair:
     material, asked = {"law": "maxwell", "youngs_modulus": 1e6, "viscosity": 2e4}, {"ends": PINNED, "cells": 40}
-    without, filament = (*STRING, "viscous-flow"), {"thickness": delta}
-    return sag(material, filament, (*without, "necking-gradient"), **asked), sag(material, filament, without, **asked)
+    return pair("necking-gradient", (*STRING, "viscous-flow"), material, {"thickness": delta}, **asked)
 
 
 # Rotary inertia (Rayleigh): omega^2 of the first clamped mode falls by 12.30 (h/L)^2/12, its swing comes later.
@@ -271,26 +262,31 @@ RAYLEIGH = 12.30
 def rotation_of_a_beam(delta: float) -> Pair:
     material = {"law": "elastic", "youngs_modulus": beam_modulus(SWING_SAG, delta)}
     asked = {"load": {"ramp": SWING_RAMP}, "run": {"frames": 101, "duration": SWING}, "cells": 12}
-    without, filament = (*GEOMETRY, "shear", "inertia", "gravity-ramp"), {"thickness": delta}
-    return sag(material, filament, (*without, "rotary-inertia"), **asked), sag(material, filament, without, **asked)
+    without = (*GEOMETRY, "shear", "inertia", "gravity-ramp")
+    return pair("rotary-inertia", without, material, {"thickness": delta}, **asked)
 
 
-def rayleigh_share() -> float:
-    """Share per (h/L)^2 of a single mode q'' + omega^2 (q - ramp) = 0 whose frequency falls."""
-    omega = 4.730041**2 * np.sqrt(WEIGHT / (384 * SWING_SAG) / 1000)
+def swing_share(slower: float, damped: float) -> float:
+    """Largest change of a single mode q'' + 2 zeta omega q' + omega^2 (q - ramp) = 0, over its largest swing."""
 
-    def swing(frequency: float) -> Array:
+    def swing(omega: float, loss: float) -> Array:
         def motion(t: float, state: Array) -> list[float]:
             u = min(t / SWING_RAMP, 1.0)
-            return [state[1], frequency**2 * (10 * u**3 - 15 * u**4 + 6 * u**5 - state[0])]
+            pull = omega**2 * (10 * u**3 - 15 * u**4 + 6 * u**5 - state[0])
+            return [state[1], pull - loss * omega * state[1]]
 
         times = np.linspace(0.0, SWING, 101)
         found = solve_ivp(motion, (0, SWING), [0, 0], rtol=1e-9, atol=1e-11, t_eval=times, max_step=SWING_RAMP / 20)
         return np.asarray(found.y[0])
 
-    small, plain = 1e-4, swing(omega)
-    slope = np.max(np.abs(swing(omega * (1 - small)) - plain)) / np.max(plain) / small
-    return float(slope * RAYLEIGH / 24)
+    omega = 4.730041**2 * np.sqrt(WEIGHT / (384 * SWING_SAG) / 1000)
+    plain = swing(omega, 0.0)
+    return float(np.max(np.abs(swing(omega * (1 - slower), damped) - plain)) / np.max(plain))
+
+
+def rayleigh_share() -> float:
+    """Share per (h/L)^2: the frequency falls."""
+    return swing_share(1e-4, 0.0) / 1e-4 * RAYLEIGH / 24
 
 
 # --- solid damping -----------------------------------------------------------------------------------------------
@@ -299,23 +295,9 @@ def loss_of_a_beam(tangent: float) -> Pair:
     material = {"law": "elastic", "youngs_modulus": beam_modulus(SWING_SAG, 0.05), "loss_tangent": tangent}
     asked = {"load": {"ramp": SWING_RAMP}, "run": {"frames": 101, "duration": SWING}, "cells": 12}
     without = ("inertia", "bending", "gravity-ramp")
-    damped = sag(material, {"thickness": 0.05}, (*without, "solid-damping"), **asked)
-    return damped, sag(material, {"thickness": 0.05}, without, **asked)
+    return pair("solid-damping", without, material, {"thickness": 0.05}, **asked)
 
 
 def loss_share() -> float:
-    """Share per loss tangent of a single mode q'' + 2 zeta omega q' + omega^2 (q - ramp) = 0."""
-    omega = 4.730041**2 * np.sqrt(WEIGHT / (384 * SWING_SAG) / 1000)
-
-    def swing(tangent: float) -> Array:
-        def motion(t: float, state: Array) -> list[float]:
-            u = min(t / SWING_RAMP, 1.0)
-            pull = omega**2 * (10 * u**3 - 15 * u**4 + 6 * u**5 - state[0])
-            return [state[1], pull - tangent * omega * state[1]]
-
-        times = np.linspace(0.0, SWING, 101)
-        found = solve_ivp(motion, (0, SWING), [0, 0], rtol=1e-9, atol=1e-11, t_eval=times, max_step=SWING_RAMP / 20)
-        return np.asarray(found.y[0])
-
-    small, plain = 1e-4, swing(0.0)
-    return float(np.max(np.abs(swing(small) - plain)) / np.max(plain) / small)
+    """Share per loss tangent."""
+    return swing_share(0.0, 1e-4) / 1e-4

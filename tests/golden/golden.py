@@ -22,7 +22,6 @@ import sys
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -160,13 +159,12 @@ class Commands:
 
     def __call__(self, name: str, *arguments: object, changes: Mapping[str, object] | None = None) -> Path:
         """Run a command; return the folder that it wrote."""
-        output = self.folder / name
         sets = [text for key, value in (changes or {}).items() for text in ("--set", f"{key}={json.dumps(value)}")]
-        command = [sys.executable, "-c", PROGRAM, *map(str, arguments), *sets, "-q", "-o", str(output)]
+        command = [sys.executable, "-c", PROGRAM, *map(str, arguments), *sets, "-q", "-o", name]
         done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=self.folder)
-        if done.returncode not in (0, 1) or not output.is_dir():
+        if done.returncode not in (0, 1) or not (self.folder / name).is_dir():
             raise RuntimeError(f"{' '.join(command[3:])} ended with {done.returncode}:\n{done.stderr}")
-        return output
+        return self.folder / name
 
 
 def files(folder: Path, *names: str) -> Case:
@@ -298,27 +296,6 @@ SECTIONS: dict[str, Callable[[Commands], Iterator[tuple[str, Case]]]] = {
 }
 
 
-@dataclass(frozen=True)
-class Line:
-    """One line of the table: the largest difference of a case, and where."""
-
-    section: str
-    name: str
-    values: int
-    difference: float
-    where: str
-    tolerance: float
-
-    @property
-    def ok(self) -> bool:
-        """Whether the case is as recorded."""
-        return self.difference <= self.tolerance
-
-    def __str__(self) -> str:
-        verdict = "ok" if self.ok else f"DIFFERS in {self.where}"
-        return f"{self.section:9} {self.name:44} {self.values:5} {self.difference:9.1e}  {verdict}"
-
-
 def difference(path: str, found: object, kept: object) -> float:
     """Of two values, relative to the largest; infinite where they cannot be compared."""
     if isinstance(found, str) or isinstance(kept, str) or found is None or kept is None:
@@ -336,15 +313,17 @@ def difference(path: str, found: object, kept: object) -> float:
     return float(apart / np.max(np.abs(other)[finite], initial=nothing))
 
 
-def compared(section: str, name: str, found: Case | None, kept: Case | None) -> Line:
-    """A case against the record; what is new in it does not count, what is missing does."""
-    if found is None or kept is None:
-        return Line(section, name, 0, math.inf, "not computed" if found is None else "not recorded", 0.0)
-    apart = {path: difference(path, found[path], kept[path]) if path in found else math.inf for path in kept}
-    worst = max(apart, key=apart.__getitem__, default="")
-    wrong = [path for path in apart if apart[path] > TOLERANCE[section]]
-    where = f"{worst} and {len(wrong) - 1} more" if len(wrong) > 1 else worst
-    return Line(section, name, len(kept), apart.get(worst, 0.0), where, TOLERANCE[section])
+def compared(section: str, name: str, found: Case | None, kept: Case | None) -> bool:
+    """Print a case against the record; what is new in it does not count, what is missing does."""
+    worst, where, tolerance = math.inf, "not computed" if found is None else "not recorded", TOLERANCE[section]
+    if found is not None and kept is not None:
+        apart = {path: difference(path, found[path], kept[path]) if path in found else math.inf for path in kept}
+        where, worst = max(apart.items(), key=lambda item: item[1], default=("", 0.0))
+        wrong = sum(value > tolerance for value in apart.values())
+        where += f" and {wrong - 1} more" if wrong > 1 else ""
+    verdict = "ok" if worst <= tolerance else f"DIFFERS in {where}"
+    print(f"{section:9} {name:44} {len(kept or ()):5} {worst:9.1e}  {verdict}", flush=True)
+    return worst <= tolerance
 
 
 def rounded(value: object) -> object:
@@ -398,9 +377,7 @@ def check(sections: Sequence[str], exact: Path | None = None, record: bool = Fal
             file.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
         kept = json.loads(file.read_text(encoding="utf-8"))
         for name in dict.fromkeys([*kept, *found]):
-            line = compared(section, name, found.get(name), kept.get(name))
-            fine = fine and line.ok
-            print(line, flush=True)
+            fine = compared(section, name, found.get(name), kept.get(name)) and fine
         print(f"{section:9} took {spent() - begun:.0f} s of the processor", flush=True)
         wrong += bitwise(exact, {section: found}) if exact else []
     if exact:
