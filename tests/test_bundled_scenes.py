@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -17,9 +17,6 @@ from tests.oracle import curves
 Checked = list[tuple[str, float, float, float]]
 """What was looked at, found, expected, and the largest difference in parts of what is expected."""
 Check = Callable[[sc.Trajectory], Checked]
-CHECKS: dict[str, Check] = {}
-SLOW_CHECKS: dict[str, Check] = {}
-"""By the name of the scene; the slow ones are run by ``slow/test_bundled_scenes``."""
 TRIED = np.linspace(0.7, 1.3, 601)
 """Frequencies of a string, over the one expected."""
 WITHOUT_INERTIA = ["bending", "finite-stretch", "thinning", "large-rotation", "shear"]
@@ -33,14 +30,6 @@ def run(name: str, *changes: str) -> sc.Trajectory:
     return done
 
 
-def every_time(check: Check) -> Check:
-    return CHECKS.setdefault(check.__name__.replace("_", "-"), check)
-
-
-def not_every_time(check: Check) -> Check:
-    return SLOW_CHECKS.setdefault(check.__name__.replace("_", "-"), check)
-
-
 def final(done: sc.Trajectory) -> float:
     return float(done.data.midpoint.values[-1])
 
@@ -49,14 +38,6 @@ def at_cells(done: sc.Trajectory, name: str, frame: int = -1) -> np.ndarray[Any,
     return np.asarray(done.data[name].values[frame])
 
 
-def hardly_bent(done: sc.Trajectory) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
-    """Mean stress and plastic rate, at the end, of the cells that hardly bend."""
-    mean, bending, rate = (at_cells(done, name) for name in ("stress_mean", "stress_bending", "plastic_rate"))
-    straight = np.abs(bending) < 0.1 * mean
-    return mean[straight], rate[straight]
-
-
-@every_time
 def beam_viscometer(done: sc.Trajectory) -> Checked:
     """ASTM C598, and what shear adds to three-point bending: 12 E I/(kappa G A L^2) with E = 3 G."""
     part, g = done.scene.filament, done.scene.load.gravity
@@ -67,7 +48,6 @@ def beam_viscometer(done: sc.Trajectory) -> Checked:
     return [("sag after an hour [m]", -final(done), 60 * per_minute * shear, 5e-3)]
 
 
-@every_time
 def bread_dough(done: sc.Trajectory) -> Checked:
     """Index 0.3: a fifth more weight on the same shape makes it flow 1.2^(1/0.3) = 1.84 times as fast."""
 
@@ -79,7 +59,6 @@ def bread_dough(done: sc.Trajectory) -> Checked:
     return [("speed with 1.2 g, over that with g", speed(heavier) / speed(done), 1.2 ** (1 / 0.3), 0.3)]
 
 
-@every_time
 def cold_honey(done: sc.Trajectory) -> Checked:
     """sigma = 3 mu d log(s)/dt in the middle of the thread."""
     data, frame, cell = done.data, 120, 20
@@ -88,7 +67,6 @@ def cold_honey(done: sc.Trajectory) -> Checked:
     return [("mean stress at midspan [Pa]", stress, done.scene.material.viscosity * rate, 2e-3)]
 
 
-@every_time
 def cooked_spaghetti(done: sc.Trajectory) -> Checked:
     """Peirce's heavy elastica, which does not shear: 1 % is left to that and to the last of the swinging."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
@@ -101,7 +79,6 @@ def cooked_spaghetti(done: sc.Trajectory) -> Checked:
     return [("tip [m]", float(y[-1]), float(shape.y[-1]), 0.01), ("lowest node", float(y.argmin()), 40, 0)]
 
 
-@every_time
 def curled_rod(done: sc.Trajectory) -> Checked:
     """It starts as the arc of its own curvature."""
     part = done.scene.filament
@@ -109,7 +86,6 @@ def curled_rod(done: sc.Trajectory) -> Checked:
     return [("tip at the start [m]", float(at_cells(done, "y", 0)[-1]), rise, 1e-3)]
 
 
-@every_time
 def drawn_blob(done: sc.Trajectory) -> Checked:
     """The right end comes to its place; while it goes, T = eta A0 v/(s^2 L)."""
     part, frame = done.scene.filament, 50
@@ -124,20 +100,6 @@ def drawn_blob(done: sc.Trajectory) -> Checked:
     ]
 
 
-@not_every_time
-def drying_ink(done: sc.Trajectory) -> Checked:
-    """Tension -E P at the start; without the initial state nothing yields."""
-    part, material = done.scene.filament, done.scene.material
-    pull = 0.003 * material.youngs_modulus * math.pi * part.thickness**2 / 4
-    idle = run("drying-ink", "initial.P=[0.0]", "initial.C=[0.0]")
-    return [
-        ("tension at the start [N]", float(at_cells(done, "tension", 0).mean()), pull, 1e-6),
-        ("has yielded", float(done.data.yielded_fraction.values.max() > 0.1), 1, 0),
-        ("yields without P and C", float(idle.data.yielded_fraction.values.max()), 0, 0),
-    ]
-
-
-@every_time
 def gelatin_strand(done: sc.Trajectory) -> Checked:
     """It comes to rest as the elastic beam."""
     table = tomllib.loads(done.scene.to_toml())
@@ -147,7 +109,6 @@ def gelatin_strand(done: sc.Trajectory) -> Checked:
     return [("sag at the end [m]", -final(done), -final(rest), 2e-3)]
 
 
-@every_time
 def hot_glue_string(done: sc.Trajectory) -> Checked:
     """It starts as its profile, 1 to 0.6; all of it carries the same pull, which stretches the thin half more."""
     thickness, stretch = at_cells(done, "thickness", 0), at_cells(done, "stretch")
@@ -158,19 +119,6 @@ def hot_glue_string(done: sc.Trajectory) -> Checked:
     ]
 
 
-@not_every_time
-def oobleck(done: sc.Trajectory) -> Checked:
-    """Where it hardly bends, stress is K rate^1.5; it sags less than the fluid of index one."""
-    mean, rate = hardly_bent(done)
-    of_rate = (mean / done.scene.material.viscosity) ** (1 / 1.5)
-    newtonian = run("oobleck", "material.index=1", "material.shear_consistency=60 Pa*s")
-    return [
-        ("rate over (stress/K)^(2/3)", float((rate / of_rate).mean()), 1, 0.05),
-        ("sags less than with n = 1", float(final(done) > 0.8 * final(newtonian)), 1, 0),
-    ]
-
-
-@every_time
 def polyethylene_melt(done: sc.Trajectory) -> Checked:
     """Boltzmann's integral over the strain of the middle, exact for a strain that is linear between frames."""
     data, cell = done.data, 20
@@ -185,7 +133,6 @@ def polyethylene_melt(done: sc.Trajectory) -> Checked:
     return [("mean stress at midspan [Pa]", float(data.stress_mean.values[-1, cell]), total, 2e-3)]
 
 
-@every_time
 def putty_arch(done: sc.Trajectory) -> Checked:
     """It leaves the grips at 15 degrees, stands above the line at first and hangs below it in the end."""
     x, y = at_cells(done, "x", 0), at_cells(done, "y", 0)
@@ -198,7 +145,6 @@ def putty_arch(done: sc.Trajectory) -> Checked:
     ]
 
 
-@every_time
 def rubber_strand(done: sc.Trajectory) -> Checked:
     """The elastic cable of its long-time modulus."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
@@ -206,7 +152,6 @@ def rubber_strand(done: sc.Trajectory) -> Checked:
     return [("sag at the end [m]", -float(done.data.midpoint.values[-20:].mean()), cable, 0.03)]
 
 
-@every_time
 def slack_taffy(done: sc.Trajectory) -> Checked:
     """It starts as the elastic catenary of its rest length, but for its stiff ends, and grows."""
     length, part = 0.3, done.scene.filament
@@ -223,7 +168,6 @@ def slack_taffy(done: sc.Trajectory) -> Checked:
     ]
 
 
-@every_time
 def slime_slope(done: sc.Trajectory) -> Checked:
     """Supports at their heights, the deepest point on the side of the lower one."""
     x, y = at_cells(done, "x"), at_cells(done, "y")
@@ -233,7 +177,6 @@ def slime_slope(done: sc.Trajectory) -> Checked:
     ]
 
 
-@every_time
 def stretched_rubber_band(done: sc.Trajectory) -> Checked:
     """A string of tension E log(1.25): 2 L/c between two visits to the top."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
@@ -243,42 +186,11 @@ def stretched_rubber_band(done: sc.Trajectory) -> Checked:
     return [("frequency over c/(2 L)", float(TRIED[int(np.argmax(spectrum))]), 1, 0.03)]
 
 
-@not_every_time
-def thermoforming_sheet(done: sc.Trajectory) -> Checked:
-    """It keeps its width: 4/3 more viscous than the strip, so (3/4)^(1/3) of its sag."""
-    strip = run("thermoforming-sheet", "filament.section=rectangle")
-    late = [one.data.midpoint.values[-60:].mean() for one in (done, strip)]
-    return [("sag over that of a strip", float(late[0] / late[1]), 0.75 ** (1 / 3), 0.015)]
-
-
-@not_every_time
-def toothpaste(done: sc.Trajectory) -> Checked:
-    """Yields, then stops; a paste of ten times the strength does not yield."""
-    midpoint = done.data.midpoint.values
-    strong = run("toothpaste", "material.shear_yield_stress=2 kPa")
-    return [
-        ("last quarter's sag over the one before", float(midpoint[-50:].mean() / midpoint[-100:-50].mean()), 1, 0.02),
-        ("has yielded", float(done.data.yielded_fraction.values.max() > 0.02), 1, 0),
-        ("a strong paste yields", float(strong.data.yielded_fraction.values.max()), 0, 0),
-    ]
-
-
-@not_every_time
-def transient_gel(done: sc.Trajectory) -> Checked:
-    """Where it hardly bends the rate is sinh(sigma/s0)/t0; the fluid of its viscosity at rest, s0 t0, flows less."""
-    mean, rate = hardly_bent(done)
-    eyring = np.sinh(mean / 500) / 60
-    linear = run("transient-gel", "material.flow=sigma/s0/t0")
-    return [
-        ("rate over Eyring's", float((rate / eyring).mean()), 1, 0.1),
-        ("flows more than linearly", float(final(done) < 1.1 * final(linear)), 1, 0),
-    ]
-
-
-def judge(checks: Mapping[str, Check]) -> None:
+def judge(*checks: Check) -> None:
     """What each scene stands for; and that it keeps its energy."""
     rows, missed = [], []
-    for name, check in checks.items():
+    for check in checks:
+        name = check.__name__.replace("_", "-")
         done = run(name)
         residual = ("energy residual", done.summary["energy_residual"], 0.0, done.scene.run.accuracy)
         for what, found, expected, tolerance in (*check(done), residual):
@@ -290,7 +202,22 @@ def judge(checks: Mapping[str, Check]) -> None:
 
 
 def test_scenes_show_their_physics_and_keep_their_energy() -> None:
-    judge(CHECKS)
+    judge(
+        beam_viscometer,
+        bread_dough,
+        cold_honey,
+        cooked_spaghetti,
+        curled_rod,
+        drawn_blob,
+        gelatin_strand,
+        hot_glue_string,
+        polyethylene_melt,
+        putty_arch,
+        rubber_strand,
+        slack_taffy,
+        slime_slope,
+        stretched_rubber_band,
+    )
 
 
 def test_every_scene_is_written_as_it_was_read() -> None:

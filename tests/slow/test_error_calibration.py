@@ -237,11 +237,10 @@ def test_what_is_called_accurate_is() -> None:
 
 
 def test_what_control_costs() -> None:
-    """Seconds of the estimate over those of the answer's own integration: printed; only their median is judged."""
-    dearest = sorted(answered(), key=lambda s: -s.seconds[1])[:10]
-    rows = [(s.name, *(f"{part:.2f}" for part in s.seconds[:2])) for s in dearest]
-    show("the dearest estimates", ("scene", "solve [s]", "estimate [s]"), rows)
-    assert np.median([s.seconds[1] for s in answered()]) < 10.0
+    dearest = sorted(answered(), key=lambda s: -s.seconds[2])[:10]
+    rows = [(s.name, *(f"{part:.2f}" for part in s.seconds)) for s in dearest]
+    show("the dearest runs", ("scene", "solve [s]", "estimate [s]", "processor [s]"), rows)
+    assert np.median([s.seconds[2] for s in answered()]) < 10.0
 
 
 def test_users_inks_as_they_stand() -> None:
