@@ -246,11 +246,15 @@ def test_what_control_costs() -> None:
 def test_users_inks_as_they_stand() -> None:
     """Outcome, cost, and the error against twice the cells and fibres, at the default accuracy."""
     found = calibrated(users_inks(), INK_LIMITS)
-    failed = [s.name for s in found if s.outcome != "solved"]
+    successes = {outcome.name for outcome in sc.Outcome if outcome.is_success}
+    failed = [s.name for s in found if s.outcome not in successes]
     dear = [s.name for s in found if s.outcome == "dear" or s.seconds[2] > INK_SECONDS]
     ratios = np.array([s.ratio for s in found if np.isfinite(s.true)])
     print(
         f"\n{len(failed)} fail: {failed}; over {INK_SECONDS:g} s: {dear}; the largest true/estimated {ratios.max():.2f}"
+    )
+    print(
+        f"{np.mean((ratios > 0.35) & (ratios < INK_MOST)):.0%} of {len(ratios)} are 0.35 to {INK_MOST} of the estimate"
     )
     assert len(failed) <= INK_FAILURES
     assert not dear
