@@ -82,7 +82,7 @@ Name = Literal["cvodes", "idas", "rosenbrock"]
 _BDF_ORDER = 2
 _STEPS_PER_FRAME = 100_000
 
-# Measured on the bundled scenes (tests/acceptance/test_time_error.py): with these the time error of the midpoint is
+# Measured on the bundled scenes (tests/slow/test_time_error.py): with these the time error of the midpoint is
 # a tenth of the accuracy asked or less.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
 _VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
@@ -125,10 +125,9 @@ class Settings:
 
     def options(self) -> dict[str, Any]:
         """Options of the CasADi integrator."""
-        common: dict[str, Any] = {"reltol": self.rtol, "abstol": self.atol, "max_num_steps": _STEPS_PER_FRAME}
-        if self.solver == "rosenbrock":
-            return common
-        return {**common, "max_order": _BDF_ORDER, "disable_internal_warnings": True}
+        common = {"reltol": self.rtol, "abstol": self.atol, "max_num_steps": _STEPS_PER_FRAME}
+        bdf = {"max_order": _BDF_ORDER, "disable_internal_warnings": True} if self.solver != "rosenbrock" else {}
+        return {**common, "show_eval_warnings": False, **bdf}
 
 
 def choose_settings(scene: Scene, effects: Effects) -> Settings:
