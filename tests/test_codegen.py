@@ -18,11 +18,10 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.codegen import model as models
 from softcat_sym.codegen.c_printer import CSource
-from softcat_sym.codegen.export import Dynamics, rhs_source
 from softcat_sym.codegen.library import kept_texts
-from softcat_sym.codegen.loops import rolled
 from softcat_sym.codegen.model import Structure, model_for, template_kept, template_of
 from softcat_sym.codegen.recording import record
+from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source, rolled
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.laws import Branch, Flow
@@ -66,7 +65,7 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
 QUICK = list(KINDS)[:9]
 TEXTS = """
 import hashlib, sys
-from softcat_sym.codegen.export import rhs_source
+from softcat_sym.codegen.right_hand_side import rhs_source
 from tests.common.assembled import graph_of, short_scene
 from tests.test_codegen import pair_of, scene_of
 print(rhs_source(graph_of(short_scene("elastic"))).digest)

@@ -310,6 +310,12 @@ def find_compiler() -> Compiler | None:
     return None
 
 
+def build_identity() -> list[str]:
+    """What decides machine code beside its sources: command and version of the compiler, and flags from outside."""
+    found = find_compiler()
+    return [] if found is None else [*found.command, found.version, *split_variable("SOFTCAT_CFLAGS")]
+
+
 def split_variable(name: str) -> list[str]:
     """The words of an environment variable, as a shell would split them."""
     text = os.environ.get(name, "")

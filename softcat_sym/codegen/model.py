@@ -257,12 +257,13 @@ def _constants(rule: SectionRule, slots: int, entries: int, scratch: int) -> str
             *(f"#define {name} {size}" for name, size in sizes.items()),
             "",
             "/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */",
-            *(_array("double", name, [number(float(one)) for one in values]) for name, values in where.items()),
+            *(c_array("double", name, [number(float(one)) for one in values]) for name, values in where.items()),
         ]
     )
 
 
-def _array(kind: str, name: str, values: Sequence[str]) -> str:
+def c_array(kind: str, name: str, values: Sequence[str]) -> str:
+    """A table of constants."""
     body = textwrap.fill(", ".join(values), 96, initial_indent="    ", subsequent_indent="    ", break_long_words=False)
     return f"static const {kind} {name}[] = {{\n{body}}};"
 
@@ -278,7 +279,7 @@ def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[s
         "offset": [distance for _, _, distance in entries],
         "column": [place[column] for _, column, _ in entries],
     }
-    lines = [_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
+    lines = [c_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
     sections, powers = sum(s.section for s in slots), len(template.powers)
     given = len(template.parameters), len(template.places)
     sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(template.moves))

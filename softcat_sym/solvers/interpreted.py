@@ -13,8 +13,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from softcat_sym.codegen.export import GENERAL_POWERS, RHS, rhs_source
 from softcat_sym.codegen.library import compile_library
+from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.solvers.initial_state import Start
@@ -60,7 +60,7 @@ def compiled_rhs(graph: Graph) -> External:
     library = compile_library(rhs_source(graph).files, flags=PORTABLE)
     # Without these CasADi would look for forward derivatives in the library, and find none.
     options = {"enable_forward": False, "enable_reverse": False}
-    rhs, powers = (ca.external(name, str(library), options) for name in (RHS, GENERAL_POWERS))
+    rhs, powers = (ca.external(name, str(library), options) for name in (RHS, POWERS))
     return External(library, rhs, powers)
 
 
