@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
+from softcat_sym import store
 from softcat_sym.codegen import model as models
 from softcat_sym.codegen.c_printer import CSource
 from softcat_sym.codegen.library import kept_texts
@@ -228,7 +229,7 @@ def test_a_text_that_is_read_from_the_cache_is_the_one_that_was_written(monkeypa
     assert len(kept_texts()) == 3
     forget()
     assert model_for(of) == first and len(kept_texts()) == 3, "a further process writes none"
-    monkeypatch.setattr(models, "_program", lambda: "changed")
+    monkeypatch.setattr(store, "_program", lambda: ["changed"])
     again: list[bool] = []
     template_kept(of.key, lambda: again.append(True) or written)
     assert again, "another program writes its own"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import hashlib
 import json
 import re
@@ -11,13 +10,13 @@ import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from functools import lru_cache
-from importlib import resources
 from types import FunctionType
 
 import casadi as ca
 
+from softcat_sym import store
 from softcat_sym.codegen import library
-from softcat_sym.codegen.c_printer import VERSIONS, Row, Target, Writer, helpers_of, number, times
+from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, number, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, entry_name, loops_of, needed
 from softcat_sym.codegen.recording import CELLS, POWERS, Item, Recording, Slot, record
 from softcat_sym.discretization.assembly import Body
@@ -57,7 +56,11 @@ class Template:
     def with_fibres(self, rule: SectionRule | None = None) -> Model:
         """The model with so many fibres; with none where it has no fibres."""
         count = rule.points if rule else 0
-        slots = [replace(slot, name=name) for slot in self.slots for name in _field_named(slot.name, count)]
+        slots = [
+            replace(slot, name=slot.name.replace(EACH, str(k)))
+            for slot in self.slots
+            for k in range(count if EACH in slot.name else 1)
+        ]
         # As they are numbered at a site: what each fibre has comes last.
         entries = [
             (row.replace(EACH, str(k)), column.replace(EACH, str(k)), distance)
@@ -76,10 +79,6 @@ def _label(entry: tuple[str, str, int]) -> str:
     return f"{entry[0]}/{entry_name(entry[1], ('', entry[2]))}"
 
 
-def _field_named(name: str, count: int) -> list[str]:
-    return [name.replace(EACH, str(k)) for k in range(count)] if EACH in name else [name]
-
-
 _MARK = "@"  # stands in the text for what is known only later
 
 
@@ -92,7 +91,10 @@ def template_of(recording: Recording) -> Template:
     def rate(name: str) -> Target:
         return writer.field(name) if writer.is_field(name) else Target(f"f[{writer.slots.at(name[2:])}]", EACH in name)
 
-    calls = _calls(writer, "rates", loops, rate)
+    calls = [
+        writer.function(f"rates_{k}", loop.where, loop.values, [rate(name) for name in loop.names])
+        for k, loop in enumerate(loops)
+    ]
     moves = writer.moves_in_time
     chain = Chain(leaves)
     entries, changes = _jacobian(writer, recording, chain, loops)
@@ -110,13 +112,6 @@ def template_of(recording: Recording) -> Template:
     text = f"{helpers_of(text)}\n{text}"
     given = recording.parameters, recording.places
     return Template(text, recording.slots, *given, powers, entries, writer.scratch, moves)
-
-
-def _calls(writer: Writer, label: str, loops: Sequence[Loop], target: Callable[[str], Target]) -> list[str]:
-    return [
-        writer.function(f"{label}_{k}", loop.where, loop.values, [target(name) for name in loop.names])
-        for k, loop in enumerate(loops)
-    ]
 
 
 def _derivatives(
@@ -294,59 +289,20 @@ def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[s
     return "\n".join(lines)
 
 
-_MADE_BY = ("codegen", "discretization", "effects", "physics", "scene")
-"""Packages whose code decides what the text is."""
-
-
 def template_kept(key: str, made: Callable[[], Template]) -> Template:
-    """The model of a key from the cache, or else made and kept there."""
-    full = hashlib.sha256(f"{key}\n{dict(VERSIONS)}\n{_program()}".encode()).hexdigest()
-    kept = library.recall(full)
-    if kept is not None:
-        return _read(kept)
-    model = made()
-    library.keep(full, _written(model))
-    return model
-
-
-@functools.lru_cache(maxsize=1)
-def _program() -> str:
-    """Hash of the code that writes models: whoever changes it has others at once."""
-    digest = hashlib.sha256()
-    for package in _MADE_BY:
-        files = [path for path in _files(resources.files(f"softcat_sym.{package}")) if path.name.endswith(".py")]
-        for path in sorted(files, key=str):
-            content = path.read_bytes()
-            digest.update(f"{path.name} {len(content)}\n".encode() + content)
-    return digest.hexdigest()
-
-
-def _files(folder: resources.abc.Traversable) -> list[resources.abc.Traversable]:
-    """Files in a folder and in those below it."""
-    found = []
-    for path in folder.iterdir():
-        found += _files(path) if path.is_dir() else [path]
-    return found
-
-
-def _written(model: Template) -> str:
-    slots = [{**asdict(slot), "sites": [slot.sites.start, slot.sites.stop]} for slot in model.slots]
-    return json.dumps({**asdict(model), "slots": slots})
-
-
-def _read(text: str) -> Template:
+    """The template of a structure, from the cache or else made and stored there; another program has others."""
+    full = store.key_of("template", key)
+    text = library.recall(full)
+    if text is None:
+        template = made()
+        slots = [{**asdict(slot), "sites": [slot.sites.start, slot.sites.stop]} for slot in template.slots]
+        library.keep(full, json.dumps({**asdict(template), "slots": slots}))
+        return template
     parts = json.loads(text)
-    slots = tuple(Slot(**{**slot, "sites": range(*slot["sites"])}) for slot in parts["slots"])
-    names = {name: tuple(parts[name]) for name in ("parameters", "places", "powers")}
-    entries = tuple((row, column, distance) for row, column, distance in parts["entries"])
-    return Template(
-        functions=parts["functions"],
-        slots=slots,
-        entries=entries,
-        scratch=tuple(parts["scratch"]),
-        moves=parts["moves"],
-        **names,
-    )
+    parts |= {name: tuple(parts[name]) for name in ("parameters", "places", "powers", "scratch")}
+    parts["slots"] = tuple(Slot(**{**slot, "sites": range(*slot["sites"])}) for slot in parts["slots"])
+    parts["entries"] = tuple((row, column, distance) for row, column, distance in parts["entries"])
+    return Template(**parts)
 
 
 _PROCESS = secrets.token_hex()
