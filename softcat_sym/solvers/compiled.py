@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 from importlib import resources
 from importlib.metadata import version
+from typing import Any
 
 import numpy as np
 
@@ -240,8 +241,8 @@ def runtime_sources() -> dict[str, str]:
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
     library = load(compile_library(runtime_sources(), flags=_RUNTIME), "softcat_sensitivities", "softcat_message")
-    setup = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
-    results = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
+    setup: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
+    results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
     library.softcat_sensitivities.argtypes = [*setup, *results]
     library.softcat_message.restype = ct.c_char_p
     return library

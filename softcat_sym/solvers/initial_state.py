@@ -46,6 +46,7 @@ class _Stiffness:
     def __init__(self, sparsity: ca.Sparsity) -> None:
         # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
         self._solver = ca.Linsol("stiffness", "qr", sparsity)
+        self._matrix: ca.DM | None = None
 
     def factorise(self, matrix: ca.DM) -> _Stiffness:
         """Take a matrix; what is singular shows in the steps."""

@@ -149,7 +149,7 @@ class FrameIntegrator:
                 outcome, message = Outcome.step_limit, "the number of steps reached its limit"
         elif outcome is Outcome.solved and not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
             outcome, message = Outcome.non_finite, "non-finite state"
-        time = start + interval * np.arange(1, self.intervals + 1)
+        time = np.asarray(start + interval * np.arange(1, self.intervals + 1), dtype=float)
         return Solution(time, x, z, quad + before.quad[:, -1:], outcome, message, steps)
 
 

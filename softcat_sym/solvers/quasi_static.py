@@ -74,11 +74,14 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     shapes, work, outcome, message = [z0], [0.0], Outcome.solved, ""
     for before, time in itertools.pairwise(times.tolist()):
         instants = [before + share * (time - before) for share in (*_GAUSS, 1.0)]
-        passed = list(itertools.takewhile(lambda z: z is not None, map(path.to, instants)))
+        passed: list[Floats] = []
+        while len(passed) < len(instants) and (z := path.to(instants[len(passed)])) is not None:
+            passed.append(z)
         if len(passed) < len(instants):
             outcome, message = Outcome.no_equilibrium, f"no equilibrium at t = {instants[len(passed)] * scale:.6g} s"
             break
-        load = sum(float(np.asarray(power(instants[k], [], passed[k], p)).ravel()[1]) for k in range(len(_GAUSS)))
+        powers = [power(instant, [], z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
+        load = sum(float(np.asarray(found).ravel()[1]) for found in powers)
         work.append(work[-1] + (time - before) * load / len(_GAUSS))
         shapes.append(path.last)
         progress.update(time * scale, None)
