@@ -25,7 +25,7 @@ from softcat_sym.codegen.recording import (
 from softcat_sym.discretization.assembly import Body
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.discretization.section_rule import EACH
+from softcat_sym.discretization.section_rule import PER_FIBRE
 from softcat_sym.discretization.supports import node_mass
 from softcat_sym.errors import PrintingError
 
@@ -160,7 +160,7 @@ def _after(
     other = by_name[leaf.name]
     shares = leaf.site == 0 and other.where == one.where and not other.exceptions and not one.exceptions
     # What is done for every fibre looks up what is the same for all of them.
-    shares = shares and not (leaf.name in totals or one.item.name in totals or EACH in one.item.name)
+    shares = shares and not (leaf.name in totals or one.item.name in totals or PER_FIBRE in one.item.name)
     return level[leaf.name] if shares else level[leaf.name] + 1
 
 

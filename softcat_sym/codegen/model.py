@@ -22,7 +22,7 @@ from softcat_sym.codegen.recording import CELLS, POWERS, Item, Recording, Slot, 
 from softcat_sym.discretization.assembly import Body
 from softcat_sym.discretization.graph import Discretisation, Graph
 from softcat_sym.discretization.grid import End
-from softcat_sym.discretization.section_rule import EACH, SectionRule
+from softcat_sym.discretization.section_rule import PER_FIBRE, SectionRule
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.scene.scene import Scene
@@ -57,15 +57,15 @@ class Template:
         """The model with so many fibres; with none where it has no fibres."""
         count = rule.points if rule else 0
         slots = [
-            replace(slot, name=slot.name.replace(EACH, str(k)))
+            replace(slot, name=slot.name.replace(PER_FIBRE, str(k)))
             for slot in self.slots
-            for k in range(count if EACH in slot.name else 1)
+            for k in range(count if PER_FIBRE in slot.name else 1)
         ]
         # As they are numbered at a site: what each fibre has comes last.
         entries = [
-            (row.replace(EACH, str(k)), column.replace(EACH, str(k)), distance)
-            for row, column, distance in sorted(self.entries, key=lambda entry: EACH in _label(entry))
-            for k in range(count if EACH in row + column else 1)
+            (row.replace(PER_FIBRE, str(k)), column.replace(PER_FIBRE, str(k)), distance)
+            for row, column, distance in sorted(self.entries, key=lambda entry: PER_FIBRE in _label(entry))
+            for k in range(count if PER_FIBRE in row + column else 1)
         ]
         scratch = self.scratch[0] + count * self.scratch[1]
         tables = _tables(self, slots, entries, scratch)
@@ -89,7 +89,11 @@ def template_of(recording: Recording) -> Template:
     loops = loops_of(leaves, [*fields, *recording.rates])
 
     def rate(name: str) -> Target:
-        return writer.field(name) if writer.is_field(name) else Target(f"f[{writer.slots.at(name[2:])}]", EACH in name)
+        return (
+            writer.field(name)
+            if writer.is_field(name)
+            else Target(f"f[{writer.slots.at(name[2:])}]", PER_FIBRE in name)
+        )
 
     calls = [
         writer.function(f"rates_{k}", loop.where, loop.values, [rate(name) for name in loop.names])
@@ -153,7 +157,7 @@ def _jacobian(
 
     def mark(name: str, one: Entry) -> Target:
         label = (name[2:], *one)
-        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", EACH in _label(label))
+        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", PER_FIBRE in _label(label))
 
     calls = _derivatives(writer, chain, loops, "jacobian", mark)
     outputs = [name for loop in loops for name in loop.names if not writer.is_field(name)]
@@ -204,7 +208,7 @@ def _work(
 
     def entry(name: str, one: Entry) -> Target:
         before = times(index[name], f"{size} * n")
-        return Target(f"s[{before}{writer.slots.at(*one)}]", EACH in one[0], adds=True)
+        return Target(f"s[{before}{writer.slots.at(*one)}]", PER_FIBRE in one[0], adds=True)
 
     changes = _derivatives(writer, chain, loops, "work_slope", entry)
     return POWERS, calls, changes

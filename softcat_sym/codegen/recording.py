@@ -18,7 +18,7 @@ from softcat_sym.discretization.assembly import (
 )
 from softcat_sym.discretization.graph import POINT_MASS, TIME_SCALE, Discretisation, Setting, Unknowns
 from softcat_sym.discretization.grid import Block, End, Grid, Lengths
-from softcat_sym.discretization.section_rule import EACH
+from softcat_sym.discretization.section_rule import PER_FIBRE
 from softcat_sym.discretization.supports import Profile, held
 from softcat_sym.errors import PrintingError
 from softcat_sym.physics import symbols
@@ -97,7 +97,7 @@ class Leaf:
     @property
     def is_each(self) -> bool:
         """Whether it differs from fibre to fibre."""
-        return self.kind == FIBRE or EACH in self.name
+        return self.kind == FIBRE or PER_FIBRE in self.name
 
     def seen_from(self, site: int) -> Leaf:
         """The same with the distance in place of the site."""
