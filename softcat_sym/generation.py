@@ -77,10 +77,10 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
         model_files,
         parameter_text,
         program_files,
-        rhs_source,
         runtime_files,
         start_text,
     )
+    from softcat_sym.codegen.right_hand_side import rhs_source
     from softcat_sym.solvers.initial_state import is_straight
 
     exported = export(scene)
@@ -176,6 +176,7 @@ def bundled(told: Callable[[str], None] = lambda _: None) -> dict[str, Descripti
 def contents(described: dict[str, Description]) -> dict[str, str]:
     """The runtime, and each structure in a folder named after the first scene that has it, by path."""
     from softcat_sym.codegen.export import model_files, runtime_files
+    from softcat_sym.codegen.interface import rendered
 
     templates = resources.files("softcat_sym.codegen") / "templates"
     files = {f"runtime/{file}": text for file, text in runtime_files().items()}
@@ -189,9 +190,8 @@ def contents(described: dict[str, Description]) -> dict[str, str]:
             files |= {f"{scene}/{file}": text for file, text in model.items()}
         material, section = one.scene.material, one.scene.filament.section
         rows.append(f"| {scene} | {material.law} | {section} | {folders[one.digest]} |")
-    text = (templates / "products.md").read_text(encoding="utf-8").replace("@COMMAND@", PRODUCTS_COMMAND)
-    text = text.replace("@COUNT@", str(len(folders))).replace("@SCENES@", str(len(described)))
-    files["README.md"] = text.replace("@TABLE@", "\n".join(rows))
+    counts = {"count": len(folders), "scenes": len(described), "table": "\n".join(rows)}
+    files["README.md"] = rendered("products.md", command=PRODUCTS_COMMAND, **counts)
     return files
 
 

@@ -96,9 +96,12 @@ def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
         repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.missing_effect.items()))
 
 
-def identity_of(scene: Scene) -> tuple[str, list[str]]:
-    """Return what decides a run, for the key of its result: the scene as resolved, but not its title."""
-    return scene.model_copy(update={"title": ""}).to_toml(), list(scene.notes)
+def identity_of(scene: Scene) -> tuple[str, list[str], list[str]]:
+    """Return what decides a run, for the key of its result: the scene as resolved (no title), and who compiles it."""
+    from softcat_sym.codegen.compiler import build_identity
+
+    compiled_by = [] if scene.numerics.backend == "interpreted" else build_identity()
+    return scene.model_copy(update={"title": ""}).to_toml(), list(scene.notes), compiled_by
 
 
 def recalled(scene: Scene, progress: Progress | None = None) -> Trajectory:

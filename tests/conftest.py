@@ -21,8 +21,8 @@ from softcat_sym.codegen.compiler import find_compiler
 PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"
 """Set where a missing compiler is a fault of the machine, as in continuous integration."""
 COMPILING = re.compile(
-    "backend|calculix|codegen|compar|compil|elements|ensemble|external|figures|in_c|material_point|native|necking"
-    "|phase|reference|ringings|rivals|slenderness|theory_end|vtk"
+    "backend|c_printer|calculix|codegen|compar|compil|elements|ensemble|external|figures|in_c|material_point|native|necking"
+    "|phase|reference|ringings|rivals|rosenbrock|slenderness|solvers|theory_end|vtk"
 )
 """Files of tests, or their folders, that need a compiler."""
 

@@ -31,7 +31,7 @@ from softcat_sym.codegen.recording import (
     code_of,
     with_reciprocals,
 )
-from softcat_sym.discretization.section_rule import EACH
+from softcat_sym.discretization.section_rule import PER_FIBRE
 from softcat_sym.errors import PrintingError
 
 _LONGEST = 60
@@ -229,10 +229,10 @@ class Writer:
 
     def field(self, name: str) -> Target:
         """A field at the site that is looked at."""
-        return Target(self._stored(name, 0), each=EACH in name)
+        return Target(self._stored(name, 0), each=PER_FIBRE in name)
 
     def _stored(self, name: str, site: int) -> str:
-        if EACH in name:
+        if PER_FIBRE in name:
             number = self._scratch_each.setdefault(name, len(self._scratch_each))
             return f"each{number}[FIBRES * {f'(i {_signed(site)})' if site else 'i'} + k]"
         number = self._scratch.setdefault(name, len(self._scratch))
@@ -307,7 +307,7 @@ class Row:
     """Numbers of a site: those that it has once first, then those of its fibres, kind by kind."""
 
     def __init__(self, size: str, names: Sequence[str]) -> None:
-        self.plain, self.each = ([n for n in names if (EACH in n) is each] for each in (False, True))
+        self.plain, self.each = ([n for n in names if (PER_FIBRE in n) is each] for each in (False, True))
         self._size = size
 
     @property
@@ -320,7 +320,7 @@ class Row:
         if not self.each:
             return at(len(self.plain), distance, self.plain.index(name))
         site = f"(i {_signed(distance)})" if distance else "i"
-        if EACH not in name:
+        if PER_FIBRE not in name:
             return f"{self._size} * {site} + {self.plain.index(name)}"
         kind = self.each.index(name)
         return f"{self._size} * {site} + {len(self.plain)}{f' + {kind} * FIBRES' if kind else ''} + k"

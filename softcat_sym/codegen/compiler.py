@@ -125,7 +125,8 @@ def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> s
         subprocess.Popen(
             command,
             cwd=folder,
-            env=_surroundings(folder),
+            # In the C locale messages are in English, where the word "error" marks the lines that matter.
+            env={**os.environ, "LC_ALL": "C", **({} if folder is None else {"TMPDIR": str(folder)})},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -144,11 +145,6 @@ def run(command: Sequence[str], seconds: float, folder: Path | None = None) -> s
             _kill_group(process)
             raise
     return subprocess.CompletedProcess(command, process.returncode, out, err)
-
-
-def _surroundings(folder: Path | None) -> dict[str, str]:
-    """In the C locale messages are in English, where the word "error" marks the lines that matter."""
-    return {**os.environ, "LC_ALL": "C", **({"TMPDIR": str(folder)} if folder is not None else {})}
 
 
 class Processes:
@@ -224,36 +220,32 @@ def fingerprint(command: Sequence[str]) -> str:
     return json.dumps([(path, (status := Path(path).stat()).st_size, status.st_mtime_ns) for path in found])
 
 
-def recall(command: Sequence[str], files: str) -> str | None:
+def _recall(command: Sequence[str], files: str) -> str | None:
     """What a compiler said before, if its files are the same.
 
     A wrapper's file does not change with the compiler behind it, so what was said counts for a day.
     """
-    known = _read().get(json.dumps(list(command)))
+    known = _read().get(json.dumps(list(command)), {})
     try:
-        if known is not None and known["files"] == files and 0 <= time.time() - float(str(known["time"])) < _DAY:
+        if known["files"] == files and 0 <= time.time() - float(str(known["time"])) < _DAY:
             return str(known["version"])
     except (KeyError, TypeError, ValueError):
-        return None
+        pass
     return None
 
 
-def remember(command: Sequence[str], files: str, version: str) -> None:
-    """Keep what a compiler said; where that is impossible, it will be asked again."""
+def _remember(command: Sequence[str], files: str, version: str) -> None:
+    """Write down what a compiler said; where that is impossible, it will be asked again."""
     known = dict(list(_read().items())[-_KEPT:])
     known[json.dumps(list(command))] = {"files": files, "version": version, "time": time.time()}
-    native = libraries()
     with contextlib.suppress(OSError):
-        make(native)
-        replace_atomically(native / COMPILERS, json.dumps(known, indent=1).encode())
+        make(libraries())
+        replace_atomically(libraries() / COMPILERS, json.dumps(known, indent=1).encode())
 
 
 def _read() -> dict[str, dict[str, object]]:
-    native = libraries()
-    if distrust(native):
-        return {}
     try:
-        known = json.loads((native / COMPILERS).read_bytes())
+        known = {} if distrust(libraries()) else json.loads((libraries() / COMPILERS).read_bytes())
     except (OSError, ValueError):
         return {}
     return {key: value for key, value in known.items() if isinstance(value, dict)} if isinstance(known, dict) else {}
@@ -310,6 +302,12 @@ def find_compiler() -> Compiler | None:
     return None
 
 
+def build_identity() -> list[str]:
+    """What decides machine code beside its sources: command and version of the compiler, and flags from outside."""
+    found = find_compiler()
+    return [] if found is None else [*found.command, found.version, *split_variable("SOFTCAT_CFLAGS")]
+
+
 def split_variable(name: str) -> list[str]:
     """The words of an environment variable, as a shell would split them."""
     text = os.environ.get(name, "")
@@ -322,13 +320,13 @@ def split_variable(name: str) -> list[str]:
 @functools.lru_cache(maxsize=8)
 def _examine(command: tuple[str, ...], files: str) -> Compiler | None:
     """What a compiler is, looked up once a process as long as its files do not change."""
-    version = recall(command, files)
+    version = _recall(command, files)
     if not version:
         said = _output(*command, "--version")
         if said is None or not said.strip():
             return None
         version = said.strip().splitlines()[0].strip()
-        remember(command, files, version)
+        _remember(command, files, version)
     return Compiler(command, version)
 
 
@@ -338,8 +336,8 @@ def processor(compiler: Compiler, flags: Sequence[str]) -> str:
     It hashes the macros that the compiler defines under these flags, which name the instruction sets. Not kept on disk:
     machines with different processors may share a home.
     """
-    asked = tuple(flag for flag in flags if flag.startswith("-m") and flag.endswith("=native"))
-    return _processor(compiler, asked) if asked else ""
+    native = tuple(flag for flag in flags if flag.startswith("-m") and flag.endswith("=native"))
+    return _processor(compiler, native) if native else ""
 
 
 @functools.lru_cache(maxsize=8)

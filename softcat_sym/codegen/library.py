@@ -76,7 +76,7 @@ def recall(key: str) -> str | None:
     except OSError:
         return None
     digest, packed = content[:64], content[64:]
-    if digest != _digest(key, packed):
+    if digest.decode(errors="replace") != _digest(key, packed):
         return None
     with contextlib.suppress(OSError):  # a cache that is only read is as good
         os.utime(path)
@@ -88,7 +88,7 @@ def keep(key: str, text: str) -> None:
     folder, packed = texts_folder(), zlib.compress(text.encode(), 1)
     with contextlib.suppress(OSError):
         compiler.make(folder)
-        replace_atomically(folder / f"{key}{_ENDING}", _digest(key, packed) + packed)
+        replace_atomically(folder / f"{key}{_ENDING}", _digest(key, packed).encode() + packed)
         for path in kept_texts()[MOST:]:
             path.unlink(missing_ok=True)
 
@@ -102,19 +102,9 @@ def kept_texts() -> list[Path]:
     return [path for _, path in sorted(used, reverse=True)]
 
 
-def clear_texts() -> int:
-    """Delete every text, and say how many bytes that freed."""
-    freed = 0
-    for path in kept_texts():
-        with contextlib.suppress(FileNotFoundError):
-            freed += path.stat().st_size
-            path.unlink()
-    return freed
-
-
-def _digest(key: str, packed: bytes) -> bytes:
-    """Hash of a text under its key, so that one in the place of another is found out, too."""
-    return hashlib.sha256(key.encode() + packed).hexdigest().encode()
+def _digest(key: str, content: bytes) -> str:
+    """Hash of a content under its key, so that one in the place of another is found out, too."""
+    return hashlib.sha256(key.encode() + content).hexdigest()
 
 
 LIBRARY = "library.so"
@@ -151,17 +141,12 @@ def _find(place: Path) -> Path | None:
         wanted = (place / _DIGEST).read_text(encoding="ascii", errors="replace").strip()
     except OSError:
         return None
-    if _digest_of_file(place.name, content) != wanted:
+    if _digest(place.name, content) != wanted:
         return None
     # A cache that is only read, such as one that came with a container, is as good.
     with contextlib.suppress(OSError):
         os.utime(place / _DIGEST)
     return place / LIBRARY
-
-
-def _digest_of_file(key: str, content: bytes) -> str:
-    """Hash of a library under its key, so that one in the place of another is found out, too."""
-    return hashlib.sha256(key.encode() + content).hexdigest()
 
 
 def store(key: str, build: Callable[[Path], object], about: str = "") -> Path:
@@ -182,7 +167,7 @@ def store(key: str, build: Callable[[Path], object], about: str = "") -> Path:
     try:
         with compiler.locked(passing):
             build(passing)
-            digest = _digest_of_file(key, (passing / LIBRARY).read_bytes())
+            digest = _digest(key, (passing / LIBRARY).read_bytes())
             (passing / _ABOUT).write_text(about + "\n", encoding="utf-8")
             (passing / _DIGEST).write_text(digest + "\n", encoding="ascii")
             library = _move(passing, native / key)
@@ -212,11 +197,10 @@ def _begin(native: Path, key: str) -> Path:
 
 
 def _unwritable(native: Path, error: OSError) -> SoftcatError:
-    advice = "free some space" if error.errno in _FULL else compiler.ADVICE
-    other = ", or set SOFTCAT_CACHE to a folder elsewhere" if error.errno in _FULL else ""
-    return SoftcatError(
-        f"cannot write the cache of compiled libraries in {native}: {error.strerror or error}; {advice}{other}"
-    )
+    full = "free some space, or set SOFTCAT_CACHE to a folder elsewhere"
+    advice = full if error.errno in _FULL else compiler.ADVICE
+    reason = error.strerror or error
+    return SoftcatError(f"cannot write the cache of compiled libraries in {native}: {reason}; {advice}")
 
 
 def _move(passing: Path, place: Path) -> Path:
@@ -288,17 +272,11 @@ def clear_cache() -> int:
         raise SoftcatError(f"the cache is not cleared: {reason}")
     try:
         names = sorted(native.iterdir()) if native.is_dir() else []
-        for path in [path for path in names if _NAME.fullmatch(path.name)]:
+        entries = [path for path in names if _NAME.fullmatch(path.name)]
+        files = [path for path in (native / compiler.COMPILERS, *kept_texts()) if path.is_file()]
+        for path in (*entries, *_leftovers(native), *files):
             freed += _size(path)
-            _discard(path)
-        for path in _leftovers(native):
-            freed += _size(path)
-            _remove(path)
-        compilers = native / compiler.COMPILERS
-        if compilers.is_file():
-            freed += _size(compilers)
-            compilers.unlink(missing_ok=True)
-        freed += clear_texts()
+            (_discard if path in entries else _remove)(path)
     except OSError as error:
         raise SoftcatError(f"cannot clear {native}: {error.strerror or error}") from error
     return freed
@@ -316,8 +294,8 @@ def _entries(native: Path) -> list[CacheEntry]:
     for path in names:
         with contextlib.suppress(OSError):  # dropped by another process meanwhile, or without its library
             modified, about = (path / LIBRARY).stat().st_mtime, path / _ABOUT
-            said = about.read_text(encoding="utf-8", errors="replace").strip() if about.is_file() else ""
-            found.append(CacheEntry(path.name, path / LIBRARY, _size(path), modified, _used(path), said))
+            words = about.read_text(encoding="utf-8", errors="replace").strip() if about.is_file() else ""
+            found.append(CacheEntry(path.name, path / LIBRARY, _size(path), modified, _used(path), words))
     return found
 
 
@@ -370,10 +348,17 @@ def compile_library(
     own = _SOON_GNU if flags == SOON and compiler.name.startswith("gcc") else ()
     whole = (*flags, *own, *split_variable("SOFTCAT_CFLAGS"))
     chosen = tuple(units) if units is not None else tuple(name for name in sorted(sources) if name.endswith(".c"))
-    key = _key(sources, chosen, compiler, whole, versions or {})
+    parts = {
+        "compiler": [*compiler.command, compiler.version],
+        "processor": processor(compiler, [*compiler.command[1:], *whole]),
+        "flags": [*_ALWAYS, *whole],
+        "units": list(chosen),
+        "sources": {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
+        "versions": dict(versions or {}),
+    }
+    key = hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
     about = f"{' '.join(chosen)} by {compiler.name}, {' '.join(whole)}"
-    build = functools.partial(_build, sources, chosen, compiler, whole)
-    return find(key) or store(key, build, about)
+    return find(key) or store(key, functools.partial(_build, sources, chosen, compiler, whole), about)
 
 
 def load(path: Path, *symbols: str) -> ctypes.CDLL:
@@ -386,24 +371,6 @@ def load(path: Path, *symbols: str) -> ctypes.CDLL:
     if lacking := [name for name in symbols if not hasattr(library, name)]:
         raise SoftcatError(f"{path} lacks {', '.join(lacking)}, which its C sources define; {again}")
     return library
-
-
-def _key(
-    sources: Mapping[str, str],
-    units: Sequence[str],
-    compiler: Compiler,
-    flags: Sequence[str],
-    versions: Mapping[str, str],
-) -> str:
-    parts = {
-        "compiler": [*compiler.command, compiler.version],
-        "processor": processor(compiler, [*compiler.command[1:], *flags]),
-        "flags": [*_ALWAYS, *flags],
-        "units": list(units),
-        "sources": {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
-        "versions": dict(versions),
-    }
-    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
 
 def _build(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import hashlib
 import json
 import re
@@ -11,19 +10,19 @@ import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from functools import lru_cache
-from importlib import resources
 from types import FunctionType
 
 import casadi as ca
 
+from softcat_sym import store
 from softcat_sym.codegen import library
-from softcat_sym.codegen.c_printer import VERSIONS, Row, Target, Writer, helpers_of, number, times
+from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, number, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, entry_name, loops_of, needed
 from softcat_sym.codegen.recording import CELLS, POWERS, Item, Recording, Slot, record
 from softcat_sym.discretization.assembly import Body
 from softcat_sym.discretization.graph import Discretisation, Graph
 from softcat_sym.discretization.grid import End
-from softcat_sym.discretization.section_rule import EACH, SectionRule
+from softcat_sym.discretization.section_rule import PER_FIBRE, SectionRule
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.scene.scene import Scene
@@ -57,12 +56,16 @@ class Template:
     def with_fibres(self, rule: SectionRule | None = None) -> Model:
         """The model with so many fibres; with none where it has no fibres."""
         count = rule.points if rule else 0
-        slots = [replace(slot, name=name) for slot in self.slots for name in _field_named(slot.name, count)]
+        slots = [
+            replace(slot, name=slot.name.replace(PER_FIBRE, str(k)))
+            for slot in self.slots
+            for k in range(count if PER_FIBRE in slot.name else 1)
+        ]
         # As they are numbered at a site: what each fibre has comes last.
         entries = [
-            (row.replace(EACH, str(k)), column.replace(EACH, str(k)), distance)
-            for row, column, distance in sorted(self.entries, key=lambda entry: EACH in _label(entry))
-            for k in range(count if EACH in row + column else 1)
+            (row.replace(PER_FIBRE, str(k)), column.replace(PER_FIBRE, str(k)), distance)
+            for row, column, distance in sorted(self.entries, key=lambda entry: PER_FIBRE in _label(entry))
+            for k in range(count if PER_FIBRE in row + column else 1)
         ]
         scratch = self.scratch[0] + count * self.scratch[1]
         tables = _tables(self, slots, entries, scratch)
@@ -76,10 +79,6 @@ def _label(entry: tuple[str, str, int]) -> str:
     return f"{entry[0]}/{entry_name(entry[1], ('', entry[2]))}"
 
 
-def _field_named(name: str, count: int) -> list[str]:
-    return [name.replace(EACH, str(k)) for k in range(count)] if EACH in name else [name]
-
-
 _MARK = "@"  # stands in the text for what is known only later
 
 
@@ -90,9 +89,16 @@ def template_of(recording: Recording) -> Template:
     loops = loops_of(leaves, [*fields, *recording.rates])
 
     def rate(name: str) -> Target:
-        return writer.field(name) if writer.is_field(name) else Target(f"f[{writer.slots.at(name[2:])}]", EACH in name)
+        return (
+            writer.field(name)
+            if writer.is_field(name)
+            else Target(f"f[{writer.slots.at(name[2:])}]", PER_FIBRE in name)
+        )
 
-    calls = _calls(writer, "rates", loops, rate)
+    calls = [
+        writer.function(f"rates_{k}", loop.where, loop.values, [rate(name) for name in loop.names])
+        for k, loop in enumerate(loops)
+    ]
     moves = writer.moves_in_time
     chain = Chain(leaves)
     entries, changes = _jacobian(writer, recording, chain, loops)
@@ -110,13 +116,6 @@ def template_of(recording: Recording) -> Template:
     text = f"{helpers_of(text)}\n{text}"
     given = recording.parameters, recording.places
     return Template(text, recording.slots, *given, powers, entries, writer.scratch, moves)
-
-
-def _calls(writer: Writer, label: str, loops: Sequence[Loop], target: Callable[[str], Target]) -> list[str]:
-    return [
-        writer.function(f"{label}_{k}", loop.where, loop.values, [target(name) for name in loop.names])
-        for k, loop in enumerate(loops)
-    ]
 
 
 def _derivatives(
@@ -158,7 +157,7 @@ def _jacobian(
 
     def mark(name: str, one: Entry) -> Target:
         label = (name[2:], *one)
-        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", EACH in _label(label))
+        return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", PER_FIBRE in _label(label))
 
     calls = _derivatives(writer, chain, loops, "jacobian", mark)
     outputs = [name for loop in loops for name in loop.names if not writer.is_field(name)]
@@ -209,7 +208,7 @@ def _work(
 
     def entry(name: str, one: Entry) -> Target:
         before = times(index[name], f"{size} * n")
-        return Target(f"s[{before}{writer.slots.at(*one)}]", EACH in one[0], adds=True)
+        return Target(f"s[{before}{writer.slots.at(*one)}]", PER_FIBRE in one[0], adds=True)
 
     changes = _derivatives(writer, chain, loops, "work_slope", entry)
     return POWERS, calls, changes
@@ -257,12 +256,13 @@ def _constants(rule: SectionRule, slots: int, entries: int, scratch: int) -> str
             *(f"#define {name} {size}" for name, size in sizes.items()),
             "",
             "/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */",
-            *(_array("double", name, [number(float(one)) for one in values]) for name, values in where.items()),
+            *(c_array("double", name, [number(float(one)) for one in values]) for name, values in where.items()),
         ]
     )
 
 
-def _array(kind: str, name: str, values: Sequence[str]) -> str:
+def c_array(kind: str, name: str, values: Sequence[str]) -> str:
+    """A table of constants."""
     body = textwrap.fill(", ".join(values), 96, initial_indent="    ", subsequent_indent="    ", break_long_words=False)
     return f"static const {kind} {name}[] = {{\n{body}}};"
 
@@ -278,7 +278,7 @@ def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[s
         "offset": [distance for _, _, distance in entries],
         "column": [place[column] for _, column, _ in entries],
     }
-    lines = [_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
+    lines = [c_array("int", name, [str(one) for one in numbers]) for name, numbers in columns.items()]
     sections, powers = sum(s.section for s in slots), len(template.powers)
     given = len(template.parameters), len(template.places)
     sizes = (len(slots), sections, *given, scratch, len(entries), powers, int(template.moves))
@@ -293,59 +293,20 @@ def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[s
     return "\n".join(lines)
 
 
-_MADE_BY = ("codegen", "discretization", "effects", "physics", "scene")
-"""Packages whose code decides what the text is."""
-
-
 def template_kept(key: str, made: Callable[[], Template]) -> Template:
-    """The model of a key from the cache, or else made and kept there."""
-    full = hashlib.sha256(f"{key}\n{dict(VERSIONS)}\n{_program()}".encode()).hexdigest()
-    kept = library.recall(full)
-    if kept is not None:
-        return _read(kept)
-    model = made()
-    library.keep(full, _written(model))
-    return model
-
-
-@functools.lru_cache(maxsize=1)
-def _program() -> str:
-    """Hash of the code that writes models: whoever changes it has others at once."""
-    digest = hashlib.sha256()
-    for package in _MADE_BY:
-        files = [path for path in _files(resources.files(f"softcat_sym.{package}")) if path.name.endswith(".py")]
-        for path in sorted(files, key=str):
-            content = path.read_bytes()
-            digest.update(f"{path.name} {len(content)}\n".encode() + content)
-    return digest.hexdigest()
-
-
-def _files(folder: resources.abc.Traversable) -> list[resources.abc.Traversable]:
-    """Files in a folder and in those below it."""
-    found = []
-    for path in folder.iterdir():
-        found += _files(path) if path.is_dir() else [path]
-    return found
-
-
-def _written(model: Template) -> str:
-    slots = [{**asdict(slot), "sites": [slot.sites.start, slot.sites.stop]} for slot in model.slots]
-    return json.dumps({**asdict(model), "slots": slots})
-
-
-def _read(text: str) -> Template:
+    """The template of a structure, from the cache or else made and stored there; another program has others."""
+    full = store.key_of("template", key)
+    text = library.recall(full)
+    if text is None:
+        template = made()
+        slots = [{**asdict(slot), "sites": [slot.sites.start, slot.sites.stop]} for slot in template.slots]
+        library.keep(full, json.dumps({**asdict(template), "slots": slots}))
+        return template
     parts = json.loads(text)
-    slots = tuple(Slot(**{**slot, "sites": range(*slot["sites"])}) for slot in parts["slots"])
-    names = {name: tuple(parts[name]) for name in ("parameters", "places", "powers")}
-    entries = tuple((row, column, distance) for row, column, distance in parts["entries"])
-    return Template(
-        functions=parts["functions"],
-        slots=slots,
-        entries=entries,
-        scratch=tuple(parts["scratch"]),
-        moves=parts["moves"],
-        **names,
-    )
+    parts |= {name: tuple(parts[name]) for name in ("parameters", "places", "powers", "scratch")}
+    parts["slots"] = tuple(Slot(**{**slot, "sites": range(*slot["sites"])}) for slot in parts["slots"])
+    parts["entries"] = tuple((row, column, distance) for row, column, distance in parts["entries"])
+    return Template(**parts)
 
 
 _PROCESS = secrets.token_hex()

@@ -12,17 +12,13 @@ import numpy as np
 
 from softcat_sym.discretization.assembly import (
     Body,
-    When,
-    balances_of,
+    Instant,
     inputs_for,
-    instant,
     layouts_of,
-    powers_of,
-    rates_of,
 )
 from softcat_sym.discretization.graph import POINT_MASS, TIME_SCALE, Discretisation, Setting, Unknowns
 from softcat_sym.discretization.grid import Block, End, Grid, Lengths
-from softcat_sym.discretization.section_rule import EACH
+from softcat_sym.discretization.section_rule import PER_FIBRE
 from softcat_sym.discretization.supports import Profile, held
 from softcat_sym.errors import PrintingError
 from softcat_sym.physics import symbols
@@ -101,7 +97,7 @@ class Leaf:
     @property
     def is_each(self) -> bool:
         """Whether it differs from fibre to fibre."""
-        return self.kind == FIBRE or EACH in self.name
+        return self.kind == FIBRE or PER_FIBRE in self.name
 
     def seen_from(self, site: int) -> Leaf:
         """The same with the distance in place of the site."""
@@ -344,15 +340,15 @@ def record(equations: FilamentEquations, theory: Discretisation, ends: tuple[End
             given.named[POINT_MASS] / (values[symbols.rho] * values[symbols.L_0])
         )
     setting = Setting(values, grid, profile, supports, scale, lengths, recorder.stage, recorder.total)
-    now = instant(equations, theory, setting, given, recorder, When(time, mass))
-    rates = rates_of(now)
-    balances = balances_of(now, rates)
+    now = Instant(equations, theory, setting, given, recorder, time, mass)
+    rates = now.rates()
+    balances = now.balances(rates)
     moving = {block.name for block in layouts.moving.blocks}
     slots = _slots(unknowns, blocks, moving, in_sections=equations.resolved is not None)
     made = tuple(
         Item(f"f_{one.name}", one.sites, _made(one, leaves, rates if one.differential else balances)) for one in slots
     )
-    powers = tuple(_split(name, power) for name, power in zip(POWERS, powers_of(now), strict=True))
+    powers = tuple(_split(name, power) for name, power in zip(POWERS, now.powers(), strict=True))
     return Recording(leaves, slots, tuple(recorder.staged), made, powers, tuple(given.named), place_names(body))
 
 

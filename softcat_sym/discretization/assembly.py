@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,7 +16,6 @@ from softcat_sym.discretization.graph import (
     TIME_SCALE,
     Discretisation,
     Expressions,
-    Fields,
     Graph,
     Recall,
     Setting,
@@ -62,16 +60,6 @@ class Body:
     def parameters(self) -> tuple[str, ...]:
         """Names of the numbers that it needs."""
         return (*self.supports.parameters, *((POINT_MASS,) if self.weighted else ()))
-
-
-def node_masses(equations: FilamentEquations, grid: Grid, body: Body, given: Inputs) -> ca.SX:
-    """Mass of each node over density, undeformed area and rest length, shape (cells + 1,)."""
-    mass = ca.SX(node_mass(grid, body.profile, equations.shape.area_power))
-    if body.weighted:
-        middle = int(np.argmin(np.abs(grid.nodes)))
-        hung = given.named[POINT_MASS] / (given.symbols[symbols.rho] * given.symbols[symbols.L_0])
-        mass[middle] += hung / 2 if grid.is_half else hung
-    return mass
 
 
 _THEORIES = {"filament": KIRCHHOFF, "small-deflection": SMALL_DEFLECTION}
@@ -172,126 +160,103 @@ def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:
     return fibre_rule(shape, fibres, halves=equations.terms.resolved and _hinges_carry(scene))
 
 
-@dataclass(frozen=True)
 class Instant:
-    """The filament at one instant: fields, velocities in rest lengths per time scale, and the scales (SI) of both."""
+    """The filament at one instant; unknowns are in rest lengths and time scales, what it consists of in SI."""
 
-    fields: Fields
-    setting: Setting
-    moves: bool
-    spins: bool
-    u: ca.SX
-    v: ca.SX
-    omega: ca.SX
-    mass: ca.SX
-    gravity: ca.SX
-    gravity_rate: ca.SX
-    rotary_inertia: ca.SX
-    density: ca.SX
-    span: ca.SX
-    time_scale: ca.SX
-
-
-@dataclass(frozen=True)
-class When:
-    """Time in units of the time scale, and the mass of each node over density, undeformed area and rest length."""
-
-    time: ca.SX
-    mass: ca.SX
-
-
-def instant(
-    equations: FilamentEquations, theory: Discretisation, setting: Setting, given: Inputs, state: Recall, when: When
-) -> Instant:
-    """Evaluate the filament."""
-    values, zeros = setting.values, ca.SX(setting.grid.cells + 1, 1)
-    gravity, gravity_rate = gravity_at(equations.terms, values, when.time * given.named[TIME_SCALE])
-    turning = ca.SX(0)
-    if equations.resolved is not None:
-        per_area = {"I": equations.resolved.rotary_inertia.subs(symbols.A0, 1)}
-        turning = ca.SX(
-            CellFunction(per_area, (symbols.rho, symbols.h0))(
-                {symbols.rho: values[symbols.rho], symbols.h0: values[symbols.h0]}
-            )["I"]
-        )
-    return Instant(
-        fields=theory.evaluate(equations, setting, state),
-        setting=setting,
-        moves=equations.terms.inertia,
-        spins=equations.terms.rotary_inertia,
+    def __init__(
+        self,
+        equations: FilamentEquations,
+        theory: Discretisation,
+        setting: Setting,
+        given: Inputs,
+        state: Recall,
+        time: ca.SX,
+        mass: ca.SX,
+    ) -> None:
+        values, zeros = setting.values, ca.SX(setting.grid.cells + 1, 1)
+        self.terms, self.setting = equations.terms, setting
+        self.mass = mass  # Of each node over density, undeformed area and rest length
+        self.density, self.span, self.time_scale = values[symbols.rho], values[symbols.L_0], given.named[TIME_SCALE]
+        self.gravity, self.gravity_rate = gravity_at(equations.terms, values, time * self.time_scale)
+        self.rotary_inertia = ca.SX(0)
+        if equations.resolved is not None:
+            per_area = {"I": equations.resolved.rotary_inertia.subs(symbols.A0, 1)}
+            known = {symbol: values[symbol] for symbol in (symbols.rho, symbols.h0)}
+            self.rotary_inertia = ca.SX(CellFunction(per_area, tuple(known))(known)["I"])
+        self.fields = theory.evaluate(equations, setting, state)
         # Held nodes count with no velocity of their own: it is given, and does not change while they move.
-        u=state.field("u", zeros),
-        v=state.field("v", zeros),
-        omega=state.field("omega", zeros),
-        mass=when.mass,
-        gravity=gravity,
-        gravity_rate=gravity_rate,
-        rotary_inertia=turning,
-        density=values[symbols.rho],
-        span=values[symbols.L_0],
-        time_scale=given.named[TIME_SCALE],
-    )
+        self.u, self.v, self.omega = (state.field(name, zeros) for name in ("u", "v", "omega"))
 
+    def rates(self) -> dict[str, ca.SX]:
+        """Rates of all unknowns in units of rest length and time scale; momentum is divided by the mass of each node.
 
-def rates_of(now: Instant) -> dict[str, ca.SX]:
-    """Rates of all unknowns in units of rest length and time scale; momentum is divided by the mass of each node.
+        An algebraic unknown is where its momentum would not change.
+        """
+        fields, unit = self.fields, self.time_scale**2 / self.span
+        per_mass = 1 / self.mass * (unit / (self.density * self.span))
+        net = tuple(ca.vertcat(force, 0) - ca.vertcat(0, force) for force in (fields.force_x, fields.force_y))
+        turning = ca.SX(self.setting.grid.cells + 1, 1)
+        if fields.torque is not None:
+            per_inertia = 1 / self.setting.lengths.node * (self.time_scale**2 / (self.rotary_inertia * self.span))
+            turning = fields.torque * per_inertia
+        return {
+            "x": self.u,
+            "y": self.v,
+            "u": net[0] * per_mass,
+            "v": net[1] * per_mass - self.gravity * unit,
+            "psi": self.omega,
+            "omega": turning,
+            **{name: rate * self.time_scale for name, rate in fields.plastic_rates.items()},
+        }
 
-    An algebraic unknown is where its momentum would not change.
-    """
-    fields, unit = now.fields, now.time_scale**2 / now.span
-    per_mass = 1 / now.mass * (unit / (now.density * now.span))
-    net = tuple(ca.vertcat(force, 0) - ca.vertcat(0, force) for force in (fields.force_x, fields.force_y))
-    turning = ca.SX(now.setting.grid.cells + 1, 1)
-    if fields.torque is not None:
-        per_inertia = 1 / now.setting.lengths.node * (now.time_scale**2 / (now.rotary_inertia * now.span))
-        turning = fields.torque * per_inertia
-    return {
-        "x": now.u,
-        "y": now.v,
-        "u": net[0] * per_mass,
-        "v": net[1] * per_mass - now.gravity * unit,
-        "psi": now.omega,
-        "omega": turning,
-        **{name: rate * now.time_scale for name, rate in fields.plastic_rates.items()},
-    }
+    def balances(self, rates: dict[str, ca.SX]) -> dict[str, ca.SX]:
+        """What must vanish for each algebraic unknown, a position or a velocity: the rate of its momentum.
 
+        A torque is divided by the mass and the square of the span, not by the rotary inertia: sparse factorisations do
+        not scale rows, and one that is thousands of times larger than the others blurs them.
+        """
+        turning = rates["omega"] * (self.rotary_inertia / (self.density * self.span**2))
+        return {"x": rates["u"], "y": rates["v"], "u": rates["u"], "v": rates["v"], "psi": turning, "omega": turning}
 
-def balances_of(now: Instant, rates: dict[str, ca.SX]) -> dict[str, ca.SX]:
-    """What must vanish for each algebraic unknown, a position or a velocity: the rate of its momentum.
+    def powers(self) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """Plastic power, power of the changing load and of the gradient, place by place, in `energy_scale` units."""
+        fields, at = self.fields, self.setting.supports
+        scale: ca.SX = self.time_scale / energy_scale(self.density, self.span, self.time_scale)
+        lifted = (self.mass * (self.span * self.density * self.gravity_rate * scale)) * fields.y
+        # The force on the right support carries the last cell and its own share.
+        weight = self.mass[-1] * self.density * self.gravity * self.span
+        lifted[-1] += (fields.force_x[-1] * at.right_u + (fields.force_y[-1] + weight) * at.right_v) * scale
+        steepened = ca.SX(1, 1)
+        if fields.double_force is not None:
+            per_length = 1 / self.setting.lengths.cell
+            pairs = ((fields.x, fields.y), (self.u, self.v))
+            slope, speed = ((ca.diff(a) * per_length, ca.diff(b) * per_length) for a, b in pairs)
+            stretching = (slope[0] * speed[0] + slope[1] * speed[1]) / fields.stretch
+            steepened = fields.double_force * ca.diff(stretching) * (scale / self.time_scale)
+        plastic, load, gradient = (
+            ca.SX(1, 1) if power.is_zero() else power for power in (fields.dissipation * scale, lifted, steepened)
+        )
+        return plastic, load, gradient
 
-    A torque is divided by the mass and the square of the span, not by the rotary inertia: sparse factorisations do not
-    scale rows, and one that is thousands of times larger than the others blurs them.
-    """
-    turning = rates["omega"] * (now.rotary_inertia / (now.density * now.span**2))
-    return {"x": rates["u"], "y": rates["v"], "u": rates["u"], "v": rates["v"], "psi": turning, "omega": turning}
-
-
-def powers_of(now: Instant) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """Plastic power, power of the changing load and of the gradient, place by place, in units of `energy_scale`."""
-    fields = now.fields
-    scale: ca.SX = now.time_scale / energy_scale(now.density, now.span, now.time_scale)
-    lifted = (now.mass * (now.span * now.density * now.gravity_rate * scale)) * fields.y
-    lifted[-1] += _support_power(now) * scale
-    steepened = ca.SX(1, 1)
-    if fields.double_force is not None:
-        per_length = 1 / now.setting.lengths.cell
-        slope, speed = ((ca.diff(a) * per_length, ca.diff(b) * per_length) for a, b in _pairs(now))
-        stretching = (slope[0] * speed[0] + slope[1] * speed[1]) / fields.stretch
-        steepened = fields.double_force * ca.diff(stretching) * (scale / now.time_scale)
-    nothing = ca.SX(1, 1)
-    powers = (fields.dissipation * scale, lifted, steepened)
-    return tuple(nothing if power.is_zero() else power for power in powers)  # type: ignore[return-value]
-
-
-def _support_power(now: Instant) -> ca.SX:
-    """Power of the right support over the rest length [Pa/s]: its force carries the last cell and its own share."""
-    fields, at = now.fields, now.setting.supports
-    weight = now.mass[-1] * now.density * now.gravity * now.span
-    return fields.force_x[-1] * at.right_u + (fields.force_y[-1] + weight) * at.right_v
-
-
-def _pairs(now: Instant) -> tuple[tuple[ca.SX, ca.SX], tuple[ca.SX, ca.SX]]:
-    return (now.fields.x, now.fields.y), (now.u, now.v)
+    def observables(self) -> dict[str, ca.SX]:
+        """What a trajectory shows, in SI and per unit undeformed area."""
+        span, fields, lengths = self.span, self.fields, self.setting.lengths
+        # Velocities that are unknown for the sake of a viscous stress alone carry no energy.
+        speed, moves, spins = span / self.time_scale, self.terms.inertia, self.terms.rotary_inertia
+        moving = moves * ca.dot(self.mass, self.u**2 + self.v**2) * speed**2 * self.density / 2
+        turning = spins * ca.dot(lengths.node, self.omega**2) * self.rotary_inertia / (2 * self.time_scale**2)
+        surface, double_force = fields.surface_energy, fields.double_force
+        return {
+            "x": fields.x * span,
+            "y": fields.y * span,
+            "stretch": fields.stretch,
+            **fields.observables,
+            "double_force": ca.SX(self.setting.grid.cells - 1, 1) if double_force is None else double_force,
+            "energy_kinetic": (moving + turning) * span,
+            "energy_elastic": fields.elastic_energy * span,
+            "energy_surface": (ca.SX(1, 1) if surface is None else surface) * span,
+            "energy_potential": ca.dot(self.mass, fields.y) * span * self.density * self.gravity * span,
+        }
 
 
 def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
@@ -301,29 +266,6 @@ def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
     size whatever the units of the scene.
     """
     return density * (span / time_scale) ** 2
-
-
-def observables_of(now: Instant) -> dict[str, ca.SX]:
-    """What a trajectory shows, in SI and per unit undeformed area."""
-    span, fields = now.span, now.fields
-    speed = span / now.time_scale
-    node = now.mass
-    # Velocities that are unknown for the sake of a viscous stress alone carry no energy.
-    moving = now.moves * ca.dot(node, now.u**2 + now.v**2) * speed**2 * now.density / 2
-    turning = now.spins * ca.dot(now.setting.lengths.node, now.omega**2) * now.rotary_inertia / (2 * now.time_scale**2)
-    surface = fields.surface_energy if fields.surface_energy is not None else ca.SX(1, 1)
-    double_force = fields.double_force if fields.double_force is not None else ca.SX(now.setting.grid.cells - 1, 1)
-    return {
-        "x": fields.x * span,
-        "y": fields.y * span,
-        "stretch": fields.stretch,
-        **fields.observables,
-        "double_force": double_force,
-        "energy_kinetic": (moving + turning) * span,
-        "energy_elastic": fields.elastic_energy * span,
-        "energy_surface": surface * span,
-        "energy_potential": ca.dot(node, fields.y) * span * now.density * now.gravity * span,
-    }
 
 
 def assemble(
@@ -341,48 +283,39 @@ def assemble(
     scale, values = given.named[TIME_SCALE], given.symbols
     supports = held(body.supports, given.named, values[symbols.L_0], time * scale)
     setting = Setting(values, grid, body.profile, supports, scale, lengths_of(grid))
-    when = When(time, node_masses(equations, grid, body, given))
+    mass = ca.SX(node_mass(grid, body.profile, equations.shape.area_power))
+    if body.weighted:
+        hung = given.named[POINT_MASS] / (values[symbols.rho] * values[symbols.L_0])
+        mass[int(np.argmin(np.abs(grid.nodes)))] += hung / 2 if grid.is_half else hung
 
     def write() -> Expressions:
-        now = instant(equations, theory, setting, given, state, when)
-        rates = rates_of(now)
-        found = state.moving.gather(rates), state.still.gather(balances_of(now, rates))
-        return Expressions(found, powers_of(now), observables_of(now))
+        now = Instant(equations, theory, setting, given, state, time, mass)
+        rates = now.rates()
+        found = state.moving.gather(rates), state.still.gather(now.balances(rates))
+        return Expressions(found, now.powers(), now.observables())
 
-    return _graph_of(equations, effects, given, state, time, write, dict(unknowns.profiles), grid)
-
-
-def _graph_of(
-    equations: FilamentEquations,
-    effects: tuple[str, ...],
-    given: Inputs,
-    state: State,
-    time: ca.SX,
-    write: Callable[[], Expressions],
-    profiles: dict[str, tuple[float, float]],
-    grid: Grid,
-) -> Graph:
+    moving, still = state.moving, state.still
     return Graph(
         grid=grid,
         effects=effects,
         conserves_energy=equations.conserves_energy,
         parameters=tuple(given.named),
         t=time,
-        x=state.moving.vector,
-        z=state.still.vector,
+        x=moving.vector,
+        z=still.vector,
         p=given.vector,
         write=write,
-        state_names=state.moving.names,
-        algebraic_names=state.still.names,
-        start=state.moving.start,
-        straight=state.still.start,
-        x_kinds=state.moving.kinds,
-        z_kinds=state.still.kinds,
-        x_where=state.moving.where,
-        z_where=state.still.where,
-        x_places=state.moving.places,
-        z_places=state.still.places,
-        profiles=profiles,
+        state_names=moving.names,
+        algebraic_names=still.names,
+        start=moving.start,
+        straight=still.start,
+        x_kinds=moving.kinds,
+        z_kinds=still.kinds,
+        x_where=moving.where,
+        z_where=still.where,
+        x_places=moving.places,
+        z_places=still.places,
+        profiles=dict(unknowns.profiles),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -20,8 +21,8 @@ from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.reissner import FibreBranch, ResolvedSection
 
 _INPUTS = tuple(parameter.symbol for parameter in CATALOGUE)
-_STRAINED = (sy.s, sy.s_t, sy.theta_X, sy.theta_Xt, sy.a_0, sy.a_1)
-_STRESSED = (sy.s, sy.theta_X, sy.sigma_0, sy.sigma_1, sy.T, sy.M)
+_BEFORE, _BEHIND = (sy.x_X_before, sy.y_X_before), (sy.x_X, sy.y_X)
+_MOVING_BEFORE, _MOVING = (sy.x_Xt_before, sy.y_Xt_before), (sy.x_Xt, sy.y_Xt)
 
 Pair = tuple[ca.SX, ca.SX]
 
@@ -32,63 +33,41 @@ def inputs_of(equations: FilamentEquations) -> tuple[sy.Symbol, ...]:
 
 
 class CellPrinter:
-    """The expressions of one cell, ready to be evaluated on vectors of cells, nodes or half cells."""
+    """The expressions of one cell, evaluated on vectors of cells, nodes or half cells."""
 
     def __init__(self, equations: FilamentEquations, values: Mapping[sy.Symbol, Any]) -> None:
-        self._values = dict(values)
-        self.equations = equations
-        terms, response, inputs = equations.terms, equations.response, inputs_of(equations)
-        before, behind = (sy.x_X_before, sy.y_X_before), (sy.x_X, sy.y_X)
-        moving = (sy.x_Xt_before, sy.y_Xt_before, sy.x_Xt, sy.y_Xt)
-        line = terms.centreline
-        self._stretch = CellFunction({"s": line.stretch}, behind)
-        self._turning = CellFunction({"turning": line.turning}, (*before, *behind))
-        self._stretch_rate = CellFunction({"s": line.stretch_rate()}, (*behind, sy.x_Xt, sy.y_Xt))
-        self._turning_rate = CellFunction({"turning": line.turning_rate()}, (*before, *behind, *moving))
-        self._force = CellFunction(
-            {"x": equations.force.horizontal, "y": equations.force.vertical}, (*behind, sy.s, sy.Q, sy.M_X)
-        )
-        self._section = {
-            name: CellFunction({name: relation}, (*_STRESSED, *inputs))
-            for name, relation in response.relations().items()
-        }
-        parts = response.parts
-        self._stresses = [
-            {name: CellFunction({name: stress}, (*_STRAINED, *inputs)) for name, stress in part.stress().items()}
-            for part in parts
-        ]
-        self._flows = [CellFunction(part.flow(), (sy.s, sy.sigma_0, sy.sigma_1, *inputs)) for part in parts]
+        self._values, self._inputs, self.equations = dict(values), inputs_of(equations), equations
+        self._relations = equations.response.relations()
+        self._stresses = [part.stress() for part in equations.response.parts]
+        self._flows = [part.flow() for part in equations.response.parts]
 
     def stretch(self, slope: Pair) -> ca.SX:
         """Stretch of cells with tangent r_X."""
-        return ca.SX(self._stretch({sy.x_X: slope[0], sy.y_X: slope[1]})["s"])
+        return _on_line(self.equations.terms.centreline.stretch, {_BEHIND: slope})
 
     def stretch_rate(self, slope: Pair, speed: Pair) -> ca.SX:
         """Rate of the stretch of cells with tangent r_X and its rate."""
-        values = {sy.x_X: slope[0], sy.y_X: slope[1], sy.x_Xt: speed[0], sy.y_Xt: speed[1]}
-        return ca.SX(self._stretch_rate(values)["s"])
+        return _on_line(self.equations.terms.centreline.stretch_rate(), {_BEHIND: slope, _MOVING: speed})
 
     def turning(self, before: Pair, behind: Pair) -> ca.SX:
         """Angle between neighbouring tangents."""
-        values = {sy.x_X_before: before[0], sy.y_X_before: before[1], sy.x_X: behind[0], sy.y_X: behind[1]}
-        return ca.SX(self._turning(values)["turning"])
+        return _on_line(self.equations.terms.centreline.turning, {_BEFORE: before, _BEHIND: behind})
 
     def turning_rate(self, tangents: tuple[Pair, Pair], speeds: tuple[Pair, Pair]) -> ca.SX:
         """Rate of the angle between neighbouring tangents."""
-        (before, behind), (first, second) = tangents, speeds
-        values = {sy.x_X_before: before[0], sy.y_X_before: before[1], sy.x_X: behind[0], sy.y_X: behind[1]}
-        moving = {sy.x_Xt_before: first[0], sy.y_Xt_before: first[1], sy.x_Xt: second[0], sy.y_Xt: second[1]}
-        return ca.SX(self._turning_rate({**values, **moving})["turning"])
+        places = dict(zip((_BEFORE, _BEHIND, _MOVING_BEFORE, _MOVING), (*tangents, *speeds), strict=True))
+        return _on_line(self.equations.terms.centreline.turning_rate(), places)
 
     def force(self, slope: Pair, s: ca.SX, axial: ca.SX, moment_change: ca.SX) -> Pair:
         """Internal force of cells (2.1, 2.2)."""
+        force, every = self.equations.force, ca.SX.ones(s.numel())
         values = {sy.x_X: slope[0], sy.y_X: slope[1], sy.s: s, sy.Q: axial, sy.M_X: moment_change}
-        out, every = self._force(values), ca.SX.ones(s.numel())
+        out = CellFunction({"x": force.horizontal, "y": force.vertical}, tuple(values))(values)
         return out["x"] * every, out["y"] * every
 
     def section(self, name: str, values: Mapping[sy.Symbol, Any]) -> ca.SX:
         """One of the section's relations, named as in :class:`SectionResponse`, on vectors of cells or nodes."""
-        return self._on_places(self._section[name], values)
+        return self._on_places(self._relations[name], values)
 
     def stress(self, part: int, name: str, values: Mapping[sy.Symbol, Any]) -> ca.SX:
         """Stress of a branch, by its number, or of the viscous part, which follows the branches."""
@@ -96,14 +75,21 @@ class CellPrinter:
 
     def flow(self, part: int, s: ca.SX, sigma_0: ca.SX, sigma_1: ca.SX) -> dict[str, ca.SX]:
         """Plastic rates, energies and yielded fraction where the stress of a part is sigma_0 + sigma_1 zeta."""
-        out = self._flows[part]({**self._values, sy.s: s, sy.sigma_0: sigma_0, sy.sigma_1: sigma_1})
+        given = {sy.s: s, sy.sigma_0: sigma_0, sy.sigma_1: sigma_1}
+        out = CellFunction(self._flows[part], (*given, *self._inputs))({**self._values, **given})
         return {name: ca.SX(value) * ca.SX.ones(s.numel()) for name, value in out.items()}
 
-    def _on_places(self, function: CellFunction, values: Mapping[sy.Symbol, Any]) -> ca.SX:
+    def _on_places(self, expression: Any, values: Mapping[sy.Symbol, Any]) -> ca.SX:
         size = max(value.numel() for value in values.values() if hasattr(value, "numel"))
         given = {symbol: value for symbol, value in values.items() if value is not None}
-        (out,) = function({**self._values, **given}).values()
-        return ca.SX(out) * ca.SX.ones(size)
+        function = CellFunction({"value": expression}, (*given, *self._inputs))
+        return ca.SX(function({**self._values, **given})["value"]) * ca.SX.ones(size)
+
+
+def _on_line(expression: Any, places: Mapping[tuple[sy.Symbol, sy.Symbol], Pair]) -> ca.SX:
+    """An expression of the centreline, where pairs of symbols have these values."""
+    values = {symbol: value for pair, given in places.items() for symbol, value in zip(pair, given, strict=True)}
+    return ca.SX(CellFunction({"value": expression}, tuple(values))(values)["value"])
 
 
 def gravity_at(terms: Terms, values: Mapping[sy.Symbol, Any], time: ca.SX) -> Pair:
@@ -135,6 +121,9 @@ def parameter_inputs(expressions: Iterable[Any], constants: Iterable[Constant], 
 
 _NO_STRESS = 1e-12
 """Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""
+
+
+_FLOW = ("axial_rate", "shear_rate", "speed", "dissipation", "yields")
 
 
 @dataclass(frozen=True)
@@ -250,15 +239,14 @@ class ResolvedPrinter:
         def shaped(value: ca.SX) -> ca.SX:
             return ca.reshape(value, cells, points)
 
-        axial = sum((shaped(part["axial"]) for part in parts), nothing)
-        shear = sum((shaped(part["shear"]) for part in parts), nothing)
-        names = ("axial_rate", "shear_rate", "speed", "dissipation", "yields")
-        flows = tuple(PointFlow(*(shaped(part[name]) for name in names)) for part in parts)
-        speed, yields = nothing, nothing
-        if flows:
-            speed, yields = flows[0].speed, flows[0].yields
-        for flow in flows[1:]:
-            speed, yields = ca.fmax(speed, flow.speed), ca.fmax(yields, flow.yields)
+        axial, shear, energy = (
+            sum((shaped(part[name]) for part in parts), nothing) for name in ("axial", "shear", "energy")
+        )
+        flows = tuple(PointFlow(*(shaped(part[name]) for name in _FLOW)) for part in parts)
+        speed, yields = (
+            functools.reduce(ca.fmax, [getattr(flow, name) for flow in flows] or [nothing])
+            for name in ("speed", "yields")
+        )
         dissipation = sum((flow.dissipation for flow in flows), nothing)
         if self.is_viscous:
             viscous = self._viscous(given)
@@ -266,7 +254,6 @@ class ResolvedPrinter:
             dissipation = dissipation + shaped(viscous["dissipation"])
             if not flows:
                 speed, yields = shaped(viscous["speed"]), ca.SX.ones(cells, points)
-        energy = sum((shaped(part["energy"]) for part in parts), nothing)
         return Points(axial, shear, speed, dissipation, yields, energy, flows)
 
     def _at_points(self, strains: Strains) -> dict[symbols.Symbol, Any]:
@@ -292,15 +279,13 @@ class ResolvedPrinter:
         return {**stress, **energy, **self._flow(branch, self._moduli[number], pair)}
 
     def _flow(self, branch: FibreBranch, modulus: Any, pair: Mapping[symbols.Symbol, ca.SX]) -> dict[str, ca.SX]:
-        names = ("axial_rate", "shear_rate", "speed", "dissipation", "yields")
         flow = branch.flow
-        size = pair[symbols.sigma].numel()
         if flow is None:
-            return {name: ca.SX(size, 1) for name in names}
+            return {name: ca.SX(pair[symbols.sigma].numel(), 1) for name in _FLOW}
         # Compared before the root is taken, whose derivative is infinite where nothing is stressed.
         square = self._evaluate({"square": flow.equivalent**2, "modulus": modulus}, pair)
         equivalent = ca.sqrt(ca.fmax(square["square"], (_NO_STRESS * square["modulus"]) ** 2))
-        return self._evaluate({name: getattr(flow, name) for name in names}, {**pair, sigma_eq: equivalent})
+        return self._evaluate({name: getattr(flow, name) for name in _FLOW}, {**pair, sigma_eq: equivalent})
 
     def _viscous(self, given: Mapping[symbols.Symbol, Any]) -> dict[str, ca.SX]:
         viscous = self._resolved.viscous

@@ -115,12 +115,8 @@ class Recall(Protocol):
         ...
 
 
-class Stage(Protocol):
-    """Names a field of cells or nodes that other places read; it may put symbols in its place."""
-
-    def __call__(self, name: str, value: ca.SX) -> ca.SX:
-        """The field, or what stands for it."""
-        ...
+Stage = Callable[[str, ca.SX], ca.SX]
+"""Names a field of cells or nodes that other places read; it may put symbols in its place."""
 
 
 def unstaged(name: str, value: ca.SX) -> ca.SX:

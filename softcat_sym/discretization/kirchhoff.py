@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -211,13 +212,10 @@ def _flowing(section: LinearSection, cells: int) -> dict[str, ca.SX]:
     if section.viscous and len(section.parts) == 1:
         return {"yielded_fraction": ca.SX.ones(cells), "plastic_rate": to_cells(section.parts[0].nodes["plastic_rate"])}
     branches = section.parts[:-1] if section.viscous else section.parts
-    shown = {}
-    for name in ("yielded_fraction", "plastic_rate"):
-        largest = to_cells(branches[0].nodes[name])
-        for branch in branches[1:]:
-            largest = ca.fmax(largest, to_cells(branch.nodes[name]))
-        shown[name] = largest
-    return shown
+    return {
+        name: functools.reduce(ca.fmax, [to_cells(branch.nodes[name]) for branch in branches])
+        for name in ("yielded_fraction", "plastic_rate")
+    }
 
 
 def plastic_names(equations: FilamentEquations) -> list[tuple[str, str]]:
@@ -229,35 +227,34 @@ def plastic_names(equations: FilamentEquations) -> list[tuple[str, str]]:
     ]
 
 
-def kirchhoff_unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
-    """Positions and velocities of free nodes; a_0 of every cell, a_1 of every node that carries a moment.
-
-    A filament that does not stretch has neither x nor a_0: its nodes stay above the places where they start.
-    """
-    free_x, free_y = free_nodes(grid)
-    zeros = np.zeros(grid.cells + 1)
+def _unknowns(
+    equations: FilamentEquations, grid: Grid, axial: Callable[[str], Block] | None, *, along: bool
+) -> Unknowns:
+    """Positions and velocities of free nodes; `axial` plastic states, a_1 of every node that carries a moment."""
+    (free_x, free_y), zeros, names = free_nodes(grid), np.zeros(grid.cells + 1), plastic_names(equations)
     plastic: list[Block] = []
-    stretches = equations.terms.stretches
-    for axial, bending in plastic_names(equations):
-        if stretches:
-            plastic.append(cell_block(axial, grid))
-        if equations.terms.bending:
-            plastic.append(node_block(bending, bending_nodes(grid), grid, zeros))
-    along = (node_block("x", free_x, grid, grid.nodes),) if stretches else ()
-    along_speed = (node_block("u", free_x, grid, zeros),) if stretches else ()
+    for mean, bending in names:
+        plastic += [axial(mean)] if axial is not None else []
+        plastic += [node_block(bending, bending_nodes(grid), grid, zeros)] if equations.terms.bending else []
+    # What each kind of plastic state is of a linear plastic strain.
+    means = {mean: (1.0, 0.0) for mean, _ in names} if equations.terms.stretches else {}
+    x = (node_block("x", free_x, grid, grid.nodes),) if along else ()
+    u = (node_block("u", free_x, grid, zeros),) if along else ()
     return Unknowns(
-        positions=(*along, node_block("y", free_y, grid, zeros)),
-        velocities=(*along_speed, node_block("v", free_y, grid, zeros)),
+        positions=(*x, node_block("y", free_y, grid, zeros)),
+        velocities=(*u, node_block("v", free_y, grid, zeros)),
         plastic=tuple(plastic),
-        profiles=linear_profiles(equations),
+        profiles=means | {bending: (0.0, 1.0) for _, bending in names},
     )
 
 
-def linear_profiles(equations: FilamentEquations) -> dict[str, tuple[float, float]]:
-    """What each kind of plastic state is of a linear plastic strain."""
-    names = plastic_names(equations)
-    means = {axial: (1.0, 0.0) for axial, _ in names} if equations.terms.stretches else {}
-    return means | {bending: (0.0, 1.0) for _, bending in names}
+def kirchhoff_unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
+    """Positions and velocities; a_0 of every cell.
+
+    A filament that does not stretch has neither x nor a_0: its nodes stay above the places where they start.
+    """
+    stretches = equations.terms.stretches
+    return _unknowns(equations, grid, (lambda name: cell_block(name, grid)) if stretches else None, along=stretches)
 
 
 def evaluate_kirchhoff(equations: FilamentEquations, setting: Setting, state: Recall) -> Fields:
@@ -336,13 +333,10 @@ def _rates(cell: CellPrinter, setting: Setting, state: Recall, slope: Pair) -> P
         return stretching, ca.SX(grid.cells + 1, 1)
     at_rest = (ca.SX(0), ca.SX(0))
     before, behind = clamp_tangents(setting)
-    starts, ends = ((a[0][0], a[1][0]) for a in (slope, speed)), ((a[0][-1], a[1][-1]) for a in (slope, speed))
-    (slope_0, speed_0), (slope_1, speed_1) = starts, ends
+    (slope_0, speed_0), (slope_1, speed_1) = (((a[0][k], a[1][k]) for a in (slope, speed)) for k in (0, -1))
     first = cell.turning_rate((before, slope_0), (at_rest, speed_0)) if grid.first.holds_angle else ca.SX(0)
     last = cell.turning_rate((slope_1, behind), (speed_1, at_rest)) if grid.last.holds_angle else ca.SX(0)
-    left = tuple((a[0][:-1], a[1][:-1]) for a in (slope, speed))
-    right = tuple((a[0][1:], a[1][1:]) for a in (slope, speed))
-    inner = cell.turning_rate((left[0], right[0]), (left[1], right[1]))
+    inner = cell.turning_rate(*(((a[0][:-1], a[1][:-1]), (a[0][1:], a[1][1:])) for a in (slope, speed)))
     per_node = 1 / setting.lengths.node / setting.values[symbols.L_0]
     return stretching, stage("turning_rate", ca.vertcat(first, inner, last) * per_node)
 
@@ -378,20 +372,8 @@ KIRCHHOFF = Discretisation("kirchhoff", kirchhoff_unknowns, evaluate_kirchhoff, 
 
 
 def small_deflection_unknowns(equations: FilamentEquations, grid: Grid) -> Unknowns:
-    """Heights and their velocities; one a_0 for the filament, a_1 of every node that carries a moment."""
-    _, free_y = free_nodes(grid)
-    zeros = np.zeros(grid.cells + 1)
-    plastic: list[Block] = []
-    for axial, bending in plastic_names(equations):
-        plastic.append(block(axial, (0,), grid.centres, np.zeros(grid.cells)))
-        if equations.terms.bending:
-            plastic.append(node_block(bending, bending_nodes(grid), grid, zeros))
-    return Unknowns(
-        positions=(node_block("y", free_y, grid, zeros),),
-        velocities=(node_block("v", free_y, grid, zeros),),
-        plastic=tuple(plastic),
-        profiles=linear_profiles(equations),
-    )
+    """Heights and their velocities; one a_0 for the filament."""
+    return _unknowns(equations, grid, lambda name: block(name, (0,), grid.centres, np.zeros(grid.cells)), along=False)
 
 
 def evaluate_small_deflection(equations: FilamentEquations, setting: Setting, state: Recall) -> Fields:

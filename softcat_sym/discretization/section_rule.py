@@ -80,7 +80,7 @@ class SectionRule:
         return int(self.recall.shape[1])
 
 
-EACH = "#"
+PER_FIBRE = "#"
 """In the name of a plastic state that stands for those of all fibres: the place of the fibre's number."""
 
 
@@ -91,7 +91,7 @@ class OneFibre:
     zeta: ca.SX = field(default_factory=lambda: ca.SX.sym("zeta"))  # Symbols of its material coordinate and weight
     weight: ca.SX = field(default_factory=lambda: ca.SX.sym("weight"))
     points: int = 1
-    labels: tuple[str, ...] = (EACH,)
+    labels: tuple[str, ...] = (PER_FIBRE,)
 
     @property
     def label(self) -> str:

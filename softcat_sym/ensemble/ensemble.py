@@ -37,9 +37,8 @@ from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.scene.units import SI_UNITS, Number, Quantity
 from softcat_sym.simulate import simulated, without_estimate
-from softcat_sym.solvers.compiled import CompiledFilament, External
 from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Assembled, Prepared, assembled, prepare
+from softcat_sym.solvers.run import Assembled, Code, Prepared, assembled, prepare
 from softcat_sym.solvers.settings import Settings, settings_for
 from softcat_sym.solvers.solution import Silence, Solution, watched
 
@@ -136,7 +135,7 @@ class SharedFilament:
     """Filaments that differ in numbers only."""
 
     first: Assembled  # One of them, with the graph of all
-    code: CompiledFilament | External | None  # None if interpreted
+    code: Code  # None if interpreted
 
     def statics(self) -> Graph:
         """The filament without inertia and viscous stress, for a start that is not straight."""

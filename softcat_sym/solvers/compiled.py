@@ -5,19 +5,15 @@ from __future__ import annotations
 import ctypes as ct
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache, partial
 from importlib import resources
 from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
-from softcat_sym.codegen.c_printer import CSource
 from softcat_sym.codegen.compiler import beside
-from softcat_sym.codegen.export import GENERAL_POWERS, RHS, SOLVER, rhs_source, solver_source
 from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
 from softcat_sym.codegen.loops import Sites, places_of, sites_of
 from softcat_sym.codegen.model import Model, Structure, model_for
@@ -34,11 +30,20 @@ Integers = ct.POINTER(ct.c_int)
 
 _VERSIONS = {"casadi": version("casadi")}
 _MODEL = "softcat_filament_model"
-
-# As fast as at -O3, and compiled in two thirds of the time.
-_RUNTIME = ("-O2", *OPTIMISED[1:])
+_RUNTIME = ("-O2", *OPTIMISED[1:])  # as fast as at -O3, and compiled in two thirds of the time
 
 SOLVED, STEP_LIMIT, STEP_TOO_SMALL, NON_FINITE, SINGULAR, MEMORY, ARGUMENT, STOPPED, NO_CONVERGENCE = range(9)
+_OUTCOMES = {
+    STEP_LIMIT: Outcome.step_limit,
+    STEP_TOO_SMALL: Outcome.no_convergence,
+    NON_FINITE: Outcome.non_finite,
+    SINGULAR: Outcome.no_convergence,
+    NO_CONVERGENCE: Outcome.no_convergence,
+}
+
+_BESIDE = 1e-9
+_LOOK = 0.1  # s between two looks at how far it has got
+_MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs more gets nowhere
 
 
 class Filament(ct.Structure):
@@ -53,10 +58,7 @@ class Options(ct.Structure):
     _fields_ = (
         ("relative", ct.c_double),
         ("absolute", Doubles),
-        ("work_absolute", ct.c_double),
-        ("first_step", ct.c_double),
-        ("smallest_step", ct.c_double),
-        ("largest_step", ct.c_double),
+        *((name, ct.c_double) for name in ("work_absolute", "first_step", "smallest_step", "largest_step")),
         ("max_steps", ct.c_long),
         ("method", ct.c_int),
         ("kinks", Doubles),
@@ -70,10 +72,7 @@ class Status(ct.Structure):
 
     _fields_ = (
         ("code", ct.c_int),
-        ("steps", ct.c_long),
-        ("rejected", ct.c_long),
-        ("evaluations", ct.c_long),
-        ("factorisations", ct.c_long),
+        *((name, ct.c_long) for name in ("steps", "rejected", "evaluations", "factorisations")),
         ("reached", ct.c_double),
         ("worst_site", ct.c_int),
         ("worst_slot", ct.c_int),
@@ -86,12 +85,7 @@ class CDirections(ct.Structure):
     _fields_ = (
         ("count", ct.c_int),
         ("two_sided", ct.c_int),
-        ("size", Doubles),
-        ("parameters", Doubles),
-        ("places", Doubles),
-        ("state", Doubles),
-        ("states", Doubles),
-        ("work", Doubles),
+        *((name, Doubles) for name in ("size", "parameters", "places", "state", "states", "work")),
     )
 
 
@@ -102,48 +96,24 @@ def doubles(array: Floats | None) -> ct._Pointer[ct.c_double] | None:
 
 @dataclass(frozen=True)
 class Run:
-    """Numbers of one integration.
+    """Numbers of one integration."""
 
-    Attributes
-    ----------
-    parameters : ndarray
-        In the order of the model.
-    places : ndarray, shape (sites, places)
-        Geometry.
-    state : ndarray, shape (sites, slots)
-        Where it begins.
-    times : ndarray, shape (frames,)
-        Increasing; the first is where it begins.
-    relative, absolute : float
-        Tolerances; the absolute one may have a number for each slot, shape (slots,).
-    work_absolute : float
-        Absolute tolerance of the work; 0 where its error is not controlled.
-    kinks : ndarray
-        Times that no step runs over.
-    max_steps : int
-        Before it gives up.
-    max_step : float
-        0 for none.
-    method : int
-        0: Rodas5P, 1: Rodas4, 2: Rodas3P, as softcat_rosenbrock.h numbers them.
-    """
-
-    parameters: Floats
-    places: Floats
-    state: Floats
-    times: Floats
-    relative: float
+    parameters: Floats  # In the order of the model
+    places: Floats  # Geometry, shape (sites, places)
+    state: Floats  # Where it begins, shape (sites, slots)
+    times: Floats  # Increasing, shape (frames,); the first is where it begins
+    relative: float  # Tolerances; the absolute one may have a number for each slot, shape (slots,)
     absolute: float | Floats
-    work_absolute: float
-    kinks: Floats
+    work_absolute: float  # Absolute tolerance of the work; 0 where its error is not controlled
+    kinks: Floats  # Times that no step runs over
     max_steps: int
-    max_step: float = 0.0
-    method: int = 0
+    max_step: float = 0.0  # 0 for none
+    method: int = 0  # 0: Rodas5P, 1: Rodas4, 2: Rodas3P, as softcat_rosenbrock.h numbers them
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What came of it: states (frames, sites, slots) and work (frames, powers), NaN where it did not get."""
+    """States (frames, sites, slots) and work (frames, powers), NaN where it did not get."""
 
     states: Floats
     work: Floats
@@ -152,21 +122,12 @@ class Answer:
 
 @dataclass(frozen=True)
 class Directions:
-    """Numbers q that move a run, in which it is to be differentiated.
+    """Numbers q that move a run, in which it is to be differentiated."""
 
-    Attributes
-    ----------
-    parameters : ndarray, shape (count, parameters)
-        d parameters/dq.
-    state : ndarray, shape (count, sites, slots)
-        d initial state/dq; algebraic unknowns are made consistent.
-    size : ndarray, shape (count,)
-        Step in each q, positive: the derivative errs by about its square relative to the scale on which the solution
-        bends in q, and by 1e-16 over it.
-    """
-
-    parameters: Floats
-    state: Floats
+    parameters: Floats  # d parameters/dq, shape (count, parameters)
+    state: Floats  # d initial state/dq, shape (count, sites, slots); algebraic unknowns are made consistent
+    # Step in each q, positive: the derivative errs by about its square relative to the scale on which the solution
+    # bends in q, and by 1e-16 over it.
     size: Floats
 
 
@@ -176,7 +137,7 @@ class CModel:
     Parameters
     ----------
     model : Callable
-        Gives its text.
+        Returns its text.
 
     Raises
     ------
@@ -189,7 +150,8 @@ class CModel:
             self.model = model()
             # CasADi swallows what is raised while it looks at its arguments; what follows waits for a compiler.
             interrupts.check()
-            sources = {"filament.c": self.model.text, **_headers()}
+            header = "softcat_model.h"
+            sources = {"filament.c": self.model.text, header: runtime_sources()[header]}
             self._library = load(compile_library(sources, flags=SOON, versions=_VERSIONS), _MODEL)
         self._runtime = _runtime()
         self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
@@ -228,8 +190,9 @@ class CModel:
         given = CDirections(count=len(directions.size), two_sided=1, states=doubles(slopes))
         given.size, given.parameters, given.state = (doubles(part) for part in moved)
         # Without room for the work it would not be integrated, and steps would differ from those of `integrate`.
-        work = np.zeros((len(run.times), len(self.model.powers))) if run.work_absolute > 0 else None
-        self._call(run, states, work if self.model.powers else None, given, status, stop)
+        powers = len(self.model.powers)
+        work = np.zeros((len(run.times), powers)) if powers and run.work_absolute > 0 else None
+        self._call(run, states, work, given, status, stop)
         return states, slopes
 
     def _call(
@@ -245,8 +208,7 @@ class CModel:
         state, absolute = run.state.copy(), np.full(slots, run.absolute)
         filament = Filament(sites, doubles(run.parameters), doubles(run.places))
         options = Options(relative=run.relative, absolute=doubles(absolute), max_steps=run.max_steps)
-        options.work_absolute, options.method = run.work_absolute, run.method
-        options.largest_step = run.max_step
+        options.work_absolute, options.method, options.largest_step = run.work_absolute, run.method, run.max_step
         if len(run.kinks):
             options.kinks, options.kink_count = doubles(run.kinks), len(run.kinks)
         if stop is not None:
@@ -276,257 +238,110 @@ def runtime_sources() -> dict[str, str]:
     return {file.name: file.read_text(encoding="utf-8") for file in files if file.name[-2:] in (".c", ".h")}
 
 
-def _headers() -> dict[str, str]:
-    return {name: text for name, text in runtime_sources().items() if name == "softcat_model.h"}
-
-
 @lru_cache(maxsize=1)
 def _runtime() -> ct.CDLL:
     library = load(compile_library(runtime_sources(), flags=_RUNTIME), "softcat_sensitivities", "softcat_message")
-    library.softcat_sensitivities.argtypes = _signature()
+    setup: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
+    results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
+    library.softcat_sensitivities.argtypes = [*setup, *results]
     library.softcat_message.restype = ct.c_char_p
     return library
 
 
-def _signature() -> list[Any]:
-    given: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
-    return [*given, Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
-
-
 def refuse(code: int, message: str) -> None:
-    """Raise where the fault is not in the filament.
-
-    Raises
-    ------
-    SoftcatError
-        If memory is short, or an argument is wrong.
-    """
+    """Raise where the fault is not in the filament: memory is short, or an argument is wrong."""
     if code in (MEMORY, ARGUMENT):
         raise SoftcatError(f"the compiled solver refused to begin: {message}")
 
 
-# Runs on every machine of this kind, and no number changes: no -march=native, no -ffast-math, no fused operations.
-PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
-
-
-@dataclass(frozen=True)
-class External:
-    """A compiled right-hand side, to be built into an integrator; its derivatives are those by t, x and z only.
-
-    Attributes
-    ----------
-    library : pathlib.Path
-        What was compiled.
-    rhs : casadi.Function
-        (t, x, z, p) to (ode, alg).
-    powers : casadi.Function
-        (t, x, z, p) to the powers of the whole filament, shape (3,).
-    """
-
-    library: Path
-    rhs: ca.Function
-    powers: ca.Function
-
-    def symbols(self) -> tuple[ca.MX, ca.MX, ca.MX]:
-        """New symbols x, z, p of the right sizes."""
-        x, z, p = (ca.MX.sym(name, self.rhs.size1_in(name)) for name in ("x", "z", "p"))
-        return x, z, p
-
-
-def compiled_rhs(graph: Graph) -> External:
-    """The right-hand side of a graph as machine code, compiled now or found in the cache.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no compiler, it refuses the text, or the cache cannot be written.
-    """
-    library = _compiled(rhs_source(graph))
-    # Without these CasADi would look for forward derivatives in the library, and find none.
-    options = {"enable_forward": False, "enable_reverse": False}
-    rhs, powers = (ca.external(name, str(library), options) for name in (RHS, GENERAL_POWERS))
-    return External(library, rhs, powers)
-
-
-def compiled_rosenbrock(graph: Graph, settings: Settings, frames: int) -> ca.Function:
-    """CasADi's Rosenbrock method on this graph as machine code.
-
-    Parameters
-    ----------
-    graph : Graph
-        It must have differential states.
-    settings : Settings
-        Tolerances; the solver named there is not asked for.
-    frames : int
-        Output times, the first included.
-
-    Returns
-    -------
-    casadi.Function
-        (x0, z0, p, start, interval) to (xf, zf, qf), with a column for each output time. It fails by returning NaN
-        or a nonzero code from a buffer, and does not say why.
-
-    Raises
-    ------
-    SoftcatError
-        If there is no compiler, it refuses the text, or the cache cannot be written.
-    """
-    options = replace(settings, solver="rosenbrock").options()
-    return ca.external(SOLVER, str(_compiled(solver_source(graph, frames, options))))
-
-
-def _compiled(source: CSource) -> Path:
-    return compile_library(source.files, flags=PORTABLE)
-
-
-_BESIDE = 1e-9
-_LOOK = 0.1  # s between two looks at how far it has got
-_MAX_STEPS, _STEPS_PER_FRAME = 1_000_000, 500  # minutes of work: whatever needs more gets nowhere
-_OUTCOMES = {
-    STEP_LIMIT: Outcome.step_limit,
-    STEP_TOO_SMALL: Outcome.no_convergence,
-    NON_FINITE: Outcome.non_finite,
-    SINGULAR: Outcome.no_convergence,
-    NO_CONVERGENCE: Outcome.no_convergence,
-}
-
-
 @dataclass(frozen=True)
 class CompiledFilament:
-    """A compiled model with the geometry of one grid.
-
-    Attributes
-    ----------
-    model : CModel
-        What is integrated.
-    sites : Sites
-        Where the unknowns of the graph are in it.
-    places : ndarray, shape (sites, places)
-        Geometry.
-    """
+    """A compiled model with the geometry of one grid."""
 
     model: CModel
-    sites: Sites
-    places: Floats
+    sites: Sites  # Where the unknowns of the graph are in it
+    places: Floats  # Geometry, shape (sites, places)
 
 
 @dataclass(frozen=True)
 class CompiledIntegration:
-    """A prepared run of the C model.
+    """A prepared run of the C model."""
 
-    Attributes
-    ----------
-    graph : Graph
-        The same filament, for names.
-    settings : Settings
-        Tolerances.
-    filament : CompiledFilament
-        What is integrated.
-    frames : int
-        Output times, t = 0 included.
-    kinks : ndarray
-        Times, in units of the time scale, at which a support changes pace.
-    """
-
-    graph: Graph
+    graph: Graph  # The same filament, for names
     settings: Settings
     filament: CompiledFilament
-    frames: int
-    kinks: Floats
+    frames: int  # Output times, t = 0 included
+    kinks: Floats  # Times, in units of the time scale, at which a support changes pace
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest; parameters as :meth:`softcat_sym.solvers.interpreted.Integration.run`."""
-        run = self._asked(start, p, np.linspace(0.0, duration, self.frames), scale)
-        return self._integrated(run, start, scale, progress)
+        return self._integrated(start, p, np.linspace(0.0, duration, self.frames), scale, progress)
 
-    def piece(
-        self,
-        start: Start,
-        p: Floats,
-        times: tuple[float, float, float],
-        samples: int,
-        scale: float,
-        progress: Progress,
-    ) -> Solution:
+    def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
-        begin, first, end = times
         # Where there is nothing before the samples, the first of them lies just behind the start.
-        first = max(first, begin + _BESIDE * (end - begin))
-        every = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
-        run = self._asked(start, p, every, scale)
-        return self._integrated(run, start, scale, progress)
+        first = max(times[1], times[0] + _BESIDE * (times[-1] - times[0]))
+        times = np.append(times[0], np.linspace(first, times[-1], len(times) - 1))
+        return self._integrated(start, p, times, scale, progress)
 
-    def _asked(self, start: Start, p: Floats, times: Floats, scale: float) -> Run:
-        return Run(
+    def _integrated(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
+        model, sites, status = self.filament.model, self.filament.sites, Status()
+        run = Run(
             parameters=np.ascontiguousarray(p),
             places=self.filament.places,
-            state=self.filament.sites.state(start.x, start.z),
+            state=sites.state(start.x, start.z),
             times=times,
             relative=self.settings.rtol,
-            absolute=self.settings.absolute(slot.name for slot in self.filament.model.model.slots),
+            absolute=self.settings.absolute(slot.name for slot in model.model.slots),
             # Without inertia only flow limits the steps: where little flows the work would be left to chance.
             work_absolute=0.0 if "v" in self.graph.x_kinds else self.settings.atol,
             kinks=self.kinks,
             max_steps=max(_MAX_STEPS, _STEPS_PER_FRAME * len(times)),
             max_step=(self.settings.max_step or 0.0) / scale,
         )
-
-    def _integrated(self, run: Run, start: Start, scale: float, progress: Progress) -> Solution:
-        """Integrate, and put what comes of it behind the start."""
-        status = Status()
-        room = self.filament.model.room(run, status)
+        room = model.room(run, status)
         self._watched(run, room, scale, progress)
-        refuse(status.code, self.filament.model.message(status.code))
-        frames = max(1, int(np.count_nonzero(run.times <= status.reached)))
-        x, z = self.filament.sites.vectors(room.states[:frames])
+        refuse(status.code, model.message(status.code))
+        frames = max(1, int(np.count_nonzero(times <= status.reached)))
+        x, z = sites.vectors(room.states[:frames])
         x[:, 0], z[:, 0] = start.x, start.z
         quad = np.zeros((POWERS, frames))
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
         if status.code != SOLVED:
-            outcome, message = _OUTCOMES[status.code], self._message(status, scale)
-        return Solution(run.times[:frames], x, z, quad, outcome, message, int(status.steps))
+            outcome, worst = _OUTCOMES[status.code], ""
+            if status.worst_slot >= 0:
+                name, site = model.model.slots[status.worst_slot].name, status.worst_site
+                worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
+            message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
+        return Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
 
     def _watched(self, run: Run, room: Answer, scale: float, progress: Progress) -> None:
-        """Integrate in a thread, so that Ctrl-C is heard and progress is told meanwhile; a flagged one needs none."""
+        """Integrate in a thread, so that Ctrl-C is heard and progress shown meanwhile; a flagged one needs none."""
         status, integrate = room.status, self.filament.model.integrate
 
-        def tell() -> None:
+        def report() -> None:
             reached = status.reached * scale
             progress.update(reached, reached / status.steps if status.steps else None)
 
         if isinstance(progress, Flagged):
             integrate(run, status, progress.flag, room)
-            tell()
+            report()
             return
         stop = ct.c_int(0)
         with ThreadPoolExecutor(1) as pool:
             answer = pool.submit(integrate, run, status, stop, room)
             try:
                 while not wait([answer], _LOOK).done:
-                    tell()
+                    report()
             finally:
                 stop.value = 1
-        tell()
+        report()
         answer.result()
-
-    def _message(self, status: Status, scale: float) -> str:
-        """Time, worst component and what went wrong."""
-        worst = ""
-        if status.worst_slot >= 0:
-            name, site = self.filament.model.model.slots[status.worst_slot].name, status.worst_site
-            worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
-        return f"stopped after t = {status.reached * scale:.6g} s{worst}; {self.filament.model.message(status.code)}"
 
 
 def compile_filament(graph: Graph, structure: Structure) -> CompiledFilament:
-    """The compiled form of a filament, from the cache if it has been compiled before.
-
-    Raises
-    ------
-    SoftcatError
-        If the compiler refuses; with its message.
-    """
+    """The compiled form of a filament, from the cache if it has been compiled before."""
     compiled = compiled_model(structure)
     model = compiled.model
     places = places_of(graph, structure.body, structure.area_power, model.places)

@@ -21,6 +21,53 @@ _TOLERANCE = 1e-10
 _ROUNDING = 1e-7
 _LONGEST_STEP = 0.1
 
+_NUDGE = 1e-3  # of a span
+_LARGEST = 0.05  # change of a position in one step, in spans
+_GROWTH, _SHRINKAGE = 2.0, 0.25
+_SETTLED = 1e-11
+_SETTLING_ITERATIONS = 400
+_SETTLING_ROUNDING = 1e-13
+
+_MAX_STEP, _MIN_STEP = 0.25, 1 / 512  # of a continuation
+_POSITIONS = ("x", "y", "psi")
+
+
+@dataclass(frozen=True)
+class Start:
+    """Differential and algebraic states at t = 0."""
+
+    x: Floats
+    z: Floats
+
+
+class _Stiffness:
+    """A sparse matrix, factorised: steps are None where it is singular, as of a straight string that does not bend."""
+
+    def __init__(self, sparsity: ca.Sparsity) -> None:
+        # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
+        self._solver = ca.Linsol("stiffness", "qr", sparsity)
+        self._matrix: ca.DM | None = None
+
+    def factorise(self, matrix: ca.DM) -> _Stiffness:
+        """Take a matrix; what is singular shows in the steps."""
+        self._matrix = matrix
+        try:
+            self._solver.sfact(matrix)
+            self._solver.nfact(matrix)
+        except RuntimeError:
+            self._matrix = None
+        return self
+
+    def step(self, force: Floats | ca.DM) -> Floats | None:
+        """What the force displaces."""
+        if self._matrix is None:
+            return None
+        try:
+            step = np.asarray(self._solver.solve(self._matrix, ca.DM(force))).ravel()
+        except RuntimeError:
+            return None
+        return step if np.all(np.isfinite(step)) else None
+
 
 class Equilibrium:
     """Newton's method on 0 = alg(t, x, z, p), damped by what does not depend on how the equations are scaled.
@@ -31,7 +78,7 @@ class Equilibrium:
 
     def __init__(self, graph: Graph) -> None:
         # Only positions and angles make the equations nonlinear: velocities may be as large as they are.
-        self._shape = np.isin(graph.z_kinds, ("x", "y", "psi"))
+        self._shape = np.isin(graph.z_kinds, _POSITIONS)
         self._bends = "bending" in graph.effects
         inputs = [graph.t, graph.x, graph.z, graph.p]
         # As built: a handful of evaluations is not worth the search for common subexpressions.
@@ -41,22 +88,17 @@ class Equilibrium:
         self._linear = not ca.depends_on(jacobian, graph.z)
         self._residual = ca.Function("residual", inputs, [alg])
         self._jacobian = ca.Function("jacobian", inputs, [jacobian])
-        # Named, "qr" is the sparse solver; without a name the same factorisation is a thousand times slower.
-        self._stiffness = ca.Linsol("stiffness", "qr", self._jacobian.sparsity_out(0))
+        self._stiffness = _Stiffness(self._jacobian.sparsity_out(0))
 
     def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
         """Equilibrium reached from the first guess that leads to one; None if none does."""
-        for guess in guesses:
-            z = self._newton(time, x, guess, p)
-            if z is not None:
-                return z
-        return None
+        return next((z for guess in guesses if (z := self._newton(time, x, guess, p)) is not None), None)
 
     def _newton(self, time: float, x: Floats, z: Floats, p: Floats) -> Floats | None:
         before = np.inf
         for _ in range(_ITERATIONS):
-            stiffness = self._jacobian(time, x, z, p)
-            step = self._step(stiffness, self._evaluate(time, x, z, p), factorise=True)
+            self._stiffness.factorise(self._jacobian(time, x, z, p))
+            step = self._stiffness.step(-self._evaluate(time, x, z, p))
             if step is None:
                 return None
             size = float(np.max(np.abs(step))) / max(1.0, float(np.max(np.abs(z + step), initial=0.0)))
@@ -64,21 +106,10 @@ class Equilibrium:
             if size < _TOLERANCE or (self._bends and size < _ROUNDING and size > 0.9 * before):
                 return z + step
             before = size
-            z = z + self._fraction(time, x, z, p, stiffness, step) * step
+            z = z + self._fraction(time, x, z, p, step) * step
         return None
 
-    def _step(self, stiffness: ca.DM, residual: Floats, *, factorise: bool = False) -> Floats | None:
-        """Newton's step; None where the stiffness is singular, as of a straight string that does not bend."""
-        try:
-            if factorise:
-                self._stiffness.sfact(stiffness)
-                self._stiffness.nfact(stiffness)
-            step = -np.asarray(self._stiffness.solve(stiffness, ca.DM(residual))).ravel()
-        except RuntimeError:
-            return None
-        return step if np.all(np.isfinite(step)) else None
-
-    def _fraction(self, time: float, x: Floats, z: Floats, p: Floats, stiffness: ca.DM, step: Floats) -> float:
+    def _fraction(self, time: float, x: Floats, z: Floats, p: Floats, step: Floats) -> float:
         """Fraction of the step after which less remains; if there is none, the longest, in hope of the next."""
         if self._linear:
             return 1.0
@@ -89,7 +120,7 @@ class Equilibrium:
         for _ in range(_HALVINGS):
             value = self._evaluate(time, x, z + fraction * step, p)
             if np.all(np.isfinite(value)):
-                remains = self._step(stiffness, value)
+                remains = self._stiffness.step(-value)
                 if remains is not None and float(np.linalg.norm(remains)) <= (1 - fraction / 4) * size:
                     return fraction
             fraction /= 2
@@ -101,17 +132,8 @@ class Equilibrium:
 
 def sagging_guesses(graph: Graph, straight: Floats, sag: float) -> list[Floats]:
     """Parabolas around the sag (over span) expected, and the straight filament."""
-    is_height = np.array([kind == "y" for kind in graph.z_kinds])
-    parabola = np.where(is_height, -(1 - 4 * graph.z_where**2), 0.0)
+    parabola = np.where(np.isin(graph.z_kinds, "y"), -(1 - 4 * graph.z_where**2), 0.0)
     return [straight + depth * parabola for depth in (sag, sag / 4, 0.0, 3 * sag)]
-
-
-_NUDGE = 1e-3  # of a span
-_LARGEST = 0.05  # change of a position in one step, in spans
-_GROWTH, _SHRINKAGE = 2.0, 0.25
-_SETTLED = 1e-11
-_SETTLING_ITERATIONS = 400
-_SETTLING_ROUNDING = 1e-13
 
 
 def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> Floats:
@@ -122,11 +144,15 @@ def settled(graph: Graph, x: Floats, p: Floats, z: Floats, straight: Floats) -> 
     Linearly implicit steps along dz/dtau = alg, the forces over the masses: each must lower the energy, so that none
     steps back onto a saddle.
     """
-    slope = _Slope(graph, x, p)
-    nudge = _nudge(graph)
-    low = slope.descended(min((z, _turned_over(graph, z, straight)), key=slope.energy) - nudge)
+    slope, nudge = _Slope(graph, x, p), _nudge(graph)
+
+    def turned_over(shape: Floats) -> Floats:
+        """The shape on the other side of the line between the supports."""
+        return np.where(np.isin(graph.z_kinds, ("y", "psi")), 2 * straight - shape, shape)
+
+    low = slope.descended(min((z, turned_over(z)), key=slope.energy) - nudge)
     # What leaves a straight bar may rise as well as hang.
-    other = slope.descended(_turned_over(graph, low, straight) - nudge)
+    other = slope.descended(turned_over(low) - nudge)
     return min((low, other), key=slope.energy)
 
 
@@ -137,15 +163,8 @@ def snapped(graph: Graph, time: float, x: Floats, p: Floats, z: Floats) -> Float
 
 def _nudge(graph: Graph) -> Floats:
     """Downwards, and a little more on one side."""
-    weight = np.abs(graph.z_where) / 0.5
-    size = np.array([_NUDGE if kind == "y" else 0.0 for kind in graph.z_kinds])
+    weight, size = np.abs(graph.z_where) / 0.5, np.where(np.isin(graph.z_kinds, "y"), _NUDGE, 0.0)
     return np.asarray(size * (1 - weight**2) * (1 + 0.1 * np.sign(graph.z_where)))
-
-
-def _turned_over(graph: Graph, z: Floats, straight: Floats) -> Floats:
-    """The shape on the other side of the line between the supports."""
-    across = np.isin(graph.z_kinds, ("y", "psi"))
-    return np.where(across, 2 * straight - z, z)
 
 
 class _Slope:
@@ -153,16 +172,15 @@ class _Slope:
 
     def __init__(self, graph: Graph, x: Floats, p: Floats, time: float = 0.0) -> None:
         self._x, self._p, self._time, self._observables = x, p, time, graph.observables
-        inputs = [graph.t, graph.x, graph.z, graph.p]
         pace = ca.SX.sym("pace")
         matrix = ca.SX.eye(graph.z.numel()) / pace - ca.jacobian(graph.alg, graph.z)
-        self._system = ca.Function("system", [*inputs, pace], [graph.alg, matrix])
-        self._solver = ca.Linsol("slope", "qr", self._system.sparsity_out(1))
+        self._system = ca.Function("system", [graph.t, graph.x, graph.z, graph.p, pace], [graph.alg, matrix])
+        self._stiffness = _Stiffness(self._system.sparsity_out(1))
 
     def energy(self, z: Floats) -> float:
         """Elastic, surface and potential energy per undeformed area."""
-        seen = self._observables(time=self._time, state=self._x, algebraic=z, parameters=self._p)
-        return sum(float(seen[f"energy_{kind}"]) for kind in ("elastic", "surface", "potential"))
+        observed = self._observables(time=self._time, state=self._x, algebraic=z, parameters=self._p)
+        return sum(float(observed[f"energy_{kind}"]) for kind in ("elastic", "surface", "potential"))
 
     def descended(self, start: Floats) -> Floats:
         """The minimum that a shape creeps into.
@@ -174,7 +192,8 @@ class _Slope:
         pace = 1 / float(np.max(np.abs(np.diag(np.asarray(matrix)))))
         best, lowest = start, self.energy(start)
         for _ in range(_SETTLING_ITERATIONS):
-            step = self.step(best, pace)
+            force, matrix = self._system(self._time, self._x, best, self._p, pace)
+            step = self._stiffness.factorise(matrix).step(force)
             if step is None:
                 pace *= _SHRINKAGE
                 continue
@@ -188,35 +207,11 @@ class _Slope:
             best, lowest, pace = best + step, energy, pace * _GROWTH
         return best
 
-    def step(self, z: Floats, pace: float) -> Floats | None:
-        """One linearly implicit step; None where it cannot be computed."""
-        force, matrix = self._system(self._time, self._x, z, self._p, pace)
-        try:
-            self._solver.sfact(matrix)
-            self._solver.nfact(matrix)
-            step = np.asarray(self._solver.solve(matrix, force)).ravel()
-        except RuntimeError:
-            return None
-        return step if np.all(np.isfinite(step)) else None
-
-
-_MAX_STEP, _MIN_STEP = 0.25, 1 / 512
-_POSITIONS = ("x", "y", "psi")
-
-
-@dataclass(frozen=True)
-class Start:
-    """Differential and algebraic states at t = 0."""
-
-    x: Floats
-    z: Floats
-
 
 def starting_state(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None) -> Start | None:
     """Begin at rest; None if no equilibrium is found."""
-    x = _with_positions(graph.start, graph.x_kinds, graph.x_where, scene)
+    x = _with_plastic_strain(_with_positions(graph.start, graph.x_kinds, graph.x_where, scene), graph, scene, 1.0)
     straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
-    x = _with_plastic_strain(x, graph, scene, 1.0)
     if graph.positions_are_algebraic:
         z = _balanced(scene, graph, p, straight)
         return None if z is None else Start(x, z)
@@ -225,8 +220,8 @@ def starting_state(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], 
         if not rest.positions_are_algebraic:
             return None
         values = dict(zip(graph.parameters, p.tolist(), strict=True))
-        weight = values["gravity"] if is_slack(scene) else 0.0
-        constants = np.array([values[name] if name != "gravity" else weight for name in rest.parameters])
+        values["gravity"] = values["gravity"] if is_slack(scene) else 0.0
+        constants = np.array([values[name] for name in rest.parameters])
         shape = _balanced(scene, rest, constants, _with_positions(rest.straight, rest.z_kinds, rest.z_where, scene))
         if shape is None:
             return None
@@ -247,9 +242,9 @@ def is_straight(scene: Scene) -> bool:
         for kind, angle in ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     )
     held = "free" not in (ends.left, ends.right)
-    pulled = held and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
     # A fluid is without stress however it was drawn.
-    pulled = pulled and scene.material.law != "newtonian"
+    pulled = held and scene.material.law != "newtonian"
+    pulled = pulled and not math.isclose(stress_free_length(scene), distance(scene), rel_tol=1e-12)
     uneven = len(set(initial.P)) > 1 or (pulled and bool(scene.filament.profile))
     bent = scene.filament.curvature != 0 or any(initial.C)
     return not ((turned and held) or is_slack(scene) or uneven or bent)
@@ -261,27 +256,28 @@ def _balanced(scene: Scene, graph: Graph, p: Floats, straight: Floats) -> Floats
     With its weight from the beginning; if that leads nowhere, with a weight that grows, which needs bending: a string
     without weight has no stiffness.
     """
-    equilibrium = Equilibrium(graph)
-    bends = "bending" in graph.effects
+    equilibrium, bends = Equilibrium(graph), "bending" in graph.effects
+    heavy = _Stage(scene, graph, p, weightless=False)
     if is_straight(scene):
         x = _with_plastic_strain(graph.start, graph, scene, 1.0)
         z = equilibrium.search(0.0, x, p, sagging_guesses(graph, straight, elastic_sag(scene)))
     else:
-        z = _followed(_Stage(scene, graph, p, weightless=False), equilibrium, straight)
+        z = _followed(heavy, equilibrium, straight)
     if z is None and bends:
         z = _followed(_Stage(scene, graph, p, weightless=True), equilibrium, straight)
     if z is None or not bends or not is_slack(scene) or not graph.conserves_energy:
         return z
     # A bar that its supports push together is in equilibrium while straight, but not at rest.
-    stage = _Stage(scene, graph, p, weightless=False)
-    x, constants = stage.at(1.0)
-    low = settled(graph, x, constants, z, straight)
-    return equilibrium.search(0.0, x, constants, [low])
+    x, constants = heavy.at(1.0)
+    return equilibrium.search(0.0, x, constants, [settled(graph, x, constants, z, straight)])
 
 
 def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floats | None:
     """Equilibrium at the end of a continuation, or None where it breaks off."""
-    guesses = sagging_guesses(stage.graph, stage.straight(straight), elastic_sag(stage.scene))
+    graph = stage.graph
+    falls = "bending" in graph.effects and graph.conserves_energy
+    apart = np.where(np.isin(graph.z_kinds, ("x", "y")), straight * stage.apart, straight)
+    guesses = sagging_guesses(graph, apart, elastic_sag(stage.scene))
     z = stage.search(equilibrium, 0.0, guesses[::-1] if stage.weightless else guesses)
     reached, step, slope = 0.0, _MAX_STEP, np.zeros_like(straight)
     while z is not None and reached < 1.0:
@@ -291,11 +287,11 @@ def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floa
             z, slope, reached, step = further, (further - z) / (now - reached), now, min(2 * step, _MAX_STEP)
         elif step >= _MIN_STEP:
             step /= 2
-        elif stage.falls:
+        elif falls:
             # The branch ends at a fold, as of an arch too heavy to stand: the filament snaps into what lies below.
             reached, step, slope = min(1.0, reached + _MIN_STEP), _MAX_STEP, np.zeros_like(z)
             x, constants = stage.at(reached)
-            z = stage.search(equilibrium, reached, [snapped(stage.graph, 0.0, x, constants, z)])
+            z = stage.search(equilibrium, reached, [snapped(graph, 0.0, x, constants, z)])
         else:
             return None
     return z
@@ -303,7 +299,7 @@ def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floa
 
 @dataclass(frozen=True)
 class _Stage:
-    """Parameters and plastic state between those of a straight filament (0) and those asked (1)."""
+    """Parameters and plastic state between those of a straight filament (0) and those of the scene (1)."""
 
     scene: Scene
     graph: Graph
@@ -311,28 +307,21 @@ class _Stage:
     weightless: bool
 
     @property
-    def falls(self) -> bool:
-        """Whether what loses its balance creeps down to another one."""
-        return "bending" in self.graph.effects and self.graph.conserves_energy
-
-    @property
-    def _apart(self) -> float:
-        """Distance at which the filament is straight, over the one asked."""
+    def apart(self) -> float:
+        """Distance at which the filament is straight, over the one requested."""
         return rest_length(self.scene) / distance(self.scene) if is_slack(self.scene) else 1.0
 
     def at(self, share: float) -> tuple[Floats, Floats]:
         """Plastic state and parameters."""
-        along, apart = chord_angle(self.scene), self._apart
         begins = {"curvature": 0.0}
         if is_held(self.scene):
             # A filament with a free end points from the beginning where its clamp does.
-            begins |= {LEFT_ANGLE: along, RIGHT_ANGLE: along}
+            begins |= dict.fromkeys((LEFT_ANGLE, RIGHT_ANGLE), chord_angle(self.scene))
         values = dict(zip(self.graph.parameters, self.p.tolist(), strict=True))
         if self.weightless:
             begins["gravity"] = 0.0
         # A clamp that is level needs no parameter, and then cannot be turned either.
-        for name in (SPAN, DROP):
-            begins[name] = values.get(name, 0.0) * apart
+        begins |= {name: values.get(name, 0.0) * self.apart for name in (SPAN, DROP)}
         mixed = {name: share * value + (1 - share) * begins.get(name, value) for name, value in values.items()}
         x = _with_plastic_strain(self.graph.start, self.graph, self.scene, share)
         return x, np.array([mixed[name] for name in self.graph.parameters])
@@ -347,13 +336,8 @@ class _Stage:
         return None
 
     def _hangs(self, x: Floats, z: Floats, constants: Floats) -> bool:
-        seen = self.graph.observables(time=0.0, state=x, algebraic=z, parameters=constants)
-        return float(np.min(np.asarray(seen["tension"]))) >= 0
-
-    def straight(self, straight: Floats) -> Floats:
-        """The straight filament between supports that far apart."""
-        stretched = np.isin(self.graph.z_kinds, ("x", "y"))
-        return np.where(stretched, straight * self._apart, straight)
+        observed = self.graph.observables(time=0.0, state=x, algebraic=z, parameters=constants)
+        return float(np.min(np.asarray(observed["tension"]))) >= 0
 
 
 def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene: Scene) -> Floats:
@@ -362,44 +346,31 @@ def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene:
     length, along = rest_length(scene), chord_angle(scene)
     run, fall = filament.span / length, ends.drop / length
     grown = scene.initial.stretch if scene.initial.relaxed else 1.0
-    middle = 0.0
-    left, drop = -run / 2, fall
-    if ends.right == "free":
-        along = ends.left_angle if ends.left == "clamped" else 0.0
+    middle, left, drop = 0.0, -run / 2, fall
+    if "free" in (ends.left, ends.right):
+        kind, angle = (ends.left, ends.left_angle) if ends.right == "free" else (ends.right, ends.right_angle)
+        along = angle if kind == "clamped" else 0.0
         run, fall = grown * math.cos(along), -grown * math.sin(along)
-        middle, drop = left + run / 2, fall
-    elif ends.left == "free":
-        along = ends.right_angle if ends.right == "clamped" else 0.0
-        run, fall = grown * math.cos(along), -grown * math.sin(along)
-        middle, drop = -left - run / 2, 2 * drop - fall
+        middle, drop = (left + run / 2, fall) if ends.right == "free" else (-left - run / 2, 2 * drop - fall)
     lines = {"x": middle + run * where, "y": -drop / 2 - fall * where, "psi": np.full(len(where), along)}
-    result = np.array(state, dtype=float)
-    for kind, line in lines.items():
-        chosen = np.array([one == kind for one in kinds], dtype=bool)
-        result = np.where(chosen, line, result) if len(kinds) else result
-    return result
+    return np.array([lines[kind][n] if kind in lines else state[n] for n, kind in enumerate(kinds)], dtype=float)
 
 
 def _with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
     """The state with a share of the plastic strain that the scene starts from."""
-    initial = scene.initial
-    mean = _along(initial.P, graph.x_where) + (math.log(initial.stretch) if initial.relaxed else 0.0)
-    bending = _along(initial.C, graph.x_where)
+    initial, where = scene.initial, graph.x_where
+    # Given at equal distances from left to right; one value alone is that of the whole filament.
+    mean, bending = (
+        np.interp(where, np.linspace(-0.5, 0.5, len(values)), values) if values else np.zeros(len(where))
+        for values in (initial.P, initial.C)
+    )
+    mean = mean + (math.log(initial.stretch) if initial.relaxed else 0.0)
     result = np.array(x, dtype=float)
     for n, kind in enumerate(graph.x_kinds):
         if kind in graph.profiles:
             weight = graph.profiles[kind]
             result[n] = share * (weight[0] * mean[n] + weight[1] * bending[n])
     return result
-
-
-def _along(values: tuple[float, ...], where: Floats) -> Floats:
-    """Values given at equal distances from left to right, at X/L_0."""
-    if not values:
-        return np.zeros(len(where))
-    if len(values) == 1:
-        return np.full(len(where), values[0])
-    return np.interp(where, np.linspace(-0.5, 0.5, len(values)), values)
 
 
 def _moved(state: Floats, kinds: tuple[str, ...], where: Floats, rest: Graph, shape: Floats) -> Floats:

@@ -2,27 +2,66 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import itertools
-from collections.abc import Callable
-from dataclasses import replace
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from softcat_sym.codegen.library import compile_library
+from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.solvers.compiled import External
 from softcat_sym.solvers.initial_state import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import Progress, Record, Solution, State, watched
+from softcat_sym.solvers.solution import Progress, Solution, watched
+
+# Runs on every machine of this kind, and no number changes: no -march=native, no -ffast-math, no fused operations.
+PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
 
 _LARGE = 1000
 _BESIDE = 8 * float(np.finfo(float).eps)
+
+_OUTCOMES = {
+    Outcome.step_limit: ("CV_TOO_MUCH_WORK", "IDA_TOO_MUCH_WORK"),
+    Outcome.non_finite: (
+        *("CV_RHSFUNC_FAIL", "CV_FIRST_RHSFUNC_ERR", "CV_REPTD_RHSFUNC_ERR", "CV_UNREC_RHSFUNC_ERR"),
+        *("IDA_RES_FAIL", "IDA_REP_RES_ERR", "IDA_FIRST_RES_FAIL"),
+    ),
+}
+"""Return flags of SUNDIALS; every other failure is one of convergence."""
+
+_FLAG = re.compile(r'(\w+ returned "(\w+)")')
+"""CasADi passes the flag on in its exception, and nowhere else."""
+
+
+@dataclass(frozen=True)
+class External:
+    """A compiled right-hand side, to be built into an integrator; its derivatives are those by t, x and z only."""
+
+    library: Path
+    rhs: ca.Function  # (t, x, z, p) to (ode, alg)
+    powers: ca.Function  # (t, x, z, p) to the powers of the whole filament, shape (3,)
+
+    def symbols(self) -> tuple[ca.MX, ca.MX, ca.MX]:
+        """New symbols x, z, p of the right sizes."""
+        x, z, p = (ca.MX.sym(name, self.rhs.size1_in(name)) for name in ("x", "z", "p"))
+        return x, z, p
+
+
+def compiled_rhs(graph: Graph) -> External:
+    """The right-hand side of a graph as machine code, compiled now or found in the cache."""
+    library = compile_library(rhs_source(graph).files, flags=PORTABLE)
+    # Without these CasADi would look for forward derivatives in the library, and find none.
+    options = {"enable_forward": False, "enable_reverse": False}
+    rhs, powers = (ca.external(name, str(library), options) for name in (RHS, POWERS))
+    return External(library, rhs, powers)
 
 
 class FrameIntegrator:
@@ -85,34 +124,41 @@ class FrameIntegrator:
         for name, result in self._results.items():
             self._buffer.set_res(call.index_out(name), memoryview(result.data))  # type: ignore[call-arg]
 
-    def advance(self, state: State, p: Floats, start: float, interval: float) -> tuple[Floats, Floats, Floats, int]:
-        """States and quadratures at the end of each interval (as columns), and the steps taken.
-
-        Raises
-        ------
-        RuntimeError
-            If the integrator gives up.
-        KeyboardInterrupt
-            If the user does.
-        """
-        self._arguments["x0"][:] = (*state.x, *np.zeros(self._works))
-        self._arguments["z0"][:] = state.z
+    def advance(self, before: Solution, p: Floats, start: float, interval: float) -> Solution:
+        """Frames at the end of each interval behind the last one of `before`; of a failed call they mean nothing."""
+        self._arguments["x0"][:] = (*before.x[:, -1], *np.zeros(self._works))
+        self._arguments["z0"][:] = before.z[:, -1]
         self._arguments["p"][:] = (*p, start, interval)
-        silence = io.StringIO()
-        with watched() as interrupts, contextlib.redirect_stdout(silence), contextlib.redirect_stderr(silence):
+        outcome, message = Outcome.solved, ""
+        with watched() as interrupts:
             try:
                 self._evaluate()
+            except RuntimeError as error:
+                outcome, message = _failure(error)
             finally:
                 interrupts.check()
         stats = self._buffer.stats()
         steps = int(stats.get("nsteps", stats.get("n_steps", 0)))
-        if self._buffer.ret() != 0:
-            # The Rosenbrock method does not raise: it leaves a code, and results that are not to be used.
-            raise RuntimeError(_reason(silence.getvalue(), steps, self._max_steps))
         x, z, local = (self._results[name][1:].T.copy() for name in ("xf", "zf", "qf"))
         quad = x[-self._works :] if self._works else np.add.reduceat(local, self._firsts, axis=0)
-        x = x[: len(state.x)]
-        return x, z, quad + state.quad[:, None], steps
+        x = x[: len(before.x)]
+        # The Rosenbrock method does not raise: it leaves a code.
+        if outcome is Outcome.solved and self._buffer.ret() != 0:
+            outcome, message = Outcome.no_convergence, "even the smallest step was rejected"
+            if steps >= self._max_steps:
+                outcome, message = Outcome.step_limit, "the number of steps reached its limit"
+        elif outcome is Outcome.solved and not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
+            outcome, message = Outcome.non_finite, "non-finite state"
+        time = np.asarray(start + interval * np.arange(1, self.intervals + 1), dtype=float)
+        return Solution(time, x, z, quad + before.quad[:, -1:], outcome, message, steps)
+
+
+def _failure(error: RuntimeError) -> tuple[Outcome, str]:
+    """Outcome by the flag that SUNDIALS returned, and which that was."""
+    found = _FLAG.search(str(error))
+    if found is None:
+        return Outcome.no_convergence, str(error).strip().splitlines()[-1][:200]
+    return next((one for one, flags in _OUTCOMES.items() if found[2] in flags), Outcome.no_convergence), found[1]
 
 
 class Integration:
@@ -135,9 +181,17 @@ class Integration:
     ) -> None:
         self._graph, self._settings, self._frames, self._kinks = graph, settings, frames, kinks
         self._external = external
+        # A multistep method starts anew in each chunk, so a short run gets one.
+        chunks = 40 if graph.x.numel() > _LARGE else 8 if settings.solver == "rosenbrock" else 1
+        self._chunk = self._integrator(1 if len(kinks) else max(1, -(-(frames - 1) // chunks)))
         self._samples: FrameIntegrator | None = None
-        intervals = 1 if len(kinks) else max(1, -(-(frames - 1) // _chunks(graph, settings)))
-        self._chunk = FrameIntegrator(graph, settings, intervals, external)
+
+    def _integrator(self, intervals: int) -> FrameIntegrator:
+        return FrameIntegrator(self._graph, self._settings, intervals, self._external)
+
+    @cached_property
+    def _single(self) -> FrameIntegrator:
+        return self._chunk if self._chunk.intervals == 1 else self._integrator(1)
 
     def run(self, start: Start, p: Floats, duration: float, scale: float, progress: Progress) -> Solution:
         """Integrate from a filament at rest.
@@ -151,156 +205,78 @@ class Integration:
         duration : float
             In units of the time scale.
         scale : float
-            The time scale [s], for messages.
+            The time scale [s].
         progress : Progress
-            Told after every chunk.
+            Called after every chunk.
         """
-        interval = duration / (self._frames - 1)
-        record = Record(start.x, start.z)
+        last, interval = self._frames - 1, duration / (self._frames - 1)
+        parts, reached, integrator = [Solution.at(start.x, start.z)], 0, self._chunk
+        while reached < last:
+            if len(self._kinks):
+                # A piece begins just behind its kink and ends just before the next.
+                cuts = self._cuts(reached * interval, (reached + 1) * interval)
+                pieces = [(low * (1 + _BESIDE), high * (1 - _BESIDE)) for low, high in cuts]
+                part = self._through(parts[-1], p, [(low, high - low) for low, high in pieces])
+            else:
+                part = integrator.advance(parts[-1], p, reached * interval, interval)
+            if part.outcome is Outcome.solved:
+                parts.append(part)
+                reached += len(part.time)
+                spent = len(part.time) * interval * scale
+                progress.update(min(reached, last) * interval * scale, spent / part.steps if part.steps else None)
+            elif integrator.intervals > 1:
+                integrator = self._single  # frame by frame to where it fails, so that the part that is sound is used
+            else:
+                outcome, message = self._broken(parts[-1], part, reached * interval, p, scale)
+                return replace(self._whole(parts, interval), outcome=outcome, message=message)
+        return self._whole(parts, interval)
 
-        def tell(simulated: float) -> None:
-            """After every chunk of that many seconds."""
-            done = min(record.reached, self._frames - 1) * interval * scale
-            progress.update(done, simulated / record.last_steps if record.last_steps else None)
+    def _whole(self, parts: list[Solution], interval: float) -> Solution:
+        """All parts; the last chunk may go beyond the end."""
+        found, frames = Solution.joined(parts), self._frames
+        x, z, quad = (part[:, :frames] for part in (found.x, found.z, found.quad))
+        return replace(found, time=np.arange(x.shape[1], dtype=float) * interval, x=x, z=z, quad=quad)
 
-        return self._through(record, p, interval, scale, tell)
-
-    def piece(
-        self,
-        start: Start,
-        p: Floats,
-        times: tuple[float, float, float],
-        samples: int,
-        scale: float,
-        progress: Progress,
-    ) -> Solution:
+    def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
-        begin, first, end = times
-        record = Record(start.x, start.z)
-        inside = self._kinks[(self._kinks > begin) & (self._kinks < first)].tolist()
-        state = record.last
-        try:
-            for low, high in itertools.pairwise((begin, *inside, first)):
-                if high > low:
-                    x, z, quad, _ = self._single.advance(
-                        state, p, low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)
-                    )
-                    state = State(x[:, -1], z[:, -1], quad[:, -1])
-            record.extend(state.x[:, None], state.z[:, None], state.quad[:, None], 0)
-            record.extend(*self._sampling(samples).advance(state, p, first, (end - first) / samples))
-        except RuntimeError as error:
-            found = record.solution(0.0, samples + 2, Outcome.no_convergence, str(error))
-            return replace(found, time=np.full(len(found.time), begin), steps=0)
+        begin, first, end = (float(times[k]) for k in (0, 1, -1))
+        parts = [Solution.at(start.x, start.z)]
+        spans = [(low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)) for low, high in self._cuts(begin, first)]
+        parts.append(self._through(parts[0], p, spans))
+        if parts[-1].outcome is Outcome.solved:
+            samples = len(times) - 2
+            # There is no second number of samples in a run.
+            if self._samples is None or self._samples.intervals != samples:
+                self._samples = self._integrator(samples)
+            parts.append(self._samples.advance(parts[-1], p, first, (end - first) / samples))
+        if (failed := parts[-1]).outcome is not Outcome.solved:
+            found = Solution.joined(parts[:-1])
+            return replace(found, time=np.full(len(found.time), begin), outcome=failed.outcome, message=failed.message)
         progress.update(end * scale, None)
-        time = np.concatenate([[begin], np.linspace(first, end, samples + 1)])
-        return replace(record.solution(0.0, samples + 2, Outcome.solved, ""), time=time)
+        return replace(Solution.joined(parts), time=times)
 
-    @cached_property
-    def _single(self) -> FrameIntegrator:
-        return FrameIntegrator(self._graph, self._settings, 1, self._external)
+    def _cuts(self, begin: float, end: float) -> list[tuple[float, float]]:
+        """The time from begin to end, cut at its kinks."""
+        inside = self._kinks[(self._kinks > begin) & (self._kinks < end)].tolist()
+        return [(low, high) for low, high in itertools.pairwise((begin, *inside, end)) if high > low]
 
-    def _sampling(self, samples: int) -> FrameIntegrator:
-        """An integrator of so many samples; there is no second number of them in a run."""
-        if self._samples is None or self._samples.intervals != samples:
-            self._samples = FrameIntegrator(self._graph, self._settings, samples, self._external)
-        return self._samples
-
-    def _through(
-        self, record: Record, p: Floats, interval: float, scale: float, tell: Callable[[float], None]
-    ) -> Solution:
-        """Integrate from where a record stands to the end, or to where it fails."""
-        if len(self._kinks):
-            return self._by_pieces(record, p, interval, scale, tell)
-        while record.reached < self._frames - 1:
-            message = self._attempt(self._chunk, record, p, interval)
-            if message:
-                return self._to_the_bitter_end(record, p, interval, scale, message)
-            tell(self._chunk.intervals * interval * scale)
-        return record.solution(interval, self._frames, Outcome.solved, "")
-
-    def _attempt(self, integrator: FrameIntegrator, record: Record, p: Floats, interval: float) -> str:
-        """Advance by one call; what went wrong, or an empty text."""
-        try:
-            x, z, quad, steps = integrator.advance(record.last, p, record.reached * interval, interval)
-        except RuntimeError as error:
-            return str(error) or "the integrator gave up"
-        if not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
-            return "non-finite state"
-        record.extend(x, z, quad, steps)
-        return ""
-
-    def _by_pieces(
-        self, record: Record, p: Floats, interval: float, scale: float, tell: Callable[[float], None]
-    ) -> Solution:
-        """Frame by frame, and within a frame from kink to kink."""
-        while record.reached < self._frames - 1:
-            begin, end = record.reached * interval, (record.reached + 1) * interval
-            inside = self._kinks[(self._kinks > begin) & (self._kinks < end)]
-            state, steps = record.last, 0
-            for low, high in itertools.pairwise((begin, *inside.tolist(), end)):
-                try:
-                    # A piece begins just behind its kink and ends just before the next.
-                    first, last = low * (1 + _BESIDE), high * (1 - _BESIDE)
-                    x, z, quad, taken = self._chunk.advance(state, p, first, last - first)
-                except RuntimeError as error:
-                    return self._broken(record, p, interval, scale, str(error) or "the integrator gave up")
-                if not all(np.all(np.isfinite(part)) for part in (x, z, quad)):
-                    return self._broken(record, p, interval, scale, "non-finite state")
-                state, steps = State(x[:, -1], z[:, -1], quad[:, -1]), steps + taken
-            record.extend(state.x[:, None], state.z[:, None], state.quad[:, None], steps)
-            tell(interval * scale)
-        return record.solution(interval, self._frames, Outcome.solved, "")
-
-    def _to_the_bitter_end(self, record: Record, p: Floats, interval: float, scale: float, message: str) -> Solution:
-        """Go on frame by frame to where it fails, so that the part that is sound is kept."""
-        single = FrameIntegrator(self._graph, self._settings, 1, self._external)
-        while record.reached < self._frames - 1:
-            failed = self._attempt(single, record, p, interval)
-            if failed:
-                message = failed
+    def _through(self, before: Solution, p: Floats, spans: Iterable[tuple[float, float]]) -> Solution:
+        """One frame at the end of these spans (start and length), with a call for each."""
+        x, z, quad = (part[:, -1:] for part in (before.x, before.z, before.quad))
+        here, steps = replace(before, time=before.time[-1:], x=x, z=z, quad=quad), 0
+        for start, length in spans:
+            here = self._single.advance(here, p, start, length)
+            steps += here.steps
+            if here.outcome is not Outcome.solved:
                 break
-        else:
-            return record.solution(interval, self._frames, Outcome.solved, "")
-        return self._broken(record, p, interval, scale, message)
+        return replace(here, steps=steps)
 
-    def _broken(self, record: Record, p: Floats, interval: float, scale: float, message: str) -> Solution:
-        """What was reached before it failed, and why it did."""
-        worst = worst_component(self._graph, record.reached * interval, record.last.x, record.last.z, p)
-        text = f"stopped after t = {record.reached * interval * scale:.6g} s; fastest: {worst}; {_digest(message)}"
-        return record.solution(interval, self._frames, _outcome_of(message), text)
-
-
-def _chunks(graph: Graph, settings: Settings) -> int:
-    """In how many calls to integrate: a multistep method starts anew in each, so a short run gets one."""
-    if graph.x.numel() > _LARGE:
-        return 40
-    return 8 if settings.solver == "rosenbrock" else 1
-
-
-def worst_component(graph: Graph, time: float, x: Floats, z: Floats, p: Floats) -> str:
-    """Name of the differential state that changes fastest."""
-    rates = np.abs(np.asarray(ca.Function("ode", [graph.t, graph.x, graph.z, graph.p], [graph.ode])(time, x, z, p)))
-    return graph.state_names[int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))]
-
-
-def _reason(told: str, steps: int, most: int) -> str:
-    """Why the Rosenbrock method gave up, which it does not say itself."""
-    if steps >= most:
-        return "the number of steps reached its limit"
-    if "NaN detected" in told or "Inf detected" in told:
-        return "non-finite right-hand side"
-    return "even the smallest step was rejected"
-
-
-def _outcome_of(message: str) -> Outcome:
-    # Steps first: a run may have recovered from an infinity before it ran out of steps.
-    if any(sign in message for sign in ("TOO_MUCH_WORK", "number of steps")):
-        return Outcome.step_limit
-    if any(sign in message for sign in ("non-finite", "RHSFUNC", "RES_FAIL", "RESFUNC")):
-        return Outcome.non_finite
-    return Outcome.no_convergence
-
-
-def _digest(message: str) -> str:
-    """The integrator's own words, without its source files."""
-    return message.strip().splitlines()[-1].split(": ", 1)[-1][:200]
+    def _broken(self, last: Solution, failed: Solution, time: float, p: Floats, scale: float) -> tuple[Outcome, str]:
+        """Why a run failed behind its last sound frame, and the unknown that changes fastest."""
+        graph, outcome = self._graph, failed.outcome
+        ode = ca.Function("ode", [graph.t, graph.x, graph.z, graph.p], [graph.ode])
+        rates = np.abs(np.asarray(ode(time, last.x[:, -1], last.z[:, -1], p)))
+        worst = graph.state_names[int(np.argmax(np.where(np.isfinite(rates), rates, np.inf)))]
+        if outcome is Outcome.no_convergence and not np.all(np.isfinite(rates)):
+            outcome = Outcome.non_finite
+        return outcome, f"stopped after t = {time * scale:.6g} s; fastest: {worst}; {failed.message}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import casadi as ca
 import numpy as np
@@ -16,6 +16,12 @@ from softcat_sym.solvers.initial_state import Equilibrium, snapped
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Solution
 
+# Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
+_GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
+
+_MIN_STEP = 1 / 1024  # of the time from one instant to the next
+_GROWTH = 1.5
+
 
 def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Floats) -> Floats:
     """Solutions of c_0 f^(n) + ... + c_(n-1) f' = 0 that start from each unit vector of (f, f', ..., f^(n-1)).
@@ -27,7 +33,7 @@ def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Flo
     time : sympy.Symbol
         The variable.
     times : ndarray, shape (frames,)
-        Where the solutions are wanted; they start at the first.
+        Output times; the solutions start at the first.
 
     Returns
     -------
@@ -43,13 +49,6 @@ def fundamental_solutions(coefficients: Sequence[Expr], time: Symbol, times: Flo
     options = {"reltol": 1e-8, "abstol": 1e-12, "max_num_steps": 1_000_000}
     call = ca.integrator("linear", "rosenbrock", dae, float(times[0]), times.tolist(), options)
     return np.array([np.asarray(call(x0=start)["xf"], dtype=float)[0] for start in np.eye(order)])
-
-
-# Instants between two frames at which the power is taken: never at a frame, where a load or a support may change pace.
-_GAUSS = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
-
-_MIN_STEP = 1 / 1024  # of the time from one instant to the next
-_GROWTH = 1.5
 
 
 def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
@@ -68,33 +67,41 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     scale : float
         Time scale [s].
     progress : Progress
-        Told after every frame.
+        Called after every frame.
     """
-    path, power = _Path(graph, p, float(times[0]), z0), _power_of_load(graph)
-    shapes, work = [z0], [0.0]
-    for before, time in itertools.pairwise(times):
-        instants = [float(before + share * (time - before)) for share in (*_GAUSS, 1.0)]
+    path = _Path(graph, p, float(times[0]), z0)
+    power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
+    shapes, work, outcome, message = [z0], [0.0], Outcome.solved, ""
+    for before, time in itertools.pairwise(times.tolist()):
+        instants = [before + share * (time - before) for share in (*_GAUSS, 1.0)]
         passed: list[Floats] = []
-        for instant in instants:
-            z = path.to(instant)
-            if z is None:
-                text = f"no equilibrium at t = {instant * scale:.6g} s"
-                return _solution(times[: len(shapes)], shapes, work, Outcome.no_equilibrium, text)
+        while len(passed) < len(instants) and (z := path.to(instants[len(passed)])) is not None:
             passed.append(z)
-        powers = [power(instant, z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
-        work.append(work[-1] + float(time - before) * sum(powers) / len(powers))
-        shapes.append(passed[-1])
-        progress.update(float(time) * scale, None)
-    return _solution(times, shapes, work, Outcome.solved, "")
+        if len(passed) < len(instants):
+            outcome, message = Outcome.no_equilibrium, f"no equilibrium at t = {instants[len(passed)] * scale:.6g} s"
+            break
+        powers = [power(instant, [], z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
+        load = sum(float(np.asarray(found).ravel()[1]) for found in powers)
+        work.append(work[-1] + (time - before) * load / len(_GAUSS))
+        shapes.append(path.last)
+        progress.update(time * scale, None)
+    frames = len(shapes)
+    quad = np.vstack([np.zeros(frames), work, np.zeros(frames)])
+    return Solution(times[:frames], np.zeros((0, frames)), np.array(shapes).T, quad, outcome, message, frames - 1)
 
 
 class _Path:
-    """Equilibria one after another, in smaller steps than asked where a support goes far."""
+    """Equilibria one after another, in smaller steps than requested where a support goes far."""
 
     def __init__(self, graph: Graph, p: Floats, time: float, z: Floats) -> None:
         self._graph, self._p, self._equilibrium = graph, p, Equilibrium(graph)
         self._known = [(time, z)]
         self._step = np.inf
+
+    @property
+    def last(self) -> Floats:
+        """The last equilibrium."""
+        return self._known[-1][1]
 
     def to(self, until: float) -> Floats | None:
         """Equilibrium at a later time; None without.
@@ -112,33 +119,20 @@ class _Path:
                 self._step = step / 2
                 continue
             if further is None and falls:
-                start = snapped(self._graph, at, np.zeros(0), self._p, self._known[-1][1])
-                further = self._search(at, start)
+                further = self._search(at, snapped(self._graph, at, np.zeros(0), self._p, self.last))
             if further is None:
                 return None
             self._known = [self._known[-1], (at, further)]
             self._step *= _GROWTH
-        return self._known[-1][1]
+        return self.last
 
     def _search(self, at: float, guess: Floats) -> Floats | None:
         return self._equilibrium.search(at, np.zeros(0), self._p, [guess])
 
     def _guess(self, at: float) -> Floats:
-        """The equilibrium before; along a path of small steps, carried on."""
+        """The equilibrium before; along a path of small steps, extrapolated."""
         last, z = self._known[-1]
         if not np.isfinite(self._step) or len(self._known) < 2:
             return z
         first, before = self._known[0]
         return np.asarray(z + (at - last) / (last - first) * (z - before))
-
-
-def _power_of_load(graph: Graph) -> Callable[[float, Floats, Floats], float]:
-    """Power of the changing load and of the moving support, of time, positions and parameters."""
-    powers = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
-    return lambda time, z, p: float(np.asarray(powers(time, [], z, p)).ravel()[1])
-
-
-def _solution(times: Floats, shapes: list[Floats], work: list[float], outcome: Outcome, text: str) -> Solution:
-    frames = len(shapes)
-    quad = np.vstack([np.zeros(frames), work, np.zeros(frames)])
-    return Solution(times, np.zeros((0, frames)), np.array(shapes).T, quad, outcome, text, frames - 1)

@@ -27,63 +27,17 @@ from softcat_sym.effects.scaling_estimates import (
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack
 
-_HERE = "numerics.backend"
+Name = Literal["cvodes", "idas", "rosenbrock"]
 
 ONE_TENSION = "the tension of the small-deflection model is one number for all cells, not a row of sites"
 NOTHING_TO_INTEGRATE = "without inertia or flow there is nothing to integrate, only a row of equilibria"
-
-
-@dataclass(frozen=True, slots=True)
-class Backend:
-    """What evaluates the right-hand side."""
-
-    compiled: bool  # Whether generated C does, its integrator included; otherwise CasADi interprets the graph
-    reason: str  # By which compiler, or why not
-
-    def __str__(self) -> str:
-        return f"{'compiled' if self.compiled else 'interpreted'}: {self.reason}"
-
-
-def choose_backend(scene: Scene, effects: Effects) -> Backend:
-    """Choose the backend: compiled where there is a compiler and the filament has a compiled form."""
-    asked = scene.numerics.backend
-    if asked == "interpreted":
-        return Backend(False, "named in numerics.backend")
-    obstacle = _obstacle(scene, effects, asked)
-    if not obstacle:
-        compiler = find_compiler()
-        if compiler is not None:
-            return Backend(True, compiler.version)
-        obstacle = "there is no C compiler that runs: install gcc or clang, or set CC"
-    if asked == "compiled":
-        raise SceneError([Fault(_HERE, f"'compiled', but {obstacle}", "auto or interpreted")])
-    return Backend(False, obstacle)
-
-
-def integrates(effects: Collection[str]) -> bool:
-    """Whether a filament with these effects is carried through time, rather than from equilibrium to equilibrium."""
-    return bool({"inertia", "viscous-flow", "viscous-stress"} & set(effects))
-
-
-def _obstacle(scene: Scene, effects: Effects, asked: str) -> str:
-    """Why the filament has no compiled form; empty if it has one."""
-    if scene.model == "small-deflection":
-        return ONE_TENSION
-    if scene.numerics.solver in ("cvodes", "idas") and asked == "auto":
-        return f"{scene.numerics.solver} is named in numerics.solver, and rarely runs faster on compiled expressions"
-    if not integrates(effects.names):
-        return NOTHING_TO_INTEGRATE
-    return ""
-
-
-Name = Literal["cvodes", "idas", "rosenbrock"]
 
 # BDF of order 3-5 is unstable on the imaginary axis, where the elastic waves are; order 2 is A-stable.
 _BDF_ORDER = 2
 _STEPS_PER_FRAME = 100_000
 
-# Measured on the bundled scenes (tests/acceptance/test_time_error.py): with these the time error of the midpoint is
-# a tenth of the accuracy asked or less.
+# Measured on the bundled scenes (tests/slow/test_time_error.py): with these the time error of the midpoint is
+# a tenth of the accuracy requested or less.
 _RTOL_PER_ACCURACY = {"cvodes": 0.3, "idas": 0.2, "rosenbrock": 0.012}
 _VISCOUS = 0.2  # of BDF without a yield stress: the whole filament flows at once, and further
 _TURNING = 0.05  # of BDF where sections have inertia: their waves must not spoil the energy balance
@@ -107,6 +61,42 @@ _NOISE = 5 * float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True, slots=True)
+class Backend:
+    """What evaluates the right-hand side."""
+
+    compiled: bool  # Whether generated C does, its integrator included; otherwise CasADi interprets the graph
+    reason: str  # By which compiler, or why not
+
+    def __str__(self) -> str:
+        return f"{'compiled' if self.compiled else 'interpreted'}: {self.reason}"
+
+
+def choose_backend(scene: Scene, effects: Effects) -> Backend:
+    """Choose the backend: compiled where there is a compiler and the filament has a compiled form."""
+    requested, solver, obstacle = scene.numerics.backend, scene.numerics.solver, ""
+    if requested == "interpreted":
+        return Backend(False, "named in numerics.backend")
+    if scene.model == "small-deflection":
+        obstacle = ONE_TENSION
+    elif solver in ("cvodes", "idas") and requested == "auto":
+        obstacle = f"{solver} is named in numerics.solver, and rarely runs faster on compiled expressions"
+    elif not integrates(effects.names):
+        obstacle = NOTHING_TO_INTEGRATE
+    elif (compiler := find_compiler()) is not None:
+        return Backend(True, compiler.version)
+    else:
+        obstacle = "there is no C compiler that runs: install gcc or clang, or set CC"
+    if requested == "compiled":
+        raise SceneError([Fault("numerics.backend", f"'compiled', but {obstacle}", "auto or interpreted")])
+    return Backend(False, obstacle)
+
+
+def integrates(effects: Collection[str]) -> bool:
+    """Whether a filament with these effects is carried through time, rather than from equilibrium to equilibrium."""
+    return not {"inertia", "viscous-flow", "viscous-stress"}.isdisjoint(effects)
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     """An integrator and its tolerances."""
 
@@ -125,10 +115,15 @@ class Settings:
 
     def options(self) -> dict[str, Any]:
         """Options of the CasADi integrator."""
-        common: dict[str, Any] = {"reltol": self.rtol, "abstol": self.atol, "max_num_steps": _STEPS_PER_FRAME}
-        if self.solver == "rosenbrock":
-            return common
-        return {**common, "max_order": _BDF_ORDER, "disable_internal_warnings": True}
+        common = {"reltol": self.rtol, "abstol": self.atol, "max_num_steps": _STEPS_PER_FRAME}
+        bdf = {"max_order": _BDF_ORDER, "disable_internal_warnings": True} if self.solver != "rosenbrock" else {}
+        return {**common, "show_eval_warnings": False, **bdf}
+
+
+def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:
+    """Integrator and tolerances of a run that is compiled or not; compiled, CVODES and IDAS must be named."""
+    ours = compiled and scene.numerics.solver in (None, "rosenbrock")
+    return compiled_settings(scene, effects) if ours else choose_settings(scene, effects)
 
 
 def choose_settings(scene: Scene, effects: Effects) -> Settings:
@@ -139,9 +134,8 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
     """
     solver, reason = _solver(scene, effects)
     rtol = scene.numerics.rtol or scene.run.accuracy * _tightening(scene, effects, solver)
-    wanted = rtol * _ATOL_PER_RTOL[solver] * _smallest_strain(scene)
-    noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
-    return Settings(solver, rtol, max(wanted, noise), reason)
+    atol = rtol * _ATOL_PER_RTOL[solver] * _smallest_strain(scene)
+    return Settings(solver, rtol, max(atol, _roundoff(scene, effects)), reason)
 
 
 def compiled_settings(scene: Scene, effects: Effects) -> Settings:
@@ -150,16 +144,21 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     if "viscous-stress" in effects.names:
         share = _HELD_BACK
     elif _creeps_to_rest(scene, effects):
+        share = _CREEPING
         # What is left of its stress beyond yield decides where it stops.
-        share, smallest = _CREEPING, min(smallest, _PER_YIELD_STRAIN * _yield_strain(scene))
+        limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+        if limit and modulus:
+            smallest = min(smallest, _PER_YIELD_STRAIN * (limit / modulus))
     elif _flow_damps(scene, effects):
         share = _FLOWING
     rtol = scene.numerics.rtol or min(_LOOSEST, scene.run.accuracy * share)
-    wanted = rtol * smallest
-    noise = _roundoff(scene, effects) if "inertia" in effects.names else 0.0
-    across = max(wanted, noise * _steepest(scene))
+    noise = _roundoff(scene, effects)
+    # Noise along the filament shows across it by its slope.
+    level = is_held(scene) and scene.ends.drop == 0 and not scene.ends.motion and not is_slack(scene)
+    slope = min(1.0, 4 * expected_sag(scene)) if level and scene.filament.curvature == 0 else 1.0
+    across = max(rtol * smallest, noise * slope)
     longest = _max_step(scene, effects, rtol) if share == _RINGING else None
-    return Settings("rosenbrock", rtol, max(wanted, noise), "the compiled one", across, longest)
+    return Settings("rosenbrock", rtol, max(rtol * smallest, noise), "the compiled one", across, longest)
 
 
 def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
@@ -177,73 +176,54 @@ def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
     return period / float(per_period)
 
 
-def _steepest(scene: Scene) -> float:
-    """Slope by which noise along the filament shows across it; one where it is not level at first."""
-    level = is_held(scene) and scene.ends.drop == 0 and not scene.ends.motion and not is_slack(scene)
-    return min(1.0, 4 * expected_sag(scene)) if level and scene.filament.curvature == 0 else 1.0
-
-
-def _yield_strain(scene: Scene) -> float:
-    """Eps_Y of a law that yields; infinite for one that is rigid until then, or does not."""
-    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
-    return limit / modulus if limit and modulus else math.inf
-
-
-def settings_for(scene: Scene, effects: Effects, *, compiled: bool) -> Settings:
-    """Integrator and tolerances of a run that is compiled or not; compiled, CVODES and IDAS must be named."""
-    ours = compiled and scene.numerics.solver in (None, "rosenbrock")
-    return compiled_settings(scene, effects) if ours else choose_settings(scene, effects)
-
-
 def _roundoff(scene: Scene, effects: Effects) -> float:
     """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
     modulus, weight = instant_modulus(scene), weight_stress(scene)
+    if "inertia" not in effects.names or modulus is None or weight <= 0:
+        return 0.0
     cells = 0.5 / float(np.min(choose_grid(scene, effects).cell_length))
-    return _NOISE * cells * math.sqrt(modulus / weight) if modulus is not None and weight > 0 else 0.0
+    return _NOISE * cells * math.sqrt(modulus / weight)
 
 
 def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
-    """Relative tolerance over the accuracy asked."""
-    if solver != "rosenbrock" and "inertia" not in effects.names:
+    """Relative tolerance over the accuracy requested."""
+    if solver == "rosenbrock":
+        return _RTOL_PER_ACCURACY[solver]
+    if "inertia" not in effects.names:
         return _QUASI_STATIC
-    if solver != "rosenbrock":
-        if _is_slow(scene):
-            return _CREEP
-        if "rotary-inertia" in effects.names:
-            return _TURNING
-        if "yielding" not in effects.names:
-            return _VISCOUS
-        if _creeps_to_rest(scene, effects):
-            return _REST
-    return _RTOL_PER_ACCURACY[solver]
+    if _is_slow(scene):
+        return _CREEP
+    if "rotary-inertia" in effects.names:
+        return _TURNING
+    if "yielding" not in effects.names:
+        return _VISCOUS
+    return _REST if _creeps_to_rest(scene, effects) else _RTOL_PER_ACCURACY[solver]
 
 
 def _smallest_strain(scene: Scene) -> float:
     """The strain against which absolute errors are measured: that of the expected sag, a hundredth at the most."""
-    bending = 4 * expected_sag(scene) * groups_of(scene).delta
-    expected = max(bending, expected_strain(scene))
+    expected = max(4 * expected_sag(scene) * groups_of(scene).delta, expected_strain(scene))
     return min(0.01, expected) if expected > 0 else 0.01
 
 
 def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
-    asked, algebraic = scene.numerics.solver, _algebraic(effects)
-    if asked == "cvodes" and algebraic:
+    requested, algebraic = scene.numerics.solver, _algebraic(effects)
+    if requested == "cvodes" and algebraic:
         found = f"'cvodes' cannot hold {algebraic[0]} that are algebraic, as they are without {algebraic[1]}"
         raise SceneError([Fault("numerics.solver", found, f"idas or rosenbrock, or the effect {algebraic[1]}")])
-    if asked is not None:
-        return asked, "named in numerics.solver"
+    if requested is not None:
+        return requested, "named in numerics.solver"
     if "inertia" not in effects.names:
         unknowns = "velocities" if "viscous-stress" in effects.names else "positions"
         return "idas", f"{unknowns} are algebraic without inertia"
     turning = algebraic or "rotary-inertia" in effects.names
     if turning and "yielding" not in effects.names and not _is_slow(scene):
         return "rosenbrock", "nothing yields, so that a method of fifth order takes few steps"
+    bdf: Name = "idas" if algebraic else "cvodes"
     if _flow_damps(scene, effects):
-        solver: Name = "idas" if algebraic else "cvodes"
-        return solver, "flow damps the elastic waves: BDF of order 2 is the cheapest"
+        return bdf, "flow damps the elastic waves: BDF of order 2 is the cheapest"
     if _creeps_to_rest(scene, effects):
-        slow: Name = "idas" if algebraic else "cvodes"
-        return slow, "it yields throughout and creeps to rest: BDF of order 2, tightly, is the cheapest"
+        return bdf, "it yields throughout and creeps to rest: BDF of order 2, tightly, is the cheapest"
     return "rosenbrock", "elastic waves ring on: a fifth-order method does not damp them by itself"
 
 

@@ -1,10 +1,10 @@
-"""The raw answer of an integration, its frames so far, and what a run tells while it is being made."""
+"""The raw answer of an integration, and who listens while it is made."""
 
 from __future__ import annotations
 
 import ctypes
 import signal
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from types import FrameType
@@ -15,6 +15,9 @@ import numpy as np
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.solvers.outcome import Outcome
+
+POWERS = 3
+"""Quadratures: plastic work, work of the changing load, work against the necking gradient."""
 
 
 class Progress(Protocol):
@@ -44,37 +47,45 @@ class Flagged(Protocol):
 
 
 class Silence:
-    """Tells nobody; a listener that derives from it need not hear everything."""
+    """A listener that does nothing; one that derives from it need not hear everything."""
 
     def stage(self, name: str) -> None:
         """Do nothing."""
-        del name
 
     def doing(self, what: str) -> None:
         """Do nothing."""
-        del what
 
     def update(self, simulated_time: float, step_size: float | None) -> None:
         """Do nothing."""
-        del simulated_time, step_size
 
 
 @dataclass(frozen=True)
 class Solution:
-    """States at the output times that were reached."""
+    """States at the output times that were reached, in columns."""
 
-    time: Floats  # shape (frames,); In units of the time scale; shorter than asked if the integration failed
-    # Differential and algebraic states, and the quadratures (plastic work, work of the changing load, work against
-    # the necking gradient).
-    x: Floats
-    z: Floats
-    quad: Floats
-    outcome: Outcome  # How it ended
+    time: Floats  # shape (frames,), in units of the time scale; shorter than requested if the integration failed
+    x: Floats  # Differential states
+    z: Floats  # Algebraic states
+    quad: Floats  # Quadratures, shape (POWERS, frames)
+    outcome: Outcome
     message: str  # Time, worst component and the integrator's words, if it failed
-    steps: int  # Steps taken
+    steps: int
+
+    @classmethod
+    def at(cls, x: Floats, z: Floats) -> Solution:
+        """The frame from which an integration begins, at time zero."""
+        return cls(np.zeros(1), x[:, None], z[:, None], np.zeros((POWERS, 1)), Outcome.solved, "", 0)
+
+    @classmethod
+    def joined(cls, parts: Sequence[Solution]) -> Solution:
+        """Parts one behind the other, ended as the last one."""
+        time, x, z, quad = (
+            np.concatenate([getattr(part, name) for part in parts], axis=-1) for name in ("time", "x", "z", "quad")
+        )
+        return replace(parts[-1], time=time, x=x, z=z, quad=quad, steps=sum(part.steps for part in parts))
 
     def every(self, stride: int, time: Floats) -> Solution:
-        """The same at every so many of its times, called those of `time`."""
+        """The same at every so many of its times, which become those of `time`."""
         x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
         return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)
 
@@ -110,43 +121,3 @@ def watched() -> Iterator[Interrupts]:
     interrupts = Interrupts()
     with interrupts_go_to(interrupts.note):
         yield interrupts
-
-
-POWERS = 3
-"""Quadratures: plastic work, work of the changing load, work against the necking gradient."""
-
-
-@dataclass(frozen=True)
-class State:
-    """Where an integration stands at one output time."""
-
-    x: Floats
-    z: Floats
-    quad: Floats
-
-
-class Record:
-    """Frames gathered so far."""
-
-    def __init__(self, x: Floats, z: Floats) -> None:
-        self._x, self._z, self._quad = [x[:, None]], [z[:, None]], [np.zeros((POWERS, 1))]
-        self.reached = self.steps = self.last_steps = 0
-
-    @property
-    def last(self) -> State:
-        """The last frame."""
-        return State(self._x[-1][:, -1], self._z[-1][:, -1], self._quad[-1][:, -1])
-
-    def extend(self, x: Floats, z: Floats, quad: Floats, steps: int) -> None:
-        """Add frames as columns."""
-        self._x.append(x)
-        self._z.append(z)
-        self._quad.append(quad)
-        self.reached += x.shape[1]
-        self.steps += steps
-        self.last_steps = steps
-
-    def solution(self, interval: float, frames: int, outcome: Outcome, message: str) -> Solution:
-        """The answer, with output times `interval` apart; the last chunk may overshoot: only `frames` are kept."""
-        x, z, quad = (np.concatenate(parts, axis=1)[:, :frames] for parts in (self._x, self._z, self._quad))
-        return Solution(np.arange(x.shape[1], dtype=float) * interval, x, z, quad, outcome, message, self.steps)

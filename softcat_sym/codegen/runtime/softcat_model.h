@@ -13,7 +13,7 @@ extern "C" {
 /* What a call returns. Each has a sentence: softcat_message. */
 enum {
     SOFTCAT_SOLVED = 0,
-    SOFTCAT_STEP_LIMIT,     /* most_steps steps did not reach the last time */
+    SOFTCAT_STEP_LIMIT,     /* max_steps steps did not reach the last time */
     SOFTCAT_STEP_TOO_SMALL, /* the tolerance asks for steps below the smallest one */
     SOFTCAT_NON_FINITE,     /* rates, Jacobian or unknowns are not finite */
     SOFTCAT_SINGULAR,       /* the matrix of the step, or of the algebraic rows, is singular */

@@ -153,7 +153,7 @@ static int advance(softcat_run *r, double *next)
     for (;;) {
         if (r->options->stop && *r->options->stop) return SOFTCAT_STOPPED;
         if (r->status->steps + r->status->rejected
-            >= (r->options->most_steps > 0 ? r->options->most_steps : 100000))
+            >= (r->options->max_steps > 0 ? r->options->max_steps : 100000))
             return SOFTCAT_STEP_LIMIT;
         double inner_end = at_kink(r, end) ? nextafter(end, start) : end, factor, error = 0.0;
         code = softcat_step_take(step, &copy->filament, start, h, inner_end, copy->state);

@@ -28,7 +28,7 @@ typedef struct softcat_options {
     double first_step;         /* 0: chosen */
     double smallest_step;      /* 0: ten roundings of the time */
     double largest_step;       /* 0: the whole span */
-    long most_steps;           /* accepted and rejected ones; 0: 100000 */
+    long max_steps;            /* accepted and rejected ones; 0: 100000 */
     int method;                /* SOFTCAT_RODAS5P ... */
     const double *kinks;       /* [kink_count] increasing times at which f is not smooth: */
     int kink_count;            /*              no step runs over one of them */

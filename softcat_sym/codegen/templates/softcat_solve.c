@@ -82,7 +82,7 @@ static void set_options(run *r, int n, int works)
     r->options.absolute = r->absolute;
     if (works && !inertia) r->options.work_absolute = absolute; /* nothing else limits the steps */
     r->options.largest_step = c->largest_step / r->scale;
-    r->options.most_steps = c->most_steps > 0 ? c->most_steps : (long)STEPS_PER_TIME * n;
+    r->options.max_steps = c->max_steps > 0 ? c->max_steps : (long)STEPS_PER_TIME * n;
     r->options.method = c->method;
     r->options.stop = c->stop;
     gather_kinks(r);

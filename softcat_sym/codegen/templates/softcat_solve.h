@@ -82,7 +82,7 @@ typedef struct softcat_settings {
     double grading;            /* longest cell, at midspan, over the shortest, at the supports */
     double relative, absolute; /* error a step may make; absolute: lengths in rest lengths */
     double largest_step;       /* [s] */
-    long most_steps;           /* 0: 100000 for each time asked */
+    long max_steps;            /* 0: 100000 for each time asked */
     int method;                /* SOFTCAT_RODAS5P ... of softcat_rosenbrock.h */
     const double *thickness;   /* [thickness_count] relative, equally spaced from left to right; */
     int thickness_count;       /*       only of a structure whose scene has a profile */

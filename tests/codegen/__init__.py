@@ -1,1 +1,0 @@
-"""Generated C against the graph that it was generated from."""

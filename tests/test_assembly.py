@@ -1,0 +1,487 @@
+"""The discrete filament conserves what the continuous one does, to rounding, at any state; numbers are inputs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import casadi as ca
+import numpy as np
+import pytest
+import sympy as sp
+
+import softcat_sym as sc
+from softcat_sym.discretization.assembly import assemble, choose_theory, energy_scale
+from softcat_sym.discretization.graph import CATALOGUE, TIME_SCALE, Graph, parameter_values, time_scale
+from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_span
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.errors import SceneError
+from softcat_sym.physics import small_deflection as small
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.initial_state import Equilibrium, sagging_guesses
+from tests.common.assembled import GRIDS, build, energy_of, parameters, place, random_state, rhs, scene_of, value
+
+STORED = ("energy_kinetic", "energy_elastic", "energy_potential")
+GEOMETRY = ("bending", "finite-stretch", "thinning", "large-rotation")
+BEAM = ("inertia", "bending", "viscous-flow", "yielding", "gravity-ramp")
+SHEARS: dict[str, tuple[str, ...]] = {
+    "fibres alone": (),
+    "shear": ("shear",),
+    "shear, gradient": ("shear", "necking-gradient"),
+    "shear, rotary": ("shear", "rotary-inertia"),
+    "everything": ("shear", "necking-gradient", "rotary-inertia"),
+}
+TIME = 0.3
+
+
+def flowing(scene: Scene, *names: str) -> Scene:
+    """The scene with these effects, those of flow only as its law has them."""
+    without = {"elastic": ("viscous-flow", "yielding"), "maxwell": ("yielding",)}.get(scene.material.law, ())
+    return scene.replace({"run.effects": [name for name in names if name not in without]})
+
+
+def resolved(scene: Scene, grid: Grid, more: tuple[str, ...] = (), **numerics: int) -> Graph:
+    """The scene's filament with inertia, fibres or amplitudes of its section, the flow of its law and these effects."""
+    names = ("inertia", *GEOMETRY, "viscous-flow", "yielding", "gravity-ramp", "fibres", *more)
+    return build(flowing(scene, *names).replace({f"numerics.{key}": n for key, n in numerics.items()}), grid)
+
+
+def beam(law: str = "bingham", section: str = "rectangle", grid: Grid = GRIDS["half"], *, axial: bool = False) -> Graph:
+    """The paper's filament without finite stretch, thinning and large rotation, and without extensibility."""
+    return build(flowing(scene_of(law, section=section), *BEAM, *(["extensibility"] if axial else [])), grid)
+
+
+def settled(graph: Graph, scene: Scene, seed: int, size: float = 0.01) -> tuple[Floats, Floats]:
+    """A random state, its section angles where their torques balance."""
+    x, z = random_state(graph, seed, size)
+    if not graph.is_dae:
+        return x, z
+    found = Equilibrium(graph).search(TIME, x, parameters(scene, graph), [z, graph.straight])
+    assert found is not None
+    return x, found
+
+
+def imbalance(graph: Graph, scene: Scene, time: float = TIME, size: float = 0.02) -> float:
+    """Largest |d(energy)/dt + dissipation + power of the gradient - power of the load| over what was added up.
+
+    At random states; with section angles from their own balance the energy does not depend on how fast they turn.
+    """
+    energy, values = energy_of(graph, STORED), parameter_values(scene)
+    unit = values["span"] * energy_scale(values["density"], values["span"], values["time_scale"])
+    inputs = [graph.t, graph.x, graph.z, graph.p]
+    rates = [ca.gradient(energy, graph.x) * graph.ode, ca.jacobian(energy, graph.t), graph.quad * unit]
+    function = ca.Function("power", inputs, [*rates, ca.gradient(energy, graph.z), energy])
+    worst = 0.0
+    for seed in range(3):
+        at = (time, *settled(graph, scene, seed, size), parameters(scene, graph))
+        parts, drift, (lost, gained, steepened), slope, stored = value(function, *at)
+        assert np.max(np.abs(slope), initial=0.0) <= 1e-8 * abs(stored[0])
+        residual = float(np.sum(parts) + np.sum(drift) + lost + steepened - gained)
+        worst = max(worst, abs(residual) / float(np.sum(np.abs(parts)) + abs(lost) + abs(steepened)))
+    return worst
+
+
+def test_the_published_filament_keeps_or_dissipates_its_energy() -> None:
+    for law, section, grid in [
+        *(("bingham", "rectangle", grid) for grid in GRIDS),
+        ("bingham", "circle", "half"),
+        ("maxwell", "circle", "graded"),
+        ("maxwell", "rectangle", "half pinned"),
+        ("elastic", "circle", "whole"),
+    ]:
+        scene = scene_of(law, section=section)
+        assert imbalance(build(scene, GRIDS[grid]), scene) <= 1e-12, (law, section, grid)
+    for absent in [
+        ("bending",),
+        ("large-rotation",),
+        ("finite-stretch", "thinning"),
+        ("finite-stretch", "thinning", "large-rotation"),
+    ]:
+        assert imbalance(build(scene_of(), absent=absent), scene_of()) <= 1e-12, absent
+    for time in (0.0, 0.35, 5.0):  # at the start, within and after the ramp a changing load does work
+        assert imbalance(build(scene_of("elastic")), scene_of("elastic"), time) <= 1e-12, time
+    for grid in (half_span(6, End.CLAMPED, 10.0), whole_span(4, End.CLAMPED, End.PINNED, 10.0)):
+        # So close to the straight filament that no cell, however short, is turned inside out.
+        assert imbalance(build(scene_of(), grid), scene_of(), size=0.002) <= 1e-12
+    printed = scene_of(closure="printed")
+    assert imbalance(build(printed), printed) > 1e-4, "which is why energy is judged with the material closure only"
+
+
+def test_the_filament_that_shears_keeps_or_dissipates_its_energy() -> None:
+    for law, section, grid, variant, numerics in [
+        *(("bingham", "rectangle", grid, "everything", {"fibres": 4}) for grid in GRIDS),
+        *(("bingham", "rectangle", "graded", variant, {"fibres": 3}) for variant in SHEARS),
+        ("bingham", "circle", "half", "shear, gradient", {"fibres": 4}),
+        ("bingham", "circle", "whole", "everything", {"order": 3}),
+        ("bingham", "rectangle", "half pinned", "shear, gradient", {"order": 2}),
+        ("bingham", "circle", "graded", "fibres alone", {"order": 3}),
+        ("maxwell", "rectangle", "graded", "everything", {}),
+        ("maxwell", "circle", "whole", "shear", {}),
+    ]:
+        scene = scene_of(law, section=section)
+        graph = resolved(scene, GRIDS[grid], SHEARS[variant], **numerics)
+        assert graph.is_dae is ("rotary" not in variant and variant != "everything")
+        assert imbalance(graph, scene, size=0.01) <= 1e-12, (law, section, grid, variant)
+    graph = resolved(scene_of(), half_span(6, End.CLAMPED, 10.0), SHEARS["everything"], fibres=4)
+    assert imbalance(graph, scene_of(), size=0.002) <= 1e-12
+
+
+def test_a_filament_that_does_not_stretch_keeps_or_dissipates_its_energy() -> None:
+    for grid in GRIDS.values():
+        for law, section in [("bingham", "circle"), ("maxwell", "rectangle"), ("elastic", "circle")]:
+            graph = beam(law, section, grid)
+            assert graph.conserves_energy
+            assert imbalance(graph, scene_of(law, section=section)) <= 1e-12
+
+
+def test_flow_only_ever_dissipates() -> None:
+    for section in ("rectangle", "circle"):
+        scene = scene_of(section=section)
+        graphs = [build(scene)]
+        graphs += [
+            resolved(scene, GRIDS["half"], SHEARS[variant], **numerics)
+            for variant in ("shear, gradient", "everything")
+            for numerics in ({"fibres": 4}, {"order": 3})
+        ]
+        for graph in graphs if section == "rectangle" else graphs[:1]:
+            power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.powers[0]])
+            for seed in range(10):
+                state = random_state(graph, seed, size=0.01 * (seed + 1) / 10)
+                (lost,) = value(power, TIME, *state, parameters(scene, graph))
+                assert np.all(lost >= 0) and np.any(lost > 0)
+
+
+def test_forces_are_minus_the_gradient_of_the_energy() -> None:
+    scene = scene_of()
+    values = parameter_values(scene)
+    span, unit = values["span"], values["time_scale"]
+    for absent, grid in [
+        *(((), grid) for grid in GRIDS),
+        (("large-rotation",), "half"),
+        (("bending",), "half"),
+        (("bending",), "whole"),
+    ]:
+        graph = build(scene, GRIDS[grid], absent)
+        slope = ca.gradient(energy_of(graph, ("energy_elastic", "energy_potential")), graph.x)
+        function = ca.Function("g", [graph.t, graph.x, graph.p], [slope, graph.ode])
+        gradient, rates = value(function, TIME, random_state(graph, 5)[0], parameters(scene, graph))
+        index = {place(name): k for k, name in enumerate(graph.state_names)}
+        pairs = [(k, index[{"u": "x", "v": "y"}[kind], n], n) for (kind, n), k in index.items() if kind in ("u", "v")]
+        fast, slow, nodes = (np.array(part) for part in zip(*pairs, strict=True))
+        forces = rates[fast] * span / unit**2 * values["density"] * span * graph.grid.node_length[nodes]
+        wanted = -gradient[slow] / span
+        np.testing.assert_allclose(forces, wanted, rtol=0, atol=1e-11 * np.max(np.abs(wanted)))
+
+
+def rate(graph: Graph, scene: Scene, state: dict[str, float]) -> dict[str, float]:
+    function = ca.Function("ode", [graph.t, graph.x, graph.p], [graph.ode])
+    found = value(function, TIME, np.array([state[n] for n in graph.state_names]), parameters(scene, graph))[0]
+    return dict(zip(graph.state_names, found.tolist(), strict=True))
+
+
+def test_without_inertia_the_same_forces_balance() -> None:
+    scene = scene_of()
+    moving, still = build(scene), build(scene, absent=("inertia",))
+    state = dict(zip(moving.state_names, random_state(moving, 6)[0], strict=True))
+    forces = rate(moving, scene, state)
+    x, z = (np.array([state[name] for name in names]) for names in (still.state_names, still.algebraic_names))
+    ode, alg, _ = value(rhs(still), TIME, x, z, parameters(scene, still))
+    np.testing.assert_allclose(ode, [forces[name] for name in still.state_names], rtol=1e-11, atol=1e-13)
+    wanted = np.array([forces[{"x": "u", "y": "v"}[name[0]] + name[1:]] for name in still.algebraic_names])
+    np.testing.assert_allclose(alg, wanted, rtol=0, atol=1e-11 * np.max(np.abs(wanted)))
+
+
+def test_half_a_span_is_the_whole_at_a_symmetric_state() -> None:
+    cells = 5
+
+    def reflected(name: str) -> tuple[tuple[str, int], float]:
+        kind, number = place(name)
+        offset = number - cells
+        folded = offset if offset >= 0 else -offset - (kind == "a_0")
+        return (kind, folded), -1.0 if kind in ("x", "u") and offset < 0 else 1.0
+
+    for law, support, closure in [
+        ("bingham", End.CLAMPED, "material"),
+        ("bingham", End.PINNED, "printed"),
+        ("elastic", End.CLAMPED, "printed"),
+        ("elastic", End.PINNED, "material"),
+    ]:
+        scene = scene_of(law, closure=closure)
+        half, whole = build(scene, half_span(cells, support)), build(scene, whole_span(cells, support, support))
+        names = dict(zip(half.state_names, random_state(half, 7)[0], strict=True))
+        # x and u vanish on the symmetry plane, where they are no unknowns
+        held = {("x", 0): 0.0, ("u", 0): 0.0}
+        right = {place(name): value for name, value in names.items()} | held
+        state = {name: sign * right[key] for name in whole.state_names for key, sign in [reflected(name)]}
+        found = rate(whole, scene, state)
+        wanted = {place(name): speed for name, speed in rate(half, scene, names).items()} | held
+        size = max(map(abs, found.values()))
+        for name, speed in found.items():
+            key, sign = reflected(name)
+            assert speed == pytest.approx(sign * wanted[key], abs=1e-11 * size), name
+
+
+def test_internal_forces_telescope() -> None:
+    """Their sum over all nodes is the difference of the two end forces: what happens far from the ends drops out."""
+    cells, scene = 12, scene_of("elastic")
+    graph = build(scene, whole_span(cells // 2, End.CLAMPED, End.CLAMPED))
+    inner = [k for k, name in enumerate(graph.state_names) if name[0] in "xy" and 4 <= place(name)[1] <= cells - 4]
+    for direction in "uv":
+        forces = [
+            graph.ode[k] * graph.grid.node_length[place(name)[1]]
+            for k, name in enumerate(graph.state_names)
+            if name.startswith(direction)
+        ]
+        gradients = [ca.gradient(force, graph.x) for force in (sum(forces, ca.SX(0)), forces[len(forces) // 2])]
+        slopes = ca.Function("s", [graph.t, graph.x, graph.p], gradients)
+        of_sum, of_one = value(slopes, 0.0, random_state(graph, 8)[0], parameters(scene, graph))
+        assert np.max(np.abs(of_sum[inner])) <= 1e-11 * np.max(np.abs(of_one))
+
+
+def test_top_and_bottom_are_the_same() -> None:
+    """Mirroring a pinned filament in the line of its supports keeps every stored energy but that of the weight."""
+    scene = scene_of(ramp="0 s")
+    graph = build(scene, whole_span(3, End.PINNED, End.PINNED))
+    x, _ = random_state(graph, 9)
+    flip = np.array([-1.0 if name.startswith(("y", "v", "a_1")) else 1.0 for name in graph.state_names])
+    energies = [graph.observables.name_out().index(name) for name in STORED]
+    observed = [value(graph.observables, 0.0, state, np.zeros(0), parameters(scene, graph)) for state in (x, x * flip)]
+    kinetic, elastic, potential = ((observed[0][k][0], observed[1][k][0]) for k in energies)
+    assert kinetic[0] == kinetic[1] > 0
+    assert elastic[0] == pytest.approx(elastic[1], rel=1e-13) and elastic[0] > 0
+    assert potential[0] == pytest.approx(-potential[1], rel=1e-13)
+
+
+def test_rigid_motion_strains_nothing() -> None:
+    """Inner nodes turned and moved together: the cells between them feel nothing, those at the ends do."""
+    grid = whole_span(4, End.CLAMPED, End.CLAMPED)
+    for section in ["rectangle", "circle"]:
+        scene = scene_of("maxwell", section=section)
+        modulus, thickness = scene.material.youngs_modulus, scene.filament.thickness
+        graph = resolved(scene, grid, ("shear", "necking-gradient"))
+        for angle in [0.0, 0.4, 1.5, -3.0]:
+            x, z = graph.start.copy(), np.full_like(graph.straight, angle)
+            for k, name in enumerate(graph.state_names):
+                kind, number = place(name)
+                if kind in ("x", "y"):
+                    turned = grid.nodes[number] * (np.cos(angle) if kind == "x" else np.sin(angle))
+                    x[k] = turned + (0.02 if kind == "x" else -0.05)
+            found = value(graph.observables, 0.0, x, z, parameters(scene, graph))
+            observed = dict(zip(graph.observables.name_out(), found, strict=True))
+            sizes = {
+                "stretch": 1,
+                "shear": 1,
+                "tension": modulus,
+                "shear_force": modulus,
+                "moment": modulus * thickness,
+            }
+            for name, size in sizes.items():
+                inner = observed[name][1 : grid.cells - 1]
+                np.testing.assert_allclose(inner, float(name == "stretch"), atol=1e-13 * size, err_msg=name)
+            assert abs(observed["tension"][0]) > 1e-3 * modulus
+
+
+def test_section_angles_are_determined() -> None:
+    """The stiffness against turning is symmetric and positive: the index of the algebraic equations is one."""
+    scene = scene_of()
+    for grid in GRIDS.values():
+        for variant in ["fibres alone", "shear", "shear, gradient"]:
+            graph = resolved(scene, grid, SHEARS[variant], fibres=4)
+            jacobian = ca.Function("j", [graph.t, graph.x, graph.z, graph.p], [ca.jacobian(graph.alg, graph.z)])
+            # the angles' equations are divided by the length of their nodes
+            lengths = graph.grid.node_length[[place(name)[1] for name in graph.algebraic_names]]
+            for seed in range(5):
+                found = np.array(jacobian(TIME, *settled(graph, scene, seed), parameters(scene, graph)))
+                stiffness = -lengths[:, None] * found
+                np.testing.assert_allclose(stiffness, stiffness.T, atol=1e-12 * np.abs(stiffness).max())
+                eigenvalues = np.linalg.eigvalsh(stiffness)
+                assert eigenvalues[0] > 1e-5 * eigenvalues[-1]
+
+
+def elastic_sag(scene: Scene, cells: int, *, resolve: bool, shear: bool) -> float:
+    """Static sag of the elastic half span, in spans."""
+    effects = choose_effects(scene.replace({"run.effects": list(GEOMETRY)}))
+    equations = derive(
+        replace(effects.terms(), resolved=resolve, shear=shear), SECTIONS[scene.filament.section], "material"
+    )
+    graph = assemble(equations, half_span(cells, End.CLAMPED), effects.names, choose_theory(scene, equations))
+    guesses = sagging_guesses(graph, graph.straight, 0.02)
+    z = Equilibrium(graph).search(1e3, np.zeros(0), parameters(scene, graph), guesses)
+    assert z is not None
+    (row,) = [k for k, name in enumerate(graph.algebraic_names) if name.startswith("y[0]")]
+    return -float(z[row])
+
+
+def test_rigid_in_shear_it_is_the_filament_of_the_paper() -> None:
+    """Two discretisations of one theory: their difference falls with the square of the cells."""
+    for section in ("rectangle", "circle"):
+        scene, sizes = scene_of("elastic", ramp="0 s", section=section), (10, 20, 40)
+        paper = np.array([elastic_sag(scene, cells, resolve=False, shear=False) for cells in sizes])
+        found = np.array([elastic_sag(scene, cells, resolve=True, shear=False) for cells in sizes])
+        gaps = found / paper - 1
+        assert abs(gaps[1]) < abs(gaps[0]) / 3.5 and abs(gaps[2]) < abs(gaps[1]) / 3.5, (section, gaps)
+        # what is left without a grid: the shear of a section a thousand times too stiff for it, (h/L)^2/1000, and N^-4
+        assert abs(4 * gaps[2] - gaps[1]) / 3 < 1e-5
+
+
+def test_a_stubby_beam_sags_by_shear_as_timoshenko_says() -> None:
+    """Small sag: q L^4/(384 E I) + q L^2/(8 kappa_s mu A) (Timoshenko 1921)."""
+    delta, weight = 0.1, 1e-5  # thickness over span, weight per area and span over E
+    for section, gyration, correction in [("rectangle", 1 / 12, 5 / 6), ("circle", 1 / 16, 0.9)]:
+        scene = scene_of("elastic", ramp="0 s", section=section).replace(
+            {"filament.thickness": f"{0.2 * delta} m", "load.gravity": f"{weight * 4e6 / (1900 * 0.2)!r} m/s^2"}
+        )
+        bending = weight / (384 * gyration * delta**2)
+        shearing = weight / (8 * correction / (2 * (1 + scene.material.poisson)))
+        coarse, fine = (elastic_sag(scene, cells, resolve=True, shear=True) for cells in (20, 40))
+        stiff = elastic_sag(scene, 40, resolve=True, shear=False)
+        assert (4 * fine - coarse) / 3 == pytest.approx(bending + shearing, rel=1e-4)
+        assert stiff == pytest.approx(bending, rel=2e-3)
+        assert shearing > 0.09 * bending
+
+
+def test_the_right_hand_side_depends_on_every_parameter() -> None:
+    beyond_the_paper = {"poisson", "aspect", "curvature", "shake", "shake_frequency"}
+    beyond_the_paper |= {"surface_tension", "solid_viscosity"}
+    for absent in [(), ("inertia",)]:
+        graph = build(scene_of(), absent=absent)
+        assert set(graph.parameters) == {p.name for p in CATALOGUE} - beyond_the_paper | {TIME_SCALE}
+        touched = ca.DM(ca.jacobian_sparsity(ca.vertcat(graph.ode, graph.alg), graph.p), 1)
+        for k, name in enumerate(graph.parameters):
+            assert float(ca.sum1(touched[:, k])) > 0, name
+    with pytest.raises(KeyError, match="yield_stress"):
+        graph.vector(parameter_values(scene_of("maxwell")))
+
+
+def test_changing_a_value_is_rebuilding() -> None:
+    old = scene_of()
+    first = build(old)
+    x, z = random_state(first, 1)
+    before = value(rhs(first), TIME, x, z, parameters(old, first))
+    for change in [
+        {"material.yield_stress": "3 kPa"},
+        {"material.youngs_modulus": "40 MPa"},
+        {"material.viscosity": "1 kPa*s"},
+        {"filament.thickness": "2 mm"},
+        {"filament.span": "0.31 m"},
+        {"filament.density": "1000 kg/m^3"},
+        {"load.gravity": "1.62 m/s^2"},
+        {"load.ramp": "0.3 s"},
+    ]:
+        new = old.replace(change)
+        found = [value(rhs(graph), TIME, x, z, parameters(new, graph)) for graph in (first, build(new))]
+        for a, b in zip(*found, strict=True):
+            np.testing.assert_array_equal(a, b)
+        assert not np.array_equal(found[0][0], before[0]), change
+
+
+def test_time_is_an_input_only_with_a_ramp_or_a_shake() -> None:
+    ramped, sudden = build(scene_of()), build(scene_of(ramp="0 s"))
+    assert ca.depends_on(ramped.ode, ramped.t)
+    assert not ca.depends_on(ca.vertcat(sudden.ode, sudden.quad), sudden.t)
+    shaken = build(scene_of(ramp="0 s").replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
+    assert ca.depends_on(shaken.ode, shaken.t)
+    assert {*shaken.parameters} - {*sudden.parameters} == {"shake", "shake_frequency"}
+    at = random_state(sudden, 2)[0], parameters(scene_of(ramp="0 s"), sudden)
+    assert float(ca.Function("work", [sudden.x, sudden.p], [sudden.quad[1]])(*at)) == 0
+
+
+def test_the_jacobian_is_banded_whatever_the_grid() -> None:
+    """Unknowns are sorted along the filament: the bandwidth is that of a few neighbours, not of the span."""
+    for law, per_cell in (("elastic", 4), ("bingham", 6)):
+        graphs = [build(scene_of(law), half_span(cells, End.CLAMPED)) for cells in (8, 16)]
+        patterns = [ca.jacobian_sparsity(graph.ode, graph.x) for graph in graphs]
+        widths = [(pattern.bw_lower(), pattern.bw_upper()) for pattern in patterns]
+        assert widths[0] == widths[1] and max(widths[0]) <= 4 * per_cell
+
+
+def test_the_unit_of_time_does_not_matter() -> None:
+    """Positions are per span, velocities span per unit of time: another unit scales the rates and nothing else."""
+    scene = scene_of()
+    graph = build(scene)
+    x, z = random_state(graph, 3)
+    moving = np.array([name.startswith(("u", "v")) for name in graph.state_names])
+    values = parameter_values(scene)
+    one = value(rhs(graph), 0.2, x, z, graph.vector(values))[0]
+    # half the unit: velocities half, rates of velocity a quarter
+    faster = graph.vector({**values, TIME_SCALE: values[TIME_SCALE] / 2})
+    two = value(rhs(graph), 0.4, np.where(moving, x / 2, x), z, faster)[0]
+    np.testing.assert_allclose(two, np.where(moving, one / 4, one / 2), rtol=1e-12, atol=1e-15)
+    assert time_scale(scene) == pytest.approx(np.sqrt(0.2 / 9.81))
+    weightless = scene.replace({"load.gravity": "0 m/s^2"})
+    assert time_scale(weightless) == pytest.approx(0.2 * np.sqrt(1900 / 4e6))
+
+
+def test_observing_gives_a_row_for_each_time() -> None:
+    graph = build(scene_of())
+    states = np.stack([random_state(graph, seed)[0] for seed in range(3)], axis=1)
+    p, cells = parameters(scene_of(), graph), graph.grid.cells
+    observed = graph.observe(np.zeros(3), states, np.zeros((0, 3)), p)
+    for name, shape in (("x", cells + 1), ("stretch", cells), ("moment", cells), ("energy_elastic", 1)):
+        assert observed[name].shape == (3, shape)
+    for name, field in graph.observe(np.zeros(1), states[:, 1:2], np.zeros((0, 1)), p).items():
+        np.testing.assert_array_equal(field[0], observed[name][1])
+
+
+def test_a_filament_that_does_not_stretch_has_fewer_states_and_instructions() -> None:
+    for section in ["rectangle", "circle"]:
+        for law in ["elastic", "maxwell", "bingham"]:
+            plain, axial = beam(law, section), beam(law, section, axial=True)
+            kinds, all_kinds = ({place(name)[0] for name in graph.state_names} for graph in (plain, axial))
+            assert kinds == all_kinds - {"x", "u", "a_0"} and "a_0" not in plain.profiles
+            assert set(plain.parameters) <= set(axial.parameters)
+            assert plain.instructions < 0.7 * axial.instructions
+    pinned = {place(name) for name in beam(grid=half_span(5, End.PINNED)).state_names}
+    assert ("a_1", 5) not in pinned and ("a_1", 0) in pinned, "a pinned support carries no moment"
+    for ends in [(End.CLAMPED, End.FREE), (End.FREE, End.CLAMPED), (End.CLAMPED, End.PINNED)]:
+        grid = whole_span(4, *ends)
+        graph = beam(grid=grid)
+        x, z = random_state(graph, 1)
+        observed = graph.observe(np.zeros(1), x[:, None], z[:, None], parameters(scene_of(), graph))
+        np.testing.assert_allclose(observed["x"][0], 0.2 * grid.nodes, atol=1e-16)
+        assert not np.any(observed["tension"]) and np.all(observed["stretch"] == 1)
+
+
+def test_an_elastic_filament_that_does_not_stretch_is_linear() -> None:
+    scene, graph = scene_of("elastic"), beam("elastic")
+    p, function = parameters(scene, graph), rhs(graph)
+    states = [random_state(graph, seed, 10.0)[0] for seed in (1, 2)]
+    one, two, both, none = (value(function, 0.0, x, [], p)[0] for x in (*states, sum(states), 0 * states[0]))
+    np.testing.assert_allclose(one + two - none, both, rtol=1e-12, atol=1e-12 * np.max(np.abs(both)))
+
+
+def test_the_small_deflection_section_is_the_one_that_was_proved() -> None:
+    for shape in [RECTANGLE, CIRCLE]:
+        for flows in [True, False]:
+            scene = sc.load_scene("maxwell-slow", {"model": "small-deflection"})
+            if not flows:
+                scene = scene.replace({"material.law": "elastic", "material.viscosity": None})
+            equations = derive(choose_effects(scene).terms(), shape, "material")
+            response, proved = equations.response, small.small_deflection(shape, flows=flows)
+            renamed = {sy.s: 1 + small.e_mean, sy.theta_X: small.y_XX}
+            kinds = ("stress", "rate", "elastic", "dissipation")
+            for name in ("tension", "moment", *(f"{kind}_{part}" for kind in kinds for part in ("mean", "bending"))):
+                part = response if hasattr(response, name) else response.branch
+                assert sp.simplify(getattr(part, name).subs(renamed) - getattr(proved, name)) == 0, name
+            vertical = equations.force.vertical.subs(sy.Q, sy.T)
+            assert sp.simplify(vertical - proved.vertical_force) == 0
+            assert sp.simplify(equations.terms.centreline.stretch.subs(sy.x_X, 1) - 1 - proved.elongation) == 0
+
+
+def test_the_small_deflection_model_runs() -> None:
+    """Energy closes, supports stay, one tension for all cells; near the full filament, with other ends too."""
+    base = sc.load_scene(
+        "maxwell-fast", {"model": "small-deflection", "numerics.cells": 10, "numerics.estimate": False}
+    )
+    for ends in ({}, {"ends.left": "pinned", "ends.right": "pinned"}, {"ends.right": "pinned"}):
+        run, full = (sc.simulate(base.replace({"model": name, **ends})) for name in ("small-deflection", "filament"))
+        assert run.outcome is sc.Outcome.solved
+        assert run.summary["energy_residual"] < 1e-4
+        x = run.data.x.values
+        np.testing.assert_allclose(x[:, [0, -1]], np.array([[-0.1, 0.1]]).repeat(len(x), 0), atol=1e-15)
+        assert np.ptp(run.data.tension.values, axis=1).max() == 0
+        assert abs(run.summary["midpoint_final_m"] / full.summary["midpoint_final_m"] - 1) < 0.02
+    with pytest.raises(SceneError, match=r"material\.law"):
+        sc.simulate(sc.load_scene("arrested-overdamped", {"model": "small-deflection"}))

@@ -1,0 +1,226 @@
+"""Grids, their unknowns, and sections sampled through their thickness."""
+
+from __future__ import annotations
+
+import math
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from softcat_sym.discretization.assembly import CLAMPED_CELLS, choose_grid
+from softcat_sym.discretization.grid import (
+    HINGE_CELL,
+    LEAST,
+    MOST,
+    SMOOTH_KIRCHHOFF,
+    End,
+    Layout,
+    cell_block,
+    choose_grading,
+    half_span,
+    node_block,
+    whole_span,
+)
+from softcat_sym.discretization.kirchhoff import bending_nodes, free_nodes
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.errors import SoftcatError
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.reading import load_scene
+from tests.common.assembled import GRIDS, build, place, scene_of
+
+SHAPES = ("rectangle", "circle")
+
+
+def test_nodes_and_cells_partition_the_span() -> None:
+    graded = {"graded half": half_span(6, End.CLAMPED, 10.0), "whole": whole_span(4, End.CLAMPED, End.PINNED, 10.0)}
+    for name, grid in (GRIDS | graded).items():
+        span = 0.5 if grid.is_half else 1.0
+        assert len(grid.nodes) == grid.cells + 1 and len(grid.centres) == len(grid.cell_length) == grid.cells, name
+        for lengths in (grid.cell_length, grid.node_length):
+            assert np.sum(lengths) == pytest.approx(span, rel=1e-14), name
+            assert np.all(lengths > 0), name
+        assert np.all((grid.nodes[:-1] < grid.centres) & (grid.centres < grid.nodes[1:])), name
+        np.testing.assert_allclose(grid.node_length[1:-1], np.diff(grid.centres), rtol=1e-13, err_msg=name)
+
+
+def test_a_whole_span_is_the_half_and_its_mirror_image() -> None:
+    for grading in (1.0, 10.0):
+        half, whole = half_span(9, End.CLAMPED, grading), whole_span(9, End.CLAMPED, End.PINNED, grading)
+        assert (whole.cells, whole.nodes[0], whole.nodes[9], whole.nodes[-1]) == (18, -0.5, 0.0, 0.5)
+        np.testing.assert_allclose(whole.nodes[9:], half.nodes, atol=1e-16)
+        np.testing.assert_allclose(whole.nodes, -whole.nodes[::-1], atol=1e-16)
+    assert np.array_equal(half_span(8, End.CLAMPED).nodes, np.linspace(0.0, 0.5, 9)), "equal cells are the default"
+
+
+def test_free_nodes_and_nodes_that_carry_a_moment() -> None:
+    for grid, moments, heights in [
+        (half_span(4, End.CLAMPED), [0, 1, 2, 3, 4], [0, 1, 2, 3]),
+        (half_span(4, End.PINNED), [0, 1, 2, 3], [0, 1, 2, 3]),
+        (whole_span(2, End.CLAMPED, End.CLAMPED), [0, 1, 2, 3, 4], [1, 2, 3]),
+        (whole_span(2, End.CLAMPED, End.PINNED), [0, 1, 2, 3], [1, 2, 3]),
+        (whole_span(2, End.PINNED, End.PINNED), [1, 2, 3], [1, 2, 3]),
+    ]:
+        assert bending_nodes(grid) == moments
+        assert free_nodes(grid) == ([1, 2, 3], heights)
+
+
+def test_a_symmetric_scene_takes_half_the_span() -> None:
+    scene = scene_of().replace({"run.accuracy": 1e-3})
+    grid = choose_grid(scene)
+    assert (grid.is_half, grid.cells) == (True, CLAMPED_CELLS)
+    uneven = choose_grid(scene.replace({"ends.left": "pinned", "numerics.cells": 6}))
+    assert (uneven.is_half, uneven.cells, uneven.first, uneven.last) == (False, 12, End.PINNED, End.CLAMPED)
+    assert choose_grid(scene.replace({"ends.left": "pinned", "ends.right": "pinned"})).last is End.PINNED
+
+
+def test_longest_over_shortest_is_the_grading() -> None:
+    for grading in [0.5, 1.0, 3.0, 30.0]:
+        for cells in [2, 7, 40]:
+            lengths = half_span(cells, End.CLAMPED, grading).cell_length
+            assert lengths[0] / lengths[-1] == pytest.approx(grading, rel=1e-12)
+            assert lengths.sum() == pytest.approx(0.5, rel=1e-15)
+            assert lengths[1:] / lengths[:-1] == pytest.approx(grading ** (-1 / (cells - 1)), rel=1e-11)
+
+
+def test_cells_lie_on_a_smooth_map() -> None:
+    """Neighbours grow alike as cells are added, first order in 1/N, which is what second order of the theory needs."""
+    for middle in (False, True):
+        grids = [half_span(n, End.CLAMPED, 10.0, middle=middle) for n in (40, 80, 160)]
+        jumps = [np.max(np.abs(np.diff(np.log(grid.cell_length)))) for grid in grids]
+        assert np.divide(jumps[:-1], jumps[1:]) == pytest.approx(2, rel=0.03)
+    lengths = half_span(40, End.CLAMPED, 10.0, middle=True).cell_length
+    np.testing.assert_allclose(lengths, lengths[::-1], rtol=1e-12)
+    assert lengths.max() / lengths.min() == pytest.approx(10.0, rel=0.02)
+    assert np.argmax(lengths) in (19, 20)
+
+
+def test_a_weight_of_more_than_half_the_filament_makes_a_hinge() -> None:
+    """The paper's strand weighs 13.7 g; an elastic one has no hinge under any weight."""
+    for mass, short in [("2 g", False), ("10 g", True)]:
+        lengths = choose_grid(load_scene("arrested-overdamped", {"load.point_mass": mass})).cell_length
+        assert (lengths[0] < 0.5 * lengths.max()) == short
+        elastic = choose_grid(load_scene("no-yield", {"load.point_mass": mass})).cell_length
+        assert elastic[0] == pytest.approx(elastic.max())
+
+
+def test_what_is_no_grid_is_refused() -> None:
+    for cells, grading, word in [(0, 1.0, "cells"), *((8, g, "grading") for g in (0.0, -1.0, np.inf, np.nan))]:
+        with pytest.raises(SoftcatError, match=word):
+            half_span(cells, End.CLAMPED, grading)
+        with pytest.raises(SoftcatError, match=word):
+            whole_span(cells, End.CLAMPED, End.CLAMPED, grading)
+
+
+def test_grading_follows_ends_and_physics() -> None:
+    scene = load_scene("arrested-overdamped")
+    for cells in (40, 60, 80):  # the hinge sets the shortest cell, whatever the number of cells
+        shortest = half_span(cells, End.CLAMPED, choose_grading(scene, cells)).cell_length[-1]
+        assert shortest / 0.03 == pytest.approx(HINGE_CELL, rel=0.05)
+    assert choose_grading(scene, 10) == pytest.approx(MOST)
+    assert choose_grading(scene, 1000) == pytest.approx(LEAST)
+    for name, changes, expected in [
+        ("no-yield", {}, LEAST),
+        ("no-yield", {"run.effects": "paper"}, SMOOTH_KIRCHHOFF),
+        ("continual-descent", {"run.effects": "paper"}, MOST),
+        ("silicone-thread", {}, LEAST),
+        ("maxwell-slow", {"model": "small-deflection"}, LEAST),
+        ("glass-rod", {}, 1.0),
+        ("no-yield", {"ends.left": "pinned"}, LEAST),
+        ("no-yield", {"ends.left": "pinned", "ends.right": "pinned"}, 1.0),
+        ("no-yield", {"run.effects": ["inertia", "finite-stretch", "thinning", "large-rotation"]}, 1.0),
+    ]:
+        assert choose_grading(load_scene(name).replace(changes), 40) == expected, (name, changes)
+
+
+def test_unknowns_are_sorted_along_the_filament_and_gathering_undoes_laying_out() -> None:
+    grid = half_span(5, End.CLAMPED)
+    heights = np.linspace(1.0, 2.0, 6)
+    layout = Layout("q", [node_block("y", [0, 2, 3], grid, heights), cell_block("a", grid)])
+    positions = [float(name.rsplit("= ", 1)[1]) for name in layout.names]
+    assert positions == sorted(positions)
+    assert len(layout.names) == layout.vector.numel() == len(layout.start) == 8
+    for name, start in zip(layout.names, layout.start, strict=True):
+        kind, number = place(name)
+        assert start == (1.0 + 0.2 * number if kind == "y" else 0.0)
+    fields = {"y": layout.field("y", ca.SX(6, 1)), "a": layout.field("a", ca.SX(5, 1))}
+    back = ca.Function("back", [layout.vector], [layout.gather(fields)])
+    state = np.arange(8.0) ** 2
+    np.testing.assert_array_equal(np.asarray(back(state)).ravel(), state)
+    held = ca.Function("field", [layout.vector], [layout.field("y", ca.SX(np.full(6, 7.0)))])
+    assert [k for k, v in enumerate(np.asarray(held(np.zeros(8))).ravel()) if v == 7.0] == [1, 4, 5]
+    assert layout.field("u", ca.SX(6, 1)).is_zero()
+    empty = Layout("z", [])
+    assert (empty.names, empty.vector.numel(), empty.gather({}).numel()) == ((), 0, 0)
+
+
+def test_a_graph_starts_straight_and_at_rest() -> None:
+    for grid in (half_span(5, End.CLAMPED), whole_span(3, End.CLAMPED, End.PINNED)):
+        graph = build(scene_of(), grid)
+        for name, start in zip(graph.state_names, graph.start, strict=True):
+            kind, number = place(name)
+            assert start == (graph.grid.nodes[number] if kind == "x" else 0.0), name
+
+
+def moments(section: str, degree: int) -> list[float]:
+    """<zeta^n>: 1/(n + 1) for even n; of the semicircle Catalan's numbers over 4^(n/2)."""
+    even = {"rectangle": lambda m: 1 / (2 * m + 1), "circle": lambda m: math.comb(2 * m, m) / (m + 1) / 4**m}[section]
+    return [even(n // 2) if n % 2 == 0 else 0.0 for n in range(degree + 1)]
+
+
+def rules(section: str) -> list[SectionRule]:
+    shape = SECTIONS[section]
+    orders = [order_rule(shape, k, points) for k, points in ((0, 1), (1, 2), (1, 24), (3, 9), (8, 9), (8, 64))]
+    return [*(fibre_rule(shape, m) for m in (1, 2, 3, 6, 24)), *orders]
+
+
+def test_section_rules_are_quadratures_of_the_section() -> None:
+    for section, second in (("rectangle", 1 / 3), ("circle", 1 / 4)):
+        for rule in rules(section):
+            assert np.all(rule.weight > 0) and np.all(np.diff(rule.zeta) > 0) and np.all(np.abs(rule.zeta) < 1)
+            assert rule.weight.sum() == pytest.approx(1.0, abs=1e-14)
+            np.testing.assert_allclose(rule.zeta, -rule.zeta[::-1], atol=1e-15)
+            assert rule.points == 1 or rule.weight @ rule.zeta**2 == pytest.approx(second, abs=1e-14)
+            assert (rule.recall.shape, rule.project.shape) == ((rule.points, rule.states), (rule.states, rule.points))
+            np.testing.assert_allclose(rule.project @ rule.recall, np.eye(rule.states), atol=1e-12)
+
+
+def test_moments_are_exact_up_to_twice_the_points() -> None:
+    for section in SHAPES:
+        for points in [2, 3, 6, 12]:
+            rule, exact = fibre_rule(SECTIONS[section], points), moments(section, 2 * points)
+            for n in range(2 * points):
+                assert rule.weight @ rule.zeta**n == pytest.approx(exact[n], abs=1e-14), n
+            # and no further: a rule of this many points cannot
+            assert abs(rule.weight @ rule.zeta ** (2 * points) - exact[2 * points]) > 1e-9
+
+
+def test_rules_in_the_halves_have_the_plastic_moment() -> None:
+    """<|zeta|>, of a section that yields from its faces to its middle; one rule through all of it has 0.75/n^2 more."""
+    for section, exact in (("rectangle", 1 / 2), ("circle", 4 / (3 * math.pi))):
+        for points in [6, 8, 16, 64]:
+            rule, whole = (fibre_rule(SECTIONS[section], points, halves=halves) for halves in (True, False))
+            assert rule.weight @ np.abs(rule.zeta) == pytest.approx(exact, rel=1e-13)
+            assert whole.weight @ np.abs(whole.zeta) / exact - 1 == pytest.approx(0.75 / points**2, rel=0.6)
+            for n, moment in enumerate(moments(section, points - 1)):
+                assert rule.weight @ rule.zeta**n == pytest.approx(moment, abs=1e-14), n
+
+
+def test_projection_is_the_best_polynomial() -> None:
+    """Against a weighted least-squares fit of monomials, which knows no orthogonal polynomial."""
+    for section in SHAPES:
+        for order, points in [(1, 2), (3, 4), (3, 24), (8, 9), (8, 24)]:
+            rule = order_rule(SECTIONS[section], order, points)
+            profile = np.exp(rule.zeta) + np.maximum(rule.zeta - 0.3, 0)
+            root, powers = np.sqrt(rule.weight), rule.zeta[:, None] ** np.arange(order + 1)
+            fit, *_ = np.linalg.lstsq(root[:, None] * powers, root * profile, rcond=None)
+            np.testing.assert_allclose(rule.recall @ (rule.project @ profile), powers @ fit, atol=1e-10)
+            assert rule.states == order + 1
+        for order in [1, 3, 8]:  # as many points as amplitudes are fibres: the amplitudes only rename their strains
+            rule, fibres = order_rule(SECTIONS[section], order, order + 1), fibre_rule(SECTIONS[section], order + 1)
+            np.testing.assert_array_equal([rule.zeta, rule.weight], [fibres.zeta, fibres.weight])
+            np.testing.assert_allclose(rule.recall @ rule.project, np.eye(order + 1), atol=1e-12)
+    assert order_rule(SECTIONS["rectangle"], 8, 2).points == 9, "fewer could not tell the amplitudes apart"
+    legendre, chebyshev = (order_rule(SECTIONS[section], 2, 5) for section in SHAPES)
+    np.testing.assert_allclose(legendre.recall[:, 2], (3 * legendre.zeta**2 - 1) / 2, atol=1e-14)
+    np.testing.assert_allclose(chebyshev.recall[:, 2], (4 * chebyshev.zeta**2 - 1) / 3, atol=1e-14)

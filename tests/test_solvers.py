@@ -1,0 +1,633 @@
+"""Every integrator and both backends find the same motion; what fails says when, where and what to do."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any, cast
+
+import casadi as ca
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.codegen.c_printer import CSource
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.codegen.library import cache_entries
+from softcat_sym.discretization.assembly import energy_scale
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.forecast import expected_sag
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.scene.scene import Scene
+from softcat_sym.single_run import build
+from softcat_sym.solvers import compiled, interpreted, settings
+from softcat_sym.solvers.compiled import Answer, CModel, CompiledIntegration, Run, Status
+from softcat_sym.solvers.interpreted import External, FrameIntegrator, compiled_rhs
+from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.run import Prepared, prepare
+from softcat_sym.solvers.settings import choose_backend, choose_settings
+from softcat_sym.solvers.solution import Silence, Solution, watched
+from tests.common.assembled import (
+    Listener,
+    graph_of,
+    largest_difference,
+    midpoint,
+    prepared,
+    settings_of,
+    short_scene,
+    without,
+)
+
+TIGHT = 1e-9
+FIBRES = [
+    *("inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow"),
+    *("yielding", "gravity-ramp", "shear", "fibres", "necking-gradient"),
+]
+MOTION = [["0 s", "0 mm", "0 mm"], ["0.3 s", "20 mm", "0 mm"], ["0.6 s", "30 mm", "5 mm"]]
+NO_COMPILER = "there is no C compiler that runs: install gcc or clang, or set CC"
+LONG = sc.load_scene("no-yield", {"numerics.cells": 200, "numerics.rtol": "1e-10"})
+"""Takes far longer than any of the waits below."""
+
+
+@cache
+def kinds() -> dict[str, Scene]:
+    """Filaments with differential and algebraic unknowns, sections, moving supports, profiles and free ends."""
+    small = {"numerics.cells": 4, "run.frames": 7}
+    fibres = {"run.effects": FIBRES, "numerics.fibres": 3, "groups.duration": 20.0}
+    return {
+        "bingham": short_scene("bingham"),
+        "no inertia": without(short_scene("bingham"), "inertia"),
+        "fibres": sc.load_scene("arrested-overdamped", small | fibres),
+        "viscous stress, moving support": sc.load_scene(
+            "drawn-blob", small | {"ends.motion": MOTION, "run.duration": "1 s"}
+        ),
+        "profile, free end": sc.load_scene(
+            "curled-rod", small | {"filament.profile": [1.5, 1, 0.5], "run.duration": "0.3 s"}
+        ),
+        "point mass, no inertia": sc.load_scene("beam-viscometer", small),
+        "supports apart": sc.load_scene("slime-slope", small | {"run.duration": "0.2 s"}),
+        "elastic": short_scene("elastic"),
+        "maxwell": short_scene("maxwell"),
+    }
+
+
+QUICK = ("bingham", "no inertia", "fibres", "viscous stress, moving support")
+
+
+def asking(scene: Scene, **numerics: Any) -> Scene:
+    return scene.replace({f"numerics.{key}": value for key, value in numerics.items()})
+
+
+def twin(scene: Scene, backend: str = "compiled", **numerics: Any) -> Prepared:
+    """Ready to be solved by the Rosenbrock method, on either backend."""
+    scene = asking(scene, **{"backend": backend, "solver": "rosenbrock", **numerics})
+    return build(scene, choose_effects(scene))
+
+
+def integration(run: Prepared) -> CompiledIntegration:
+    assert isinstance(run.integration, CompiledIntegration)
+    return run.integration
+
+
+def test_the_integrator_follows_from_what_rings_and_what_is_algebraic() -> None:
+    for name, published, sheared in [
+        ("continual-descent", "cvodes", "idas"),
+        ("silicone-thread", "cvodes", "rosenbrock"),
+        ("arrested-underdamped", "rosenbrock", "rosenbrock"),
+        ("no-yield", "rosenbrock", "rosenbrock"),
+        ("maxwell-slow", "rosenbrock", "rosenbrock"),
+    ]:
+        for effects, solver in (("paper", published), ("auto", sheared)):
+            scene = sc.load_scene(name, {"run.effects": effects})
+            chosen = choose_settings(scene, choose_effects(scene))
+            assert chosen.solver == solver and chosen.reason, (name, effects)
+    creeping = sc.load_scene("arrested-overdamped")
+    chosen = choose_settings(creeping, choose_effects(creeping))
+    assert chosen.solver == "idas" and chosen.rtol < 0.1 * creeping.run.accuracy
+    assert settings_of(without(short_scene(), "inertia")).solver == "idas"
+    refused = {"numerics.solver": "cvodes", "run.effects": ["bending", "viscous-flow", "yielding"]}
+    with pytest.raises(SceneError, match=r"numerics\.solver: 'cvodes' cannot"):
+        sc.simulate(sc.load_scene("arrested-overdamped", refused))
+
+
+def test_tolerances_follow_the_accuracy_and_the_strain_expected() -> None:
+    for solver in ("cvodes", "idas", "rosenbrock"):
+        overruled = settings_of(asking(short_scene(), solver=solver, rtol=3e-7))
+        assert (overruled.solver, overruled.rtol) == (solver, 3e-7) and "numerics.solver" in overruled.reason
+        asked = asking(short_scene(), solver=solver)
+        coarse, fine = (settings_of(asked.replace({"run.accuracy": accuracy})) for accuracy in (1e-2, 1e-4))
+        assert fine.rtol == pytest.approx(coarse.rtol / 100) and fine.atol == pytest.approx(coarse.atol / 100)
+        assert coarse.rtol < 1e-2
+        # BDF stays at the order that is stable on the imaginary axis.
+        assert coarse.options().get("max_order") == (None if solver == "rosenbrock" else 2)
+    soft, stiff = short_scene("elastic"), short_scene("elastic").replace({"material.youngs_modulus": "40 GPa"})
+    assert 0 < settings_of(stiff).atol < settings_of(soft).atol <= 0.01 * settings_of(soft).rtol
+
+
+def test_every_outcome_gives_its_own_advice_with_keys_that_exist() -> None:
+    advice = [outcome.value for outcome in Outcome]
+    assert len(set(advice)) == len(Outcome.__members__) and all(len(text) > 20 for text in advice)
+    assert [outcome for outcome in Outcome if outcome.is_success] == [Outcome.solved]
+    known = {name: set(type(getattr(short_scene(), name)).model_fields) for name in ("run", "load", "numerics")}
+    for text in advice:
+        for word in text.replace(",", " ").replace(";", " ").replace(":", " ").split():
+            table, _, key = word.partition(".")
+            assert table not in known or not key or key in known[table], word
+
+
+def test_a_run_has_the_frames_that_were_requested_however_it_is_cut_into_chunks() -> None:
+    """Also where the last chunk goes beyond the end, as nine intervals in eight chunks do."""
+    moving = [
+        (short_scene(frames=n, cells=4), solver) for n in (2, 3, 9, 10, 33) for solver in ("cvodes", "rosenbrock")
+    ]
+    still = [
+        (without(short_scene(law, frames=n, cells=4), "inertia"), None)
+        for n in (2, 9)
+        for law in ("elastic", "bingham")
+    ]
+    for scene, solver in [*moving, *still]:
+        listener = Listener()
+        run = prepared(scene, **({"solver": solver} if solver else {}))
+        solution = run.solve(listener)
+        assert (solution.outcome, solution.message) == (Outcome.solved, "")
+        np.testing.assert_allclose(solution.time, run.times, rtol=1e-12)
+        assert len(run.times) == scene.run.frames
+        for states in (solution.x, solution.z, solution.quad):
+            assert states.shape[1] == scene.run.frames
+        np.testing.assert_array_equal(solution.x[:, 0], run.graph.start)
+        np.testing.assert_array_equal(solution.quad[:, 0], 0)
+        assert np.all(np.diff(listener.times) > 0) and listener.times[-1] == pytest.approx(0.1, rel=1e-12)
+        if solver and scene.run.frames != 10:
+            assert all(step is not None for step in listener.steps)
+            lengths = np.diff([0.0, *listener.times])
+            counted = sum(length / step for length, step in zip(lengths, listener.steps, strict=True) if step)
+            assert solution.steps == pytest.approx(counted, abs=0.01)
+
+
+def test_chunks_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    built = []
+
+    class Cut(FrameIntegrator):
+        chunks = 1
+
+        def __init__(self, graph: Graph, given: settings.Settings, intervals: int, external: Any = None) -> None:
+            built.append(intervals)
+            super().__init__(graph, given, -(-9 // self.chunks), external)
+
+    monkeypatch.setattr(interpreted, "FrameIntegrator", Cut)
+    for solver in ("cvodes", "rosenbrock"):
+        solutions = []
+        for chunks in (1, 4, 9):
+            monkeypatch.setattr(Cut, "chunks", chunks)
+            solutions.append(prepared(short_scene(frames=10), solver=solver, rtol=1e-8, atol=1e-10).solve(Silence()))
+        whole = solutions[0]
+        for other in solutions[1:]:
+            scale = np.max(np.abs(whole.x), axis=1, keepdims=True) + 1e-6
+            assert np.max(np.abs((other.x - whole.x) / scale)) < 1e-5
+            np.testing.assert_allclose(other.quad, whole.quad, rtol=0, atol=1e-5 * np.max(np.abs(whole.quad)))
+            assert other.quad[0][-1] > 0 and np.all(np.diff(other.quad[0]) >= -1e-9 * other.quad[0][-1])
+    assert len(built) == 6, "an integrator is built once for all chunks"
+
+
+def with_ode(graph: Graph, ode: ca.SX) -> Graph:
+    return dataclasses.replace(graph, write=lambda: dataclasses.replace(graph.raw, rates=(ode, graph.alg)))
+
+
+def test_a_run_that_breaks_keeps_its_sound_part(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture) -> None:
+    """Also one cut into chunks; CasADi says nothing of its own on the terminal."""
+    scene = short_scene(frames=11)
+    graph = graph_of(scene)
+    chosen = 7
+    for solver in ("cvodes", "rosenbrock"):
+        monkeypatch.setattr(settings, "_STEPS_PER_FRAME", 2000)
+        end = float(prepared(scene).times[-1])
+        spoiled = graph.ode + 1e-3 * ca.log(0.55 * end - graph.t) * ca.SX.ones(graph.ode.numel())
+        run = prepare(scene, with_ode(graph, spoiled), settings_of(scene, solver=solver))
+        solution = run.solve(Silence())
+        assert solution.outcome in (Outcome.non_finite, Outcome.no_convergence, Outcome.step_limit)
+        np.testing.assert_allclose(solution.time, run.times[:6], rtol=1e-12)  # frames 0 to 5 lie before the break
+        for states in (solution.x, solution.quad):
+            assert states.shape[1] == 6 and np.all(np.isfinite(states))
+        assert f"stopped after t = {solution.time[-1] * run.scale:.6g} s; fastest: " in solution.message
+        # An undefined component is worse than any.
+        nowhere = ca.SX.ones(graph.ode.numel())
+        nowhere[chosen] = ca.log(-1 - graph.t)
+        broken = prepare(scene, with_ode(graph, nowhere), settings_of(scene, solver=solver)).solve(Silence())
+        assert broken.outcome is Outcome.non_finite
+        assert len(broken.time) == 1 and np.all(np.isfinite(broken.x))
+        assert f"fastest: {graph.state_names[chosen]};" in broken.message
+        monkeypatch.setattr(settings, "_STEPS_PER_FRAME", 2)
+        cut = prepared(scene, solver=solver).solve(Silence())
+        assert cut.outcome is Outcome.step_limit and len(cut.time) == 1
+        assert "stopped after t = 0 s" in cut.message and "] at X/L = " in cut.message
+    assert "".join(capfd.readouterr()) == ""
+
+
+@cache
+def tight(law: str, solver: str, inertia: bool) -> tuple[Floats, Solution]:
+    scene = short_scene(law) if inertia else without(short_scene(law), "inertia")
+    run = prepared(scene, solver=solver, rtol=1e-8, atol=1e-10)
+    solution = run.solve(Silence())
+    assert solution.outcome is Outcome.solved
+    return midpoint(run, solution.x if inertia else solution.z), solution
+
+
+def test_independent_integrators_find_the_same_motion() -> None:
+    for law in ("elastic", "maxwell", "bingham"):
+        one, two = (tight(law, solver, True)[0] for solver in ("cvodes", "rosenbrock"))
+        assert np.max(np.abs(two)) > 1e-4
+        np.testing.assert_allclose(one, two, rtol=0, atol=2e-5 * np.max(np.abs(two)))
+    for law in ("maxwell", "bingham"):
+        (one, first), (two, second) = (tight(law, solver, False) for solver in ("idas", "rosenbrock"))
+        assert np.max(np.abs(two)) > 1e-4
+        np.testing.assert_allclose(one, two, rtol=0, atol=2e-6 * np.max(np.abs(two)))
+        np.testing.assert_allclose(first.quad, second.quad, rtol=0, atol=1e-5 * np.max(np.abs(second.quad)))
+    wanted, _ = tight("bingham", "rosenbrock", True)
+    for accuracy in (1e-2, 1e-3):
+        for solver in ("cvodes", "rosenbrock"):
+            run = prepared(short_scene().replace({"run.accuracy": accuracy}), solver=solver)
+            found = midpoint(run, run.solve(Silence()).x)
+            np.testing.assert_allclose(found, wanted, rtol=0, atol=accuracy * np.max(np.abs(wanted)))
+
+
+def test_every_frame_of_a_creeping_run_is_in_equilibrium() -> None:
+    run = prepared(without(short_scene(), "inertia"), rtol=1e-8, atol=1e-10)
+    graph, solution = run.graph, run.solve(Silence())
+    forces = ca.Function("forces", [graph.t, graph.x, graph.z, graph.p], [graph.alg])
+    size = np.abs(np.asarray(forces(1e9, graph.start, graph.straight, run.p))).max()
+    for k, instant in enumerate(solution.time):
+        left = np.abs(np.asarray(forces(instant, solution.x[:, k], solution.z[:, k], run.p))).max()
+        assert left <= 1e-5 * size
+
+
+def test_equilibria_are_the_limit_of_slow_motion_and_their_work_is_stored() -> None:
+    slow = short_scene("elastic", frames=5, duration="2 s", ramp="2 s")
+    moving, still = prepared(slow, solver="rosenbrock", rtol=1e-6, atol=1e-9), prepared(without(slow, "inertia"))
+    one, two = midpoint(moving, moving.solve(Silence()).x), midpoint(still, still.solve(Silence()).z)
+    np.testing.assert_allclose(one, two, rtol=0, atol=5e-3 * abs(two[-1]))
+    scene, listener = without(short_scene("elastic", frames=41), "inertia"), Listener()
+    run = prepared(scene)
+    assert run.integration is None
+    solution = run.solve(listener)
+    np.testing.assert_allclose(listener.times, 0.1 * np.arange(1, 41) / 40, rtol=1e-12)
+    assert np.all(np.diff(midpoint(run, solution.z)) <= 1e-12)
+    observed = run.graph.observe(solution.time, solution.x, solution.z, run.p)
+    stored = (observed["energy_elastic"] + observed["energy_potential"])[:, 0]
+    span = scene.filament.span
+    work = solution.quad[1] * energy_scale(scene.filament.density, span, run.scale) * span
+    assert abs(work[-1]) > 0
+    np.testing.assert_allclose(work, stored - stored[0], rtol=0, atol=2e-3 * np.max(np.abs(stored)))
+
+
+@cache
+def with_rhs(inertia: bool) -> tuple[Prepared, External]:
+    """A run of CVODES or IDAS, and its right-hand side as machine code."""
+    scene = short_scene("maxwell", cells=4) if inertia else without(short_scene("bingham", cells=4), "inertia")
+    run = prepared(scene, solver="cvodes" if inertia else "idas", rtol=1e-6, atol=1e-8)
+    return run, compiled_rhs(run.graph)
+
+
+def test_compiled_right_hand_sides_are_the_interpreted_ones() -> None:
+    for inertia in (True, False):
+        run, external = with_rhs(inertia)
+        graph, rng = run.graph, np.random.default_rng(2)
+        wanted = ca.Function("wanted", [graph.t, graph.x, graph.z, graph.p], [graph.ode, graph.alg, graph.quad])
+        for _ in range(5):
+            states = [v + 0.01 * rng.standard_normal(len(v)) for v in (graph.start, graph.straight)]
+            at = (float(rng.random()), *states, run.p)
+            for one, other in zip((*external.rhs(*at), external.powers(*at)), wanted(*at), strict=True):
+                scale = float(ca.norm_inf(other)) if other.numel() else 1.0
+                np.testing.assert_allclose(np.asarray(one), np.asarray(other), rtol=0, atol=1e-12 * scale)
+        one, other = (
+            interpreted.Integration(graph, run.settings, 4, np.zeros(0), rhs).run(
+                run.start, run.p, 0.3, run.scale, Silence()
+            )
+            for rhs in (external, None)
+        )
+        assert one.outcome is Outcome.solved and np.max(np.abs(other.quad)) > 0
+        for found, expected in ((one.x, other.x), (one.quad, other.quad)):
+            np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6 * np.max(np.abs(expected)))
+        assert compiled_rhs(graph).library == external.library
+
+
+def test_what_the_compiler_says_of_a_right_hand_side_reaches_the_user(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path))
+    monkeypatch.setattr(interpreted, "rhs_source", lambda graph: CSource({"broken.c": "int f(void) { return g; }\n"}))
+    with pytest.raises(SoftcatError, match=r"cannot compile[^$]*broken\.c:1[^$]*'?g'? undeclared"):
+        compiled_rhs(with_rhs(False)[0].graph)
+
+
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=() if kind in QUICK else pytest.mark.slow) for kind in kinds()]
+)
+def test_the_compiled_run_is_the_interpreted_one(kind: str) -> None:
+    runs = [twin(kinds()[kind], backend, rtol=TIGHT) for backend in ("compiled", "interpreted")]
+    starts = [run.start for run in runs if run.start is not None]
+    np.testing.assert_array_equal(*(np.append(start.x, start.z) for start in starts))
+    one, other = (run.solve(Silence()) for run in runs)
+    assert one.outcome is other.outcome is Outcome.solved
+    np.testing.assert_allclose(one.time, other.time, rtol=1e-13)
+    np.testing.assert_array_equal(np.append(one.x[:, 0], one.z[:, 0]), np.append(starts[0].x, starts[0].z))
+    assert largest_difference(runs[0], one, other) < 2e-6
+    assert float(np.max(np.abs(one.quad - other.quad)) / np.max(np.abs(other.quad))) < 2e-6
+
+
+def test_energies_are_balanced() -> None:
+    """Work of the load = what is stored, moves and was dissipated."""
+    for kind in ("bingham", "no inertia", "fibres"):
+        scene = kinds()[kind]
+        run = twin(scene, rtol=1e-7)
+        solution = run.solve(Silence())
+        observed = run.graph.observe(solution.time, solution.x, solution.z, run.p)
+        span = scene.filament.span
+        unit = energy_scale(scene.filament.density, span, run.scale) * span
+        names = ("energy_elastic", "energy_kinetic", "energy_potential")
+        held = sum(observed[name][:, 0] for name in names if name in observed)
+        plastic, load, gradient = solution.quad * unit
+        assert np.max(np.abs(plastic)) > 1e-3 * np.max(np.abs(held))
+        assert np.max(np.abs(held - held[0] + plastic + gradient - load)) < 1e-5 * np.max(np.abs(held)), kind
+
+
+def test_looser_tolerances_take_fewer_steps_and_err_more() -> None:
+    exact, steps, errors = twin(kinds()["bingham"], rtol=TIGHT).solve(Silence()), [], []
+    for rtol in (1e-3, 1e-5, 1e-7):
+        run = twin(kinds()["bingham"], rtol=rtol)
+        found = run.solve(Silence())
+        steps.append(found.steps)
+        errors.append(largest_difference(run, found, exact))
+    assert steps == sorted(steps)
+    assert errors[0] > 10 * errors[1] > 100 * errors[2]
+
+
+def test_compiled_failures_keep_the_sound_part(monkeypatch: pytest.MonkeyPatch) -> None:
+    run = twin(short_scene(frames=11))
+    whole = run.solve(Silence())
+    monkeypatch.setattr(compiled, "_MAX_STEPS", 1)
+    monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", whole.steps // 22)
+    cut = run.solve(Silence())
+    frames = len(cut.time)
+    assert cut.outcome is Outcome.step_limit and 1 < frames < 11
+    np.testing.assert_array_equal(cut.x, whole.x[:, :frames])
+    np.testing.assert_array_equal(cut.quad, whole.quad[:, :frames])
+    assert "] at X/L = " in cut.message
+    reached = float(cut.message.removeprefix("stopped after t = ").split(" s")[0])
+    assert cut.time[-1] * run.scale <= reached * (1 + 1e-5) < whole.time[frames] * run.scale
+    p = run.p.copy()
+    p[run.graph.parameters.index("youngs_modulus")] = np.nan
+    lost = replace(run, p=p).solve(Silence())
+    assert lost.outcome is Outcome.non_finite and "not finite" in lost.message
+    assert len(lost.time) == 1 and np.all(np.isfinite(lost.x))
+    assert run.start is not None
+    with pytest.raises(SoftcatError, match="refused to begin"):
+        integration(run).run(run.start, run.p, -1.0, run.scale, Silence())
+
+
+class Failing:
+    """A model whose integration ends with a code, after one frame."""
+
+    def __init__(self, of: CModel, code: int) -> None:
+        self.model, self.message, self.room, self._code = of.model, of.message, of.room, code
+
+    def integrate(self, run: Run, status: Status, stop: object, room: Answer) -> Answer:
+        status.code, status.reached, status.worst_slot = self._code, run.times[1] * 1.5, -1
+        room.states[:2] = run.state
+        return room
+
+
+def test_every_code_of_the_runtime_has_its_end() -> None:
+    run = twin(short_scene())
+    whole = integration(run)
+    model = whole.filament.model
+    codes = set(range(compiled.NO_CONVERGENCE + 1))
+    assert len({model.message(code) for code in codes}) == len(codes)
+    raised = {compiled.MEMORY, compiled.ARGUMENT}
+    assert set(compiled._OUTCOMES) == codes - raised - {compiled.SOLVED, compiled.STOPPED}
+    for code in sorted(raised | set(compiled._OUTCOMES)):
+        failing = replace(whole.filament, model=cast(CModel, Failing(model, code)))
+        ended = replace(run, integration=replace(whole, filament=failing))
+        if code in raised:
+            with pytest.raises(SoftcatError, match="refused to begin"):
+                ended.solve(Silence())
+            continue
+        solution = ended.solve(Silence())
+        assert solution.outcome is compiled._OUTCOMES[code] and not solution.outcome.is_success
+        assert len(solution.time) == solution.x.shape[1] == solution.quad.shape[1] == 2
+        reached = 1.5 * run.times[1] * run.scale
+        assert solution.message == f"stopped after t = {reached:.6g} s; {model.message(code)}"
+
+
+def test_no_step_runs_over_a_change_of_pace() -> None:
+    """With the changes known it needs fewer steps: otherwise each is found by refused ones."""
+    run = twin(kinds()["viscous stress, moving support"], rtol=1e-6)
+    whole = integration(run)
+    np.testing.assert_allclose(whole.kinks * run.scale, [0.3, 0.6], rtol=1e-12)
+    one = run.solve(Silence())
+    other = replace(run, integration=replace(whole, kinks=np.zeros(0))).solve(Silence())
+    assert one.steps < 0.95 * other.steps
+    assert largest_difference(run, one, other) < 1e-4
+
+
+def test_one_library_serves_every_grid_every_number_and_every_thread() -> None:
+    runs = [twin(short_scene(cells=cells)) for cells in (4, 5, 6, 7, 8, 9)]
+    runs.append(twin(short_scene(cells=5, ramp="0.02 s")))
+    assert len({id(integration(run).filament.model) for run in runs}) == 1
+    start = runs[0].start
+    assert start is not None
+    held = (runs[0].p, start.x, start.z, integration(runs[0]).filament.places)
+    before = [array.copy() for array in held]
+    wanted = [run.solve(Silence()) for run in runs]
+    found: dict[int, Floats] = {}
+
+    def solve(k: int) -> None:
+        for _ in range(5):
+            found[k] = runs[k].solve(Silence()).x
+
+    threads = [threading.Thread(target=solve, args=(k,)) for k in range(len(runs))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for k, one in enumerate(wanted):
+        np.testing.assert_array_equal(found[k], one.x)
+    for one, other in zip(before, held, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_progress_is_reported_while_it_works() -> None:
+    run, listener = twin(sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-7"})), Listener()
+    solution = run.solve(listener)
+    assert solution.outcome is Outcome.solved and len(listener.times) > 2
+    assert listener.times == sorted(listener.times)
+    assert 0 < listener.times[len(listener.times) // 2] < listener.times[-1]
+    assert listener.times[-1] == pytest.approx(run.times[-1] * run.scale)
+    assert listener.steps[-1] == pytest.approx(listener.times[-1] / solution.steps)
+
+
+def test_ctrl_c_stops_a_long_run_within_a_second() -> None:
+    interpreted_one = sc.load_scene("no-yield", {"numerics.cells": 60, "numerics.rtol": "1e-9"})
+    for scene in (LONG, asking(interpreted_one, backend="interpreted")):
+        sent: list[float] = []
+
+        def press(sent: list[float] = sent) -> None:
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        class Started(Silence):
+            timer = threading.Timer(0.3, press)
+
+            def update(self, simulated_time: float, step_size: float | None) -> None:
+                if not self.timer.ident:
+                    self.timer.start()
+
+        threads = threading.active_count()
+        with pytest.raises(KeyboardInterrupt):
+            sc.simulate(scene, Started())
+        assert time.monotonic() - sent[0] < (1 if scene is LONG else 5)
+        assert threading.active_count() <= threads + 1, "the integration goes on"
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_what_is_raised_meanwhile_reaches_the_caller(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Enough(Exception):  # noqa: N818
+        pass
+
+    class Fed(Silence):
+        def update(self, simulated_time: float, step_size: float | None) -> None:
+            raise Enough
+
+    run, began = twin(LONG), time.monotonic()
+    with pytest.raises(Enough):
+        run.solve(Fed())
+    assert time.monotonic() - began < 2
+
+    def no_memory(*_: object) -> None:
+        raise MemoryError("frames")
+
+    monkeypatch.setattr(CModel, "integrate", no_memory)
+    with pytest.raises(MemoryError, match="frames"):
+        twin(short_scene()).solve(Silence())
+
+
+def test_what_was_swallowed_is_raised_again_unless_the_program_handles_it() -> None:
+    with watched() as interrupts, pytest.raises(KeyboardInterrupt):
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt:
+            interrupts.check()
+    with watched() as quiet:
+        quiet.check()
+    handled: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: handled.append(number))
+    try:
+        with watched() as interrupts:
+            signal.raise_signal(signal.SIGINT)
+            interrupts.check()
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert handled == [signal.SIGINT]
+
+
+def chosen(scene: Scene) -> settings.Backend:
+    return choose_backend(scene, choose_effects(scene))
+
+
+def refused(scene: Scene, why: str) -> None:
+    with pytest.raises(SceneError) as refusal:
+        sc.simulate(asking(scene, backend="compiled"))
+    (fault,) = refusal.value.faults
+    assert (fault.path, fault.accepted) == ("numerics.backend", "auto or interpreted") and why in fault.found
+
+
+def test_the_backend_is_compiled_where_that_can_be_and_the_summary_says_why() -> None:
+    version = find_compiler()
+    assert version is not None and chosen(short_scene()) == settings.Backend(True, version.version)
+    runs = [sc.simulate(scene) for scene in (short_scene(), asking(short_scene(), backend="interpreted"))]
+    reasons = [(run.summary["backend"], run.summary["backend_reason"]) for run in runs]
+    assert reasons == [("compiled", version.version), ("interpreted", "named in numerics.backend")]
+    assert runs[0].summary["solver"] == "rosenbrock"
+    midpoints = [run.data.midpoint.values for run in runs]
+    accuracy = short_scene().run.accuracy
+    np.testing.assert_allclose(*midpoints, rtol=0, atol=accuracy * np.max(np.abs(midpoints[1])))
+    equilibria = without(short_scene("elastic"), "inertia")
+    small = short_scene("elastic").replace({"model": "small-deflection", "run.effects": "auto"})
+    for scene, why in [(small, "one number for all cells"), (equilibria, "nothing to integrate, only a row of")]:
+        assert not chosen(scene).compiled and why in chosen(scene).reason
+        refused(scene, why)
+
+
+def test_an_integrator_of_casadi_is_interpreted_unless_requested_otherwise() -> None:
+    assert "cvodes is named in numerics.solver" in chosen(asking(short_scene(), solver="cvodes")).reason
+    for solver, base in (("cvodes", short_scene()), ("idas", without(short_scene(), "inertia"))):
+        runs = [sc.simulate(asking(base, solver=solver, backend=name)) for name in ("compiled", "interpreted")]
+        assert [run.summary["backend"] for run in runs] == ["compiled", "interpreted"]
+        assert [run.summary["solver"] for run in runs] == [solver, solver]
+        midpoints = [run.data.midpoint.values for run in runs]
+        np.testing.assert_allclose(*midpoints, rtol=0, atol=1e-4 * np.max(np.abs(midpoints[1])))
+
+
+def test_without_a_compiler_a_run_is_interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", "/nowhere/cc")
+    assert chosen(short_scene()) == settings.Backend(False, NO_COMPILER)
+    run = sc.simulate(short_scene())
+    assert run.outcome is sc.Outcome.solved
+    assert (run.summary["backend"], run.summary["backend_reason"]) == ("interpreted", NO_COMPILER)
+    refused(short_scene(), NO_COMPILER)
+
+
+@pytest.fixture
+def nothing_compiled_yet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """An empty cache, and a process that has loaded nothing."""
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+    for loaded in (compiled.compiled_model, compiled._runtime):
+        loaded.cache_clear()
+    yield tmp_path / "cache"
+    for loaded in (compiled.compiled_model, compiled._runtime):
+        loaded.cache_clear()
+
+
+def test_a_failed_compilation_is_an_error_with_the_compilers_words(
+    nothing_compiled_yet: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Never a silent fall back on the interpreted one."""
+    fault = "filament.c:7:1: error: stray wrench in program"
+    script = tmp_path / "broken-cc"
+    script.write_text(f'#!/bin/sh\ncase "$*" in *-shared*) echo "{fault}" >&2; exit 1;; esac\necho "broken cc 1.0"\n')
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    with pytest.raises(SoftcatError, match=fault):
+        sc.simulate(short_scene())
+    assert cache_entries() == ()
+    assert not list(nothing_compiled_yet.rglob("*.c"))
+
+
+def test_a_strand_of_which_a_part_stays_elastic_rings_on_and_is_not_expected_to_fall() -> None:
+    """Chocolate: it yields a little at first, at its clamps only, and then rings by less than a tenth of its sag.
+
+    What is expected is what absolute tolerances are measured by.
+    """
+    strand = sc.Scene(
+        filament={"span": "7.3 mm", "thickness": "1.1 mm", "section": "circle", "density": "1200 kg/m^3"},
+        material={
+            "law": "bingham",
+            "youngs_modulus": "940 kPa",
+            "shear_yield_stress": "120 Pa",
+            "shear_viscosity": "4.9 Pa*s",
+        },
+        surroundings={"surface_tension": "0.04 N/m"},
+        run={"duration": "0.8 s", "frames": 2001},
+        numerics={"cells": 10, "fibres": 8, "estimate": False},
+    )
+    run = sc.simulate(strand)
+    deep = float(np.max(np.abs(run.data.midpoint.values))) / strand.filament.span
+    assert 0.2 < expected_sag(strand) / deep < 2
