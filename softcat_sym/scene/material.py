@@ -24,7 +24,6 @@ from softcat_sym.scene.formula import (
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
     STRESS,
-    AsValidator,
     Choice,
     Dimension,
     Kind,
@@ -110,7 +109,7 @@ class Parameter:
 
 
 @dataclass(frozen=True, slots=True)
-class Modes(AsValidator):
+class Modes(Kind):
     """A list of modes."""
 
     accepted: str = 'a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
@@ -156,7 +155,7 @@ class Modes(AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Parameters(AsValidator):
+class Parameters(Kind):
     """A table of named constants of any unit."""
 
     accepted: str = 'a table of named constants, such as {s0 = "1 kPa", t0 = "2 s", m = 3}'
