@@ -346,8 +346,6 @@ _CONSTANTS = ("youngs_modulus", "second_modulus", "viscosity", "yield_stress")
 class Material(Part):
     """A law and its constants, all tensile; SI.
 
-    Notes
-    -----
     A constant that the law does not use is None.
     """
 
