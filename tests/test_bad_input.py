@@ -24,7 +24,7 @@ from softcat_sym.scene.scene import Scene
 
 from .acceptance.table import show
 from .cli.in_process import Softcat, sets
-from .scene.tables import BINGHAM, faults_of, spoiled
+from .common.scenes import BINGHAM, faults_of, spoiled
 
 BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.spam": "0.2 m"}, "filament.spam", "unknown key (did you mean 'span'?)"),

@@ -112,11 +112,8 @@ class Relation:
     ratio: float  # SI
 
 
-def _faults_of_law(raw: Mapping[str, Any], relations: list[Relation], index: float) -> list[Fault]:
+def faults_of(relations: list[Relation], law: str) -> list[Fault]:
     """List what is said twice, what the law does not use, and what is missing."""
-    law = raw.get("law")
-    if not isinstance(law, str) or law not in GROUPED:
-        return []
     faults: list[Fault] = []
     tree: list[Relation] = []
     for relation in relations:
@@ -142,13 +139,10 @@ def _faults_of_law(raw: Mapping[str, Any], relations: list[Relation], index: flo
         ways = [path for path in (*ways, *(f"material.{name}" for name in loose)) if path not in given]
         found = f"missing: nothing fixes {' and '.join(_WORDS[name] for name in loose)}"
         faults.append(Fault("groups", found, f"one more of {', '.join(ways)}"))
-    if law in INDEXED and index != 1:
-        found, accepted = f"given, but with an index of {index:g} there is no viscosity to scale", _WITH_INDEX
-        faults += [Fault(f"groups.{key}", found, accepted) for key in ("tau", "B") if key in raw]
     return faults
 
 
-def _solve(relations: list[Relation]) -> dict[str, float]:
+def solve(relations: list[Relation]) -> dict[str, float]:
     """Follow the relations from the ground."""
     values = {GROUND: 1.0}
     for _ in relations:
@@ -157,6 +151,7 @@ def _solve(relations: list[Relation]) -> dict[str, float]:
                 values.setdefault(relation.constant, relation.ratio * values[relation.other])
             elif relation.constant in values:
                 values[relation.other] = values[relation.constant] / relation.ratio
+    del values[GROUND]
     return values
 
 
@@ -247,18 +242,22 @@ def resolve_groups(table: Table) -> Resolved:  # noqa: C901 - one step after ano
     stress, time = density * gravity * span, math.sqrt(span / gravity) if scaled else 0.0
     ratios = _ratios(block, stress, time, index) if block is not None and scaled else {}
     relations = _relations(raw, rest, ratios, index if scaled else 1.0)
-    faults += _faults_of_law(raw, relations, index)
-    if raw.get("law") in GROUPED:
-        _fill(rest, "material.law", raw["law"])
+    law = raw.get("law")
+    if isinstance(law, str) and law in GROUPED:
+        faults += faults_of(relations, law)
+        if law in INDEXED and index != 1:
+            found = f"given, but with an index of {index:g} there is no viscosity to scale"
+            faults += [Fault(f"groups.{key}", found, _WITH_INDEX) for key in ("tau", "B") if key in raw]
+        _fill(rest, "material.law", law)
     if block is not None and "n" in raw and block.law in INDEXED:
         _fill(rest, "material.index", block.n)
     if faults or block is None or not scaled or any(relation.ratio <= 0 for relation in relations):
         return Resolved(rest, tuple(faults), determined, complete=False)
-    constants = _solve(relations)
+    constants = solve(relations)
     absurd = [
         f"{name} {value:g}"
         for name, value in {"thickness": block.delta * span, **constants}.items()
-        if name != GROUND and not SMALLEST <= value <= LARGEST
+        if not SMALLEST <= value <= LARGEST
     ]
     if absurd:
         found = f"these groups give {', '.join(absurd)}, beyond {SMALLEST:g} to {LARGEST:g} in SI units"
