@@ -595,14 +595,7 @@ def test_every_term_has_one_dimension() -> None:
 
 @pytest.mark.parametrize(("modulus", "sag"), [(1e5, 0.139709), (1e6, 0.062621), (1e7, 0.025403), (1e8, 0.005982)])
 def test_at_rest_it_is_von_karmans_clamped_beam(modulus: float, sag: float) -> None:
-    values = {
-        sy.E: modulus,
-        sy.rho: 636.62,
-        sy.g: 9.80665,
-        sy.h0: 0.02,
-        sy.A0: np.pi * 0.01**2,
-        sy.L: 1.0,
-    }
+    values = {sy.E: modulus, sy.rho: 636.62, sy.g: 9.80665, sy.h0: 0.02, sy.A0: np.pi * 0.01**2, sy.L: 1.0}
     section = sd.small_deflection(CIRCLE, flows=False)
     moment = section.moment.subs(sy.sigma_1, section.stress_bending)
     F = sp.Symbol("F")
@@ -663,14 +656,7 @@ def test_plastic_strains_remember_as_the_integrals_do() -> None:
 
 
 N, DELTA, V, TAU = 12, 0.02, 400.0, 0.3
-SMALL = {
-    sy.rho: 1.0,
-    sy.g: 1.0,
-    sy.A0: 1.0,
-    sy.h0: DELTA,
-    sy.eta: V,
-    sy.E: V / TAU,
-}  # spans and sqrt(L/g)
+SMALL = {sy.rho: 1.0, sy.g: 1.0, sy.A0: 1.0, sy.h0: DELTA, sy.eta: V, sy.E: V / TAU}  # spans and sqrt(L/g)
 DX = 0.5 / N
 CELLS, NODES_SMALL = np.full(N, DX), np.r_[DX / 2, np.full(N - 1, DX), DX / 2]
 

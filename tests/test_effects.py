@@ -24,7 +24,6 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.forecast import (
     expected_sag,
-    expected_strain,
     forecast,
     missed_inertia,
     shaken_share,
@@ -36,7 +35,6 @@ from softcat_sym.effects.quasi_static import cable_sag, flow_sag, quasi_static_h
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
     bending_stiffness,
-    duration_star,
     elastic_sag,
     first_yield_gravity_number,
     smaller_of,
@@ -96,14 +94,6 @@ def test_the_registry_is_the_papers_list_and_what_goes_beyond() -> None:
     assert tuple(effect.name for effect in REGISTRY if effect.in_paper) == ALL
 
 
-def test_every_effect_says_what_it_is() -> None:
-    for effect in REGISTRY:
-        assert effect.summary  # type: ignore[attr-defined]
-        assert effect.source  # type: ignore[attr-defined]
-        assert effect.observable  # type: ignore[attr-defined]
-        assert set(effect.needs) <= set(NAMES) - {effect.name}  # type: ignore[attr-defined]
-
-
 def test_one_that_does_not_always_apply_says_why() -> None:
     for effect in REGISTRY:
         laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
@@ -147,68 +137,6 @@ def test_contributing_twice_is_contributing_once() -> None:
         assert effect.contribute(once) == once  # type: ignore[attr-defined]
 
 
-def test_an_absent_effect_leaves_no_parameter() -> None:
-    for absent, parameter in [
-        (("bending",), "thickness"),
-        (("yielding",), "yield_stress"),
-        (("viscous-flow", "yielding"), "viscosity"),
-        (("viscous-flow", "yielding"), "yield_stress"),
-        (("gravity-ramp",), "ramp"),
-        (("shear", "rotary-inertia"), "poisson"),
-        (("necking-gradient",), "aspect"),
-        (("gravity-shaking",), "shake"),
-        (("gravity-shaking",), "shake_frequency"),
-        (("surface-tension",), "surface_tension"),
-        (("solid-damping",), "solid_viscosity"),
-    ]:
-        everything = (*ALL, *(set(BEYOND) & {*absent}))
-        assert parameter in graph_of(everything).parameters
-        assert parameter not in graph_of(tuple(name for name in everything if name not in absent)).parameters
-
-
-def test_an_absent_effect_beyond_the_paper_leaves_no_state() -> None:
-    both = graph_of((*ALL, "shear", "fibres"))
-    assert {name[: name.index("[")] for name in both.state_names} == {
-        *("x", "y", "u", "v"),
-        *(f"{kind}_{n}" for kind in ("axial", "shear") for n in range(3)),
-    }
-    assert all(name.startswith("psi[") for name in both.algebraic_names)
-    assert not any("shear" in name for name in graph_of((*ALL, "fibres")).state_names)
-    assert not graph_of(ALL).algebraic_names
-    turning = graph_of((*ALL, "shear", "fibres", "rotary-inertia"))
-    assert not turning.is_dae
-    assert any(name.startswith("omega[") for name in turning.state_names)
-    assert len(both.state_names) + 2 * len(both.algebraic_names) == len(turning.state_names)
-
-
-def test_absent_shaking_leaves_no_instruction() -> None:
-    shaken = graph_of((*ALL, "gravity-shaking"))
-    assert graph_of(ALL).instructions < shaken.instructions
-    assert graph_of(ALL).state_names == shaken.state_names
-
-
-def test_an_absent_gradient_leaves_no_power() -> None:
-    assert graph_of(ALL).powers[2].is_zero()
-    assert not graph_of((*ALL, "necking-gradient")).powers[2].is_zero()
-
-
-def test_an_absent_effect_leaves_no_state() -> None:
-    for absent, state in [
-        (("inertia",), "u["),
-        (("inertia",), "v["),
-        (("bending",), "a_1["),
-        (("viscous-flow", "yielding"), "a_"),
-    ]:
-        assert any(name.startswith(state) for name in graph_of(ALL).state_names)
-        assert not any(name.startswith(state) for name in graph_of(without(*absent)).state_names)
-
-
-def test_an_absent_effect_leaves_no_instruction() -> None:
-    for absent in [name for name in ALL if name not in ("viscous-flow", "viscous-stress")]:
-        gone = (absent, "finite-stretch", "thinning", "large-rotation") if absent == "extensibility" else (absent,)
-        assert graph_of(without(*gone)).instructions < graph_of(without(*gone[1:])).instructions
-
-
 def test_a_law_without_a_viscous_stress_is_the_same_with_that_effect() -> None:
     assert graph_of(without("viscous-stress")).instructions == graph_of(ALL).instructions
 
@@ -224,10 +152,6 @@ def test_without_inertia_a_viscous_stress_makes_the_velocities_algebraic() -> No
     graph = graph_of(without("inertia"), "newtonian")
     assert {name[: name.index("[")] for name in graph.state_names} == {"x", "y"}
     assert {name[: name.index("[")] for name in graph.algebraic_names} == {"u", "v"}
-
-
-def test_without_any_flow_there_are_fewer_instructions_still() -> None:
-    assert graph_of(without("viscous-flow", "yielding")).instructions < graph_of(without("yielding")).instructions
 
 
 def test_the_barest_filament_is_a_string_at_rest() -> None:
@@ -329,13 +253,6 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
         "solid-damping",
     }
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
-
-
-def test_what_does_not_apply_is_not_called_left_out() -> None:
-    effects = choose_effects(scene_of("elastic", "0 s", run={"effects": ["inertia", "bending"]}))
-    assert set(effects.left_out) == {
-        *("extensibility", "finite-stretch", "thinning", "large-rotation", "shear", "rotary-inertia")
-    }
 
 
 def test_a_filament_stretched_so_far_that_sections_would_turn_is_not_given_shear() -> None:
@@ -470,16 +387,6 @@ def test_two_resistances_together() -> None:
         assert smaller_of(0.0, stretching) == smaller_of(bending, 0.0) == 0
 
 
-def test_strain_of_a_shallow_parabola() -> None:
-    scene = scene_of("elastic")
-    assert expected_strain(scene) == pytest.approx(8 / 3 * expected_sag(scene) ** 2)
-
-
-def test_duration_in_units_of_the_fall() -> None:
-    assert duration_star(scene_of(run={"duration": "1 s"})) == pytest.approx(1 / math.sqrt(SPAN / G))
-    assert duration_star(scene_of(load={"gravity": "0 m/s^2"})) == 0
-
-
 def test_estimates_of_bundled_scenes_are_finite_and_not_negative() -> None:
     for name in bundled_names():
         scene = load_scene(name)
@@ -539,11 +446,6 @@ def test_a_slow_load_misses_its_acceleration() -> None:
     balanced = G_SHAKEN / frequency**2 * smooth_step(TIMES / ramp)
     missing = float(np.max(np.abs(truth - balanced)) / np.max(balanced))
     assert 0.3 < missed_inertia(TIMES, balanced, G_SHAKEN, ramp) / missing < 10
-
-
-def test_nothing_is_missed_where_nothing_moves() -> None:
-    assert missed_inertia(TIMES, np.zeros_like(TIMES), G_SHAKEN, 0.0) == 0
-    assert missed_inertia(TIMES, TIMES, 0.0, 0.0) == 0
 
 
 def test_cable_is_the_root_of_its_cubic() -> None:
@@ -631,15 +533,6 @@ def shaken(scene: Scene, a: float = 0.5, ratio: float = 0.1) -> Scene:
     frequency = ringing(scene).frequency
     hertz = ratio * (frequency if math.isfinite(frequency) else 30.0) / (2 * math.pi)
     return scene.replace({"load.shake": a, "load.shake_frequency": f"{hertz!r} Hz"})
-
-
-def test_a_scene_that_shakes_has_it_and_inertia() -> None:
-    for law in ["elastic", "kelvin-voigt", "maxwell", "bingham"]:
-        for asked in ["auto", "paper"]:
-            scene = shaken(scene_of(law, run={"effects": asked}))
-            names = choose_effects(scene).names
-            assert {"gravity-shaking", "inertia"} <= set(names)
-            assert "gravity-shaking" not in choose_effects(scene_of(law, run={"effects": asked})).names
 
 
 def test_the_small_deflection_model_has_it_too() -> None:

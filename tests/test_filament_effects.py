@@ -23,10 +23,9 @@ from softcat_sym.single_run import build
 from softcat_sym.solvers.run import assembled
 from softcat_sym.solvers.settings import choose_backend
 from tests.common.closed_forms import BEAM_CONSTANT, FIRST_EIGENVALUE, GYRATION
-from tests.common.filaments import GEOMETRY, Array, extrapolated, paper_scene, run, sag, scene
+from tests.common.filaments import GEOMETRY, Array, extrapolated, paper_scene, run, sag, scene, upward_crossings
 from tests.hard.truths import beam_shaken
 from tests.marks import few
-from tests.physics.test_motion import upward_crossings
 
 # Gravity that oscillates: modes of a beam, statics of a slow shake, energy over many periods, ratcheting.
 GRAVITY, DENSITY = 10.0, 1000.0
@@ -661,10 +660,7 @@ STIFF_LAWS = {
 @pytest.mark.parametrize(
     ("law", "moves"),
     few(
-        [
-            *((law, False) for law in STIFF_LAWS),
-            *((law, True) for law in ("elastic", "newtonian", "maxwell")),
-        ],
+        [*((law, False) for law in STIFF_LAWS), *((law, True) for law in ("elastic", "newtonian", "maxwell"))],
         ("elastic", False),
         ("newtonian", False),
         ("bingham", False),

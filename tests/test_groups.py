@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from softcat_sym.scene.bundled import bundled_names, bundled_title
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Groups, Scene, elastic_time, gravity_time, groups_of
-from tests.common.scenes import BINGHAM, GROUPS, faults_of, spoiled
+from tests.common.scenes import GROUPS, faults_of, spoiled
 
 # Groups against the formulas written out by hand, and the bundled scenes against the paper's numbers.
 L, G_ACC, RHO, E = 0.2, 9.81, 1900.0, 4e6
@@ -227,11 +227,6 @@ def test_constants_may_stand_beside_groups_that_do_not_fix_them() -> None:
     assert scene.filament.width == 1e-3
     other = Scene.model_validate(spoiled({"material.youngs_modulus": "8 MPa"}, GROUPS))
     assert other.material.youngs_modulus == 8e6
-
-
-def test_groups_and_the_whole_physical_scene_is_given_twice() -> None:
-    paths = {fault.path for fault in faults_of(BINGHAM | GROUPS)}
-    assert {"filament.thickness", "material.law", "run.duration", "groups.G", "groups.V"} <= paths
 
 
 BUNDLED = {

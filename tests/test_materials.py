@@ -187,17 +187,6 @@ def test_parameters_of_a_custom_law_can_be_replaced() -> None:
     assert other != scene
 
 
-def test_faults_of_a_material_come_with_the_others() -> None:
-    bad = spoiled(
-        {
-            "material": {"law": "custom", "youngs_modulus": "4 MPa", "flow": "sigma^2", "parameters": {"pi": 3}},
-            "run.frames": 1,
-        },
-        BINGHAM,
-    )
-    assert [fault.path for fault in faults_of(bad)] == ["material.flow", "material.parameters.pi", "run.frames"]
-
-
 # Quantities as rheologists write them: each is converted and said, given once, and replaced by an override.
 def table_other_names(**changes: Any) -> dict[str, Any]:
     found: dict[str, Any] = {
@@ -329,18 +318,6 @@ def test_groups_count_them_too() -> None:
         Scene.model_validate(
             {"groups": {"delta": 0.03, "law": "elastic", "duration": 5}, "filament": {"diameter": "1 mm"}}
         )
-
-
-def test_they_are_keys_that_may_be_varied() -> None:
-    from softcat_sym.studies.sweep_table import read_axes
-
-    axes = read_axes(sc.load_scene("agar-bar"), ["filament.diameter=4:6 mm:3", "material.loss_tangent=0.1,0.2"])
-    assert axes[0].values == (4e-3, 5e-3, 6e-3)
-    many = sc.simulate_many(
-        sc.load_scene("agar-bar", {"run.frames": 3, "run.duration": "0.1 s", "numerics.cells": 8}),
-        {"material.loss_tangent": [0.05, 0.8], "filament.diameter": [4e-3, 6e-3]},
-    )
-    assert len(set(many.data.midpoint[:, -1].values.tolist())) == 2
 
 
 # A user's own flow rule: what is read, what is refused, and that the tree means what the text says.

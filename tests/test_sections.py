@@ -39,7 +39,6 @@ from softcat_sym.physics.sections import (
     NONE,
     RECTANGLE,
     SECTIONS,
-    SHEET,
     UNIFORM,
     Section,
     SectionMeans,
@@ -221,13 +220,6 @@ def test_derivatives_of_the_partial_moments(shape: Section) -> None:
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=name)
-def test_nothing_lies_beyond_the_upper_fibre_and_all_beyond_the_lower(shape: Section) -> None:
-    for expr, below in ((shape.area, 1), (shape.overstress_mean, 1), (shape.overstress_moment, shape.zeta_squared)):
-        assert expr.subs(c, 1) == 0
-        assert sp.simplify(expr.subs(c, -1) - below) == 0
-
-
-@pytest.mark.parametrize("shape", SHAPES, ids=name)
 def test_the_interval_of_the_edge_is_the_section(shape: Section) -> None:
     low, high = shape.interval
     assert -1 <= low < high <= 1
@@ -248,10 +240,6 @@ def test_uniform_contraction_keeps_the_volume_and_the_shape() -> None:
     assert sp.simplify(UNIFORM.thickness**2 / UNIFORM.area - h0**2 / A0) == 0
     assert UNIFORM.area.subs(s, 1) == NONE.area == A0
     assert UNIFORM.thickness.subs(s, 1) == NONE.thickness == h0
-
-
-def test_sections_are_found_by_the_name_in_the_scene() -> None:
-    assert SECTIONS == {"rectangle": RECTANGLE, "circle": CIRCLE, "sheet": SHEET}
 
 
 # Means by quadrature: against closed forms and adaptive integration, and with derivatives wherever one may start.
@@ -480,34 +468,19 @@ def test_the_paper_at_random_stresses() -> None:
 
 @pytest.mark.parametrize("section", BINGHAM_SHAPES)
 @few_bingham_means
-@given(mean=stresses_bingham_means, slope=stresses_bingham_means)
-def test_odd_in_the_stress(section: str, mean: float, slope: float) -> None:
-    one, two = closed_form(section, mean, slope), closed_form(section, -mean, -slope)
-    scale = 1e-14 * (abs(mean) + abs(slope)) / VISCOSITY
-    assert one.rate == pytest.approx(-two.rate, abs=scale, rel=0)
-    assert one.moment == pytest.approx(-two.moment, abs=scale, rel=0)
-    assert one.yielded == pytest.approx(two.yielded, abs=1e-6)
-    assert one.largest == two.largest
-
-
-@pytest.mark.parametrize("section", BINGHAM_SHAPES)
-@few_bingham_means
-@given(mean=stresses_bingham_means, slope=stresses_bingham_means)
-def test_a_section_upside_down_bends_the_other_way(section: str, mean: float, slope: float) -> None:
-    one, two = closed_form(section, mean, slope), closed_form(section, mean, -slope)
-    scale = 1e-14 * (abs(mean) + abs(slope)) / VISCOSITY
-    assert one.rate == pytest.approx(two.rate, abs=scale, rel=0)
-    assert one.moment == pytest.approx(-two.moment, abs=scale, rel=0)
-
-
-@pytest.mark.parametrize("section", BINGHAM_SHAPES)
-@few_bingham_means
-@given(mean=stresses_bingham_means, slope=stresses_bingham_means)
-def test_flow_never_gives_work_back(section: str, mean: float, slope: float) -> None:
+@given(mean=stresses_bingham_means, slope=stresses_bingham_means, step=st.floats(0, YIELD))
+def test_symmetric_monotone_and_never_giving_work_back(section: str, mean: float, slope: float, step: float) -> None:
     found = closed_form(section, mean, slope)
-    rounding = 1e-16 * (abs(mean) + abs(slope)) ** 2 / VISCOSITY
-    assert mean * found.rate >= -rounding
-    assert slope * found.moment >= -rounding
+    scale = (abs(mean) + abs(slope) + step) / VISCOSITY
+    for a, b in ((-1, -1), (1, -1)):
+        other = closed_form(section, a * mean, b * slope)
+        assert found.rate == pytest.approx(a * other.rate, abs=1e-14 * scale, rel=0)
+        assert found.moment == pytest.approx(b * other.moment, abs=1e-14 * scale, rel=0)
+        assert found.largest == other.largest
+    assert mean * found.rate >= -1e-16 * scale * (abs(mean) + abs(slope))
+    assert slope * found.moment >= -1e-16 * scale * (abs(mean) + abs(slope))
+    assert closed_form(section, mean + step, slope).rate >= found.rate - 1e-14 * scale
+    assert closed_form(section, mean, slope + step).moment >= found.moment - 1e-14 * scale
 
 
 @pytest.mark.parametrize("section", BINGHAM_SHAPES)
@@ -518,16 +491,6 @@ def test_below_yield_nothing_flows_at_all_bingham_means(section: str, share: flo
     mean = size * share * YIELD
     slope = size * (1 - abs(share)) * YIELD
     assert closed_form(section, mean, slope) == Means(0.0, 0.0, 0.0, 0.0)
-
-
-@pytest.mark.parametrize("section", BINGHAM_SHAPES)
-@few_bingham_means
-@given(mean=stresses_bingham_means, slope=stresses_bingham_means, step=st.floats(0, YIELD))
-def test_monotone_in_either_stress(section: str, mean: float, slope: float, step: float) -> None:
-    found = closed_form(section, mean, slope)
-    rounding = 1e-14 * (abs(mean) + abs(slope) + step) / VISCOSITY
-    assert closed_form(section, mean + step, slope).rate >= found.rate - rounding
-    assert closed_form(section, mean, slope + step).moment >= found.moment - rounding
 
 
 @pytest.mark.parametrize("section", BINGHAM_SHAPES)
@@ -571,16 +534,6 @@ def test_the_flow_rules_themselves() -> None:
     for stress in (-3.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 3.0):
         assert rule(stress * YIELD, YIELD, VISCOSITY) == flow_rule(np.array(stress * YIELD))
     assert maxwell_rate() == sigma / eta
-
-
-@pytest.mark.parametrize("section", BINGHAM_SHAPES)
-def test_means_of_a_maxwell_fluid_are_integrals_of_its_rule(section: str) -> None:
-    means = maxwell_means(SECTIONS[section])
-    # With <1> = 1 and <zeta> = 0 the mean of a line is its height, its first moment over <zeta^2> its slope.
-    bending, mean = sp.Poly(maxwell_rate().subs(sigma, sigma_0 + sigma_1 * zeta), zeta).all_coeffs()
-    assert sp.simplify(means.rate - mean) == 0
-    assert sp.simplify(means.bending_rate - bending) == 0
-    assert means.yielded_fraction == 1
 
 
 def test_a_uniform_section_at_yield_does_not_divide_by_zero() -> None:
@@ -628,7 +581,6 @@ def test_material_closure_gives_trouton_tension() -> None:
     strains = np.array([0.001, 0.005, 0.2, 0.5, 1.0, 1.5])
     expected = ETA * RATE / np.exp(strains) * (1 - np.exp(-strains / RATE * MODULUS_PULLED / ETA))
     found = pulled("material", strains)
-    print("Trouton:", found / expected - 1)
     np.testing.assert_allclose(found, expected, rtol=1e-6)
 
 
@@ -636,7 +588,6 @@ def test_printed_closure_loses_its_tension_at_a_stretch_of_e() -> None:
     """T = eta A s_t/s (1 - log s): 20 % too small at 20 % strain, nothing at s = e, negative beyond."""
     strains = np.array([0.2, 0.5, 1.0, 1.5])
     found = pulled("printed", strains)
-    print("printed over Trouton:", found / (ETA * RATE / np.exp(strains)))
     np.testing.assert_allclose(found / (ETA * RATE / np.exp(strains)), 1 - strains, atol=5e-3)
     assert found[0] == pytest.approx(0.8 * ETA * RATE / np.exp(0.2), rel=5e-3)
     assert found[3] < 0

@@ -218,12 +218,7 @@ _HINGES = 0.7
 _BENT_ENDS = 5.0
 """Of a string in clamps: its bent ends, about h0/(6 H) long, are stiffened by less where they shear."""
 
-_SHEAR_SAG = {
-    regimes.CLAMPED: 1 / 8,
-    regimes.PROPPED: 1 / 8,
-    regimes.PINNED: 1 / 8,
-    regimes.CANTILEVER: 3 / 8,
-}
+_SHEAR_SAG = {regimes.CLAMPED: 1 / 8, regimes.PROPPED: 1 / 8, regimes.PINNED: 1 / 8, regimes.CANTILEVER: 3 / 8}
 """Midspan sag by shear alone over q L^2/(kappa mu A)."""
 
 

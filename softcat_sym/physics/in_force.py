@@ -194,12 +194,7 @@ def resolved_section(equations: FilamentEquations) -> tuple[Stated, ...]:
     resolved = equations.resolved
     if resolved is None:
         raise ValueError("this section is not resolved point by point")
-    return (
-        *_strains(resolved),
-        *_stresses(resolved),
-        *_flows(equations, resolved),
-        *_resultants(equations, resolved),
-    )
+    return (*_strains(resolved), *_stresses(resolved), *_flows(equations, resolved), *_resultants(equations, resolved))
 
 
 def _strains(resolved: ResolvedSection) -> Iterator[Stated]:

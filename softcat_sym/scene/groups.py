@@ -175,12 +175,7 @@ PAPER = {"filament.span": "0.2 m", "filament.density": "1900 kg/m^3", "load.grav
 PAPER_MODULUS = "4 MPa"
 _MODULUS_GROUPS = ("E_star", "eps_Y", "tau")
 # Each of these keys of [groups] stands for one physical key.
-_STANDS_FOR = {
-    "delta": "filament.thickness",
-    "law": "material.law",
-    "ramp": "load.ramp",
-    "duration": "run.duration",
-}
+_STANDS_FOR = {"delta": "filament.thickness", "law": "material.law", "ramp": "load.ramp", "duration": "run.duration"}
 
 
 @dataclass(frozen=True, slots=True)

@@ -52,10 +52,7 @@ def as_scene(given: SceneLike) -> Scene:
     return Scene.from_dict(given)
 
 
-def load_scene(
-    name_or_path: str | os.PathLike[str],
-    overrides: Mapping[str, object] | Sequence[str] = (),
-) -> Scene:
+def load_scene(name_or_path: str | os.PathLike[str], overrides: Mapping[str, object] | Sequence[str] = ()) -> Scene:
     """Read a scene and validate it.
 
     Parameters
@@ -132,9 +129,7 @@ def _table_of(text: str, source: str) -> dict[str, Any]:
         table = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise _refuse(
-            source,
-            f"not TOML: {shown(str(error), 200)[1:-1]}",
-            "TOML; `softcat new my-ink.toml` writes a scene",
+            source, f"not TOML: {shown(str(error), 200)[1:-1]}", "TOML; `softcat new my-ink.toml` writes a scene"
         ) from None
     if not table:
         raise _refuse(source, "the file is empty", "at least the tables [filament], [material], [run], or [groups]")

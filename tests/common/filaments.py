@@ -122,3 +122,9 @@ def paper_scene(G: float, V: float, duration: float, ramp: float = 10.0, **chang
         duration=duration * ELASTIC_TIME,
         **changes,
     )
+
+
+def upward_crossings(t: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Times at which y rises through zero, by linear interpolation."""
+    before = np.flatnonzero((y[:-1] <= 0) & (y[1:] > 0))
+    return t[before] + (t[before + 1] - t[before]) * y[before] / (y[before] - y[before + 1])

@@ -13,12 +13,7 @@ from softcat_sym.scene.scene import Scene
 
 BINGHAM: dict[str, Any] = {
     "filament": {"span": "0.2 m", "thickness": "6 mm", "density": "1900 kg/m^3"},
-    "material": {
-        "law": "bingham",
-        "youngs_modulus": "4 MPa",
-        "viscosity": "13.84 kPa*s",
-        "yield_stress": "9.32 kPa",
-    },
+    "material": {"law": "bingham", "youngs_modulus": "4 MPa", "viscosity": "13.84 kPa*s", "yield_stress": "9.32 kPa"},
     "run": {"duration": "2 s"},
 }
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import importlib
 import re
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from functools import cache, partial
-from itertools import pairwise
 from pathlib import Path
 
 import casadi as ca
@@ -20,10 +19,8 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Effect
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.physics.equation import all_equations, check
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.physics.symbols import fields, table
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
@@ -36,222 +33,103 @@ from tests.acceptance.table import show
 # How fast each effect fades as its coefficient goes to zero: the table of limits, by effect.
 @dataclass(frozen=True)
 class Limit:
-    """An effect that fades."""
+    """An effect that fades: where, and by which coefficient; theory's exponent and prefactor, each with its band."""
 
     effect: str
     what: str
-    coefficient: str
     values: tuple[float, ...]
-    exponent: float
-    band: float
+    exponent: tuple[float, float]
     pair: Callable[[float], Pair]
-    prefactor: Callable[[], float] | None = None
-    share: float = 0.03
+    prefactor: tuple[Callable[[], float] | float, float] | None = None
 
 
-@dataclass(frozen=True)
-class Faded:
-    """What a limit was measured to be."""
-
-    shares: tuple[float, ...]
-    exponents: tuple[float, ...]
+def halved(value: float) -> tuple[float, ...]:
+    return value, value / 2, value / 4
 
 
-def measure(limit: Limit) -> Faded:
-    """Shares of the effect at every value, and the exponents between them."""
-    shares = []
-    for value in limit.values:
-        with_it, without_it = limit.pair(value)
-        shares.append(float(np.max(np.abs(with_it - without_it)) / np.max(np.abs(without_it))))
-    exponents = np.diff(np.log(shares)) / np.diff(np.log(limit.values))
-    return Faded(tuple(shares), tuple(float(exponent) for exponent in exponents))
-
-
-def _constant(number: float) -> Callable[[], float]:
-    return lambda: number
-
-
-_GEOMETRY = {"finite-stretch": 1 / 6, "thinning": 1 / 3, "large-rotation": 2 / 5}
-
+_STRAIN = {"finite-stretch": 1 / 6, "thinning": 1 / 3, "large-rotation": 2 / 5}
+_CABLE, _PINS = partial(fading.bending_of_a_cable, {}), partial(fading.bending_of_a_cable, fading.PINNED)
 LIMITS: tuple[Limit, ...] = (
-    Limit(
-        "inertia",
-        "falling viscous string, all times",
-        "rho at fixed rho g",
-        (1.0, 0.1, 0.01),
-        1 / 5,
-        0.03,
-        fading.inertia_always,
-    ),
-    Limit(
-        "inertia",
-        "falling viscous string, late",
-        "rho at fixed rho g",
-        (0.1, 0.01, 0.001),
-        13 / 60,
-        0.03,
-        fading.inertia_late,
-    ),
-    Limit("inertia", "viscous beam", "rho at fixed rho g", (1e-2, 1e-3, 1e-4), 1, 0.02, fading.inertia_of_a_beam),
-    Limit(
-        "bending",
-        "elastic cable between clamps",
-        "l/L",
-        (0.016, 0.008, 0.004),
-        1,
-        0.06,
-        partial(fading.bending_of_a_cable, {}),
-        _constant(1.0),
-        0.04,
-    ),
-    Limit(
-        "bending",
-        "elastic cable between pins",
-        "l/L",
-        (0.04, 0.02, 0.01),
-        3,
-        0.06,
-        partial(fading.bending_of_a_cable, fading.PINNED),
-        _constant(20.0),
-        0.04,
-    ),
-    Limit(
-        "bending",
-        "creeping string between pins, late",
-        "h/L",
-        (0.04, 0.02, 0.01),
-        2,
-        0.1,
-        fading.bending_of_a_creeping_string,
-    ),
+    Limit("inertia", "viscous string, rho at fixed rho g", (1.0, 0.1, 0.01), (1 / 5, 0.03), fading.inertia_always),
+    Limit("inertia", "the same, late", (0.1, 0.01, 0.001), (13 / 60, 0.03), fading.inertia_late),
+    Limit("inertia", "viscous beam, rho at fixed rho g", (1e-2, 1e-3, 1e-4), (1, 0.02), fading.inertia_of_a_beam),
+    Limit("bending", "elastic cable between clamps, l/L", halved(0.016), (1, 0.06), _CABLE, (1.0, 0.04)),
+    Limit("bending", "elastic cable between pins, l/L", halved(0.04), (3, 0.06), _PINS, (20.0, 0.04)),
+    Limit("bending", "creeping string, pins, late, h/L", halved(0.04), (2, 0.1), fading.bending_of_a_creeping_string),
     Limit(
         "extensibility",
-        "clamped elastic beam",
-        "H/h",
-        (0.2, 0.1, 0.05),
-        2,
-        0.03,
+        "clamped elastic beam, H/h",
+        halved(0.2),
+        (2, 0.03),
         fading.extensibility_of_a_beam,
-        _constant(fading.STIFFENING),
+        (fading.STIFFENING, 0.03),
     ),
     *(
         Limit(
             name,
-            "elastic cable",
-            "mean strain",
-            (0.02, 0.01, 0.005),
-            1,
-            0.03,
+            "elastic cable, mean strain",
+            halved(0.02),
+            (1, 0.03),
             partial(fading.geometry_of_a_cable, name),
-            _constant(_GEOMETRY[name]),
+            (_STRAIN[name], 0.03),
         )
         for name in STRING
     ),
-    Limit(
-        "viscous-flow",
-        "Maxwell cable",
-        "duration E/eta",
-        (0.1, 0.05, 0.025),
-        1,
-        0.03,
-        fading.flow_of_a_cable,
-        _constant(1 / 3),
-    ),
+    Limit("viscous-flow", "Maxwell cable, t E/eta", halved(0.1), (1, 0.03), fading.flow_of_a_cable, (1 / 3, 0.03)),
     Limit(
         "viscous-stress",
-        "Kelvin-Voigt beam under a ramp",
-        "eta/(E ramp)",
-        (0.02, 0.01, 0.005),
-        1,
-        0.02,
+        "Kelvin-Voigt beam, eta/(E ramp)",
+        halved(0.02),
+        (1, 0.02),
         fading.viscous_stress_of_a_beam,
-        _constant(15 / 8),
+        (15 / 8, 0.03),
     ),
     Limit(
         "yielding",
-        "creeping string",
-        "sigma_Y/(rho g L)",
-        (0.4, 0.2, 0.1),
-        1,
-        0.03,
+        "creeping string, sigma_Y/(rho g L)",
+        halved(0.4),
+        (1, 0.03),
         fading.yielding_of_a_string,
-        _constant(2 * fading.CREPT),
+        (2 * fading.CREPT, 0.03),
     ),
     Limit(
         "gravity-ramp",
-        "creeping beam",
-        "ramp/duration",
-        (0.1, 0.05, 0.025),
-        1,
-        0.02,
+        "creeping beam, ramp/duration",
+        halved(0.1),
+        (1, 0.02),
         fading.ramp_of_a_creeping_beam,
-        _constant(1 / 2),
+        (1 / 2, 0.03),
     ),
-    Limit("gravity-ramp", "swinging beam", "ramp [s]", (0.04, 0.02, 0.01), 1, 0.05, fading.ramp_of_a_swinging_beam),
-    Limit(
-        "shear",
-        "clamped elastic beam",
-        "h/L",
-        (0.1, 0.05, 0.025),
-        2,
-        0.02,
-        fading.shear_of_a_beam,
-        _constant(8 * 1.45 * 6 / 5),
-        0.01,
-    ),
-    Limit("fibres", "Bingham beam between pins", "sigma_Y/(rho g L)", (0.4, 0.2, 0.1), 2, 0.1, fading.fibres_of_a_beam),
-    Limit(
-        "necking-gradient",
-        "Maxwell string between pins",
-        "h/L",
-        (0.1, 0.05, 0.025),
-        2,
-        0.04,
-        fading.gradient_of_a_string,
-    ),
+    Limit("gravity-ramp", "swinging beam, ramp [s]", halved(0.04), (1, 0.05), fading.ramp_of_a_swinging_beam),
+    Limit("shear", "clamped beam, h/L", halved(0.1), (2, 0.02), fading.shear_of_a_beam, (8 * 1.45 * 6 / 5, 0.01)),
+    Limit("fibres", "Bingham beam, pins, sigma_Y/(rho g L)", halved(0.4), (2, 0.1), fading.fibres_of_a_beam),
+    Limit("necking-gradient", "Maxwell string, pins, h/L", halved(0.1), (2, 0.04), fading.gradient_of_a_string),
     Limit(
         "rotary-inertia",
-        "swinging clamped beam",
-        "h/L",
-        (0.05, 0.025, 0.0125),
-        2,
-        0.04,
+        "swinging clamped beam, h/L",
+        halved(0.05),
+        (2, 0.04),
         fading.rotation_of_a_beam,
-        fading.rayleigh_share,
-        0.04,
+        (fading.rayleigh_share, 0.04),
     ),
     Limit(
         "gravity-shaking",
-        "swinging clamped beam",
-        "a",
-        (0.4, 0.2, 0.1),
-        1,
-        0.01,
+        "swinging clamped beam, a",
+        halved(0.4),
+        (1, 0.01),
         fading.shaking_of_a_beam,
-        fading.duhamel_share,
-        0.01,
+        (fading.duhamel_share, 0.01),
     ),
     Limit(
-        "surface-tension",
-        "clamped beam",
-        "F L^2/(E I)",
-        (0.4, 0.2, 0.1),
-        1,
-        0.02,
-        fading.surface_of_a_beam,
-        lambda: 1 / 40,
-        0.01,
+        "surface-tension", "clamped beam, F L^2/(E I)", halved(0.4), (1, 0.02), fading.surface_of_a_beam, (1 / 40, 0.01)
     ),
     Limit(
         "solid-damping",
-        "swinging clamped beam",
-        "G''/G'",
-        (0.02, 0.01, 0.005),
-        1,
-        0.04,
+        "swinging clamped beam, G''/G'",
+        halved(0.02),
+        (1, 0.04),
         fading.loss_of_a_beam,
-        fading.loss_share,
-        0.04,
+        (fading.loss_share, 0.04),
     ),
 )
 """Every limit; each effect has one or more."""
@@ -263,14 +141,6 @@ EQUATIONS = "softcat_sym.physics"
 _SENTENCE = re.compile(r"Effects derived here:(.*?)\.(?:\s|$)(?!`)", re.DOTALL)
 _ENTRY = re.compile(r"`([a-z-]+)`\s+\(([^)]*)\)")
 _CELL = re.compile(r"^# %%(.*)$", re.MULTILINE)
-
-
-def lacking(effect: Effect, limits: Sequence[Limit], notebooks: Path = NOTEBOOKS) -> list[str]:
-    """Whatever of the three the effect lacks; empty if it has them all."""
-    missing = [*_without_scene(effect), *_without_derivation(effect, notebooks)]
-    if not any(limit.effect == effect.name for limit in limits):
-        missing.append("limit: none in the table")
-    return missing
 
 
 def _without_scene(effect: Effect) -> list[str]:
@@ -397,28 +267,22 @@ def without_number(kind: str) -> str:
     return head if tail.isdigit() and head in ("axial", "shear") else kind
 
 
-def listed(names: Iterable[str]) -> str:
-    """For a table."""
-    return ", ".join(sorted(names)) or "-"
-
-
 # An effect whose coefficient goes to zero converges to its absence, at the rate that theory gives.
 @pytest.mark.slow
 @pytest.mark.parametrize("limit", LIMITS, ids=lambda limit: f"{limit.effect}: {limit.what}")
 def test_a_fading_effect_is_its_absence(limit: Limit) -> None:
-    found = measure(limit)
-    prefactor = limit.prefactor() if limit.prefactor is not None else None
-    rows = []
-    for value, share, exponent in zip(limit.values, found.shares, (None, *found.exponents), strict=True):
-        per = share / value**limit.exponent
-        rows.append([f"{value:g}", f"{share:.3e}", "" if exponent is None else f"{exponent:.3f}", f"{per:.4g}"])
-    theory = f"exponent {limit.exponent:.4g}" + ("" if prefactor is None else f", prefactor {prefactor:.4g}")
-    title = f"{limit.effect}, {limit.what}; theory: {theory}"
-    show(title, (limit.coefficient, "share of the sag", "exponent", "prefactor"), rows)
-    assert all(value > after for value, after in pairwise(limit.values)), "the coefficient must fall"
-    assert found.exponents[-1] == pytest.approx(limit.exponent, abs=limit.band)
-    if prefactor is not None:
-        assert found.shares[-1] / limit.values[-1] ** limit.exponent == pytest.approx(prefactor, rel=limit.share)
+    pairs = [limit.pair(value) for value in limit.values]
+    shares = [np.max(np.abs(present - absent)) / np.max(np.abs(absent)) for present, absent in pairs]
+    exponents = np.diff(np.log(shares)) / np.diff(np.log(limit.values))
+    exponent, band = limit.exponent
+    rows = list(zip(limit.values, shares, (None, *exponents), shares / np.power(limit.values, exponent), strict=True))
+    show(
+        f"{limit.effect}, {limit.what}: {limit.exponent}", ("value", "share of the sag", "exponent", "prefactor"), rows
+    )
+    assert exponents[-1] == pytest.approx(exponent, abs=band)
+    if limit.prefactor is not None:
+        wanted, share = limit.prefactor
+        assert rows[-1][-1] == pytest.approx(wanted() if callable(wanted) else wanted, rel=share)
 
 
 @pytest.mark.slow
@@ -443,45 +307,11 @@ COARSE = {"numerics.cells": 10, "numerics.fibres": 6}
 
 def test_every_effect_has_its_scene_its_limit_and_its_derivation() -> None:
     for effect in REGISTRY:
-        assert not lacking(effect, LIMITS)
+        assert not [*_without_scene(effect), *_without_derivation(effect, NOTEBOOKS)]
 
 
 def test_no_limit_is_of_an_unknown_effect() -> None:
     assert {limit.effect for limit in LIMITS} == set(NAMES)
-
-
-def test_one_that_lacks_any_is_caught() -> None:
-    for changes, message in [
-        ({"example": "no-such-scene"}, "scene: no bundled scene"),
-        ({"applies": lambda scene: False}, "scene: maxwell-slow cannot have it"),
-        ({"indispensable": lambda scene: "it rests on it"}, "scene: maxwell-slow cannot do without it"),
-        ({"name": "magnetism"}, "scene: maxwell-slow does not take it in"),
-        ({"name": "magnetism"}, "derivation: 01_balance does not say"),
-        ({"name": "magnetism"}, "limit: none"),
-        ({"derivation": "99_magnetism"}, "derivation: no notebook"),
-        ({"derivation": "03_small_deflection"}, "derivation: 03_small_deflection does not say"),
-    ]:
-        made_up = replace(WHOLE, **changes)  # type: ignore[arg-type]
-        assert any(message in fault for fault in lacking(made_up, LIMITS))
-
-
-def test_a_limit_taken_out_of_the_table_is_missed() -> None:
-    assert not lacking(WHOLE, LIMITS)
-    assert lacking(WHOLE, [limit for limit in LIMITS if limit.effect != WHOLE.name]) == ["limit: none in the table"]
-
-
-@pytest.mark.parametrize(
-    ("objects", "code"), [("`kinematics.NOTHING`", "kinematics.NOTHING"), ("`kinematics.MOTION`", "kinematics.other")]
-)
-def test_a_notebook_that_only_says_so_is_caught(tmp_path: Path, objects: str, code: str) -> None:
-    notebook = f"# %% [markdown]\n# Effects derived here: `inertia` ({objects}).\n\n# %%\n{code}\n"
-    (tmp_path / "01_balance.py").write_text(notebook, "utf-8")
-    assert any("compares nothing" in fault for fault in lacking(WHOLE, LIMITS, tmp_path))
-
-
-def test_what_a_notebook_says_may_run_over_lines() -> None:
-    said = "Some. Effects derived here: `a-b` (`motion.X`,\n`laws.y.Z`), `c` (`balance.q`).\n\nMore (`d`)."
-    assert derived_in(said) == {"a-b": ("motion.X", "laws.y.Z"), "c": ("balance.q",)}
 
 
 @pytest.mark.slow
@@ -555,38 +385,4 @@ def test_no_parameter_lies_idle() -> None:
             assert depends_on(graph) == set(graph.parameters)
 
 
-def test_its_scene_can_have_it_and_do_without() -> None:
-    for effect in REGISTRY:
-        scene = load_scene(effect.example)
-        assert effect.applies(scene)
-        assert not effect.indispensable(dispensing(effect))
-
-
-def row(effect: Effect) -> list[str]:
-    """What leaves with the effect."""
-    present, absent = pair(effect)
-    return [
-        *(effect.name, effect.example, listed(set(present.parameters) - set(absent.parameters))),
-        *(listed(kinds(present) - kinds(absent)), f"{unknowns(present)} -> {unknowns(absent)}"),
-        f"{present.instructions} -> {absent.instructions}",
-    ]
-
-
-def test_the_table() -> None:
-    header = ("without", "scene", "parameters gone", "blocks gone", "unknowns", "instructions")
-    show("Each effect left out of its scene", header, [row(effect) for effect in REGISTRY])
-    assert set(SYMBOLS) <= set(NAMES_ABSENT_EFFECTS)
-
-
 # One table of symbols with LaTeX, dimensions and equation numbers; a machine checks every term of every equation.
-def test_every_term_of_every_equation_has_its_dimension() -> None:
-    rows = []
-    for module, equations in all_equations().items():
-        for equation in equations:
-            check(equation)
-        sources = {equation.source.split(",")[0] for equation in equations}
-        rows.append([module, len(equations), ", ".join(sorted(sources)[:6])])
-    rows.append(["all", sum(int(row[1]) for row in rows), f"{len(table())} symbols, {len(fields())} fields"])
-    show("equations whose every term passes the dimension check", ("module", "equations", "from"), rows)
-    assert int(rows[-1][1]) > 150
-    assert all(row.latex and row.source for row in (*table(), *fields()))

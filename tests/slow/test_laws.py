@@ -106,10 +106,7 @@ PAIRS_CUSTOM_LAW = {
     ),
     "bingham": (
         {"law": "bingham", "viscosity": "13.84 kPa*s", "yield_stress": "2.5 kPa"},
-        {
-            "flow": "max(abs(sigma) - sY, 0)*sign(sigma)/e0",
-            "parameters": {"e0": "13.84 kPa*s", "sY": "2.5 kPa"},
-        },
+        {"flow": "max(abs(sigma) - sY, 0)*sign(sigma)/e0", "parameters": {"e0": "13.84 kPa*s", "sY": "2.5 kPa"}},
     ),
     "power-law": (
         {"law": "power-law", "viscosity": "5 kPa*s^0.5", "index": 0.5},
@@ -117,10 +114,7 @@ PAIRS_CUSTOM_LAW = {
     ),
     "herschel-bulkley": (
         {"law": "herschel-bulkley", "viscosity": "5 kPa*s^0.5", "index": 0.5, "yield_stress": "2.5 kPa"},
-        {
-            "flow": "(max(abs(sigma) - sY, 0)/K)**2*sign(sigma)",
-            "parameters": {"K": "5 kPa*s^0.5", "sY": "2.5 kPa"},
-        },
+        {"flow": "(max(abs(sigma) - sY, 0)/K)**2*sign(sigma)", "parameters": {"K": "5 kPa*s^0.5", "sY": "2.5 kPa"}},
     ),
 }
 
