@@ -146,18 +146,13 @@ def flow_sag(scene: Scene, weight: float, first: float, time: float) -> float:
 def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floats]:
     """Sags from the first one on, and the times [s] at which flow reaches them."""
     sag = np.geomspace(first, max(_DEEP, 2 * first), _POINTS)
-    beam = _beam_speed(scene, weight)
+    beam = weight / bending_stiffness(scene) / _viscosity(scene, weight / (2 * groups_of(scene).delta))
     speed = np.array([_flow_speed(scene, weight, float(height), beam) for height in sag])
     moving = np.minimum.accumulate(speed > 0)
     slowness = np.where(moving, 1 / np.where(moving, speed, 1.0), 0.0)
     time = np.concatenate([[0.0], np.cumsum((slowness[1:] + slowness[:-1]) / 2 * np.diff(sag))])
     reached = np.count_nonzero(moving)
     return (sag[:reached], time[:reached]) if reached else (sag[:1], time[:1])
-
-
-def _beam_speed(scene: Scene, weight: float) -> float:
-    """Rate of the sag over span [1/s] of a beam in which flow is all that yields."""
-    return weight / bending_stiffness(scene) / _viscosity(scene, weight / (2 * groups_of(scene).delta))
 
 
 def _flow_speed(scene: Scene, weight: float, sag: float, beam: float) -> float:

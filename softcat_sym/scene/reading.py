@@ -79,7 +79,7 @@ def load_scene(name_or_path: str | os.PathLike[str], overrides: Mapping[str, obj
     changes, faults = read_overrides(overrides)
     faults += apply([change for change in changes if _is_group(change)], table)
     determined = determined_by_groups(table)
-    late = tuple(change for change in changes if _overrules(change, determined))
+    late = tuple(change for change in changes if physical_path(change.path) in determined)
     faults += apply([change for change in changes if change not in late and not _is_group(change)], table)
     try:
         scene = Scene.model_validate(table, context={LATE: late})
@@ -92,10 +92,6 @@ def load_scene(name_or_path: str | os.PathLike[str], overrides: Mapping[str, obj
 
 def _is_group(change: Override) -> bool:
     return change.path.split(".")[0] == "groups"
-
-
-def _overrules(change: Override, determined: frozenset[str]) -> bool:
-    return physical_path(change.path) in determined
 
 
 def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
