@@ -27,33 +27,9 @@ from softcat_sym.physics.equation import DimensionError, check
 from softcat_sym.physics.laws import bingham_rate, maxwell_rate
 from softcat_sym.physics.reissner import Gam, Lam, S, k
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
-from softcat_sym.physics.symbols import (
-    A0,
-    M_X,
-    E,
-    M,
-    Q,
-    T,
-    X,
-    c,
-    eta,
-    g,
-    h0,
-    rho,
-    s,
-    sigma,
-    sigma_Y,
-    t,
-    theta_X,
-    x_X,
-    x_X_before,
-    y_X,
-    y_X_before,
-    zeta,
-)
 
 # The motion of the centreline, (2.1)-(2.5) corrected, against exact solutions and against numbers.
-LAMBDA_0 = rho * A0
+LAMBDA_0 = sy.rho * sy.A0
 
 
 def right_sides(solution: dict[sp.Expr, sp.Expr]) -> list[sp.Expr]:
@@ -71,10 +47,10 @@ def test_the_catenary_hangs_still() -> None:
     """x = a asinh(X/a), tension rho g A0 sqrt(a^2 + X^2): the curve of the exact inextensible catenary."""
     a = sp.Symbol("a", positive=True)
     hanging = {
-        motion.angle: sp.atan(X / a),
+        motion.angle: sp.atan(sy.X / a),
         motion.stretch: sp.Integer(1),
         motion.moment: sp.Integer(0),
-        motion.axial_force: LAMBDA_0 * g * sp.sqrt(a**2 + X**2),
+        motion.axial_force: LAMBDA_0 * sy.g * sp.sqrt(a**2 + sy.X**2),
     }
     assert right_sides(hanging) == [0, 0]
 
@@ -83,13 +59,13 @@ def test_a_whirling_rod_is_pulled_inwards() -> None:
     """A straight rod that turns with omega about its middle: acceleration -omega^2 r, gravity aside."""
     omega, length = sp.symbols("omega l", positive=True)
     whirling = {
-        motion.angle: omega * t,
+        motion.angle: omega * sy.t,
         motion.stretch: sp.Integer(1),
         motion.moment: sp.Integer(0),
-        motion.axial_force: LAMBDA_0 * omega**2 * (length**2 / 4 - X**2) / 2,
+        motion.axial_force: LAMBDA_0 * omega**2 * (length**2 / 4 - sy.X**2) / 2,
     }
     found = right_sides(whirling)
-    wanted = [-(omega**2) * X * sp.cos(omega * t), -(omega**2) * X * sp.sin(omega * t) - g]
+    wanted = [-(omega**2) * sy.X * sp.cos(omega * sy.t), -(omega**2) * sy.X * sp.sin(omega * sy.t) - sy.g]
     assert [sp.simplify(a - b) for a, b in zip(found, wanted, strict=True)] == [0, 0]
 
 
@@ -98,11 +74,11 @@ def test_a_uniformly_stretched_beam_feels_its_load_once() -> None:
     load = sp.Symbol("q", positive=True)
     straight = {
         motion.angle: sp.Integer(0),
-        motion.stretch: s,
-        motion.moment: load * s * X**2 / 2,
+        motion.stretch: sy.s,
+        motion.moment: load * sy.s * sy.X**2 / 2,
         motion.axial_force: sp.Integer(0),
     }
-    assert sp.simplify(right_sides(straight)[1] - (load / LAMBDA_0 - g)) == 0
+    assert sp.simplify(right_sides(straight)[1] - (load / LAMBDA_0 - sy.g)) == 0
 
 
 def test_conservative_and_expanded_form_agree_on_a_random_filament() -> None:
@@ -110,14 +86,14 @@ def test_conservative_and_expanded_form_agree_on_a_random_filament() -> None:
     rng = np.random.default_rng(3)
     c = [sp.Float(v, 17) for v in rng.uniform(0.2, 1.0, 8)]
     shape = {
-        motion.angle: c[0] * sp.sin(3 * X) + c[1] * X,
-        motion.stretch: 1 + c[2] * sp.cos(2 * X) / 3,
-        motion.moment: c[3] * sp.sin(c[4] + 4 * X),
-        motion.axial_force: c[5] + c[6] * sp.cos(5 * X),
+        motion.angle: c[0] * sp.sin(3 * sy.X) + c[1] * sy.X,
+        motion.stretch: 1 + c[2] * sp.cos(2 * sy.X) / 3,
+        motion.moment: c[3] * sp.sin(c[4] + 4 * sy.X),
+        motion.axial_force: c[5] + c[6] * sp.cos(5 * sy.X),
     }
-    numbers = {rho: 2, A0: 3, g: 0}
-    rights = [sp.lambdify(X, e.right.subs(shape).doit().subs(numbers)) for e in motion.MOTION]
-    angle, stretch, moment, axial = (sp.lambdify(X, value) for value in shape.values())
+    numbers = {sy.rho: 2, sy.A0: 3, sy.g: 0}
+    rights = [sp.lambdify(sy.X, e.right.subs(shape).doit().subs(numbers)) for e in motion.MOTION]
+    angle, stretch, moment, axial = (sp.lambdify(sy.X, value) for value in shape.values())
 
     def force(at: float) -> np.ndarray:
         step = 1e-5
@@ -135,9 +111,9 @@ def test_conservative_and_expanded_form_agree_on_a_random_filament() -> None:
 def test_power_of_the_internal_force(centreline: kinematics.Kinematics) -> None:
     """F.v_X = Q s_t + M_X theta_t, by finite differences along a random motion of the tangent."""
     force = balance.internal_force(centreline, bending=True)
-    stretch_of = sp.lambdify((x_X, y_X), centreline.stretch)
-    angle_of = sp.lambdify((x_X, y_X), centreline.turning.subs({x_X_before: 1, y_X_before: 0}))
-    force_of = sp.lambdify((x_X, y_X, s, Q, M_X), (force.horizontal, force.vertical))
+    stretch_of = sp.lambdify((sy.x_X, sy.y_X), centreline.stretch)
+    angle_of = sp.lambdify((sy.x_X, sy.y_X), centreline.turning.subs({sy.x_X_before: 1, sy.y_X_before: 0}))
+    force_of = sp.lambdify((sy.x_X, sy.y_X, sy.s, sy.Q, sy.M_X), (force.horizontal, force.vertical))
     rng = np.random.default_rng(4)
     for _ in range(20):
         tangent, speed = rng.normal((1.5, 0)), rng.normal(size=2)
@@ -152,7 +128,7 @@ def test_power_of_the_internal_force(centreline: kinematics.Kinematics) -> None:
 
 @pytest.mark.parametrize("turns", [0.3, 1.0, -2.7])
 def test_turnings_add_up_over_full_turns(turns: float) -> None:
-    turning = sp.lambdify((x_X_before, y_X_before, x_X, y_X), kinematics.LARGE_ROTATION.turning)
+    turning = sp.lambdify((sy.x_X_before, sy.y_X_before, sy.x_X, sy.y_X), kinematics.LARGE_ROTATION.turning)
     angles = np.linspace(0, 2 * math.pi * turns, 33)
     tangents = np.column_stack([np.cos(angles), np.sin(angles)]) * np.linspace(1, 2, 33)[:, None]
     total = sum(turning(*tangents[k], *tangents[k + 1]) for k in range(32))
@@ -161,11 +137,11 @@ def test_turnings_add_up_over_full_turns(turns: float) -> None:
 
 def test_geometry_of_an_ellipse() -> None:
     """(2.5) on x = 3 cos X, y = 2 sin X, whose curvature everybody knows."""
-    ellipse = [(motion.x, 3 * sp.cos(X)), (motion.y, 2 * sp.sin(X))]
+    ellipse = [(motion.x, 3 * sp.cos(sy.X)), (motion.y, 2 * sp.sin(sy.X))]
     stretch, change, _, turning = (e.right.subs(ellipse).doit() for e in motion.GEOMETRY)
-    length = sp.sqrt(9 * sp.sin(X) ** 2 + 4 * sp.cos(X) ** 2)
+    length = sp.sqrt(9 * sp.sin(sy.X) ** 2 + 4 * sp.cos(sy.X) ** 2)
     assert sp.simplify(stretch - length) == 0
-    assert sp.simplify(change.subs(motion.stretch, length) - length.diff(X)) == 0
+    assert sp.simplify(change.subs(motion.stretch, length) - length.diff(sy.X)) == 0
     assert sp.simplify(turning.subs(motion.stretch, length) - 6 / length**2) == 0
 
 
@@ -214,7 +190,7 @@ def test_polynomials_are_the_classical_ones() -> None:
             (SHEET, special.eval_legendre(order, at)),
             (CIRCLE, special.eval_chebyu(order, at) / (order + 1)),
         ):
-            found = sp.lambdify(zeta, layers.polynomial(shape, order) + 0 * zeta)(at)
+            found = sp.lambdify(sy.zeta, layers.polynomial(shape, order) + 0 * sy.zeta)(at)
             assert found * np.ones(11) == pytest.approx(wanted, abs=1e-13)
 
 
@@ -222,7 +198,7 @@ def test_polynomials_are_the_classical_ones() -> None:
 def test_polynomials_are_orthogonal(shape: Section, shrinking: Contraction) -> None:
     del shrinking
     where, share = fibres(shape)
-    table = np.array([sp.lambdify(zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(6)])
+    table = np.array([sp.lambdify(sy.zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(6)])
     wanted = np.diag([float(layers.mean_square(shape, n)) for n in range(6)])
     assert (table * share) @ table.T == pytest.approx(wanted, abs=1e-13)
 
@@ -231,18 +207,18 @@ def test_polynomials_are_orthogonal(shape: Section, shrinking: Contraction) -> N
 @each_shape
 def test_partial_moments(shape: Section, shrinking: Contraction, edge: float) -> None:
     del shrinking
-    weight = sp.lambdify(zeta, shape.weight)
+    weight = sp.lambdify(sy.zeta, shape.weight)
     for held, integrand in (
         (shape.area, lambda v: weight(v)),
         (shape.overstress_mean, lambda v: (v - edge) * weight(v)),
         (shape.overstress_moment, lambda v: (v - edge) * v * weight(v)),
     ):
-        assert float(held.subs(c, edge)) == pytest.approx(quad(integrand, edge, 1)[0], rel=1e-7, abs=1e-10)
+        assert float(held.subs(sy.c, edge)) == pytest.approx(quad(integrand, edge, 1)[0], rel=1e-7, abs=1e-10)
 
 
 def test_the_papers_bingham_rates_against_quadrature() -> None:
     """(2.26), (2.27), every pattern of yielding that random stresses bring."""
-    letters = (T, M, paper_section.z_L, paper_section.z_H, paper_section.h, paper_section.D, sigma_Y, eta)
+    letters = (sy.T, sy.M, paper_section.z_L, paper_section.z_H, paper_section.h, paper_section.D, sy.sigma_Y, sy.eta)
     P_t, C_t = (
         sp.lambdify(letters, rate, modules="numpy")
         for rate in (paper_section.plastic_stretch_rate(), paper_section.plastic_bend_rate())
@@ -266,9 +242,9 @@ def test_the_papers_bingham_rates_against_quadrature() -> None:
 def run(shape: Section, shrinking: Contraction, law: str, order: int) -> tuple[np.ndarray, float, dict[str, float]]:
     """Integrate the states of one driven section; return them, its dissipation, and the work of Q, T and -M."""
     where, share = fibres(shape)
-    basis = np.array([sp.lambdify(zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(order + 1)])
+    basis = np.array([sp.lambdify(sy.zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(order + 1)])
     norms = np.array([float(layers.mean_square(shape, n)) for n in range(order + 1)])
-    excess = sp.lambdify((T, M, s, theta_X), layers.conjugate_force(shrinking))
+    excess = sp.lambdify((sy.T, sy.M, sy.s, sy.theta_X), layers.conjugate_force(shrinking))
 
     def rates(time: float, state: np.ndarray) -> np.ndarray:
         stretch, turning, stretch_t, turning_t = path(time)
@@ -296,7 +272,7 @@ def test_energy_closes_at_any_order_with_the_conjugate_force_only(
         stretch, turning, _, _ = path(1.0)
         stresses = layers.stress_amplitudes(shrinking, list(map(sp.Float, states)))
         stored = layers.stored_energy(shape, stresses)
-        left = float(stored.subs({A0: 1, E: MODULUS, h0: THICKNESS, s: stretch, theta_X: turning}))
+        left = float(stored.subs({sy.A0: 1, sy.E: MODULUS, sy.h0: THICKNESS, sy.s: stretch, sy.theta_X: turning}))
         assert left + lost == pytest.approx(work["Q"], rel=1e-6 if law == "bingham" else 1e-9)
         assert abs(left + lost - work["T"]) > 1e-3 * work["Q"]
         assert lost > 0
@@ -347,7 +323,7 @@ def test_the_appendix_in_a_thickness_that_does_not_change() -> None:
         ours = np.random.default_rng(9).normal(0, 0.1, 4)
         theirs = [a * math.sqrt(h / (2 * n + 1)) for n, a in enumerate(ours)]
         integral = paper_section.coefficient_rate(order, list(map(sp.Float, theirs)))
-        numbers = {s: 1, E: 2.5, theta_X: turning, paper_section.h: h}
+        numbers = {sy.s: 1, sy.E: 2.5, sy.theta_X: turning, paper_section.h: h}
         flow = next(iter(integral.function.atoms(sp.core.function.AppliedUndef)))
         integrand = sp.lambdify(paper_section.z, (integral.function / flow * flow.args[0] ** 3).subs(numbers))
         paper = np.sum(WEIGHTS * h / 2 * integrand(h / 2 * NODES))
@@ -364,7 +340,7 @@ def test_the_solver_and_the_layers_hold_the_same_axial_force() -> None:
 
 
 # The shearing filament in numbers: conjugate forces by differencing an energy, J2 flow against the bulk law.
-CONSTANTS = {E: 3.0, bulk.nu: 0.45, A0: 1.7, h0: 0.3, reissner.kappa_s: 0.8, sigma_Y: 0.1, eta: 2.0}
+CONSTANTS = {sy.E: 3.0, bulk.nu: 0.45, sy.A0: 1.7, sy.h0: 0.3, reissner.kappa_s: 0.8, sy.sigma_Y: 0.1, sy.eta: 2.0}
 STATE = (1.25, 0.07, 0.4)
 NODES_GAUSS, WEIGHTS_GAUSS = np.polynomial.legendre.leggauss(8)
 WEIGHTS_GAUSS = WEIGHTS_GAUSS / 2
@@ -379,15 +355,15 @@ def compiled(inputs: list[sp.Symbol], expression: object) -> Callable[..., np.nd
 
 
 def fibre_stresses(cell: reissner.ShearingCell, state: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
-    inputs = [Lam, Gam, k, zeta, reissner.eps_p, reissner.gamma_p]
+    inputs = [Lam, Gam, k, sy.zeta, reissner.eps_p, reissner.gamma_p]
     axial, shear = compiled(inputs, (cell.axial_stress, cell.shear_stress))(*state, NODES_GAUSS, PLASTIC, PLASTIC_SHEAR)
     return axial, shear
 
 
 def stored(cell: reissner.ShearingCell, state: tuple[float, ...]) -> float:
     """Energy per unit material length."""
-    energy = compiled([sigma, reissner.tau_f], [cell.elastic_energy])(*fibre_stresses(cell, state))[0]
-    return CONSTANTS[A0] * float(WEIGHTS_GAUSS @ energy)
+    energy = compiled([sy.sigma, reissner.tau_f], [cell.elastic_energy])(*fibre_stresses(cell, state))[0]
+    return CONSTANTS[sy.A0] * float(WEIGHTS_GAUSS @ energy)
 
 
 @CONTRACTIONS
@@ -397,7 +373,9 @@ def test_conjugate_forces_are_the_slopes_of_the_energy(contraction: Contraction)
     means = (WEIGHTS_GAUSS @ axial, WEIGHTS_GAUSS @ (axial * NODES_GAUSS), WEIGHTS_GAUSS @ shear)
     symbols = [reissner.sigma_mean, reissner.sigma_zeta, reissner.tau_mean, Lam]
     resultants = compiled(symbols, (cell.tension, cell.moment, cell.shear_force))(*means, STATE[0])
-    forces = compiled([T, M, S, Lam, Gam, k], (cell.normal_force, cell.section_force, cell.couple))(*resultants, *STATE)
+    forces = compiled([sy.T, sy.M, S, Lam, Gam, k], (cell.normal_force, cell.section_force, cell.couple))(
+        *resultants, *STATE
+    )
     for n, force in enumerate(forces):
         ahead, behind = (tuple(v + d * (i == n) for i, v in enumerate(STATE)) for d in (1e-5, -1e-5))
         assert force == pytest.approx((stored(cell, ahead) - stored(cell, behind)) / 2e-5, rel=1e-7, abs=1e-9)
@@ -405,7 +383,7 @@ def test_conjugate_forces_are_the_slopes_of_the_energy(contraction: Contraction)
 
 def test_a_rigid_rotation_changes_no_strain_and_turns_the_force() -> None:
     cell = reissner.shearing_cell()
-    strains = compiled([x_X, y_X, reissner.psi], reissner.director_strains())
+    strains = compiled([sy.x_X, sy.y_X, reissner.psi], reissner.director_strains())
     force = compiled([reissner.n_1, reissner.n_2, reissner.psi], cell.force)
     gradient, turn = np.array([1.1, 0.3]), 0.9
     rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
@@ -417,7 +395,7 @@ def test_forces_turn_a_section_by_their_moment_about_it() -> None:
     """Lam n_2 - Gam n_1 is r_X cross F, so that moment of momentum is conserved whatever the law."""
     cell = reissner.shearing_cell()
     gradient, angle, force = np.array([1.1, 0.3]), 0.2, (2.0, -0.7)
-    stretch, shear = compiled([x_X, y_X, reissner.psi], reissner.director_strains())(*gradient, angle)
+    stretch, shear = compiled([sy.x_X, sy.y_X, reissner.psi], reissner.director_strains())(*gradient, angle)
     pull = compiled([reissner.n_1, reissner.n_2, reissner.psi], cell.force)(*force, angle)
     turning = compiled([reissner.n_1, reissner.n_2, Lam, Gam], [cell.turning_moment])(*force, stretch, shear)[0]
     assert turning == pytest.approx(gradient[0] * pull[1] - gradient[1] * pull[0])
@@ -426,7 +404,7 @@ def test_forces_turn_a_section_by_their_moment_about_it() -> None:
 def test_a_fibre_flows_as_the_solid_does() -> None:
     for axial, shear in [(0.3, 0.0), (0.0, -0.2), (-0.25, 0.15), (0.04, 0.02)]:
         flow = reissner.fibre_flow(bingham_rate())
-        pair = [sigma, reissner.tau_f]
+        pair = [sy.sigma, reissner.tau_f]
         size = compiled(pair, [flow.equivalent])(axial, shear)[0]
         rates = compiled([*pair, bulk.sigma_eq], (flow.axial_rate, flow.shear_rate, flow.dissipation))(
             axial, shear, size
@@ -442,7 +420,7 @@ def test_a_fibre_flows_as_the_solid_does() -> None:
 def test_a_stiff_shear_leaves_the_force_of_the_thin_filament() -> None:
     """n_1 tends to T + 3/2 M theta_s as Gam falls with the shear modulus."""
     cell = reissner.shearing_cell()
-    values = {T: 1.0, M: 0.02, S: 0.3, Lam: 1.2, k: 0.4}
+    values = {sy.T: 1.0, sy.M: 0.02, S: 0.3, Lam: 1.2, k: 0.4}
     limit = 1.0 + 1.5 * 0.02 * 0.4 / 1.2
     for stiffness in (1e2, 1e4, 1e6):
         tilt = 0.3 * 1.2**2 / stiffness
@@ -468,7 +446,14 @@ def test_dimensions() -> None:
 
 # The gradient term of a neck in numbers: exact viscous necks, a discrete bar, quadrature of the sections.
 STRETCH, STRESS, VISCOSITY, THICKNESS_NECK = 1.3, 0.7, 2.0, 0.4
-VALUES = {s: STRETCH, sigma: STRESS, eta: VISCOSITY, h0: THICKNESS_NECK, necking.aspect: 2.0, sigma_Y: 0.1}
+VALUES = {
+    sy.s: STRETCH,
+    sy.sigma: STRESS,
+    sy.eta: VISCOSITY,
+    sy.h0: THICKNESS_NECK,
+    necking.aspect: 2.0,
+    sy.sigma_Y: 0.1,
+}
 
 
 def growth(neck: necking.Neck, material_wavenumber: float) -> float:
@@ -531,8 +516,10 @@ def test_a_discrete_bar_grows_at_the_stated_rate() -> None:
                 )
             )
             stretch = STRETCH * (1 + small * np.cos(2 * np.pi * wave * X))
-            per_tension = sp.lambdify(s, (neck.stiffness() / T).subs(T, 1).subs(VALUES | {s: s}), "numpy")
-            coefficient = per_tension(stretch) if neck.stiffness().has(s) else None
+            per_tension = sp.lambdify(
+                sy.s, (neck.stiffness() / sy.T).subs(sy.T, 1).subs(VALUES | {sy.s: sy.s}), "numpy"
+            )
+            coefficient = per_tension(stretch) if neck.stiffness().has(sy.s) else None
             assert coefficient is not None
             operator = np.eye(points) - derivative @ np.diag(coefficient * (derivative @ stretch))
             tension = np.linalg.solve(operator, np.full(points, STRESS / STRETCH))
@@ -550,15 +537,15 @@ def test_the_force_does_the_stated_power() -> None:
         here = {necking.tension: pull, necking.stretch: profile}
         force = neck.force().subs(here).doit() * sp.diff(profile, t)
         local = {
-            T: pull,
-            s: profile,
+            sy.T: pull,
+            sy.s: profile,
             necking.s_slope: sp.diff(profile, X),
             necking.s_slope_rate: sp.diff(profile, X, t),
         }
         nodes, weights = np.polynomial.legendre.leggauss(40)
         works = []
         for density in (force, neck.gradient_power().subs(local)):
-            value = sp.lambdify(X, density.subs(t, 0).subs({h0: THICKNESS_NECK, necking.aspect: 2.0}), "numpy")
+            value = sp.lambdify(X, density.subs(t, 0).subs({sy.h0: THICKNESS_NECK, necking.aspect: 2.0}), "numpy")
             works.append(float(weights @ value((nodes + 1) / 2)) / 2)
         assert abs(works[1]) > 1e-5
         assert works[0] == pytest.approx(works[1], rel=1e-9)
@@ -569,14 +556,14 @@ def test_the_shortest_neck_does_not_grow() -> None:
         wavelength = float(neck.shortest_neck().subs(VALUES))
         assert growth(neck, 2 * np.pi / wavelength * STRETCH) == pytest.approx(0, abs=1e-12)
         assert growth(neck, 2 * np.pi / (2 * wavelength) * STRETCH) > 0
-        assert float(neck.stiffness().subs(VALUES | {T: -1})) == 0
+        assert float(neck.stiffness().subs(VALUES | {sy.T: -1})) == 0
 
 
 def test_folds_count_the_overstress_law_only_while_it_flows() -> None:
     count = necking.folds(bingham_rate())
     time = necking.t
     assert float(count.subs(VALUES | {time: 3.0})) == pytest.approx(STRESS / VISCOSITY * 3)
-    assert float(count.subs(VALUES | {time: 3.0, sigma: 0.05})) == 0
+    assert float(count.subs(VALUES | {time: 3.0, sy.sigma: 0.05})) == 0
 
 
 def test_dimensions_necking() -> None:

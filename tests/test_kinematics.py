@@ -36,38 +36,6 @@ from softcat_sym.physics.laws import FIXED, K, bingham_rate, elastic_stress, law
 from softcat_sym.physics.loads import quintic_step, ramp_rate, ramped_gravity, shaking, shaking_rate
 from softcat_sym.physics.section_response import BranchResponse, SectionResponse
 from softcat_sym.physics.sections import SECTIONS, SectionMeans, of_bending_alone
-from softcat_sym.physics.symbols import (
-    A0,
-    M_X,
-    E,
-    M,
-    Q,
-    T,
-    a_0,
-    a_1,
-    a_g,
-    c,
-    eta,
-    f_g,
-    field_entry,
-    fields,
-    g,
-    g_on,
-    h0,
-    s,
-    sigma,
-    sigma_0,
-    sigma_1,
-    sigma_Y,
-    t,
-    table,
-    theta,
-    theta_X,
-    x_X,
-    x_X_before,
-    y_X,
-    y_X_before,
-)
 
 # Every filament that can be derived, and all expressions of one.
 LAWS = ("elastic", "maxwell", "bingham")
@@ -146,25 +114,25 @@ def expressions(equations: FilamentEquations) -> dict[str, sp.Expr]:
 
 
 # Gradients of stretch and angle, and the balance written through them.
-TANGENT = {x_X: s * sp.cos(theta), y_X: s * sp.sin(theta)}
+TANGENT = {sy.x_X: sy.s * sp.cos(sy.theta), sy.y_X: sy.s * sp.sin(sy.theta)}
 
 
 def test_the_stretch_grows_along_the_tangent() -> None:
     along = [sp.simplify(part.subs(TANGENT)) for part in LARGE_ROTATION.stretch_gradient()]
-    assert along == [sp.cos(theta), sp.sin(theta)]
+    assert along == [sp.cos(sy.theta), sp.sin(sy.theta)]
 
 
 def test_the_angle_grows_along_the_normal_over_the_stretch() -> None:
     across = [sp.simplify(part.subs(TANGENT)) for part in LARGE_ROTATION.angle_gradient()]
-    assert sp.simplify(across[0] + sp.sin(theta) / s) == 0
-    assert sp.simplify(across[1] - sp.cos(theta) / s) == 0
+    assert sp.simplify(across[0] + sp.sin(sy.theta) / sy.s) == 0
+    assert sp.simplify(across[1] - sp.cos(sy.theta) / sy.s) == 0
 
 
 def test_small_slopes_keep_the_leading_order_of_both() -> None:
-    assert SMALL_SLOPE.stretch_gradient() == (1, y_X)
+    assert SMALL_SLOPE.stretch_gradient() == (1, sy.y_X)
     assert SMALL_SLOPE.angle_gradient() == (0, 1)
     size = sp.Symbol("size", positive=True)
-    near = {x_X: 1 + size**2 * x_X, y_X: size * y_X}
+    near = {sy.x_X: 1 + size**2 * sy.x_X, sy.y_X: size * sy.y_X}
     difference = (LARGE_ROTATION.stretch - SMALL_SLOPE.stretch).subs(near, simultaneous=True)
     assert sp.limit(difference / size**3, size, 0) == 0
 
@@ -173,19 +141,19 @@ def test_the_turning_does_not_wrap_past_the_vertical() -> None:
     for turned in [-3.0, -1.2, 0.0, 0.4, 2.0, 3.1]:
         for start in [-2.5, 0.3, 3.0]:
             at = {
-                x_X_before: 1.3 * math.cos(start),
-                y_X_before: 1.3 * math.sin(start),
-                x_X: 0.7 * math.cos(start + turned),
-                y_X: 0.7 * math.sin(start + turned),
+                sy.x_X_before: 1.3 * math.cos(start),
+                sy.y_X_before: 1.3 * math.sin(start),
+                sy.x_X: 0.7 * math.cos(start + turned),
+                sy.y_X: 0.7 * math.sin(start + turned),
             }
             assert float(LARGE_ROTATION.turning.subs(at)) == pytest.approx(turned, abs=1e-14)
 
 
 def test_turning_back_is_turning_the_other_way() -> None:
-    back = {x_X_before: x_X, y_X_before: y_X, x_X: x_X_before, y_X: y_X_before}
+    back = {sy.x_X_before: sy.x_X, sy.y_X_before: sy.y_X, sy.x_X: sy.x_X_before, sy.y_X: sy.y_X_before}
     swapped = SMALL_SLOPE.turning.subs(back, simultaneous=True)
     assert sp.simplify(swapped + SMALL_SLOPE.turning) == 0
-    at = {x_X_before: 1, y_X_before: sp.Rational(1, 3), x_X: sp.Rational(1, 2), y_X: -2}
+    at = {sy.x_X_before: 1, sy.y_X_before: sp.Rational(1, 3), sy.x_X: sp.Rational(1, 2), sy.y_X: -2}
     turned = LARGE_ROTATION.turning
     assert float((turned.subs(back, simultaneous=True) + turned).subs(at)) == 0
 
@@ -193,29 +161,32 @@ def test_turning_back_is_turning_the_other_way() -> None:
 @pytest.mark.parametrize("measure", [TRUE_STRAIN, SMALL_STRAIN], ids=["true", "small"])
 def test_strain_measures_agree_near_one(measure: object) -> None:
     strain = measure.strain  # type: ignore[attr-defined]
-    assert strain.subs(s, 1) == 0
-    assert sp.diff(strain, s).subs(s, 1) == 1
-    assert measure.arc_stretch in (s, 1)  # type: ignore[attr-defined]
+    assert strain.subs(sy.s, 1) == 0
+    assert sp.diff(strain, sy.s).subs(sy.s, 1) == 1
+    assert measure.arc_stretch in (sy.s, 1)  # type: ignore[attr-defined]
 
 
 def test_the_force_is_q_along_and_the_shear_across() -> None:
     """Q t + (M_X/s) n for large rotations (2.1, 2.2)."""
     force = internal_force(LARGE_ROTATION, bending=True)
-    wanted = (Q * sp.cos(theta) - M_X / s * sp.sin(theta), Q * sp.sin(theta) + M_X / s * sp.cos(theta))
+    wanted = (
+        sy.Q * sp.cos(sy.theta) - sy.M_X / sy.s * sp.sin(sy.theta),
+        sy.Q * sp.sin(sy.theta) + sy.M_X / sy.s * sp.cos(sy.theta),
+    )
     for found, right in zip((force.horizontal, force.vertical), wanted, strict=True):
         assert sp.simplify(found.subs(TANGENT) - right) == 0
 
 
 def test_the_small_slope_force() -> None:
     force = internal_force(SMALL_SLOPE, bending=True)
-    assert (force.horizontal, force.vertical) == (Q, Q * y_X + M_X)
+    assert (force.horizontal, force.vertical) == (sy.Q, sy.Q * sy.y_X + sy.M_X)
 
 
 @pytest.mark.parametrize("kinematics", [LARGE_ROTATION, SMALL_SLOPE], ids=["large", "small"])
 def test_a_string_has_no_transverse_force(kinematics: object) -> None:
     force = internal_force(kinematics, bending=False)  # type: ignore[arg-type]
-    assert M_X not in force.horizontal.free_symbols | force.vertical.free_symbols
-    assert internal_force(kinematics, bending=True).vertical.coeff(Q) == force.vertical.coeff(Q)  # type: ignore[arg-type]
+    assert sy.M_X not in force.horizontal.free_symbols | force.vertical.free_symbols
+    assert internal_force(kinematics, bending=True).vertical.coeff(sy.Q) == force.vertical.coeff(sy.Q)  # type: ignore[arg-type]
 
 
 # Work conjugacy of the material closure; the printed closure is the paper's, losses and all.
@@ -225,11 +196,11 @@ PAPERS = ["circle", "rectangle"]
 
 def modulus(shape: str) -> sp.Expr:
     """E, or E/(1 - nu^2) where the width is held."""
-    return E / (1 - nu**2) if shape == "sheet" else E
+    return sy.E / (1 - nu**2) if shape == "sheet" else sy.E
 
 
 def half_thickness(shape: str) -> sp.Expr:
-    return (h0 / s if shape == "sheet" else h0 / sp.sqrt(s)) / 2
+    return (sy.h0 / sy.s if shape == "sheet" else sy.h0 / sp.sqrt(sy.s)) / 2
 
 
 CONSISTENT = [{"finite": True, "thin": True}, {"finite": False, "thin": False}]
@@ -237,7 +208,7 @@ CONSISTENT = [{"finite": True, "thin": True}, {"finite": False, "thin": False}]
 
 def stress(shape: str, closure: str, **options: bool) -> dict[sp.Symbol, sp.Expr]:
     response = filament(shape, closure, **options).response
-    return {sigma_0: response.branch.stress_mean, sigma_1: response.branch.stress_bending}
+    return {sy.sigma_0: response.branch.stress_mean, sy.sigma_1: response.branch.stress_bending}
 
 
 def energy(shape: str, **options: bool) -> sp.Expr:
@@ -253,9 +224,9 @@ def test_forces_are_gradients_of_the_stored_energy() -> None:
             at = stress(shape, "material", **options)
             stored = energy(shape, **options)
             moment = response.moment.subs(at)
-            axial = response.tension.subs(at) + response.axial_correction.subs(M, moment)
-            assert sp.simplify(sp.diff(stored, s) - axial) == 0
-            assert sp.simplify(sp.diff(stored, theta_X) + moment) == 0
+            axial = response.tension.subs(at) + response.axial_correction.subs(sy.M, moment)
+            assert sp.simplify(sp.diff(stored, sy.s) - axial) == 0
+            assert sp.simplify(sp.diff(stored, sy.theta_X) + moment) == 0
 
 
 def test_plastic_power_is_what_the_stored_energy_loses() -> None:
@@ -266,8 +237,8 @@ def test_plastic_power_is_what_the_stored_energy_loses() -> None:
             at = stress(shape, "material", **options)
             stored = energy(shape, **options)
             for state, rate, lost in (
-                (a_0, response.branch.rate_mean, response.branch.dissipation_mean),
-                (a_1, response.branch.rate_bending, response.branch.dissipation_bending),
+                (sy.a_0, response.branch.rate_mean, response.branch.dissipation_mean),
+                (sy.a_1, response.branch.rate_bending, response.branch.dissipation_bending),
             ):
                 assert sp.simplify(-sp.diff(stored, state) * rate.subs(at) - lost.subs(at)) == 0
 
@@ -277,22 +248,22 @@ def test_the_axial_force_gains_three_halves_of_the_moment(shape: str) -> None:
     """Q - T = (3/2) M theta_s, of a sheet 2 M theta_s; a factor one or none would not be conjugate."""
     response = filament(shape, "material").response
     gain = 2 if shape == "sheet" else sp.Rational(3, 2)
-    assert sp.simplify(response.axial_correction - gain * M * theta_X / s) == 0
+    assert sp.simplify(response.axial_correction - gain * sy.M * sy.theta_X / sy.s) == 0
     at = stress(shape, "material")
     axial = response.tension.subs(at)
     moment = response.moment.subs(at)
     for factor in (0, 1):
-        wrong = axial + factor * moment * theta_X / s
-        assert sp.simplify(sp.diff(energy(shape), s) - wrong) != 0
+        wrong = axial + factor * moment * sy.theta_X / sy.s
+        assert sp.simplify(sp.diff(energy(shape), sy.s) - wrong) != 0
 
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_stress_is_that_of_material_fibres(shape: str) -> None:
     """sigma = E [log s - theta_s (h/2) zeta - a_0 - a_1 zeta]."""
     response = filament(shape, "material").response
-    assert sp.simplify(response.branch.stress_mean - modulus(shape) * (sp.log(s) - a_0)) == 0
+    assert sp.simplify(response.branch.stress_mean - modulus(shape) * (sp.log(sy.s) - sy.a_0)) == 0
     half = half_thickness(shape)
-    assert sp.simplify(response.branch.stress_bending + modulus(shape) * (theta_X / s * half + a_1)) == 0
+    assert sp.simplify(response.branch.stress_bending + modulus(shape) * (sy.theta_X / sy.s * half + sy.a_1)) == 0
 
 
 def test_resultants_are_integrals_of_the_stress() -> None:
@@ -300,11 +271,11 @@ def test_resultants_are_integrals_of_the_stress() -> None:
     for closure in ["material", "printed"]:
         for shape in SHAPES:
             response = filament(shape, closure).response
-            assert sp.simplify(response.tension - A0 / s * sigma_0) == 0
+            assert sp.simplify(response.tension - sy.A0 / sy.s * sy.sigma_0) == 0
             half = half_thickness(shape)
-            assert sp.simplify(response.moment - A0 / s * half * sigma_1 * SECTIONS[shape].zeta_squared) == 0
-            assert sp.simplify(response.stress_of_tension.subs(T, response.tension) - sigma_0) == 0
-            assert sp.simplify(response.stress_of_moment.subs(M, response.moment) - sigma_1) == 0
+            assert sp.simplify(response.moment - sy.A0 / sy.s * half * sy.sigma_1 * SECTIONS[shape].zeta_squared) == 0
+            assert sp.simplify(response.stress_of_tension.subs(sy.T, response.tension) - sy.sigma_0) == 0
+            assert sp.simplify(response.stress_of_moment.subs(sy.M, response.moment) - sy.sigma_1) == 0
 
 
 @pytest.mark.parametrize("shape", PAPERS)
@@ -312,11 +283,11 @@ def test_the_printed_closure_is_the_papers(shape: str) -> None:
     """(2.11): T = E (A log s - P), M = -E (I theta_X + C), with Q = T."""
     response = filament(shape, "printed").response
     second = SECTIONS[shape].zeta_squared
-    area, inertia = A0 / s, A0 * h0**2 * second / 4 / s**2
-    P, C = A0 * a_0, A0 * h0 * second / 2 * a_1
+    area, inertia = sy.A0 / sy.s, sy.A0 * sy.h0**2 * second / 4 / sy.s**2
+    P, C = sy.A0 * sy.a_0, sy.A0 * sy.h0 * second / 2 * sy.a_1
     at = stress(shape, "printed")
-    assert sp.simplify(response.tension.subs(at) - E * (area * sp.log(s) - P)) == 0
-    assert sp.simplify(response.moment.subs(at) + E * (inertia * theta_X + C)) == 0
+    assert sp.simplify(response.tension.subs(at) - sy.E * (area * sp.log(sy.s) - P)) == 0
+    assert sp.simplify(response.moment.subs(at) + sy.E * (inertia * sy.theta_X + C)) == 0
     assert response.axial_correction == 0
 
 
@@ -325,8 +296,8 @@ def test_the_printed_plastic_rates_are_the_papers(shape: str) -> None:
     """(2.12): P_t = T/eta and C_t = M/eta of a Maxwell fluid."""
     response = filament(shape, "printed", "maxwell").response
     second = SECTIONS[shape].zeta_squared
-    assert sp.simplify(A0 * response.branch.rate_mean - response.tension / eta) == 0
-    assert sp.simplify(A0 * h0 * second / 2 * response.branch.rate_bending - response.moment / eta) == 0
+    assert sp.simplify(sy.A0 * response.branch.rate_mean - response.tension / sy.eta) == 0
+    assert sp.simplify(sy.A0 * sy.h0 * second / 2 * response.branch.rate_bending - response.moment / sy.eta) == 0
 
 
 @pytest.mark.parametrize("closure", ["material", "printed"])
@@ -335,13 +306,13 @@ def test_tension_of_a_stretching_newtonian_bar(closure: str) -> None:
     response = filament("rectangle", closure, "maxwell").response
     speed, rigid = sp.symbols("s_t sigma", real=True)
     # E to infinity: the plastic state follows the stretch without stress.
-    state = sp.solve(response.branch.stress_mean / E, a_0)[0]
-    balance = sp.diff(state, s) * speed - response.branch.rate_mean.subs(sigma_0, rigid)
-    tension = response.tension.subs(sigma_0, sp.solve(balance, rigid)[0])
-    trouton = eta * A0 / s * speed / s
-    loss = 1 - sp.log(s) if closure == "printed" else 1
+    state = sp.solve(response.branch.stress_mean / sy.E, sy.a_0)[0]
+    balance = sp.diff(state, sy.s) * speed - response.branch.rate_mean.subs(sy.sigma_0, rigid)
+    tension = response.tension.subs(sy.sigma_0, sp.solve(balance, rigid)[0])
+    trouton = sy.eta * sy.A0 / sy.s * speed / sy.s
+    loss = 1 - sp.log(sy.s) if closure == "printed" else 1
     assert sp.simplify(tension - trouton * loss) == 0
-    left = float((tension / trouton).subs({s: 1.2214027581601699}))
+    left = float((tension / trouton).subs({sy.s: 1.2214027581601699}))
     assert left == pytest.approx(0.8 if closure == "printed" else 1.0, rel=1e-12)
 
 
@@ -351,7 +322,7 @@ def test_closures_agree_in_an_unstretched_filament() -> None:
             one, two = (filament(shape, closure, law).response for closure in ("material", "printed"))
             for name in ("stress_mean", "stress_bending", "tension", "moment", "rate_mean", "rate_bending"):
                 parts = [getattr(part if hasattr(part, name) else part.branch, name) for part in (one, two)]
-                assert (parts[0] - parts[1]).subs(s, 1).equals(0), name
+                assert (parts[0] - parts[1]).subs(sy.s, 1).equals(0), name
 
 
 def test_without_bending_no_moment_is_left() -> None:
@@ -366,14 +337,16 @@ def test_without_bending_no_moment_is_left() -> None:
 def test_without_flow_no_plastic_state_is_left() -> None:
     response = filament(law="elastic").response
     assert response.branch.means is None
-    assert not {a_0, a_1} & (response.branch.stress_mean.free_symbols | response.branch.stress_bending.free_symbols)
+    assert not {sy.a_0, sy.a_1} & (
+        response.branch.stress_mean.free_symbols | response.branch.stress_bending.free_symbols
+    )
     branch = response.branch
     assert branch.rate_mean == branch.rate_bending == branch.dissipation_mean == branch.dissipation_bending == 0
 
 
 def test_no_edge_of_a_yielded_zone_survives() -> None:
     response = filament().response
-    assert c not in response.branch.rate_mean.free_symbols | response.branch.rate_bending.free_symbols
+    assert sy.c not in response.branch.rate_mean.free_symbols | response.branch.rate_bending.free_symbols
 
 
 # A filament that does not stretch: what is left of its section, and what it cannot have.
@@ -463,17 +436,17 @@ def test_it_is_the_quintic() -> None:
 
 def test_the_rate_is_the_derivative_of_the_load() -> None:
     """During, before and after the ramp."""
-    between = {t: g_on * u}
+    between = {sy.t: sy.g_on * u}
     load = ramped_gravity().subs(between).replace(sp.Min, lambda *_: u)
     rate = ramp_rate().subs(between).replace(sp.Min, lambda *_: u)
-    assert sp.simplify(sp.diff(load, u) / g_on - rate) == 0
+    assert sp.simplify(sp.diff(load, u) / sy.g_on - rate) == 0
     for at in (-1, 0, 1, 3):
-        assert ramp_rate().subs(t, at * g_on) == 0
-    assert ramp_rate().subs(t, g_on / 2) == g * sp.Rational(15, 8) / g_on
+        assert ramp_rate().subs(sy.t, at * sy.g_on) == 0
+    assert ramp_rate().subs(sy.t, sy.g_on / 2) == sy.g * sp.Rational(15, 8) / sy.g_on
 
 
 def test_the_whole_rate_adds_up_to_the_whole_load() -> None:
-    rate = sp.lambdify(t, ramp_rate().subs({g: 9.81, g_on: 0.3}), "math")
+    rate = sp.lambdify(sy.t, ramp_rate().subs({sy.g: 9.81, sy.g_on: 0.3}), "math")
     from scipy.integrate import quad
 
     total, _ = quad(rate, 0, 0.3)
@@ -486,17 +459,17 @@ def test_the_rate_of_shaken_gravity_is_its_slope() -> None:
         terms = Terms(
             gravity=ramped_gravity(), gravity_rate=ramp_rate(), shaking=shaking(), shaking_rate=shaking_rate()
         )
-        numbers = {g: 9.81, g_on: 0.3, a_g: 2.5, f_g: 1.7}
-        load, rate = (sp.lambdify(t, part.subs(numbers), "math") for part in (terms.load, terms.load_rate))
+        numbers = {sy.g: 9.81, sy.g_on: 0.3, sy.a_g: 2.5, sy.f_g: 1.7}
+        load, rate = (sp.lambdify(sy.t, part.subs(numbers), "math") for part in (terms.load, terms.load_rate))
         assert rate(at) == pytest.approx((load(at + 1e-6) - load(at - 1e-6)) / 2e-6, rel=1e-6, abs=1e-6)
-        assert shaking().subs({t: 0}) == 1
+        assert shaking().subs({sy.t: 0}) == 1
 
 
 def test_an_amplitude_of_two_turns_gravity_round() -> None:
     """Three quarters of a period on it is -g, and its mean over a period is g."""
-    load = (g * shaking()).subs(a_g, 2)
-    assert load.subs(t, sp.Rational(3, 4) / f_g) == -g
-    assert sp.simplify(sp.integrate(load, (t, 0, 1 / f_g)) * f_g) == g
+    load = (sy.g * shaking()).subs(sy.a_g, 2)
+    assert load.subs(sy.t, sp.Rational(3, 4) / sy.f_g) == -sy.g
+    assert sp.simplify(sp.integrate(load, (sy.t, 0, 1 / sy.f_g)) * sy.f_g) == sy.g
 
 
 # Every term of every expression has the dimension that the table of symbols gives it.
@@ -662,7 +635,7 @@ def test_latex_is_well_formed() -> None:
 
 
 def test_every_symbol_that_is_written_stands_in_the_table() -> None:
-    names = {row.symbol.name for row in table()} | {f"d{row.symbol.name}" for row in table()}
+    names = {row.symbol.name for row in sy.table()} | {f"d{row.symbol.name}" for row in sy.table()}
     functions = {"pi", "sin", "cos", "log", "sqrt", "Min", "Max", "if", "otherwise", "d2x", "d2y", "d2psi", "dt2", "d"}
     assert not words(written(EVERYTHING)) - names - functions
 
@@ -702,9 +675,9 @@ def test_the_rule_shown_is_the_rule_integrated() -> None:
             (branch,) = FIXED[law].branches
             flow = branch.flow_beyond_yield or branch.flow
             assert flow is not None
-            values = {sigma: stress, K: 2.0, n: 0.5, sigma_Y: 1.0, E: 10.0}
+            values = {sy.sigma: stress, K: 2.0, n: 0.5, sy.sigma_Y: 1.0, sy.E: 10.0}
             shown = plain_rate(flow)
-            assert not shown.has(E)
+            assert not shown.has(sy.E)
             assert float(shown.subs(values)) == pytest.approx(float(flow.rate.subs(values)), rel=1e-12, abs=1e-15)
 
 
@@ -732,13 +705,13 @@ def test_every_term_has_the_dimension_of_its_equation() -> None:
 
 
 def test_every_symbol_and_field_stands_in_the_table_with_its_latex() -> None:
-    known = {row.symbol for row in table()}
+    known = {row.symbol for row in sy.table()}
     for module, equation in EVERY:
         both = sp.Tuple(equation.left, equation.right)
         bound = {limit[0] for integral in both.atoms(sp.Integral) for limit in integral.limits}
         assert (both.free_symbols | bound) <= known, (module, equation.name, both.free_symbols - known)
         for applied in both.atoms(AppliedUndef):
-            field_entry(applied.func.__name__)
+            sy.field_entry(applied.func.__name__)
         assert equation.source, (module, equation.name)
-    assert all(row.latex and row.meaning and row.source for row in (*table(), *fields()))
-    assert len({row.symbol.name for row in table()}) == len(table())
+    assert all(row.latex and row.meaning and row.source for row in (*sy.table(), *sy.fields()))
+    assert len({row.symbol.name for row in sy.table()}) == len(sy.table())
