@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import mpmath
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -13,12 +12,9 @@ from scipy.integrate import quad, solve_bvp, solve_ivp
 from scipy.optimize import brentq, linprog, minimize_scalar
 
 from softcat_sym.effects import scaling_estimates as prediction
-from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.physics import closed_forms as asy
-from softcat_sym.physics import equation as dimensions
 from softcat_sym.physics import regimes, rheometry
 from softcat_sym.physics.closed_forms import phi, phi_t, phi_tt
-from softcat_sym.physics.equation import check
 from softcat_sym.physics.regimes import (
     BEAMS,
     CLAMPED,
@@ -46,11 +42,6 @@ MODULUS_OVER_WEIGHT = 4e6 / (1900 * 9.81 * 0.2)
 
 def name(value: object) -> str:
     return getattr(value, "name", None) or (" ".join(value) if isinstance(value, tuple) else str(value))
-
-
-def test_every_term_has_one_dimension() -> None:
-    for equation in regimes.EQUATIONS:
-        dimensions.check(equation)
 
 
 def beam(ends: tuple[str, str], stiffness: float = 1.0, tension: float = 0.0) -> tuple[float, float]:
@@ -204,12 +195,6 @@ def test_exact_stopping_depth(number: float) -> None:
     assert number * shallower * math.cosh(1 / (2 * shallower)) > 1
 
 
-def test_no_depth_beyond_the_threshold() -> None:
-    for number in (1.3255, 1.4, 0):
-        with pytest.raises(ValueError, match="no catenary"):
-            regimes.stopping_depth_exact(number)
-
-
 def test_orders_of_the_shallow_expansions() -> None:
     """(3.13) is off by G^3, the consistent formula by G^5."""
     errors: dict[str, list[float]] = {"printed": [], "consistent": []}
@@ -236,13 +221,6 @@ def test_stopping_depth_ends_at_its_own_threshold(equation: regimes.Equation, th
     assert abs(slope.subs(G, threshold * (1 - sp.Rational(1, 10**8))).n()) > 100
 
 
-def test_paper_value_of_the_stopping_depth() -> None:
-    assert float(regimes.STOPPING_DEPTH.right.subs(G, 0.4)) == pytest.approx(0.05, abs=2e-3)
-    scene = load_scene("arrested-overdamped", {"groups.duration": 1e9})
-    forecast_motion = expected_regime(scene, ("inertia", "bending", "viscous-flow", "yielding")).stopping_depth_paper
-    assert forecast_motion == pytest.approx(float(regimes.STOPPING_DEPTH.right.subs(G, 0.4)))
-
-
 def test_catenary_in_its_parameter() -> None:
     """Sag by integrating the slope, stress by adding up the weight."""
     a = 0.37
@@ -258,23 +236,10 @@ def test_catenary_in_its_parameter() -> None:
     assert regimes.CATENARY_SAG.left == H
 
 
-def test_the_paper_s_groups() -> None:
-    """Three of the paper's four scenes; the yield strain of the first is misprinted."""
-    for bundled, strain in (("no-yield", 0.0932), ("arrested-overdamped", 0.00233), ("continual-descent", 0.00049)):
-        scene = load_scene(bundled)
-        assert scene.material.yield_stress / scene.material.youngs_modulus == pytest.approx(strain, rel=2e-3)
-    assert mpmath.mpf(1) / MODULUS_OVER_WEIGHT / mpmath.mpf("0.01") == pytest.approx(0.0932, rel=1e-3)
-
-
 # The closed forms of the sagging Maxwell filament against quadrature, root finding and integration.
 Floats = npt.NDArray[np.float64]
 LOAD = 3.3e-5
 PAPER = {B: LOAD, alpha: asy.TOLERANCE}
-
-
-def test_every_term_has_one_dimension_asymptotics() -> None:
-    for equation in asy.ASYMPTOTICS_EQUATIONS:
-        check(equation)
 
 
 @pytest.mark.parametrize("tau", [0.01, 0.1, 3.0])
@@ -443,11 +408,6 @@ def invert(measured: np.ndarray, *, ringing: bool) -> np.ndarray:
     relaxation = (both.ringing if ringing else both.fading).subs(values)
     viscous = rheometry.VISCOUS_NUMBER.right.subs(values)
     return np.array([math.log(float(viscous / relaxation)), math.log(float(viscous))])
-
-
-def test_every_term_has_one_dimension_rheometry() -> None:
-    for equation in rheometry.RHEOMETRY_EQUATIONS:
-        dimensions.check(equation)
 
 
 def test_round_trip() -> None:

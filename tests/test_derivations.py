@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -23,7 +22,6 @@ from softcat_sym.physics import kinematics as balance
 from softcat_sym.physics import kinematics as motion
 from softcat_sym.physics import small_deflection as sd
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.equation import DimensionError, check
 from softcat_sym.physics.laws import bingham_rate, maxwell_rate
 from softcat_sym.physics.reissner import Gam, Lam, S, k
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
@@ -35,12 +33,6 @@ LAMBDA_0 = sy.rho * sy.A0
 def right_sides(solution: dict[sp.Expr, sp.Expr]) -> list[sp.Expr]:
     """Right sides of the corrected (2.4) on a known motion."""
     return [sp.simplify(e.right.subs(solution).doit()) for e in motion.MOTION]
-
-
-def test_a_term_of_another_dimension_is_found() -> None:
-    spoiled = replace(motion.TANGENTIAL, right=motion.TANGENTIAL.right * motion.x)
-    with pytest.raises(DimensionError):
-        check(spoiled)
 
 
 def test_the_catenary_hangs_still() -> None:
@@ -182,18 +174,6 @@ def lever(shrinking: Contraction, stretch: float) -> float:
     return THICKNESS / 2 * stretch ** (-2 if shrinking is WIDE else -1.5)
 
 
-def test_polynomials_are_the_classical_ones() -> None:
-    for order in range(6):
-        at = np.linspace(-1, 1, 11)
-        for shape, wanted in (
-            (RECTANGLE, special.eval_legendre(order, at)),
-            (SHEET, special.eval_legendre(order, at)),
-            (CIRCLE, special.eval_chebyu(order, at) / (order + 1)),
-        ):
-            found = sp.lambdify(sy.zeta, layers.polynomial(shape, order) + 0 * sy.zeta)(at)
-            assert found * np.ones(11) == pytest.approx(wanted, abs=1e-13)
-
-
 @each_shape
 def test_polynomials_are_orthogonal(shape: Section, shrinking: Contraction) -> None:
     del shrinking
@@ -201,19 +181,6 @@ def test_polynomials_are_orthogonal(shape: Section, shrinking: Contraction) -> N
     table = np.array([sp.lambdify(sy.zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(6)])
     wanted = np.diag([float(layers.mean_square(shape, n)) for n in range(6)])
     assert (table * share) @ table.T == pytest.approx(wanted, abs=1e-13)
-
-
-@pytest.mark.parametrize("edge", [-0.999, -0.3, 0.0, 0.45, 0.98])
-@each_shape
-def test_partial_moments(shape: Section, shrinking: Contraction, edge: float) -> None:
-    del shrinking
-    weight = sp.lambdify(sy.zeta, shape.weight)
-    for held, integrand in (
-        (shape.area, lambda v: weight(v)),
-        (shape.overstress_mean, lambda v: (v - edge) * weight(v)),
-        (shape.overstress_moment, lambda v: (v - edge) * v * weight(v)),
-    ):
-        assert float(held.subs(sy.c, edge)) == pytest.approx(quad(integrand, edge, 1)[0], rel=1e-7, abs=1e-10)
 
 
 def test_the_papers_bingham_rates_against_quadrature() -> None:
@@ -294,26 +261,6 @@ def test_the_orders_converge_to_the_fibres(shape: Section, shrinking: Contractio
     errors = [np.abs(run(shape, shrinking, law, order)[0][:2] - wanted).max() for order in (1, 2, 4)]
     assert errors[2] < 0.1 * errors[0]
     assert errors[2] < 2e-3
-
-
-@pytest.mark.parametrize("law", LAWS)
-@each_shape
-def test_both_parts_of_the_dissipation_are_positive(shape: Section, shrinking: Contraction, law: str) -> None:
-    del shrinking
-    where, share = fibres(shape)
-    for mean, slope in np.random.default_rng(6).normal(0, 0.5, (300, 2)):
-        flow = LAWS[law](mean + slope * where)
-        assert mean * np.sum(share * flow) >= -1e-13
-        assert slope * np.sum(share * flow * where) >= -1e-13
-
-
-def test_a_flow_rule_that_is_not_odd_breaks_the_parts_but_not_the_sum() -> None:
-    """Flow in tension alone: a section in compression on the whole lengthens, and still dissipates."""
-    where, share = fibres(RECTANGLE)
-    stress = -0.3 + where
-    flow = np.maximum(stress, 0)
-    assert -0.3 * np.sum(share * flow) < 0
-    assert np.sum(share * stress * flow) > 0
 
 
 def test_the_appendix_in_a_thickness_that_does_not_change() -> None:
@@ -439,11 +386,6 @@ def test_shear_correction_of_the_circle_agrees_with_elasticity_when_incompressib
         assert mean**2 / square == pytest.approx(float(held), rel=1e-4)
 
 
-def test_dimensions() -> None:
-    for equation in reissner.EQUATIONS:
-        assert check(equation) is not None
-
-
 # The gradient term of a neck in numbers: exact viscous necks, a discrete bar, quadrature of the sections.
 STRETCH, STRESS, VISCOSITY, THICKNESS_NECK = 1.3, 0.7, 2.0, 0.4
 VALUES = {
@@ -566,18 +508,8 @@ def test_folds_count_the_overstress_law_only_while_it_flows() -> None:
     assert float(count.subs(VALUES | {time: 3.0, sy.sigma: 0.05})) == 0
 
 
-def test_dimensions_necking() -> None:
-    for equation in necking.EQUATIONS:
-        assert check(equation) is not None
-
-
 # The reduced model, numerically: von Karman's beam, memory by quadrature, energy, both forms of the memory.
 Floats = npt.NDArray[np.float64]
-
-
-def test_every_term_has_one_dimension() -> None:
-    for equation in sd.EQUATIONS:
-        check(equation)
 
 
 @pytest.mark.parametrize(("modulus", "sag"), [(1e5, 0.139709), (1e6, 0.062621), (1e7, 0.025403), (1e8, 0.005982)])

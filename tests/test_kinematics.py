@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 import re
 from dataclasses import replace
 from functools import cache
@@ -19,7 +18,6 @@ from softcat_sym.physics import sections as section
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.closures import CLOSURES
-from softcat_sym.physics.equation import PURE as NONE
 from softcat_sym.physics.equation import DimensionError as MismatchError
 from softcat_sym.physics.equation import Stated, all_equations, check, dimension
 from softcat_sym.physics.filament import FilamentEquations, Terms, derive
@@ -27,12 +25,10 @@ from softcat_sym.physics.in_force import equations_in_force, plain_rate
 from softcat_sym.physics.kinematics import (
     LARGE_ROTATION,
     SMALL_SLOPE,
-    SMALL_STRAIN,
     TRUE_STRAIN,
     internal_force,
-    mass_per_length,
 )
-from softcat_sym.physics.laws import FIXED, K, bingham_rate, elastic_stress, law_of, maxwell_rate, n
+from softcat_sym.physics.laws import FIXED, K, law_of, n
 from softcat_sym.physics.loads import quintic_step, ramp_rate, ramped_gravity, shaking, shaking_rate
 from softcat_sym.physics.section_response import BranchResponse, SectionResponse
 from softcat_sym.physics.sections import SECTIONS, SectionMeans, of_bending_alone
@@ -135,35 +131,6 @@ def test_small_slopes_keep_the_leading_order_of_both() -> None:
     near = {sy.x_X: 1 + size**2 * sy.x_X, sy.y_X: size * sy.y_X}
     difference = (LARGE_ROTATION.stretch - SMALL_SLOPE.stretch).subs(near, simultaneous=True)
     assert sp.limit(difference / size**3, size, 0) == 0
-
-
-def test_the_turning_does_not_wrap_past_the_vertical() -> None:
-    for turned in [-3.0, -1.2, 0.0, 0.4, 2.0, 3.1]:
-        for start in [-2.5, 0.3, 3.0]:
-            at = {
-                sy.x_X_before: 1.3 * math.cos(start),
-                sy.y_X_before: 1.3 * math.sin(start),
-                sy.x_X: 0.7 * math.cos(start + turned),
-                sy.y_X: 0.7 * math.sin(start + turned),
-            }
-            assert float(LARGE_ROTATION.turning.subs(at)) == pytest.approx(turned, abs=1e-14)
-
-
-def test_turning_back_is_turning_the_other_way() -> None:
-    back = {sy.x_X_before: sy.x_X, sy.y_X_before: sy.y_X, sy.x_X: sy.x_X_before, sy.y_X: sy.y_X_before}
-    swapped = SMALL_SLOPE.turning.subs(back, simultaneous=True)
-    assert sp.simplify(swapped + SMALL_SLOPE.turning) == 0
-    at = {sy.x_X_before: 1, sy.y_X_before: sp.Rational(1, 3), sy.x_X: sp.Rational(1, 2), sy.y_X: -2}
-    turned = LARGE_ROTATION.turning
-    assert float((turned.subs(back, simultaneous=True) + turned).subs(at)) == 0
-
-
-@pytest.mark.parametrize("measure", [TRUE_STRAIN, SMALL_STRAIN], ids=["true", "small"])
-def test_strain_measures_agree_near_one(measure: object) -> None:
-    strain = measure.strain  # type: ignore[attr-defined]
-    assert strain.subs(sy.s, 1) == 0
-    assert sp.diff(strain, sy.s).subs(sy.s, 1) == 1
-    assert measure.arc_stretch in (sy.s, 1)  # type: ignore[attr-defined]
 
 
 def test_the_force_is_q_along_and_the_shear_across() -> None:
@@ -529,27 +496,6 @@ def test_every_symbol_is_in_the_table() -> None:
     for equations in all_filaments():
         for name, expr in expressions(equations).items():
             assert expr.free_symbols <= known, (name, expr.free_symbols - known)
-
-
-def test_the_laws_themselves() -> None:
-    for expr, wanted in [
-        (mass_per_length(), (1, -1, 0)),
-        (ramped_gravity(), sy.ACCELERATION),
-        (ramp_rate(), (0, 1, -3)),
-        (shaking(), sy.ONE),
-        (shaking_rate(), sy.RATE),
-        (maxwell_rate(), sy.RATE),
-        (bingham_rate(), sy.RATE),
-        (elastic_stress(sp.log(sy.s), sy.a_0), sy.STRESS),
-    ]:
-        assert dimension(expr) == wanted
-
-
-@pytest.mark.parametrize("name", SECTIONS)
-def test_sections_are_dimensionless(name: str) -> None:
-    shape = SECTIONS[name]
-    for expr in (shape.weight, shape.area, shape.overstress_mean, shape.overstress_moment):
-        assert dimension(expr) == NONE
 
 
 def test_the_check_itself_can_say_no() -> None:

@@ -19,7 +19,6 @@ from softcat_sym.physics import bulk
 from softcat_sym.physics import bulk as bulk_step
 from softcat_sym.physics import closed_forms as from_shear
 from softcat_sym.physics import closed_forms as strings
-from softcat_sym.physics.equation import check
 from softcat_sym.physics.laws import E_2, Flow, K, Law, bingham_rate, law_of, maxwell_rate, mode, n
 from softcat_sym.physics.regimes import H
 from softcat_sym.physics.rheometry import mu
@@ -453,8 +452,3 @@ def test_plane_stress_is_the_general_law_with_a_free_width() -> None:
     strain = np.array(compiled(plane, law.strain)(0.02, -0.005), dtype=float)
     assert np.array(compiled(plane, law.stress)(0.02, -0.005)) == pytest.approx(STRESS(*six(strain)), abs=1e-15)
     assert STRESS(*six(strain))[2, 2] == pytest.approx(0, abs=1e-16)
-
-
-def test_dimensions() -> None:
-    for equation in bulk.BULK_EQUATIONS:
-        assert check(equation) is not None

@@ -348,78 +348,65 @@ def _term(expr: sp.Expr, value: float, error: float) -> Term:
     return Term(expr, value, error + _EPS * abs(value))
 
 
-def _add(a: Term, b: Term) -> Term:
-    return _term(a.expr + b.expr, a.value + b.value, a.error + b.error + _EPS * (abs(a.value) + abs(b.value)))
+def _away(value: float, error: float, least: float = 1e-3) -> bool:
+    """Whether a value is so far from zero that its error does not matter."""
+    return value > least + 1e3 * error
 
 
-def _subtract(a: Term, b: Term) -> Term:
-    return _term(a.expr - b.expr, a.value - b.value, a.error + b.error + _EPS * (abs(a.value) + abs(b.value)))
+# Of one or two terms: SymPy's function, the number's, the error by those of the terms, and where it may be had.
+_ONE_TERM: tuple[tuple[Any, Any, Any, Any], ...] = (
+    (sp.sqrt, math.sqrt, lambda a: a.error / math.sqrt(a.value), lambda a: _away(a.value, a.error)),
+    (sp.log, math.log, lambda a: a.error / a.value, lambda a: _away(a.value, a.error)),
+    (sp.exp, math.exp, lambda a: math.exp(a.value) * a.error, lambda a: abs(a.value) < 20),
+    (sp.sin, math.sin, lambda a: a.error + _EPS, lambda a: abs(a.value) < 20),
+    (sp.tanh, math.tanh, lambda a: a.error, lambda a: True),
+    (sp.Abs, abs, lambda a: a.error, lambda a: True),
+    (lambda x: x**3, lambda x: x**3, lambda a: 3 * a.value**2 * a.error, lambda a: True),
+)
 
 
-def _multiply(a: Term, b: Term) -> Term:
-    return _term(a.expr * b.expr, a.value * b.value, abs(a.value) * b.error + abs(b.value) * a.error)
+def _sum_error(a: Term, b: Term) -> float:
+    return a.error + b.error + _EPS * (abs(a.value) + abs(b.value))
 
 
-def _divide(a: Term, b: Term) -> Term:
-    assume(abs(b.value) > 1e-3 + 1e3 * b.error)
-    return _term(a.expr / b.expr, a.value / b.value, (a.error + abs(a.value / b.value) * b.error) / abs(b.value))
+def _crossed(a: Term, b: Term) -> float:
+    return abs(a.value) * b.error + abs(b.value) * a.error
 
 
-def _larger(a: Term, b: Term) -> Term:
-    return _term(sp.Max(a.expr, b.expr), max(a.value, b.value), max(a.error, b.error))
+def _turns(a: Term, b: Term) -> bool:
+    cut = b.value < 0 and abs(a.value) < 1e-6 + 1e3 * a.error
+    return a.value**2 + b.value**2 > 1e-6 and not cut
 
 
-def _smaller(a: Term, b: Term) -> Term:
-    return _term(sp.Min(a.expr, b.expr), min(a.value, b.value), max(a.error, b.error))
+_TWO_TERMS: tuple[tuple[Any, Any, Any, Any], ...] = (
+    (lambda x, y: x + y, lambda x, y: x + y, _sum_error, lambda a, b: True),
+    (lambda x, y: x - y, lambda x, y: x - y, _sum_error, lambda a, b: True),
+    (lambda x, y: x * y, lambda x, y: x * y, _crossed, lambda a, b: True),
+    (
+        lambda x, y: x / y,
+        lambda x, y: x / y,
+        lambda a, b: (a.error + abs(a.value / b.value) * b.error) / abs(b.value),
+        lambda a, b: _away(abs(b.value), b.error),
+    ),
+    (sp.Max, max, lambda a, b: max(a.error, b.error), lambda a, b: True),
+    (sp.Min, min, lambda a, b: max(a.error, b.error), lambda a, b: True),
+    (
+        lambda x, y: sp.Piecewise((x, x < y), (2 * y, True)),
+        lambda x, y: x if x < y else 2 * y,
+        lambda a, b: a.error + 2 * b.error,
+        lambda a, b: _away(abs(a.value - b.value), a.error + b.error, 1e-6),
+    ),
+    (sp.atan2, math.atan2, lambda a, b: _crossed(a, b) / (a.value**2 + b.value**2), _turns),
+)
 
 
-def _choose(a: Term, b: Term) -> Term:
-    assume(abs(a.value - b.value) > 1e-6 + 1e3 * (a.error + b.error))
-    expr = sp.Piecewise((a.expr, a.expr < b.expr), (2 * b.expr, True))
-    return _term(expr, a.value if a.value < b.value else 2 * b.value, a.error + 2 * b.error)
+def _apply(operation: tuple[Any, Any, Any, Any], *terms: Term) -> Term:
+    symbolic, number, error, admissible = operation
+    assume(admissible(*terms))
+    return _term(symbolic(*(t.expr for t in terms)), number(*(t.value for t in terms)), error(*terms))
 
 
-def _root(a: Term) -> Term:
-    assume(a.value > 1e-3 + 1e3 * a.error)
-    return _term(sp.sqrt(a.expr), math.sqrt(a.value), a.error / math.sqrt(a.value))
-
-
-def _log(a: Term) -> Term:
-    assume(a.value > 1e-3 + 1e3 * a.error)
-    return _term(sp.log(a.expr), math.log(a.value), a.error / a.value)
-
-
-def _exp(a: Term) -> Term:
-    assume(abs(a.value) < 20)
-    return _term(sp.exp(a.expr), math.exp(a.value), math.exp(a.value) * a.error)
-
-
-def _sin(a: Term) -> Term:
-    assume(abs(a.value) < 20)
-    return _term(sp.sin(a.expr), math.sin(a.value), a.error + _EPS)
-
-
-def _tanh(a: Term) -> Term:
-    return _term(sp.tanh(a.expr), math.tanh(a.value), a.error)
-
-
-def _abs(a: Term) -> Term:
-    return _term(sp.Abs(a.expr), abs(a.value), a.error)
-
-
-def _cube(a: Term) -> Term:
-    return _term(a.expr**3, a.value**3, 3 * a.value**2 * a.error)
-
-
-def _turn(a: Term, b: Term) -> Term:
-    size = a.value**2 + b.value**2
-    assume(size > 1e-6 and not (b.value < 0 and abs(a.value) < 1e-6 + 1e3 * a.error))
-    slope = (abs(a.value) * b.error + abs(b.value) * a.error) / size
-    return _term(sp.atan2(a.expr, b.expr), math.atan2(a.value, b.value), slope)
-
-
-_TWO = st.sampled_from([_add, _subtract, _multiply, _divide, _larger, _smaller, _choose, _turn])
-_ONE = st.sampled_from([_root, _log, _exp, _sin, _tanh, _abs, _cube])
+_ONE, _TWO = st.sampled_from(_ONE_TERM), st.sampled_from(_TWO_TERMS)
 _AT = {SYMBOLS[0]: 0.7310585786300049, SYMBOLS[1]: -1.2345678901234567, SYMBOLS[2]: 2.718281828459045}
 _leaves = st.one_of(
     st.sampled_from(SYMBOLS).map(lambda symbol: Term(symbol, _AT[symbol], 0.0)),
@@ -431,7 +418,7 @@ _leaves = st.one_of(
 _trees = st.recursive(
     _leaves,
     lambda inner: st.one_of(
-        st.tuples(_TWO, inner, inner).map(lambda t: t[0](t[1], t[2])), st.tuples(_ONE, inner).map(lambda t: t[0](t[1]))
+        st.tuples(_TWO, inner, inner).map(lambda t: _apply(*t)), st.tuples(_ONE, inner).map(lambda t: _apply(*t))
     ),
     max_leaves=8,
 )
