@@ -48,6 +48,22 @@ class Estimate:
         return amount(self.value)
 
 
+@dataclass(frozen=True, slots=True)
+class OfMotion:
+    """An estimate that is one number of the motion, or a multiple of it."""
+
+    quantity: str  # Name of the number in :class:`Motion`
+    meaning: str
+    formula: str = ""
+    amplified: bool = False  # Whether it is a relative change of the sag, which ringing amplifies
+    factor: float = 1.0
+
+    def __call__(self, scene: Scene, motion: Motion) -> Estimate:
+        """Read the number; the scene itself does not matter."""
+        value = self.factor * getattr(motion, self.quantity)
+        return Estimate(motion.amplified(value) if self.amplified else value, self.meaning, self.formula)
+
+
 _WHOLE, _NOTHING = 0.95, 1e-6
 
 
