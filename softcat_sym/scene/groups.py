@@ -280,15 +280,13 @@ def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]
 
 def _ratios(block: GroupBlock, stress: float, time: float, index: float) -> dict[str, float]:
     """Turn each group into the ratio of its two constants, SI [3.9, 3.10]."""
-    ratios = {
-        "G": (block.G, lambda group: stress / group),
-        "eps_Y": (block.eps_Y, lambda group: group),
-        "E_star": (block.E_star, lambda group: stress * group),
-        "V": (block.V, lambda group: stress * power(time, index) * group),
-        "B": (block.B, lambda group: stress * time / (2 * group)),
-        "tau": (block.tau, lambda group: time * group),
-    }
-    return {key: ratio(group) for key, (group, ratio) in ratios.items() if group is not None}
+    growing = {"eps_Y": 1.0, "E_star": stress, "V": stress * power(time, index), "tau": time}
+    ratios = {key: scale * group for key, scale in growing.items() if (group := getattr(block, key)) is not None}
+    if block.G is not None:
+        ratios["G"] = stress / block.G
+    if block.B is not None:
+        ratios["B"] = stress * time / (2 * block.B)
+    return ratios
 
 
 def _relations(raw: Mapping[str, Any], rest: Table, ratios: Mapping[str, float], index: float) -> list[Relation]:

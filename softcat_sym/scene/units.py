@@ -327,7 +327,7 @@ class Quantity(Kind):
     unit: str = ""
 
     @property
-    def accepted(self) -> str:  # type: ignore[override]
+    def accepted(self) -> str:
         what = self.dimension if self.sign == "any" else f"{self.sign} {self.dimension}"
         return f'{_article(what)} with its unit, such as "{self.example}"'
 
@@ -357,7 +357,7 @@ class Number(Kind):
     closed: bool = False
 
     @property
-    def accepted(self) -> str:  # type: ignore[override]
+    def accepted(self) -> str:
         if self.below < math.inf:
             return f"a number between {self.above:g} and {self.below:g}, both excluded"
         sign = "" if self.above < 0 else "non-negative " if self.closed else "positive "
@@ -382,15 +382,16 @@ class Whole(Kind):
     most: int
 
     @property
-    def accepted(self) -> str:  # type: ignore[override]
+    def accepted(self) -> str:
         return f"a whole number from {self.least} to {self.most}"
 
     def read(self, value: object) -> int:
         if isinstance(value, bool) or not isinstance(value, Integral):
             raise self.refuse(f"{shown(value)} is not a whole number")
-        if not self.least <= value <= self.most:
+        number = int(value)
+        if not self.least <= number <= self.most:
             raise self.refuse(f"{shown(value)} is out of range")
-        return int(value)
+        return number
 
 
 def _unknown_name(value: object, names: tuple[str, ...]) -> str:
@@ -405,7 +406,7 @@ class Choice(Kind):
     names: tuple[str, ...]
 
     @property
-    def accepted(self) -> str:  # type: ignore[override]
+    def accepted(self) -> str:
         return ", ".join(self.names)
 
     def read(self, value: object) -> str:
@@ -449,7 +450,7 @@ class Numbers(Kind):
     least: int = 1
 
     @property
-    def accepted(self) -> str:  # type: ignore[override]
+    def accepted(self) -> str:
         sign = "" if self.above < 0 else "positive "
         return f"a list of {sign}numbers without units" + (f", at least {self.least}" if self.least > 1 else "")
 
@@ -468,7 +469,7 @@ class Names(Kind):
     words: tuple[str, ...]
 
     @property
-    def accepted(self) -> str:  # type: ignore[override]
+    def accepted(self) -> str:
         return f"{', '.join(self.words)}, or a list of names"
 
     def read(self, value: object) -> str | tuple[str, ...]:
