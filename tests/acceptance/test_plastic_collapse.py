@@ -13,8 +13,8 @@ import softcat_sym as sc
 from softcat_sym.discretization.assembly import DEFAULT_FIBRES
 from softcat_sym.discretization.section_rule import fibre_rule
 from softcat_sym.physics.sections import SECTIONS
-
 from tests.common.filaments import GEOMETRY, Array, scene
+
 from .table import show
 
 FULL = {"rectangle": 1 / 4, "circle": 2 / (3 * np.pi)}

@@ -10,9 +10,9 @@ import pytest
 
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.physics.sections import SECTIONS
-
-from tests.common.one_cell import follow, one_cell
 from tests.common.filaments import Array
+from tests.common.one_cell import follow, one_cell
+
 from .table import show
 
 YIELD = 0.01  # yield stress over E; viscosity, E and thickness are one
