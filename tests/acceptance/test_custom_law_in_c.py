@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
+from tests.slow.test_laws import PAIRS_CUSTOM_LAW as PAIRS
+from tests.slow.test_laws import difference, scene_of
 
 from .table import show
-from .test_custom_law import PAIRS, difference, scene_of
 
 
 def heights(scene: sc.Scene, backend: str) -> np.ndarray:
