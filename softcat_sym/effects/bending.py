@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, always
-from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene, chord_angle, groups_of
 
 _LAYER, _PINNED = 0.5, 0.1
@@ -21,10 +21,6 @@ def _indispensable(scene: Scene) -> str:
     held = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     turned = any(kind == "clamped" and abs(angle - along) > _LEVEL for kind, angle in held)
     return "a clamp is turned against the line between the supports" if turned else ""
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, bending=True)
 
 
 def bending_share(scene: Scene, motion: Motion) -> float:
@@ -43,7 +39,7 @@ BENDING = Effect(
     name="bending",
     summary="curvature, moment M and transverse force N = M_X/s",
     source="2.3, 2.10, 2.11",
-    contribute=_contribute,
+    contribute=partial(replace, bending=True),
     applies=always,
     without_it="",
     estimate=_estimate,

@@ -117,24 +117,12 @@ BY_ESTIMATE = ""
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """What was decided about one effect.
+    """What was decided about one effect."""
 
-    Attributes
-    ----------
-    effect : Effect
-        The effect.
-    in_force : bool
-        Whether the run holds it.
-    estimate : Estimate or None
-        How much it should matter; None where the scene cannot have it.
-    reason : str
-        Why it is in force or not, where that is not its estimate.
-    """
-
-    effect: Effect
-    in_force: bool
-    estimate: Estimate | None
-    reason: str
+    effect: Effect  # The effect
+    in_force: bool  # Whether the run holds it
+    estimate: Estimate | None  # How much it should matter; None where the scene cannot have it
+    reason: str  # Why it is in force or not, where that is not its estimate
 
     @property
     def why(self) -> str:
@@ -146,18 +134,10 @@ class Decision:
 
 @dataclass(frozen=True, slots=True)
 class Effects:
-    """The physics of one run.
+    """The physics of one run."""
 
-    Attributes
-    ----------
-    decisions : tuple of Decision
-        One for every effect, in the order of the registry.
-    bare : Terms
-        The filament of this material and shape without any effect.
-    """
-
-    decisions: tuple[Decision, ...]
-    bare: Terms
+    decisions: tuple[Decision, ...]  # One for every effect, in the order of the registry
+    bare: Terms  # The filament of this material and shape without any effect
 
     @property
     def in_force(self) -> tuple[Effect, ...]:
@@ -211,19 +191,6 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
 
     The printed closure and the small-deflection model belong to the published theory: with them ``auto`` is the paper's
     list.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is asked.
-    shown : mapping of str to str
-        Effects that a finished run has shown to matter after all, and how: ``auto`` takes them in too.
-
-    Raises
-    ------
-    SceneError
-        If it names an effect that is unknown, that its law, load or closure cannot have, or that needs another one;
-        if it leaves out one that it cannot do without.
     """
     refuse_law(scene)
     reasons = _reasons(scene, shown or {})

@@ -9,21 +9,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.scaling_estimates import (
-    beam_of,
-    duration_star,
-    first_yield_gravity_number,
-    gravity_number_of,
-    holding_stress_of,
-    instant_modulus,
-    pull_of_surface,
-    share_of_yield,
-    viscous_number,
-    weight_stress,
-    yield_stress_of,
-)
 from softcat_sym.physics import regimes
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS
@@ -113,7 +101,7 @@ def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
 
 def worst_gravity_number(scene: Scene) -> float | None:
     """G of the thinnest section, which carries the same tension; a weight at midspan counts twice as much as spread."""
-    plain = gravity_number_of(scene)
+    plain = scales.gravity_number_of(scene)
     if plain is None:
         return None
     filament = scene.filament
@@ -126,33 +114,33 @@ def worst_gravity_number(scene: Scene) -> float | None:
 def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
     """G from which a fibre yields: static (3.11) over what weight and shaking overshoot by, less what is stressed."""
     ringing = ringing_share(_first_frequency(scene), _ramp(scene, effects)) if "inertia" in effects else 0.0
-    overshot = 1 + (float(beam_of(scene).overshoot_bound) - 1) * ringing + shaken_share(scene)
-    limit, modulus, initial = yield_stress_of(scene) or 0.0, instant_modulus(scene) or 0.0, scene.initial
+    overshot = 1 + (float(scales.beam_of(scene).overshoot_bound) - 1) * ringing + shaken_share(scene)
+    limit, modulus, initial = scales.yield_stress_of(scene) or 0.0, scales.instant_modulus(scene) or 0.0, scene.initial
     there = max(map(abs, initial.P), default=0.0) + max(map(abs, initial.C), default=0.0)
     there += 0.0 if initial.relaxed else abs(math.log(initial.stretch))
     # Tension helps a filament that is loaded slowly. One that swings is not relied on to have it when it bends most:
     # the paper's yields at G = 0.04, where the tension of its static sag would put first yield at 0.041.
-    linear = first_yield_gravity_number(scene)
+    linear = scales.first_yield_gravity_number(scene)
     static = linear + (1 - ringing) * (_static_first_yield(scene) - linear)
     return static / overshot * max(0.0, 1 - modulus * there / limit)
 
 
 def _with_yield_stress(scene: Scene, effects: Collection[str], gravity_number: float) -> ExpectedRegime:
     held = is_held(scene)
-    collapse = regimes.plastic_collapse(SECTIONS[scene.filament.section], beam_of(scene))
+    collapse = regimes.plastic_collapse(SECTIONS[scene.filament.section], scales.beam_of(scene))
     paper, exact = (float(regimes.ARREST_THRESHOLD), _exact_threshold()) if held else (HANGING, HANGING)
     found = functools.partial(
         ExpectedRegime,
         gravity_number=gravity_number,
         first_yield=first_yield_under_load(scene, effects),
-        collapse=float(collapse.subs(regimes.delta, groups_of(scene).delta)) * share_of_yield(scene),
+        collapse=float(collapse.subs(regimes.delta, groups_of(scene).delta)) * scales.share_of_yield(scene),
         arrest_paper=paper,
         arrest_exact=exact,
         stopping_depth_paper=_depth_paper(gravity_number) if held and 0 < gravity_number < paper else None,
         stopping_depth_exact=_depth_exact(gravity_number) if held and 0 < gravity_number < exact else None,
     )
     blank = found("no-yield", "")
-    limit, pull = yield_stress_of(scene) or 0.0, pull_of_surface(scene)
+    limit, pull = scales.yield_stress_of(scene) or 0.0, scales.pull_of_surface(scene)
     if pull > limit and not held and gravity_number < exact:
         thicker = f"its surface alone makes it yield ({pull:.3g} over {limit:.3g} Pa)"
         return found("arrested-overdamped", f"{thicker}: it thickens until gamma P/(2 A) is the yield stress")
@@ -172,8 +160,8 @@ def _arrested(
     scene: Scene, effects: Collection[str], numbers: ExpectedRegime, found: functools.partial[ExpectedRegime]
 ) -> ExpectedRegime:
     """Overdamped, underdamped, or still creeping when the run ends."""
-    gravity_number, modulus, limit = numbers.gravity_number or 0.0, instant_modulus(scene), holding_stress_of(scene)
-    viscous = viscous_number(scene) or 0.0
+    gravity_number, viscous = numbers.gravity_number or 0.0, scales.viscous_number(scene) or 0.0
+    modulus, limit = scales.instant_modulus(scene), scales.holding_stress_of(scene)
     if gravity_number == 0 or not modulus or not limit:
         return found("arrested-overdamped", "nothing but its supports makes it flow")
     past = overshoot(gravity_number, viscous, _ramp(scene, effects)) if "inertia" in effects else 1.0
@@ -182,7 +170,7 @@ def _arrested(
         springs = _swing(scene, effects, gravity_number)
     depth = past * (numbers.stopping_depth_exact or 0.0)
     clamped = "clamped" in (scene.ends.left, scene.ends.right) and "bending" in effects
-    pace = hinge_pace(gravity_number, viscous, depth, duration_star(scene)) if clamped else 0.0
+    pace = hinge_pace(gravity_number, viscous, depth, scales.duration_star(scene)) if clamped else 0.0
     named = functools.partial(found, overshoot=past, rebound=springs, hinge_pace=pace)
     carried = _how_it_is_held(scene, numbers)
     if pace > HINGES_CREEP:
@@ -204,7 +192,7 @@ def _swing(scene: Scene, effects: Collection[str], gravity_number: float) -> flo
 
 
 def _said(scene: Scene, gravity_number: float) -> str:
-    what = "G = rho g L/(sigma_Y + gamma P/(2 A))" if pull_of_surface(scene) and is_held(scene) else "G"
+    what = "G = rho g L/(sigma_Y + gamma P/(2 A))" if scales.pull_of_surface(scene) and is_held(scene) else "G"
     return f"{what} = {gravity_number:.3g}"
 
 
@@ -222,7 +210,7 @@ def _how_it_is_held(scene: Scene, numbers: ExpectedRegime) -> str:
 
 def _pulled_beyond_yield(scene: Scene) -> bool:
     """Whether the supports, moving, stretch it beyond its yield strain."""
-    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    limit, modulus = scales.yield_stress_of(scene), scales.instant_modulus(scene)
     if not scene.ends.motion or not limit or not modulus or not is_held(scene):
         return False
     return modulus * math.log(farthest(scene) / stress_free_length(scene)) > limit
@@ -235,27 +223,27 @@ def _ramp(scene: Scene, effects: Collection[str]) -> float:
 
 def _first_frequency(scene: Scene) -> float:
     """First natural frequency of the elastic beam, lowered by shear as its sag is raised, in sqrt(g/L)."""
-    modulus, weight = instant_modulus(scene) or 0.0, weight_stress(scene)
+    modulus, weight = scales.instant_modulus(scene) or 0.0, scales.weight_stress(scene)
     gyration = float(regimes.gyration(SECTIONS[scene.filament.section]))
     speed = math.sqrt(gyration * modulus / weight) * groups_of(scene).delta if weight > 0 else math.inf
-    return _FIRST_MODE[beam_of(scene)] * speed / math.sqrt(1 + _shear_sag(scene))
+    return _FIRST_MODE[scales.beam_of(scene)] * speed / math.sqrt(1 + _shear_sag(scene))
 
 
 def _shear_sag(scene: Scene) -> float:
     """Sag of a uniform beam by shear over that by bending, E I/(kappa_s mu A L^2 8 C), with q L^2/8 of a held beam."""
     shape = SECTIONS[scene.filament.section]
     stiffness = 8 * float(SHEAR_CORRECTION[scene.filament.section]) / (2 * (1 + scene.material.poisson))
-    slender = float(regimes.gyration(shape) / beam_of(scene).midspan_sag) * groups_of(scene).delta ** 2
+    slender = float(regimes.gyration(shape) / scales.beam_of(scene).midspan_sag) * groups_of(scene).delta ** 2
     return slender / stiffness
 
 
 def _static_first_yield(scene: Scene) -> float:
     """First yield under a slow load: between clamps with the tension of its sag, otherwise of the linear beam."""
-    linear, strain = first_yield_gravity_number(scene), groups_of(scene).eps_Y
-    if beam_of(scene) != regimes.CLAMPED or not strain:
+    linear, strain = scales.first_yield_gravity_number(scene), groups_of(scene).eps_Y
+    if scales.beam_of(scene) != regimes.CLAMPED or not strain:
         return linear
     stretched = _stretched_first_yield(scene.filament.section, groups_of(scene).delta, strain)
-    return max(linear, stretched * share_of_yield(scene))
+    return max(linear, stretched * scales.share_of_yield(scene))
 
 
 @functools.cache

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.bending import BENDING
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
-from softcat_sym.physics.filament import Terms
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
 from softcat_sym.scene.scene import Scene, distance, is_held, rest_length
 
 _MEANINGLESS_WITHOUT = {
@@ -37,27 +37,19 @@ def _indispensable(scene: Scene) -> str:
     return "the filament does not start straight, level and without stress between supports that stay"
 
 
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, stretches=True)
-
-
-def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene
-    return Estimate(
-        motion.amplified(motion.tension_share),
-        "share of the load that tension carries",
-        "(64/3) (H/L)^2 against the stiffness of the beam",
-    )
-
-
 EXTENSIBILITY = Effect(
     name="extensibility",
     summary="axial strain and tension",
     source="2.2, 2.10",
-    contribute=_contribute,
+    contribute=partial(replace, stretches=True),
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
-    estimate=_estimate,
+    estimate=OfMotion(
+        "tension_share",
+        "share of the load that tension carries",
+        "(64/3) (H/L)^2 against the stiffness of the beam",
+        amplified=True,
+    ),
     observable="share of the load that tension would carry at the largest sag",
     example="arrested-overdamped",
     derivation="02_section_and_closures",

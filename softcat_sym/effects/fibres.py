@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.bending import bending_share
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.law import flow_nonlinearity
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import c
 from softcat_sym.scene.scene import Scene
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, resolved=True)
 
 
 def _applies(scene: Scene) -> bool:
@@ -36,7 +32,7 @@ FIBRES = Effect(
     name="fibres",
     summary="plastic strain of any profile through the thickness",
     source="A 1, A 2",
-    contribute=_contribute,
+    contribute=partial(replace, resolved=True),
     applies=_applies,
     without_it=f"the law does not flow, or {SMALL_MODEL}",
     estimate=_estimate,

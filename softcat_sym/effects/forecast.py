@@ -9,36 +9,11 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.effects import quasi_static as quasi_static
+from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.quasi_static import (
-    Floats,
-    History,
-    elastic_sag_under,
-    load_factor,
-    quasi_static_history,
-    retardation,
-    slackness,
-    start_sag,
-)
-from softcat_sym.effects.scaling_estimates import (
-    beam_of,
-    beam_share_of_surface,
-    bending_stiffness,
-    duration_star,
-    effective_viscosity_at,
-    first_yield_gravity_number,
-    gravity_number_of,
-    instant_modulus,
-    neck_folds,
-    neck_length,
-    pull_of_surface,
-    static_modulus,
-    surface_stress,
-    weight_stress,
-    yield_stress_of,
-)
 from softcat_sym.errors import Fault
 from softcat_sym.physics import regimes
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
@@ -87,7 +62,7 @@ def _ratio(scene: Scene) -> float:
 
 def outrunning_faults(scene: Scene) -> list[Fault]:
     """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it."""
-    modulus = instant_modulus(scene)
+    modulus = scales.instant_modulus(scene)
     if modulus is None or not scene.ends.motion:
         return []
     fastest = max(_speeds(scene), default=0.0)
@@ -159,10 +134,10 @@ def neck_draw(scene: Scene, gravity_number: float, viscous: float, sag: float) -
         gathered = 1.0
     else:
         gathered = -math.expm1(-math.pi * math.sqrt(gravity_number / 10) / (gravity_number * viscous))
-    return gathered * 8 / 3 * sag**2 * rest_length(scene) / (2 * neck_length(scene))
+    return gathered * 8 / 3 * sag**2 * rest_length(scene) / (2 * scales.neck_length(scene))
 
 
-def missed_inertia(time: Floats, sag: Floats, gravity: float, ramp: float) -> float:
+def missed_inertia(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float, ramp: float) -> float:
     """Largest difference of the sag at the output times, over the largest sag.
 
     A filament released at once follows free fall until its balanced sag H(t) ~ t^p is no deeper, at t_i with
@@ -181,7 +156,7 @@ def missed_inertia(time: Floats, sag: Floats, gravity: float, ramp: float) -> fl
     return max(_late(time[1:], moved[1:] + jump, gravity), jump, slow) / largest
 
 
-def missed_from_rest(time: Floats, sag: Floats, gravity: float) -> float:
+def missed_from_rest(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
     """Largest difference of the sag, over the largest sag, of a filament that hangs in balance and begins to flow.
 
     It springs back about its balance at omega^2 = g/H, so that the speed v with which the flow begins sets it ringing
@@ -194,7 +169,7 @@ def missed_from_rest(time: Floats, sag: Floats, gravity: float) -> float:
     return min(1.0, speed * float(np.sqrt(largest / gravity)) / largest)
 
 
-def _late(time: Floats, sag: Floats, gravity: float) -> float:
+def _late(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
     """Largest sag missed by being late [m]."""
     if len(time) < 2 or not np.any(sag > 0):
         return 0.0
@@ -204,7 +179,7 @@ def _late(time: Floats, sag: Floats, gravity: float) -> float:
     return float(np.max(power * safe * np.minimum(1.0, fallen ** (1 / (2 - power)))))
 
 
-def _accelerated(time: Floats, sag: Floats, gravity: float) -> float:
+def _accelerated(time: quasi_static.Floats, sag: quasi_static.Floats, gravity: float) -> float:
     """Largest acceleration over gravity, in sags [m]: that much of the load is missing at that time."""
     if len(time) < 3:
         return 0.0
@@ -218,24 +193,19 @@ _HINGES = 0.7
 _BENT_ENDS = 5.0
 """Of a string in clamps: its bent ends, about h0/(6 H) long, are stiffened by less where they shear."""
 
-_SHEAR_SAG = {
-    regimes.CLAMPED: 1 / 8,
-    regimes.PROPPED: 1 / 8,
-    regimes.PINNED: 1 / 8,
-    regimes.CANTILEVER: 3 / 8,
-}
+_SHEAR_SAG = {regimes.CLAMPED: 1 / 8, regimes.PROPPED: 1 / 8, regimes.PINNED: 1 / 8, regimes.CANTILEVER: 3 / 8}
 """Midspan sag by shear alone over q L^2/(kappa mu A)."""
 
 
 def sheared_share(scene: Scene, sag: float, tension_share: float) -> float:
     """Change of the sag by shear, of it."""
-    delta, beam = groups_of(scene).delta, beam_of(scene)
+    delta, beam = groups_of(scene).delta, scales.beam_of(scene)
     shape, correction = SECTIONS[scene.filament.section], float(SHEAR_CORRECTION[scene.filament.section])
     compliance = float(regimes.gyration(shape)) * 2 * (1 + scene.material.poisson) / correction * delta**2
     bent = _SHEAR_SAG[beam] / float(beam.midspan_sag) * compliance * (1 - tension_share)
     clamped = "clamped" in (scene.ends.left, scene.ends.right)
     ends = _BENT_ENDS * delta * sag * tension_share if clamped else 0.0
-    hinges = _HINGES * delta if clamped and yield_stress_of(scene) is not None else 0.0
+    hinges = _HINGES * delta if clamped and scales.yield_stress_of(scene) is not None else 0.0
     return max(hinges, bent + ends)
 
 
@@ -251,7 +221,7 @@ def lagging(time: npt.NDArray[np.float64], force: npt.NDArray[np.float64], lag: 
 
 def compliant_sag(scene: Scene, shear_force: npt.NDArray[np.float64], length: npt.NDArray[np.float64]) -> float:
     """Sag over span that the transverse force of a finished run would add elastically: its sum times 1/(kappa mu A)."""
-    modulus = instant_modulus(scene)
+    modulus = scales.instant_modulus(scene)
     if modulus is None:
         return 0.0
     correction = float(SHEAR_CORRECTION[scene.filament.section])
@@ -274,10 +244,12 @@ def forecast(scene: Scene) -> Motion:
 
 @lru_cache(maxsize=256)
 def _forecast(scene: Scene) -> Motion:
-    free, rings = quasi_static_history(scene), ringing(scene)
+    free, rings = quasi_static.quasi_static_history(scene), ringing(scene)
     history = free
-    if pull_of_surface(scene):
-        history = History(free.time, np.array([sag / (1 + _carried(scene, float(sag))) for sag in free.sag]))
+    if scales.pull_of_surface(scene):
+        history = quasi_static.History(
+            free.time, np.array([sag / (1 + _carried(scene, float(sag))) for sag in free.sag])
+        )
     span, first = scene.filament.span, float(history.time[1])
     sag = max(float(np.max(history.sag)), _shaken_sag(scene), 1e-12)
     scale = max(sag, abs(sag + scene.ends.drop / span / 2))
@@ -301,7 +273,7 @@ def _forecast(scene: Scene) -> Motion:
         retarded=_retarded(scene, rings, amplitude),
         damped=_damped(scene, scale, first),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
-        folds=neck_folds(scene, strain_of(scene, sag)),
+        folds=scales.neck_folds(scene, strain_of(scene, sag)),
         capillary=_capillary(scene, float(np.max(free.sag))),
     )
 
@@ -312,24 +284,24 @@ def _carried(scene: Scene, sag: float) -> float:
     C = m 8 Gam f/(rho g L^2). Of a string m = 1/3 by its cubic law, of a beam 1; where the section yields 3 as long as
     the beam carries on (Haythornthwaite 1957), and 1 where the membrane does.
     """
-    weight = weight_stress(scene) * load_factor(scene)
+    weight = scales.weight_stress(scene) * quasi_static.load_factor(scene)
     if weight == 0 or not is_held(scene):
         return 0.0
-    number = gravity_number_of(scene)
-    if number is not None and number > first_yield_gravity_number(scene):
+    number = scales.gravity_number_of(scene)
+    if number is not None and number > scales.first_yield_gravity_number(scene):
         power = 3.0 if sag < groups_of(scene).delta else 1.0
     else:
         power = 1 - 2 / 3 * tension_share(scene, sag)
-    return power * 8 * surface_stress(scene) / weight * sag
+    return power * 8 * scales.surface_stress(scene) / weight * sag
 
 
 def _capillary(scene: Scene, sag: float) -> float:
     """Share of the sag that surface tension takes; with a free end, what it shortens the filament by, five times."""
-    if surface_stress(scene) == 0:
+    if scales.surface_stress(scene) == 0:
         return 0.0
     if not is_held(scene):
-        return min(1.0, 5 * _shortened(scene, surface_stress(scene)))
-    if weight_stress(scene) == 0:
+        return min(1.0, 5 * _shortened(scene, scales.surface_stress(scene)))
+    if scales.weight_stress(scene) == 0:
         return 1.0
     carried = _carried(scene, sag)
     return carried / (1 + carried)
@@ -337,23 +309,23 @@ def _capillary(scene: Scene, sag: float) -> float:
 
 def _shortened(scene: Scene, pull: float) -> float:
     """Strain of a filament with a free end that its surface pulls together: elastic, and flowing beyond yield."""
-    modulus, limit = instant_modulus(scene), yield_stress_of(scene) or 0.0
-    viscosity = effective_viscosity_at(scene, pull - limit) if pull > limit else None
+    modulus, limit = scales.instant_modulus(scene), scales.yield_stress_of(scene) or 0.0
+    viscosity = scales.effective_viscosity_at(scene, pull - limit) if pull > limit else None
     flown = scene.run.duration * (pull - limit) / viscosity if viscosity else 0.0
     return min(1.0, (pull / modulus if modulus else 0.0) + flown)
 
 
 def _shaken_sag(scene: Scene) -> float:
     """Largest elastic sag over span of a filament whose weight oscillates; 0 without shaking."""
-    weight = weight_stress(scene) * load_factor(scene)
+    weight = scales.weight_stress(scene) * quasi_static.load_factor(scene)
     if scene.load.shake == 0 or weight == 0:
         return 0.0
-    return elastic_sag_under(scene, weight * shaken_peak(scene), static_modulus(scene))
+    return quasi_static.elastic_sag_under(scene, weight * shaken_peak(scene), scales.static_modulus(scene))
 
 
 def expected_sag(scene: Scene) -> float:
     """Largest sag over span in the run, no further than free fall goes."""
-    return min(duration_star(scene) ** 2 / 2, forecast(scene).sag)
+    return min(scales.duration_star(scene) ** 2 / 2, forecast(scene).sag)
 
 
 def expected_strain(scene: Scene) -> float:
@@ -361,7 +333,7 @@ def expected_strain(scene: Scene) -> float:
     return 8 / 3 * expected_sag(scene) ** 2
 
 
-def missed_by(scene: Scene, time: Floats, sag: Floats) -> float:
+def missed_by(scene: Scene, time: quasi_static.Floats, sag: quasi_static.Floats) -> float:
     """What a filament that is in balance at every instant misses; a slack one hangs in its weight from the start."""
     if is_slack(scene):
         return missed_from_rest(time, sag, scene.load.gravity)
@@ -371,11 +343,13 @@ def missed_by(scene: Scene, time: Floats, sag: Floats) -> float:
 def strain_of(scene: Scene, sag: float) -> float:
     """Largest mean strain: (8/3) H^2 beyond the slack, what the supports impose, or the weight of a hanging end."""
     if not is_held(scene):
-        modulus, pull = instant_modulus(scene), pull_of_surface(scene)
+        modulus, pull = scales.instant_modulus(scene), scales.pull_of_surface(scene)
         shortened = _shortened(scene, pull) if pull else 0.0
-        return (weight_stress(scene) / modulus if modulus else sag**2) + shortened
-    imposed = farthest(scene) / distance(scene) - 1 + max(0.0, -slackness(scene), scene.initial.stretch - 1)
-    return max(0.0, 8 / 3 * (sag**2 - start_sag(scene) ** 2)) + imposed
+        return (scales.weight_stress(scene) / modulus if modulus else sag**2) + shortened
+    imposed = (
+        farthest(scene) / distance(scene) - 1 + max(0.0, -quasi_static.slackness(scene), scene.initial.stretch - 1)
+    )
+    return max(0.0, 8 / 3 * (sag**2 - quasi_static.start_sag(scene) ** 2)) + imposed
 
 
 def slope_of(scene: Scene, sag: float) -> float:
@@ -389,23 +363,23 @@ def slope_of(scene: Scene, sag: float) -> float:
 
 def tension_share(scene: Scene, sag: float) -> float:
     """Share of the load carried in tension at a sag: (64/3) H^2 against the stiffness of the beam."""
-    stiffness = bending_stiffness(scene)
+    stiffness = scales.bending_stiffness(scene)
     if not is_held(scene):
         return min(1.0, sag**2)
-    taut = 8 * max(0.0, -slackness(scene), farthest(scene) / distance(scene) - 1)
+    taut = 8 * max(0.0, -quasi_static.slackness(scene), farthest(scene) / distance(scene) - 1)
     ratio = (64 / 3 * sag**2 + taut) / stiffness
     return ratio / (1 + ratio)
 
 
 def flowing_overstress(scene: Scene, sag: float) -> float:
     """Mean stress of beam or catenary over the yield stress; infinite without one."""
-    limit, delta = yield_stress_of(scene), groups_of(scene).delta
+    limit, delta = scales.yield_stress_of(scene), groups_of(scene).delta
     if limit is None:
         return math.inf
-    return weight_stress(scene) * min(sag + 1 / (8 * sag), 1 / (2 * delta)) / limit
+    return scales.weight_stress(scene) * min(sag + 1 / (8 * sag), 1 / (2 * delta)) / limit
 
 
-def _risen(scene: Scene, history: History, amplitude: float) -> float:
+def _risen(scene: Scene, history: quasi_static.History, amplitude: float) -> float:
     ramp = scene.load.ramp
     if ramp == 0:
         return 0.0
@@ -414,18 +388,18 @@ def _risen(scene: Scene, history: History, amplitude: float) -> float:
 
 
 def _relaxed(scene: Scene, rings: Ringing) -> float:
-    modulus, delta = instant_modulus(scene), groups_of(scene).delta
+    modulus, delta = scales.instant_modulus(scene), groups_of(scene).delta
     if modulus is None:
         return 0.0
-    stress = weight_stress(scene) / (2 * delta)
-    viscosity = effective_viscosity_at(scene, stress or 1.0)
+    stress = scales.weight_stress(scene) / (2 * delta)
+    viscosity = scales.effective_viscosity_at(scene, stress or 1.0)
     if not viscosity:
         return 0.0 if viscosity is None else 1.0
     relaxation = viscosity / modulus
     if scene.material.modes:
         relaxation = min(mode.viscosity / mode.youngs_modulus for mode in scene.material.modes)
     if is_solid(scene):
-        relaxation = retardation(scene)
+        relaxation = quasi_static.retardation(scene)
     share = -math.expm1(-scene.run.duration / relaxation)
     over = _overstress(scene, rings)
     return share * (1 - 1 / max(1.0, over))
@@ -433,24 +407,29 @@ def _relaxed(scene: Scene, rings: Ringing) -> float:
 
 def _overstress(scene: Scene, rings: Ringing) -> float:
     """Largest elastic fibre stress over the yield stress."""
-    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    limit, modulus = scales.yield_stress_of(scene), scales.instant_modulus(scene)
     if limit is None or modulus is None:
         return math.inf
-    strained = largest_strain(scene, rings) / (1 + beam_share_of_surface(scene))
-    squeezed = 0.0 if is_held(scene) else pull_of_surface(scene)
+    strained = largest_strain(scene, rings) / (1 + scales.beam_share_of_surface(scene))
+    squeezed = 0.0 if is_held(scene) else scales.pull_of_surface(scene)
     return max(modulus * strained, squeezed) / limit
 
 
 def largest_strain(scene: Scene, rings: Ringing) -> float:
     """Largest strain of an elastic fibre of the overshooting filament: mean strain, and bending where it is clamped."""
-    weight, delta = weight_stress(scene) * load_factor(scene) * shaken_peak(scene), groups_of(scene).delta
-    deep = (elastic_sag_under(scene, weight, instant_modulus(scene)) if weight else 0.0) + rings.amplitude
+    weight, delta = (
+        scales.weight_stress(scene) * quasi_static.load_factor(scene) * shaken_peak(scene),
+        groups_of(scene).delta,
+    )
+    deep = (
+        quasi_static.elastic_sag_under(scene, weight, scales.instant_modulus(scene)) if weight else 0.0
+    ) + rings.amplitude
     ends = {scene.ends.left, scene.ends.right}
     # A string that falls at once is bent where its kinks run, between pins too.
     kinked = rings.amplitude > _KINKED * deep
     bent = 4.8 * delta * deep if ends == {"pinned"} and not kinked else 16 * delta * deep + 11 * deep**2
-    begins = max((abs(value) for value in scene.initial.C), default=0.0) + max(0.0, -slackness(scene))
-    return max(0.0, 8 / 3 * (deep**2 - start_sag(scene) ** 2)) + begins + bent
+    begins = max((abs(value) for value in scene.initial.C), default=0.0) + max(0.0, -quasi_static.slackness(scene))
+    return max(0.0, 8 / 3 * (deep**2 - quasi_static.start_sag(scene) ** 2)) + begins + bent
 
 
 def _damped(scene: Scene, scale: float, first: float) -> float:
@@ -464,7 +443,7 @@ def _damped(scene: Scene, scale: float, first: float) -> float:
 
 def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:
     """What the sag of a solid lags behind, or what its ringing loses."""
-    late = retardation(scene)
+    late = quasi_static.retardation(scene)
     if late == 0 or is_slack(scene):
         return 0.0
     lost = -math.expm1(-rings.decay * scene.run.duration) if math.isfinite(rings.frequency) else 0.0

@@ -9,17 +9,9 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import elastic_sag_under, load_factor, mean_of, retardation, slackness, start_sag
-from softcat_sym.effects.scaling_estimates import (
-    effective_viscosity,
-    gravity_number_of,
-    instant_modulus,
-    static_modulus,
-    viscous_number,
-    weight_stress,
-    yields_throughout,
-)
 from softcat_sym.physics import regimes
 from softcat_sym.physics.section_response import PLANE_STRAIN
 from softcat_sym.physics.sections import SECTIONS, Section
@@ -65,7 +57,7 @@ def first_vibration(scene: Scene) -> Vibration | None:
 
 @lru_cache(maxsize=256)
 def _first_vibration(scene: Scene) -> Vibration | None:
-    modulus = instant_modulus(scene)
+    modulus = scales.instant_modulus(scene)
     kinds = (scene.ends.left, scene.ends.right)
     if modulus is None or sorted(kinds) == ["free", "pinned"]:
         return None
@@ -92,12 +84,12 @@ def solid_viscosity(scene: Scene) -> float:
     vibration = first_vibration(scene) if material.loss_tangent > 0 else None
     if vibration is None:
         return 0.0
-    return material.loss_tangent * (instant_modulus(scene) or 0.0) * _fibre_ratio(scene) / vibration.frequency
+    return material.loss_tangent * (scales.instant_modulus(scene) or 0.0) * _fibre_ratio(scene) / vibration.frequency
 
 
 def solid_retardation(scene: Scene) -> float:
     """Time by which the strain follows behind its stress, eta_s/E of a fibre [s]."""
-    modulus = instant_modulus(scene)
+    modulus = scales.instant_modulus(scene)
     return solid_viscosity(scene) / (modulus * _fibre_ratio(scene)) if modulus else 0.0
 
 
@@ -266,10 +258,10 @@ class Ringing:
 
 def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
     """Ringing that the load of a scene sets off."""
-    modulus, weight = instant_modulus(scene), weight_stress(scene) * load_factor(scene)
+    modulus, weight = scales.instant_modulus(scene), scales.weight_stress(scene) * load_factor(scene)
     if modulus is None or weight == 0 or is_slack(scene):
         return Ringing(math.inf, 0.0, 0.0)
-    static = static_modulus(scene) if scene.material.law == "kelvin-voigt" else modulus
+    static = scales.static_modulus(scene) if scene.material.law == "kelvin-voigt" else modulus
     deep = elastic_sag_under(scene, weight, static) - start_sag(scene)
     if deep <= 0:
         return Ringing(math.inf, 0.0, 0.0)
@@ -288,7 +280,7 @@ def _left_by_ramp(scene: Scene, frequency: float, deep: float) -> float:
     """
     ramp, gravity, span = scene.load.ramp, scene.load.gravity, scene.filament.span
     smooth = _RAMP_ENVELOPE / (frequency * ramp) ** 3
-    beam = elastic_sag_under(scene, weight_stress(scene), instant_modulus(scene), taut=False)
+    beam = elastic_sag_under(scene, scales.weight_stress(scene), scales.instant_modulus(scene), taut=False)
     straight = is_held(scene) and abs(slackness(scene)) < _STRAIGHT
     speed = 2.15 * deep * span / ramp
     caught = math.sqrt(math.sqrt(ramp**3 * speed / (10 * _FREQUENCY * gravity)))
@@ -312,11 +304,15 @@ def _decay(scene: Scene, frequency: float) -> float:
             return frequency**2 * late / 2
         arm = (material.second_modulus or 0.0) / ((material.second_modulus or 0.0) + (material.youngs_modulus or 1.0))
         return arm / (2 * late) if late > 0 else 0.0
-    viscosity, modulus, gravity_number = effective_viscosity(scene), instant_modulus(scene), gravity_number_of(scene)
+    viscosity, modulus, gravity_number = (
+        scales.effective_viscosity(scene),
+        scales.instant_modulus(scene),
+        scales.gravity_number_of(scene),
+    )
     held = gravity_number is not None and gravity_number < float(regimes.ARREST_THRESHOLD)
     # What is held rings on, unless all of a section has flowed so slowly that it comes to rest without a swing; as long
     # as a part of it stays elastic, that rings.
-    creeps = (viscous_number(scene) or 0.0) > _OVERDAMPED and yields_throughout(scene)
+    creeps = (scales.viscous_number(scene) or 0.0) > _OVERDAMPED and scales.yields_throughout(scene)
     if not viscosity or modulus is None or (held and not creeps):
         return 0.0
     return modulus / (2 * viscosity)

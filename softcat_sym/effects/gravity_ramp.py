@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, OfMotion
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.loads import ramp_rate, ramped_gravity
 from softcat_sym.scene.scene import Scene
@@ -18,11 +18,6 @@ def _applies(scene: Scene) -> bool:
     return scene.load.ramp > 0
 
 
-def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene
-    return Estimate(motion.risen, "share of the sag, and of the ringing, that the ramp delays")
-
-
 GRAVITY_RAMP = Effect(
     name="gravity-ramp",
     summary="g(t) by a quintic smooth step",
@@ -30,7 +25,7 @@ GRAVITY_RAMP = Effect(
     contribute=_contribute,
     applies=_applies,
     without_it="load.ramp is zero: gravity acts at once",
-    estimate=_estimate,
+    estimate=OfMotion("risen", "share of the sag, and of the ringing, that the ramp delays"),
     observable="share of the sag reached by the end of the ramp",
     example="arrested-overdamped",
     derivation="01_balance",

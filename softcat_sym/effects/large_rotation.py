@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
-from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.kinematics import LARGE_ROTATION as EXACT
 from softcat_sym.scene.scene import Scene, is_held
 
 _HELD, _FREE = 0.07, 0.25
 """Change of the sag per slope squared: of a filament held at both ends, and at one."""
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, centreline=EXACT)
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
@@ -26,7 +22,7 @@ LARGE_ROTATION = Effect(
     name="large-rotation",
     summary="exact stretch and angle of the centreline",
     source="2.5",
-    contribute=_contribute,
+    contribute=partial(replace, centreline=EXACT),
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=_estimate,

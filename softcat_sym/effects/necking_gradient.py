@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
-from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene, groups_of
 
 _UNEVENNESS = 4e-4
@@ -18,10 +18,6 @@ _HINGE = 0.1
 """Change of the sag per h0/L where hinges yield at clamps: the gradient makes them wider."""
 
 _MANY_FOLDS = 30.0  # beyond which a neck has grown in any case
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, necking_gradient=True)
 
 
 def _applies(scene: Scene) -> bool:
@@ -40,7 +36,7 @@ NECKING_GRADIENT = Effect(
     name="necking-gradient",
     summary="axial force - d/dX (b s_X), b = beta h0^2 T/s^4, of a sheet T/s^5",
     source="Audoly & Hutchinson 2016",
-    contribute=_contribute,
+    contribute=partial(replace, necking_gradient=True),
     applies=_applies,
     without_it=f"the law does not flow, or {SMALL_MODEL}",
     estimate=_estimate,

@@ -9,19 +9,8 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.scaling_estimates import (
-    bending_stiffness,
-    effective_viscosity_at,
-    first_yield_gravity_number,
-    gravity_number_of,
-    instant_modulus,
-    smaller_of,
-    static_modulus,
-    weight_stress,
-    yield_stress_of,
-    yields_throughout,
-)
 from softcat_sym.scene.scene import Scene, distance, groups_of, is_held, stress_free_length, undeformed_area
 
 Floats = npt.NDArray[np.float64]
@@ -74,13 +63,13 @@ def quasi_static_history(scene: Scene) -> History:
 
 
 def _sag(scene: Scene, time: float, share: float) -> float:
-    weight = weight_stress(scene) * load_factor(scene) * share
+    weight = scales.weight_stress(scene) * load_factor(scene) * share
     if weight == 0:
         return start_sag(scene)
     elapsed = max(0.0, time - scene.load.ramp / 2)
-    at_once = elastic_sag_under(scene, weight, instant_modulus(scene))
+    at_once = elastic_sag_under(scene, weight, scales.instant_modulus(scene))
     if is_solid(scene):
-        lasting = elastic_sag_under(scene, weight, static_modulus(scene))
+        lasting = elastic_sag_under(scene, weight, scales.static_modulus(scene))
         first = 0.0 if scene.material.law == "kelvin-voigt" else at_once
         return lasting + (first - lasting) * math.exp(-elapsed / retardation(scene)) if retardation(scene) else lasting
     return at_once + flow_sag(scene, weight, at_once, elapsed)
@@ -108,11 +97,11 @@ def elastic_sag_under(scene: Scene, weight: float, modulus: float | None, *, tau
     if modulus is None:
         return start_sag(scene)
     stiff, slack = modulus / weight, slackness(scene)
-    beam = 1 / (bending_stiffness(scene) * stiff)
+    beam = 1 / (scales.bending_stiffness(scene) * stiff)
     if not is_held(scene) or not taut:
         return beam
     cable = cable_sag(3 / (64 * stiff), 3 / 8 * slack)
-    return cable if slack > 0 else smaller_of(beam, cable)
+    return cable if slack > 0 else scales.smaller_of(beam, cable)
 
 
 def cable_sag(load: float, slack: float) -> float:
@@ -132,21 +121,25 @@ def flow_sag(scene: Scene, weight: float, first: float, time: float) -> float:
     """Sag that flow adds to a first one after a time [s]: viscous beam and string, until a yield stress holds it."""
     if time <= 0:
         return 0.0
-    gravity_number = gravity_number_of(scene)
-    if gravity_number is not None and gravity_number < first_yield_gravity_number(scene) and start_sag(scene) == 0:
+    gravity_number = scales.gravity_number_of(scene)
+    if (
+        gravity_number is not None
+        and gravity_number < scales.first_yield_gravity_number(scene)
+        and start_sag(scene) == 0
+    ):
         return 0.0
     first = max(first, _SHALLOW)
     sag, reached = _flow_table(scene, weight, first)
     flown = float(np.interp(time, reached, sag)) - first
     # A beam of which a part stays elastic is held by that, however fast the rest flows.
-    return flown if gravity_number is None or yields_throughout(scene) else min(flown, first)
+    return flown if gravity_number is None or scales.yields_throughout(scene) else min(flown, first)
 
 
 @lru_cache(maxsize=64)
 def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floats]:
     """Sags from the first one on, and the times [s] at which flow reaches them."""
     sag = np.geomspace(first, max(_DEEP, 2 * first), _POINTS)
-    beam = _beam_speed(scene, weight)
+    beam = weight / scales.bending_stiffness(scene) / _viscosity(scene, weight / (2 * groups_of(scene).delta))
     speed = np.array([_flow_speed(scene, weight, float(height), beam) for height in sag])
     moving = np.minimum.accumulate(speed > 0)
     slowness = np.where(moving, 1 / np.where(moving, speed, 1.0), 0.0)
@@ -155,22 +148,17 @@ def _flow_table(scene: Scene, weight: float, first: float) -> tuple[Floats, Floa
     return (sag[:reached], time[:reached]) if reached else (sag[:1], time[:1])
 
 
-def _beam_speed(scene: Scene, weight: float) -> float:
-    """Rate of the sag over span [1/s] of a beam in which flow is all that yields."""
-    return weight / bending_stiffness(scene) / _viscosity(scene, weight / (2 * groups_of(scene).delta))
-
-
 def _flow_speed(scene: Scene, weight: float, sag: float, beam: float) -> float:
     """Rate of the sag over span [1/s]: a beam and a string in which flow is all that yields, the slower of the two."""
     if not is_held(scene):
         return beam
     taut = weight * (sag + 1 / (8 * sag))
     string = taut / _viscosity(scene, taut) * (1 + 8 / 3 * sag**2) / (16 / 3 * sag)
-    return smaller_of(beam, string)
+    return scales.smaller_of(beam, string)
 
 
 def _viscosity(scene: Scene, stress: float) -> float:
     """Stress over flow rate [Pa s]; infinite below the yield stress."""
-    beyond = stress - (yield_stress_of(scene) or 0.0)
-    viscosity = effective_viscosity_at(scene, beyond) if beyond > 0 else None
+    beyond = stress - (scales.yield_stress_of(scene) or 0.0)
+    viscosity = scales.effective_viscosity_at(scene, beyond) if beyond > 0 else None
     return viscosity * stress / beyond if viscosity else math.inf

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.physics import regimes
-from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.scene import Scene, groups_of
 
@@ -18,10 +18,6 @@ _SHAPE = 0.05
 """Of the change of frequency, what height and amplitude of a ringing change by: the weight bends the strand as far as
 before, and only the share of the first mode in that shape changes. Measured 0.005 between clamps; in strands that yield
 at first it may be more."""
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, rotary_inertia=True)
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
@@ -40,7 +36,7 @@ ROTARY_INERTIA = Effect(
     name="rotary-inertia",
     summary="angular momentum of the sections",
     source="Timoshenko 1921",
-    contribute=_contribute,
+    contribute=partial(replace, rotary_inertia=True),
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
     estimate=_estimate,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
 from softcat_sym.effects.law import flow_nonlinearity, is_solid, law_in
-from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
@@ -34,19 +34,6 @@ def _applies(scene: Scene) -> bool:
     return of_large_deflections(scene) and stays_straight(scene)
 
 
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, shear=True)
-
-
-def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene
-    return Estimate(
-        motion.amplified(motion.sheared),
-        "share of the sag that shear makes",
-        "of Timoshenko's beam, bent ends and hinges",
-    )
-
-
 def _eases(scene: Scene) -> str:
     flows = [branch.flow for branch in law_in(scene).branches if branch.flow is not None]
     if all(flow.closed_means for flow in flows) or flow_nonlinearity(scene, math.inf) == 0:
@@ -58,10 +45,12 @@ SHEAR = Effect(
     name="shear",
     summary="shear strain of the section, shear stress in its flow",
     source="Reissner 1972; 3.5-3.7",
-    contribute=_contribute,
+    contribute=partial(replace, shear=True),
     applies=_applies,
     without_it=f"the filament is stretched elastically beyond log s = kappa_s mu/E, or {SMALL_MODEL}",
-    estimate=_estimate,
+    estimate=OfMotion(
+        "sheared", "share of the sag that shear makes", "of Timoshenko's beam, bent ends and hinges", amplified=True
+    ),
     observable="transverse force times shear compliance, and the share of Timoshenko at the largest sag",
     example="arrested-overdamped",
     derivation="09_shearing_filament",

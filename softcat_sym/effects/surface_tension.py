@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.scaling_estimates import instant_modulus, pull_of_surface, surface_stress, yield_stress_of
 from softcat_sym.errors import Fault
-from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene
 
 _STARTS = "it acts at once, on a strand laid down without stress"
@@ -18,10 +18,6 @@ gather into beads (gamma > 6 mu R of a circle, Mora et al. 2010)."""
 
 _SQUARE = 0.1
 """Relative difference of the sides of a rectangle from which surface tension would even them out."""
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, surface_tension=True)
 
 
 def _applies(scene: Scene) -> bool:
@@ -38,7 +34,7 @@ SURFACE_TENSION = Effect(
     name="surface-tension",
     summary="axial force gamma P_0/2 s^-1/2 along the centreline (of a sheet 2 gamma D_0), energy gamma times the area",
     source="Eggers & Dupont 1994",
-    contribute=_contribute,
+    contribute=partial(replace, surface_tension=True),
     applies=_applies,
     without_it="the scene states no surface tension",
     estimate=_estimate,

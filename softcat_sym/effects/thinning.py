@@ -3,31 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of_large_deflections
-from softcat_sym.physics.filament import Terms
-from softcat_sym.scene.scene import Scene
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, thins=True)
-
-
-def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene
-    return Estimate(
-        motion.amplified(0.5 * motion.strain), "stiffness lost as the section thins", "half the mean strain"
-    )
-
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
 
 THINNING = Effect(
     name="thinning",
     summary="A = A0/s, h = h0/sqrt(s), of a sheet h0/s",
     source="2.9",
-    contribute=_contribute,
+    contribute=partial(replace, thins=True),
     applies=of_large_deflections,
     without_it=SMALL_MODEL,
-    estimate=_estimate,
+    estimate=OfMotion(
+        "strain", "stiffness lost as the section thins", "half the mean strain", amplified=True, factor=0.5
+    ),
     needs=("extensibility",),
     observable="mean strain, and how far the midpoint rings",
     example="continual-descent",

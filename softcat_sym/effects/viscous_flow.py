@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, OfMotion
 from softcat_sym.effects.law import law_in
-from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene
 
 
@@ -16,31 +16,20 @@ def _indispensable(scene: Scene) -> str:
     return "the initial state is a plastic strain" if plastic else ""
 
 
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, flows=True)
-
-
 def _applies(scene: Scene) -> bool:
     return law_in(scene).flows
-
-
-def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene
-    return Estimate(
-        motion.amplified(motion.relaxed),
-        "share of the stress that relaxes during the run",
-        "1 - exp(-t E/eta), beyond yield",
-    )
 
 
 VISCOUS_FLOW = Effect(
     name="viscous-flow",
     summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the rule given",
     source="2.7, 2.12",
-    contribute=_contribute,
+    contribute=partial(replace, flows=True),
     applies=_applies,
     without_it="the law is elastic, Newtonian or Kelvin-Voigt: it has no plastic strain",
-    estimate=_estimate,
+    estimate=OfMotion(
+        "relaxed", "share of the stress that relaxes during the run", "1 - exp(-t E/eta), beyond yield", amplified=True
+    ),
     observable="largest fibre stress over the yield stress; without one, the relaxation foreseen",
     example="continual-descent",
     derivation="11_rheologies",

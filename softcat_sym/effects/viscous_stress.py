@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
-from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, OfMotion
 from softcat_sym.effects.law import law_in
-from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene
 
 
@@ -15,27 +15,18 @@ def _indispensable(scene: Scene) -> str:
     return "" if branches else f"the law {scene.material.law!r} has no other stress"
 
 
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, viscous=True)
-
-
 def _applies(scene: Scene) -> bool:
     return scene.model == "filament" and law_in(scene).viscosity is not None
-
-
-def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene
-    return Estimate(motion.retarded, "how far the sag lags behind its load, or its ringing dies out")
 
 
 VISCOUS_STRESS = Effect(
     name="viscous-stress",
     summary="stress eta eps_t",
     source="2.7",
-    contribute=_contribute,
+    contribute=partial(replace, viscous=True),
     applies=_applies,
     without_it="the law has no stress that depends on the strain rate",
-    estimate=_estimate,
+    estimate=OfMotion("retarded", "how far the sag lags behind its load, or its ringing dies out"),
     observable="ringing of the midpoint that it would have ended; else the lag foreseen",
     example="cooked-spaghetti",
     derivation="11_rheologies",

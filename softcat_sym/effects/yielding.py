@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.law import law_in
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene
-
-
-def _contribute(terms: Terms) -> Terms:
-    return replace(terms, yields=True)
 
 
 def _applies(scene: Scene) -> bool:
@@ -33,7 +29,7 @@ YIELDING = Effect(
     name="yielding",
     summary="nothing flows below the yield stress",
     source="2.25-2.27",
-    contribute=_contribute,
+    contribute=partial(replace, yields=True),
     applies=_applies,
     without_it="the law has no yield stress",
     estimate=_estimate,

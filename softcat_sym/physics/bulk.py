@@ -204,10 +204,7 @@ strain_gap = enter("Ee_gap", r"E^e_-", ONE, "difference of the principal elastic
 stiffness_sum = enter("K_sum", "K_+", STRESS, "stress sum of a unit strain sum in plane stress", "3.6", positive=True)
 stiffness_gap = enter("K_gap", "K_-", STRESS, "stress difference of a unit strain difference", "3.6", positive=True)
 
-_PRINCIPAL = {
-    elastic_strain[0, 0]: (strain_sum + strain_gap) / 2,
-    elastic_strain[1, 1]: (strain_sum - strain_gap) / 2,
-}
+_PRINCIPAL = {elastic_strain[0, 0]: (strain_sum + strain_gap) / 2, elastic_strain[1, 1]: (strain_sum - strain_gap) / 2}
 
 
 def no_flow() -> sp.Expr:

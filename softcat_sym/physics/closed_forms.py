@@ -142,12 +142,7 @@ OUTER_FLOW = Equation(
     sp.Integer(1),
     "2.20",
 )
-OSCILLATION_EQUATION = Equation(
-    "departure from the 1/3 law",
-    _linear(OSCILLATION, (3, 2, 1)),
-    sp.Integer(0),
-    "2.21",
-)
+OSCILLATION_EQUATION = Equation("departure from the 1/3 law", _linear(OSCILLATION, (3, 2, 1)), sp.Integer(0), "2.21")
 
 ASYMPTOTICS_EQUATIONS: tuple[Equation, ...] = (
     Equation("load over viscosity", B, 1 / (2 * V), "2.20"),

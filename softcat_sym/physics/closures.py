@@ -204,12 +204,7 @@ def _evolution(section: Section, contraction: Contraction, order: int) -> tuple[
     states = amplitudes[: order + 1]
     rate = flow_rule(fibre_stress(section, contraction, states))
     return tuple(
-        Equation(
-            f"plastic state {n}, {section.name}",
-            sp.Derivative(state, t),
-            amplitude_rate(section, n, rate),
-            "A 2",
-        )
+        Equation(f"plastic state {n}, {section.name}", sp.Derivative(state, t), amplitude_rate(section, n, rate), "A 2")
         for n, state in enumerate(states)
     )
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from softcat_sym.physics import reissner
+from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.closures import CLOSURES, A, h
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
@@ -33,37 +34,6 @@ from softcat_sym.physics.reissner import (
 )
 from softcat_sym.physics.section_response import PLANE_STRAIN, BranchResponse
 from softcat_sym.physics.sections import NONE, Section
-from softcat_sym.physics.symbols import (
-    A0,
-    ACCELERATION,
-    L_0,
-    LENGTH,
-    M_X,
-    ONE,
-    STRESS,
-    E,
-    M,
-    Q,
-    T,
-    X,
-    a_0,
-    a_1,
-    enter,
-    h0,
-    rho,
-    s,
-    sigma,
-    sigma_0,
-    sigma_1,
-    t,
-    theta,
-    theta_X,
-    x_X,
-    x_X_before,
-    y_X,
-    y_X_before,
-    zeta,
-)
 
 Rename = dict[sp.Symbol, sp.Symbol]
 
@@ -77,16 +47,16 @@ def stresses(equations: FilamentEquations) -> Iterator[Stated]:
     stretches, bends = terms.stretches, terms.bending
     several = len(response.parts) > 1
     for j, part in enumerate(response.parts):
-        new, which = names(j, several=several), _which(equations, j)
+        new, which = _part(j, several, _MEANS), _which(equations, j)
         if stretches:
-            yield stated(f"mean stress{which}", sigma_0.xreplace(new), part.stress_mean.xreplace(new), "2.8, 2.11")
+            yield stated(f"mean stress{which}", sy.sigma_0.xreplace(new), part.stress_mean.xreplace(new), "2.8, 2.11")
         if bends:
             bending = part.stress_bending.xreplace(new)
-            yield stated(f"bending stress at zeta = 1{which}", sigma_1.xreplace(new), bending, "2.8, 2.11")
+            yield stated(f"bending stress at zeta = 1{which}", sy.sigma_1.xreplace(new), bending, "2.8, 2.11")
     if several:
-        for present, total in ((stretches, sigma_0), (bends, sigma_1)):
+        for present, total in ((stretches, sy.sigma_0), (bends, sy.sigma_1)):
             if present:
-                parts = [total.xreplace(names(j, several=True)) for j in range(len(response.parts))]
+                parts = [total.xreplace(_part(j, True, _MEANS)) for j in range(len(response.parts))]
                 yield stated("sum over the parts in parallel", total, sp.Add(*parts), "2.8")
 
 
@@ -96,7 +66,7 @@ def plastic_rates(equations: FilamentEquations) -> Iterator[Stated]:
     for j, (branch, response) in enumerate(zip(equations.law.branches, equations.response.branches, strict=True)):
         if branch.flow is None:
             continue
-        new, which = names(j, several=several), _which(equations, j)
+        new, which = _part(j, several, _MEANS), _which(equations, j)
         yield stated(
             f"flow rule of a fibre{which}", plastic_rate, shown_rate(branch.flow, equations.shape), "2.7, 2.25"
         )
@@ -115,21 +85,21 @@ def _states(
     # A mean in closed form is written as such where one can read it.
     at_once = sp.count_ops(means.rate) <= _READABLE and sp.count_ops(means.bending_rate) <= _READABLE
     if terms.bending and not at_once:
-        through = (sigma_0 if terms.stretches else sp.Integer(0)) + sigma_1 * zeta
-        yield stated(f"stress of the fibre zeta{which}", sigma, through.xreplace(new), "2.23")
+        through = (sy.sigma_0 if terms.stretches else sp.Integer(0)) + sy.sigma_1 * sy.zeta
+        yield stated(f"stress of the fibre zeta{which}", sy.sigma, through.xreplace(new), "2.23")
     if terms.stretches:
         mean = _mean_of(flow, shape, bends=terms.bending) / closed.recall_mean
         rate = response.rate_mean if at_once else mean
-        yield stated(f"axial flow{which}", Rate(a_0.xreplace(new), t, 1), rate.xreplace(new), "2.12, 2.24")
+        yield stated(f"axial flow{which}", Rate(sy.a_0.xreplace(new), sy.t, 1), rate.xreplace(new), "2.12, 2.24")
     if terms.bending:
-        mean = Mean(plastic_rate * zeta) / (shape.zeta_squared * closed.recall_bending)
+        mean = Mean(plastic_rate * sy.zeta) / (shape.zeta_squared * closed.recall_bending)
         rate = response.rate_bending if at_once else mean
-        yield stated(f"bending flow{which}", Rate(a_1.xreplace(new), t, 1), rate.xreplace(new), "2.12, 2.24")
+        yield stated(f"bending flow{which}", Rate(sy.a_1.xreplace(new), sy.t, 1), rate.xreplace(new), "2.12, 2.24")
 
 
 def _mean_of(flow: Flow, shape: Section, *, bends: bool) -> sp.Expr:
     """<eps_p_t>, or the rule itself of the only stress there is."""
-    return Mean(plastic_rate) if bends else shown_rate(flow, shape).subs(sigma, sigma_0)
+    return Mean(plastic_rate) if bends else shown_rate(flow, shape).subs(sy.sigma, sy.sigma_0)
 
 
 def shown_rate(flow: Flow, shape: Section) -> sp.Expr:
@@ -139,42 +109,50 @@ def shown_rate(flow: Flow, shape: Section) -> sp.Expr:
     axial rate of the equivalent one.
     """
     rate = plain_rate(flow)
-    return PLANE_STRAIN * rate.subs(sigma, PLANE_STRAIN * sigma) if shape.plane_strain else rate
+    return PLANE_STRAIN * rate.subs(sy.sigma, PLANE_STRAIN * sy.sigma) if shape.plane_strain else rate
 
 
 def plain_rate(flow: Flow) -> sp.Expr:
     """The flow rule without the rounding at zero stress, the only place where E stands in it."""
     rate = flow.rate
-    if rate.has(E):
+    if rate.has(sy.E):
         over = {part: sp.Dummy("over", positive=True) for part in rate.atoms(sp.Max)}
-        rate = sp.powsimp(sp.simplify(rate.subs(E, 0).xreplace(over)))
+        rate = sp.powsimp(sp.simplify(rate.subs(sy.E, 0).xreplace(over)))
         rate = rate.xreplace({stand_in: part for part, stand_in in over.items()})
     return rate
 
 
 def gradient_term(equations: FilamentEquations) -> sp.Expr:
     """What a neck adds to the axial force; zero if it is not in force."""
-    return sp.Integer(0) if equations.neck is None else -Rate(equations.neck.stiffness() * s_slope, X, 1)
+    return sp.Integer(0) if equations.neck is None else -Rate(equations.neck.stiffness() * s_slope, sy.X, 1)
 
 
 def surface_term(equations: FilamentEquations) -> sp.Expr:
     """What surface tension adds to the axial force; zero if it is not in force."""
-    return sp.Integer(0) if equations.surface is None else A0 * equations.surface.force()
+    return sp.Integer(0) if equations.surface is None else sy.A0 * equations.surface.force()
 
 
-def names(number: int, *, several: bool) -> Rename:
+# Symbols of one of several parts in parallel: the plain one, the LaTeX of its own before the part's number.
+_MEANS = (
+    (sy.sigma_0, r"\sigma_0^{{({j})}}", sy.STRESS, "mean stress"),
+    (sy.sigma_1, r"\sigma_1^{{({j})}}", sy.STRESS, "bending stress"),
+    (sy.a_0, "a_0^{{({j})}}", sy.ONE, "axial plastic strain"),
+    (sy.a_1, "a_1^{{({j})}}", sy.ONE, "bending plastic strain"),
+)
+_FIBRE = (
+    (sy.sigma, r"\sigma^{{({j})}}", sy.STRESS, "stress of a fibre"),
+    (tau_f, r"\tau^{{({j})}}", sy.STRESS, "shear stress of a fibre"),
+    (eps_p, r"\epsilon^{{p({j})}}", sy.ONE, "axial plastic strain of a fibre"),
+    (gamma_p, r"\gamma^{{p({j})}}", sy.ONE, "plastic shear of a fibre"),
+)
+
+
+def _part(number: int, several: bool, rows: tuple[tuple[sp.Symbol, str, sy.Dimension, str], ...]) -> Rename:
     """Symbols of one of several parts in parallel; the plain ones of an only part."""
-    if not several:
-        return {}
     j = number + 1
     return {
-        symbol: enter(f"{symbol.name}_part{j}", f"{latex}^{{({j})}}", dimension, f"{meaning} of part {j}", "2.8")
-        for symbol, latex, dimension, meaning in (
-            (sigma_0, r"\sigma_0", STRESS, "mean stress"),
-            (sigma_1, r"\sigma_1", STRESS, "bending stress"),
-            (a_0, "a_0", ONE, "axial plastic strain"),
-            (a_1, "a_1", ONE, "bending plastic strain"),
-        )
+        symbol: sy.enter(f"{symbol.name}_part{j}", latex.format(j=j), dimension, f"{meaning} of part {j}", "2.8")
+        for symbol, latex, dimension, meaning in (rows if several else ())
     }
 
 
@@ -194,12 +172,7 @@ def resolved_section(equations: FilamentEquations) -> tuple[Stated, ...]:
     resolved = equations.resolved
     if resolved is None:
         raise ValueError("this section is not resolved point by point")
-    return (
-        *_strains(resolved),
-        *_stresses(resolved),
-        *_flows(equations, resolved),
-        *_resultants(equations, resolved),
-    )
+    return (*_strains(resolved), *_stresses(resolved), *_flows(equations, resolved), *_resultants(equations, resolved))
 
 
 def _strains(resolved: ResolvedSection) -> Iterator[Stated]:
@@ -208,9 +181,9 @@ def _strains(resolved: ResolvedSection) -> Iterator[Stated]:
         yield stated("shear of the section", Gam, resolved.strains[1], _SOURCE)
     else:
         yield stated("sections stay normal to the centreline", sp.Integer(0), resolved.strains[1], "2.5")
-    yield stated("bending", k, Rate(psi, X, 1), _SOURCE)
+    yield stated("bending", k, Rate(psi, sy.X, 1), _SOURCE)
     yield stated("area", A, resolved.cell.area, "2.9")
-    yield stated("thickness", h, resolved.relative_thickness * h0, "2.9")
+    yield stated("thickness", h, resolved.relative_thickness * sy.h0, "2.9")
 
 
 def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
@@ -224,13 +197,13 @@ def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
         parts.append((resolved.viscous.axial_stress, resolved.viscous.shear_stress))
     several = len(parts) > 1
     for j, (axial, shear) in enumerate(parts):
-        new, which = _names(j, several=several), f", part {j + 1}" if several else ""
-        yield stated(f"axial stress of a fibre{which}", sigma.xreplace(new), axial.xreplace(new), "2.6, 2.8")
+        new, which = _part(j, several, _FIBRE), f", part {j + 1}" if several else ""
+        yield stated(f"axial stress of a fibre{which}", sy.sigma.xreplace(new), axial.xreplace(new), "2.6, 2.8")
         if resolved.shears:
             yield stated(f"shear stress of a fibre{which}", tau_f.xreplace(new), shear.xreplace(new), _SOURCE)
     if several:
-        for total in (sigma, tau_f) if resolved.shears else (sigma,):
-            added = sp.Add(*(total.xreplace(_names(j, several=True)) for j in range(len(parts))))
+        for total in (sy.sigma, tau_f) if resolved.shears else (sy.sigma,):
+            added = sp.Add(*(total.xreplace(_part(j, True, _FIBRE)) for j in range(len(parts))))
             yield stated("sum over the parts in parallel", total, added, "2.8")
 
 
@@ -242,67 +215,51 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
     for j, branch in enumerate(equations.law.branches):
         if branch.flow is None:
             continue
-        new, which = _names(j, several=several), f", part {j + 1}" if several else ""
+        new, which = _part(j, several, _FIBRE), f", part {j + 1}" if several else ""
         yield stated(f"equivalent stress{which}", sigma_eq, flow.equivalent.xreplace(new), "3.5")
-        rule = plain_rate(branch.flow).subs(sigma, sigma_eq)
+        rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
         yield stated(f"flow rule{which}", plastic_rate, rule, "2.7, 2.25")
         yield stated(
-            f"axial flow of a fibre{which}", Rate(eps_p.xreplace(new), t, 1), flow.axial_rate.xreplace(new), "3.7"
+            f"axial flow of a fibre{which}", Rate(eps_p.xreplace(new), sy.t, 1), flow.axial_rate.xreplace(new), "3.7"
         )
         if resolved.shears:
             shear = flow.shear_rate.xreplace(new)
-            yield stated(f"plastic shear of a fibre{which}", Rate(gamma_p.xreplace(new), t, 1), shear, "3.7")
+            yield stated(f"plastic shear of a fibre{which}", Rate(gamma_p.xreplace(new), sy.t, 1), shear, "3.7")
 
 
 def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[Stated]:
     cell = resolved.cell
-    means = {sigma_mean: Mean(sigma), sigma_zeta: Mean(sigma * zeta), tau_mean: Mean(tau_f)}
-    yield stated("tension", T, cell.tension.xreplace(means), "2.10")
-    yield stated("bending moment", M, cell.moment.xreplace(means), "2.10")
+    means = {sigma_mean: Mean(sy.sigma), sigma_zeta: Mean(sy.sigma * sy.zeta), tau_mean: Mean(tau_f)}
+    yield stated("tension", sy.T, cell.tension.xreplace(means), "2.10")
+    yield stated("bending moment", sy.M, cell.moment.xreplace(means), "2.10")
     if resolved.shears:
         yield stated("shear force", S, cell.shear_force.xreplace(means), _SOURCE)
     along = cell.normal_force if resolved.shears else cell.normal_force.subs(Gam, 0)
-    gain = gradient_term(equations).subs(s, Lam)
+    gain = gradient_term(equations).subs(sy.s, Lam)
     pull = surface_term(equations)
-    outward, aside = (pull * Lam / s, pull * Gam / s) if resolved.shears else (pull.subs(s, Lam), sp.S.Zero)
+    outward, aside = (pull * Lam / sy.s, pull * Gam / sy.s) if resolved.shears else (pull.subs(sy.s, Lam), sp.S.Zero)
     source = "THEORY 4; Audoly & Hutchinson 2016" if gain else "THEORY 4"
     source += "; Eggers & Dupont 1994" if pull else ""
     if aside:
-        yield stated("stretch of the centreline", s, sp.sqrt(Lam**2 + Gam**2), _SOURCE)
+        yield stated("stretch of the centreline", sy.s, sp.sqrt(Lam**2 + Gam**2), _SOURCE)
     yield stated("force along the section's normal", n_1, along + gain + outward, source)
     if equations.neck is not None:
-        yield stated("slope of a neck", s_slope, Rate(Lam, X, 1), "Audoly & Hutchinson 2016")
+        yield stated("slope of a neck", s_slope, Rate(Lam, sy.X, 1), "Audoly & Hutchinson 2016")
     if resolved.shears:
         yield stated("force along the section", n_2, cell.section_force + aside, _SOURCE)
     yield stated("couple", m_c, cell.couple, _SOURCE)
     yield stated("internal force, horizontal", F_x, cell.force[0], _SOURCE)
     yield stated("internal force, vertical", F_y, cell.force[1], _SOURCE)
-    turning = resolved.rotary_inertia * Rate(psi, t, 2) if equations.terms.rotary_inertia else sp.Integer(0)
+    turning = resolved.rotary_inertia * Rate(psi, sy.t, 2) if equations.terms.rotary_inertia else sp.Integer(0)
     moments = cell.turning_moment if resolved.shears else cell.turning_moment.subs(Gam, 0)
-    yield stated("balance of moments", turning, Rate(m_c, X, 1) + moments, _SOURCE)
+    yield stated("balance of moments", turning, Rate(m_c, sy.X, 1) + moments, _SOURCE)
 
 
-def _names(number: int, *, several: bool) -> dict[sp.Symbol, sp.Symbol]:
-    """Symbols of one of several parts in parallel; the plain ones of an only part."""
-    if not several:
-        return {}
-    j = number + 1
-    return {
-        symbol: enter(f"{symbol.name}_part{j}", f"{latex}({j})}}", dimension, f"{meaning} of part {j}", "2.8")
-        for symbol, latex, dimension, meaning in (
-            (sigma, r"\sigma^{", STRESS, "stress of a fibre"),
-            (tau_f, r"\tau^{", STRESS, "shear stress of a fibre"),
-            (eps_p, r"\epsilon^{p", ONE, "axial plastic strain of a fibre"),
-            (gamma_p, r"\gamma^{p", ONE, "plastic shear of a fibre"),
-        )
-    }
-
-
-x_place = enter("x", "x", LENGTH, "horizontal position of the centreline", "2.1")
-y_place = enter("y", "y", LENGTH, "height of the centreline", "2.1")
-axial_strain = enter("eps", r"\epsilon", ONE, "axial strain of a fibre", "2.6")
-weight = enter("g_t", "g(t)", ACCELERATION, "gravity while it is switched on", "section 3")
-progress = enter("v_on", "v", ONE, "how far gravity is switched on, in time", "section 3")
+x_place = sy.enter("x", "x", sy.LENGTH, "horizontal position of the centreline", "2.1")
+y_place = sy.enter("y", "y", sy.LENGTH, "height of the centreline", "2.1")
+axial_strain = sy.enter("eps", r"\epsilon", sy.ONE, "axial strain of a fibre", "2.6")
+weight = sy.enter("g_t", "g(t)", sy.ACCELERATION, "gravity while it is switched on", "section 3")
+progress = sy.enter("v_on", "v", sy.ONE, "how far gravity is switched on, in time", "section 3")
 
 
 def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -> tuple[Stated, ...]:
@@ -323,20 +280,20 @@ def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -
 def _kinematics(equations: FilamentEquations) -> Iterator[Stated]:
     terms = equations.terms
     if terms.stretches:
-        yield stated("stretch of the centreline", s, terms.centreline.stretch, terms.centreline.source)
+        yield stated("stretch of the centreline", sy.s, terms.centreline.stretch, terms.centreline.source)
     if terms.bending:
-        angle = terms.centreline.turning.subs({x_X_before: 1, y_X_before: 0})
-        yield stated("angle of the tangent", theta, angle, terms.centreline.source)
-        yield stated("turning", theta_X, Rate(theta, X, 1), terms.centreline.source)
+        angle = terms.centreline.turning.subs({sy.x_X_before: 1, sy.y_X_before: 0})
+        yield stated("angle of the tangent", sy.theta, angle, terms.centreline.source)
+        yield stated("turning", sy.theta_X, Rate(sy.theta, sy.X, 1), terms.centreline.source)
 
 
 def _uniform_stretch(equations: FilamentEquations) -> Iterator[Stated]:
-    elongation = equations.terms.centreline.stretch.subs(x_X, 1) - 1
+    elongation = equations.terms.centreline.stretch.subs(sy.x_X, 1) - 1
     if equations.terms.stretches:
-        mean = sp.Integral(elongation, (X, -L_0 / 2, L_0 / 2)) / L_0
-        yield stated("stretch, the same everywhere", s, 1 + mean, "2.13, 2.17")
+        mean = sp.Integral(elongation, (sy.X, -sy.L_0 / 2, sy.L_0 / 2)) / sy.L_0
+        yield stated("stretch, the same everywhere", sy.s, 1 + mean, "2.13, 2.17")
     if equations.terms.bending:
-        yield stated("turning", theta_X, Rate(y_place, X, 2), "2.13")
+        yield stated("turning", sy.theta_X, Rate(y_place, sy.X, 2), "2.13")
 
 
 def _strain(equations: FilamentEquations) -> Iterator[Stated]:
@@ -344,7 +301,7 @@ def _strain(equations: FilamentEquations) -> Iterator[Stated]:
     contraction = equations.shape.contraction if terms.thins else NONE
     lever = CLOSURES[equations.closure](terms.strain, contraction).lever
     along = terms.strain.strain if terms.stretches else sp.Integer(0)
-    across = lever * theta_X * zeta if terms.bending else sp.Integer(0)
+    across = lever * sy.theta_X * sy.zeta if terms.bending else sp.Integer(0)
     yield stated("axial strain of the fibre zeta = 2z/h", axial_strain, along - across, terms.strain.source)
     if terms.thins:
         yield stated("area", A, equations.response.area, contraction.source)
@@ -357,19 +314,21 @@ def _section(equations: FilamentEquations) -> Iterator[Stated]:
     yield from stresses(equations)
     yield from plastic_rates(equations)
     if terms.stretches:
-        yield stated("tension", T, response.tension, "2.10")
+        yield stated("tension", sy.T, response.tension, "2.10")
     if terms.bending:
-        yield stated("bending moment", M, response.moment, "2.10")
+        yield stated("bending moment", sy.M, response.moment, "2.10")
     if terms.stretches:
         gain, pull = gradient_term(equations), surface_term(equations)
         source = "THEORY 4" if response.axial_correction != 0 else "2.4"
         source += "; Audoly & Hutchinson 2016" if gain else ""
         source += "; Eggers & Dupont 1994" if pull else ""
-        yield stated("axial force, conjugate to the stretch", Q, T + response.axial_correction + gain + pull, source)
+        yield stated(
+            "axial force, conjugate to the stretch", sy.Q, sy.T + response.axial_correction + gain + pull, source
+        )
         if gain:
-            yield stated("slope of a neck", s_slope, Rate(s, X, 1), "Audoly & Hutchinson 2016")
+            yield stated("slope of a neck", s_slope, Rate(sy.s, sy.X, 1), "Audoly & Hutchinson 2016")
     if terms.bending:
-        yield stated("change of the moment", M_X, Rate(M, X, 1), "2.3")
+        yield stated("change of the moment", sy.M_X, Rate(sy.M, sy.X, 1), "2.3")
 
 
 def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]:
@@ -378,28 +337,28 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     if equations.resolved is None:
         if along:
             yield stated("internal force, horizontal", F_x, force.horizontal, "2.4, corrected")
-        upwards = force.vertical.subs(Q, T + surface_term(equations)) if reduced else force.vertical
+        upwards = force.vertical.subs(sy.Q, sy.T + surface_term(equations)) if reduced else force.vertical
         yield stated("internal force, vertical", F_y, upwards, "2.14" if reduced else "2.4, corrected")
     mass, source = mass_per_length(), "2.14" if reduced else "2.1, 2.2"
     if not terms.inertia:
         mass = sp.Integer(0)
     if along:
-        yield stated("balance of momentum, horizontal", mass * Rate(x_place, t, 2), Rate(F_x, X, 1), source)
-    falling = rho * A0 * (weight if _changes(equations) else terms.load)
-    yield stated("balance of momentum, vertical", mass * Rate(y_place, t, 2), Rate(F_y, X, 1) - falling, source)
+        yield stated("balance of momentum, horizontal", mass * Rate(x_place, sy.t, 2), Rate(F_x, sy.X, 1), source)
+    falling = sy.rho * sy.A0 * (weight if _changes(equations) else terms.load)
+    yield stated("balance of momentum, vertical", mass * Rate(y_place, sy.t, 2), Rate(F_y, sy.X, 1) - falling, source)
     if along:
-        yield stated("tangent, horizontal", x_X, Rate(x_place, X, 1), "2.5")
-    yield stated("tangent, vertical", y_X, Rate(y_place, X, 1), "2.5")
+        yield stated("tangent, horizontal", sy.x_X, Rate(x_place, sy.X, 1), "2.5")
+    yield stated("tangent, vertical", sy.y_X, Rate(y_place, sy.X, 1), "2.5")
 
 
 def _gravity(equations: FilamentEquations) -> Iterator[Stated]:
     if not _changes(equations):
         return
     terms = equations.terms
-    names = {"switched on smoothly": terms.gravity.has(t), "shaken": terms.shaking.has(t)}
-    sources = {"section 3": terms.gravity.has(t), "Rayleigh 1877": terms.shaking.has(t)}
+    names = {"switched on smoothly": terms.gravity.has(sy.t), "shaken": terms.shaking.has(sy.t)}
+    sources = {"section 3": terms.gravity.has(sy.t), "Rayleigh 1877": terms.shaking.has(sy.t)}
     how, source = ([what for what, there in found.items() if there] for found in (names, sources))
-    shares = {part for part in terms.gravity.atoms(sp.Min) if part.has(t)}
+    shares = {part for part in terms.gravity.atoms(sp.Min) if part.has(sy.t)}
     load = terms.load.subs(dict.fromkeys(shares, progress))
     yield stated(f"gravity, {' and '.join(how)}", weight, load, "; ".join(source))
     for share in shares:
@@ -407,4 +366,4 @@ def _gravity(equations: FilamentEquations) -> Iterator[Stated]:
 
 
 def _changes(equations: FilamentEquations) -> bool:
-    return bool(equations.terms.load.has(t))
+    return bool(equations.terms.load.has(sy.t))

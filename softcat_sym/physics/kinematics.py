@@ -240,10 +240,7 @@ MOTION = tuple(
 )
 CONSERVATIVE = tuple(
     Equation(
-        f"momentum, {name}",
-        mass_per_length() * left,
-        sp.Derivative(force, X) - mass_per_length() * pull,
-        "THEORY 2",
+        f"momentum, {name}", mass_per_length() * left, sp.Derivative(force, X) - mass_per_length() * pull, "THEORY 2"
     )
     for name, left, force, pull in zip(
         ("horizontal", "vertical"), acceleration, internal_force_field(), (sp.Integer(0), g), strict=True

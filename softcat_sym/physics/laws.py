@@ -272,8 +272,7 @@ def _one_sided(section: Section, overstress: sp.Expr, slope: sp.Expr) -> _OneSid
 
 
 BINGHAM_LAW = Law(
-    "bingham",
-    branches=(Branch(flow=linear_flow(eta), flow_beyond_yield=Flow(bingham_rate(), sigma_Y, bingham_means)),),
+    "bingham", branches=(Branch(flow=linear_flow(eta), flow_beyond_yield=Flow(bingham_rate(), sigma_Y, bingham_means)),)
 )
 
 BINGHAM_EQUATIONS: tuple[Equation, ...] = (flow_rule("Bingham-Norton fluid", bingham_rate(), "2.25"),)

@@ -75,40 +75,14 @@ class Neck:
 
 
 RECTANGLE = Neck(
-    "rectangle",
-    beta=(1 + aspect**2) / 48,
-    power=4,
-    flow_loss=sp.Rational(3, 2),
-    contraction=sections.UNIFORM,
+    "rectangle", beta=(1 + aspect**2) / 48, power=4, flow_loss=sp.Rational(3, 2), contraction=sections.UNIFORM
 )
 PLANE_STRESS = Neck(
-    "plane stress",
-    beta=sp.Rational(1, 48),
-    power=4,
-    flow_loss=sp.Rational(3, 2),
-    contraction=sections.UNIFORM,
+    "plane stress", beta=sp.Rational(1, 48), power=4, flow_loss=sp.Rational(3, 2), contraction=sections.UNIFORM
 )
-SQUARE = Neck(
-    "square",
-    beta=sp.Rational(1, 24),
-    power=4,
-    flow_loss=sp.Rational(3, 2),
-    contraction=sections.UNIFORM,
-)
-CIRCLE = Neck(
-    "circle",
-    beta=sp.Rational(1, 32),
-    power=4,
-    flow_loss=sp.Rational(3, 2),
-    contraction=sections.UNIFORM,
-)
-SHEET = Neck(
-    "sheet",
-    beta=sp.Rational(1, 12),
-    power=5,
-    flow_loss=sp.Integer(2),
-    contraction=sections.WIDE,
-)
+SQUARE = Neck("square", beta=sp.Rational(1, 24), power=4, flow_loss=sp.Rational(3, 2), contraction=sections.UNIFORM)
+CIRCLE = Neck("circle", beta=sp.Rational(1, 32), power=4, flow_loss=sp.Rational(3, 2), contraction=sections.UNIFORM)
+SHEET = Neck("sheet", beta=sp.Rational(1, 12), power=5, flow_loss=sp.Integer(2), contraction=sections.WIDE)
 
 NECKS: dict[str, Neck] = {neck.name: neck for neck in (RECTANGLE, PLANE_STRESS, SQUARE, CIRCLE, SHEET)}
 

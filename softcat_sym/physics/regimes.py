@@ -143,10 +143,7 @@ ARREST_THRESHOLD_EXACT = Equation("arrest threshold", G, 2 * sp.sqrt(u_L**2 - 1)
 """With u the root of :data:`ARREST_CONDITION`: 1.3255, twice the Laplace limit constant."""
 
 STOPPING_DEPTH = Equation(
-    "stopping depth",
-    H_stop / L,
-    1 / (2 * G) - sp.sqrt((1 / (2 * G)) ** 2 - Rational(1, 8)),
-    "3.13",
+    "stopping depth", H_stop / L, 1 / (2 * G) - sp.sqrt((1 / (2 * G)) ** 2 - Rational(1, 8)), "3.13"
 )
 STOPPING_DEPTH_SECOND = Equation(
     "stopping depth, every term of first order in H",

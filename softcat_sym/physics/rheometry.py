@@ -171,23 +171,6 @@ def misfit() -> sp.Expr:
     return sp.log(B / B_FROM_T_HIGH.right) ** 2 / (var_B + 25 * var_t)
 
 
-RHEOMETRY_EQUATIONS: tuple[Equation, ...] = (
-    B_FROM_VISCOSITY,
-    VISCOSITY_FROM_B,
-    B_FROM_T_HIGH,
-    B_FROM_SAG,
-    RINGING_FREQUENCY,
-    DECAY,
-    QUADRATIC,
-    CIRCLE_OF_DECAY,
-    LARGEST_FREQUENCY,
-    LARGEST_FREQUENCY_AT_ONSET,
-    MODULUS,
-    MODULUS_FROM_SAG,
-    MODULUS_FROM_CABLE,
-    MODULUS_BY_GROUPS,
-    VISCOUS_NUMBER,
-    FREQUENCY_OVER_DECAY,
-    BEAM_VISCOMETRY,
-    ASTM_C598,
+RHEOMETRY_EQUATIONS: tuple[Equation, ...] = tuple(
+    stated for stated in [*globals().values()] if isinstance(stated, Equation)
 )

@@ -228,24 +228,4 @@ STARTS_AT_REST = Equation(
     "at rest at first", _at(sp.Derivative(_yb, t_star), t_star, sp.Integer(0)), sp.Integer(0), "2.19"
 )
 
-EQUATIONS: tuple[Equation, ...] = (
-    MOMENTUM,
-    UNIFORM_ELONGATION,
-    TENSION,
-    BENDING_MOMENT,
-    AXIAL_FLOW,
-    BENDING_FLOW,
-    TENSION_RELAXES,
-    MOMENT_RELAXES,
-    TENSION_REMEMBERS,
-    MOMENT_REMEMBERS,
-    REDUCED,
-    BENDING_MEMORY,
-    STRETCHING_MEMORY,
-    REDUCED_WITH_INTEGRALS,
-    CLAMPED_HEIGHT,
-    CLAMPED_SLOPE,
-    SYMMETRY_SLOPE,
-    STARTS_STRAIGHT,
-    STARTS_AT_REST,
-)
+EQUATIONS: tuple[Equation, ...] = tuple(stated for stated in [*globals().values()] if isinstance(stated, Equation))

@@ -56,10 +56,7 @@ class Formula:
         return frozenset(node.name for node in _walk(self.tree) if node.name) - {STRESS_NAME, *FORMULA_CONSTANTS}
 
     def fold(
-        self,
-        number: Callable[[float], T],
-        name: Callable[[str], T],
-        operation: Callable[[str, tuple[T, ...]], T],
+        self, number: Callable[[float], T], name: Callable[[str], T], operation: Callable[[str, tuple[T, ...]], T]
     ) -> T:
         """Rebuild the expression from its leaves up, in any arithmetic."""
         return _fold(self.tree, number, name, operation)

@@ -24,7 +24,7 @@ from softcat_sym.scene.material import (
     shear_names,
 )
 from softcat_sym.scene.parts import Filament, Load, Part, kinds_of
-from softcat_sym.scene.units import LARGEST, SMALLEST, Choice, Number, fault_of, refusal, shown, with_unit
+from softcat_sym.scene.units import LARGEST, SMALLEST, Choice, Kind, Number, fault_of, refusal, shown, with_unit
 
 TimeUnit = Literal["gravity", "elastic"]
 _GROUPED = f"one of the laws {', '.join(GROUPED)}"
@@ -88,6 +88,7 @@ class GroupBlock(Part):
 
 GROUND = "1"
 
+_WITH_INDEX = "groups.V, K/(rho g L (L/g)^(n/2))"
 _WORDS = {"youngs_modulus": "Young's modulus", "viscosity": "the viscosity", "yield_stress": "the yield stress"}
 
 # What each group relates; the ratio of the two comes with the numbers.
@@ -133,8 +134,11 @@ def faults_of(relations: list[Relation], law: str) -> list[Fault]:
         faults.append(Fault(relation.path, found, "leaving one of them out"))
     loose = [name for name in CONSTANTS[law] if _chain(tree, name, GROUND) is None]
     if loose:
+        given = {relation.path for relation in relations}
+        ways = [f"groups.{key}" for key, pair in RELATES.items() if set(pair) & set(loose)]
+        ways = [path for path in (*ways, *(f"material.{name}" for name in loose)) if path not in given]
         found = f"missing: nothing fixes {' and '.join(_WORDS[name] for name in loose)}"
-        faults.append(Fault("groups", found, f"one more of {', '.join(_ways(loose, relations))}"))
+        faults.append(Fault("groups", found, f"one more of {', '.join(ways)}"))
     return faults
 
 
@@ -164,12 +168,6 @@ def _chain(tree: list[Relation], start: str, end: str) -> list[Relation] | None:
     return None
 
 
-def _ways(loose: list[str], relations: list[Relation]) -> list[str]:
-    given = {relation.path for relation in relations}
-    groups = [f"groups.{key}" for key, pair in RELATES.items() if pair[0] in loose or pair[1] in loose]
-    return [path for path in (*groups, *(f"material.{name}" for name in loose)) if path not in given]
-
-
 Table = dict[str, Any]
 
 # The paper's own dimensional set (its section 3).
@@ -177,12 +175,7 @@ PAPER = {"filament.span": "0.2 m", "filament.density": "1900 kg/m^3", "load.grav
 PAPER_MODULUS = "4 MPa"
 _MODULUS_GROUPS = ("E_star", "eps_Y", "tau")
 # Each of these keys of [groups] stands for one physical key.
-_STANDS_FOR = {
-    "delta": "filament.thickness",
-    "law": "material.law",
-    "ramp": "load.ramp",
-    "duration": "run.duration",
-}
+_STANDS_FOR = {"delta": "filament.thickness", "law": "material.law", "ramp": "load.ramp", "duration": "run.duration"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,24 +190,6 @@ class Resolved:
     def excuses(self, fault: Fault) -> bool:
         """Tell whether a physical key is missing only because the groups could not be resolved."""
         return not self.complete and fault.path in self.determined and fault.found.startswith("missing")
-
-
-@dataclass(frozen=True, slots=True)
-class _Scales:
-    """L, rho and g, SI; and the index."""
-
-    span: float
-    density: float
-    gravity: float
-    index: float
-
-    @property
-    def stress(self) -> float:
-        return self.density * self.gravity * self.span
-
-    @property
-    def time(self) -> float:
-        return math.sqrt(self.span / self.gravity)
 
 
 def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
@@ -234,7 +209,7 @@ def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
     return frozenset(filled)
 
 
-def resolve_groups(table: Table) -> Resolved:
+def resolve_groups(table: Table) -> Resolved:  # noqa: C901 - one step after another
     """Replace ``[groups]`` by the physical values it determines."""
     if "groups" not in table:
         return Resolved(table)
@@ -245,21 +220,52 @@ def resolve_groups(table: Table) -> Resolved:
         no_table = Fault("groups", f"{shown(raw)} is not a table", "a table [groups]")
         return Resolved(rest, (no_table,), determined | set(PAPER), complete=False)
     block, faults = _read_block(raw)
-    faults += _given_twice(raw, rest)
+    for key, path in (*_STANDS_FOR.items(), ("n", "material.index"), ("delta", "filament.diameter")):
+        section, _, name = path.partition(".")
+        if key in raw and name in _section(rest, section):
+            faults.append(Fault(path, f"given twice, here and as groups.{key}", "one of the two"))
     for path, value in PAPER.items():
         _fill(rest, path, value)
-    scales = _scales(rest, faults, _index(raw, rest, block))
-    relations = _relations(raw, rest, block, scales)
+    index = block.n if block is not None and "n" in raw else _value(Material, rest, "index", 1.0)
+    span, density, gravity = (
+        _value(part, rest, key) for part, key in ((Filament, "span"), (Filament, "density"), (Load, "gravity"))
+    )
+    # A scale that cannot be read is its own part's fault, gravity 0 is one of the groups.
+    if span > 0 and density > 0 and gravity == 0:
+        faults.append(Fault("load.gravity", "zero, but [groups] is scaled by gravity", "a positive acceleration"))
+    scaled = span > 0 and density > 0 and gravity > 0
+    stress, time = density * gravity * span, math.sqrt(span / gravity) if scaled else 0.0
+    ratios = _ratios(block, stress, time, index) if block is not None and scaled else {}
+    relations = _relations(raw, rest, ratios, index if scaled else 1.0)
     law = raw.get("law")
     if isinstance(law, str) and law in GROUPED:
-        faults += [*faults_of(relations, law), *_of_another_index(raw, law, _index(raw, rest, block))]
+        faults += faults_of(relations, law)
+        if law in INDEXED and index != 1:
+            found = f"given, but with an index of {index:g} there is no viscosity to scale"
+            faults += [Fault(f"groups.{key}", found, _WITH_INDEX) for key in ("tau", "B") if key in raw]
         _fill(rest, "material.law", law)
-        if block is not None and "n" in raw and law in INDEXED:
-            _fill(rest, "material.index", block.n)
-    if faults or block is None or scales is None or any(relation.ratio <= 0 for relation in relations):
+    if block is not None and "n" in raw and block.law in INDEXED:
+        _fill(rest, "material.index", block.n)
+    if faults or block is None or not scaled or any(relation.ratio <= 0 for relation in relations):
         return Resolved(rest, tuple(faults), determined, complete=False)
-    faults += _fill_in(rest, block, scales, solve(relations))
-    return Resolved(rest, tuple(faults), determined, complete=not faults)
+    constants = solve(relations)
+    absurd = [
+        f"{name} {value:g}"
+        for name, value in {"thickness": block.delta * span, **constants}.items()
+        if not SMALLEST <= value <= LARGEST
+    ]
+    if absurd:
+        found = f"these groups give {', '.join(absurd)}, beyond {SMALLEST:g} to {LARGEST:g} in SI units"
+        return Resolved(rest, (Fault("groups", found, "moderate numbers"),), determined, complete=False)
+    unit = time if block.time_unit == "gravity" else span * math.sqrt(density / constants["youngs_modulus"])
+    _fill(rest, "filament.thickness", with_unit(block.delta * span, "length"))
+    for path, times in (("load.ramp", block.ramp), ("run.duration", block.duration)):
+        if times is not None:
+            _fill(rest, path, with_unit(times * unit, "time"))
+    for name in CONSTANTS[block.law]:
+        if not set(shear_names(name)) & set(_section(rest, "material")):
+            _fill(rest, f"material.{name}", kind_of_constant(name, block.law, index).write(constants[name]))
+    return Resolved(rest, (), determined)
 
 
 def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]:
@@ -268,119 +274,50 @@ def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]
     except ValidationError as error:
         known = {"groups": tuple(GroupBlock.model_fields)}
         accepted = {f"groups.{name}": kind.accepted for name, kind in kinds_of(GroupBlock).items()}
-        details = [{**one, "loc": ("groups", *one["loc"])} for one in error.errors()]
-        return None, [fault_of(one, known, accepted) for one in details]  # type: ignore[arg-type]
+        details = [{**detail, "loc": ("groups", *detail["loc"])} for detail in error.errors()]
+        return None, [fault_of(detail, known, accepted) for detail in details]  # type: ignore[arg-type]
 
 
-def _given_twice(raw: Mapping[str, Any], rest: Table) -> list[Fault]:
-    faults = []
-    for key, path in (*_STANDS_FOR.items(), ("n", "material.index")):
-        table, _, name = path.partition(".")
-        if key in raw and name in _section(rest, table):
-            faults.append(Fault(path, f"given twice, here and as groups.{key}", "one of the two"))
-    if "delta" in raw and "diameter" in _section(rest, "filament"):
-        faults.append(Fault("filament.diameter", "given twice, here and as groups.delta", "one of the two"))
-    return faults
+def _ratios(block: GroupBlock, stress: float, time: float, index: float) -> dict[str, float]:
+    """Turn each group into the ratio of its two constants, SI [3.9, 3.10]."""
+    growing = {"eps_Y": 1.0, "E_star": stress, "V": stress * power(time, index), "tau": time}
+    ratios = {key: scale * group for key, scale in growing.items() if (group := getattr(block, key)) is not None}
+    if block.G is not None:
+        ratios["G"] = stress / block.G
+    if block.B is not None:
+        ratios["B"] = stress * time / (2 * block.B)
+    return ratios
 
 
-def _index(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None) -> float:
-    if block is not None and "n" in raw:
-        return block.n
-    try:
-        return float(kinds_of(Material)["index"].read(_section(rest, "material").get("index", 1.0)))
-    except PydanticCustomError:
-        return 1.0
-
-
-def _poisson(rest: Table) -> float:
-    try:
-        return float(kinds_of(Material)["poisson"].read(_section(rest, "material").get("poisson", POISSON)))
-    except PydanticCustomError:
-        return POISSON
-
-
-def _of_another_index(raw: Mapping[str, Any], law: str, index: float) -> list[Fault]:
-    """Tau and B are ratios of a viscosity."""
-    if law not in INDEXED or index == 1:
-        return []
-    found = f"given, but with an index of {index:g} there is no viscosity to scale"
-    return [Fault(f"groups.{key}", found, "groups.V, K/(rho g L (L/g)^(n/2))") for key in ("tau", "B") if key in raw]
-
-
-def _scales(rest: Table, faults: list[Fault], index: float) -> _Scales | None:
-    """Read L, rho and g; a scale that cannot be read is its own part's fault, gravity 0 is one of the groups."""
-    try:
-        span = kinds_of(Filament)["span"].read(rest["filament"]["span"])
-        density = kinds_of(Filament)["density"].read(rest["filament"]["density"])
-        gravity = kinds_of(Load)["gravity"].read(rest["load"]["gravity"])
-    except (PydanticCustomError, KeyError, TypeError):
-        return None
-    if gravity == 0:
-        faults.append(Fault("load.gravity", "zero, but [groups] is scaled by gravity", "a positive acceleration"))
-        return None
-    return _Scales(span, density, gravity, index)
-
-
-def _relations(raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, at: _Scales | None) -> list[Relation]:
+def _relations(raw: Mapping[str, Any], rest: Table, ratios: Mapping[str, float], index: float) -> list[Relation]:
     """All that was said of the constants. Without numbers (a fault elsewhere) the ratios are 0: only who fixes whom."""
-    relations, poisson = [], _poisson(rest)
+    relations, given = [], _section(rest, "material")
+    poisson = _value(Material, rest, "poisson", POISSON)
     for name in ("youngs_modulus", "viscosity", "yield_stress"):
-        index = at.index if at else 1.0
-        shear = [(one.shear, one.factor(index, poisson)) for one in FROM_SHEAR if one.constant == name]
+        shear = [(rule.shear, rule.factor(index, poisson)) for rule in FROM_SHEAR if rule.constant == name]
         for key, times in ((name, 1.0), *shear):
-            if key in _section(rest, "material"):
-                value = times * _number(rest["material"][key], key, raw.get("law"), index)
+            if key in given:
+                value = times * _read(kind_of_constant(key, str(raw.get("law")), index), given[key], 0.0)
                 relations.append(Relation(f"material.{key}", name, GROUND, value))
     for key, (constant, other) in RELATES.items():
         if raw.get(key) is not None:
-            ratio = _group_ratio(key, getattr(block, key), at) if block and at else 0.0
-            relations.append(Relation(f"groups.{key}", constant, other, ratio))
-    moduli = {"youngs_modulus", *shear_names("youngs_modulus")}
-    if not any(key in raw for key in _MODULUS_GROUPS) and not moduli & set(_section(rest, "material")):
-        relations.append(Relation("groups", "youngs_modulus", GROUND, _number(PAPER_MODULUS, "youngs_modulus")))
+            relations.append(Relation(f"groups.{key}", constant, other, ratios.get(key, 0.0)))
+    if not {*_MODULUS_GROUPS} & set(raw) and not {"youngs_modulus", *shear_names("youngs_modulus")} & set(given):
+        modulus = _read(kind_of_constant("youngs_modulus", None, 1.0), PAPER_MODULUS, 0.0)
+        relations.append(Relation("groups", "youngs_modulus", GROUND, modulus))
     return relations
 
 
-def _number(value: object, key: str, law: object = None, index: float = 1.0) -> float:
+def _value(part: type[Part], table: Table, key: str, default: float = math.nan) -> float:
+    """A value of the raw table in SI, or the default where it has none or a faulty one."""
+    return _read(kinds_of(part)[key], _section(table, part.table_name).get(key, default), default)
+
+
+def _read(kind: Kind, value: object, default: float) -> float:
     try:
-        return float(kind_of_constant(key, str(law), index).read(value))
+        return float(kind.read(value))
     except PydanticCustomError:
-        return 0.0
-
-
-def _group_ratio(key: str, group: float, at: _Scales) -> float:
-    """Turn a group into the ratio of its two constants, SI [3.9, 3.10]."""
-    return {
-        "G": at.stress / group,
-        "eps_Y": group,
-        "E_star": at.stress * group,
-        "V": at.stress * power(at.time, at.index) * group,
-        "B": at.stress * at.time / (2 * group),
-        "tau": at.time * group,
-    }[key]
-
-
-def _fill_in(rest: Table, block: GroupBlock, at: _Scales, constants: dict[str, float]) -> list[Fault]:
-    """Write the determined values into the table; they are beyond all measure only for absurd groups."""
-    thickness = block.delta * at.span
-    absurd = [
-        f"{name} {value:g}"
-        for name, value in {"thickness": thickness, **constants}.items()
-        if not SMALLEST <= value <= LARGEST
-    ]
-    if absurd:
-        found = f"these groups give {', '.join(absurd)}, beyond {SMALLEST:g} to {LARGEST:g} in SI units"
-        return [Fault("groups", found, "moderate numbers")]
-    elastic = at.span * math.sqrt(at.density / constants["youngs_modulus"])
-    unit = at.time if block.time_unit == "gravity" else elastic
-    _fill(rest, "filament.thickness", with_unit(thickness, "length"))
-    for path, time in (("load.ramp", block.ramp), ("run.duration", block.duration)):
-        if time is not None:
-            _fill(rest, path, with_unit(time * unit, "time"))
-    for name in CONSTANTS[block.law]:
-        if not set(shear_names(name)) & set(_section(rest, "material")):
-            _fill(rest, f"material.{name}", kind_of_constant(name, block.law, at.index).write(constants[name]))
-    return []
+        return default
 
 
 def _fill(rest: Table, path: str, value: object) -> None:

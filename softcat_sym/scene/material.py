@@ -23,8 +23,8 @@ from softcat_sym.scene.formula import (
 )
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
+    SI,
     STRESS,
-    AsValidator,
     Choice,
     Dimension,
     Kind,
@@ -41,68 +41,34 @@ from softcat_sym.scene.units import (
     to_si_of_any,
 )
 
-# `scene.kinds.Kind` documents the three methods once for all kinds.
+# `scene.units.Kind` documents the methods once for all kinds.
 # ruff: noqa: D102
-
 
 # Names that already mean something where the parameters of a rule become numbers of the computation.
 RESERVED = frozenset(
-    {
-        "span",
-        "thickness",
-        "density",
-        "gravity",
-        "ramp",
-        "shake",
-        "shake_frequency",
-        "youngs_modulus",
-        "viscosity",
-        "yield_stress",
-        "index",
-        "poisson",
-        "aspect",
-        "time_scale",
-        "second_modulus",
-        "rest_length",
-        STRESS_NAME,
-        *FORMULA_CONSTANTS,
-        *FUNCTIONS,
-    }
+    (
+        *("span", "thickness", "density", "gravity", "ramp", "shake", "shake_frequency", "youngs_modulus"),
+        *("viscosity", "yield_stress", "index", "poisson", "aspect", "time_scale", "second_modulus", "rest_length"),
+        *(STRESS_NAME, *FORMULA_CONSTANTS, *FUNCTIONS),
+    )
 )
 
 _MODE = {"youngs_modulus": Quantity("stress", "1 MPa"), "viscosity": Quantity("viscosity", "2 kPa*s")}
 _MOST = 50
+Refused = tuple[tuple[str, ...], PydanticCustomError]
 
 
 @dataclass(frozen=True, slots=True)
 class Mode:
-    """A spring in line with a dashpot; SI.
+    """A spring in line with a dashpot."""
 
-    Attributes
-    ----------
-    youngs_modulus : float
-        [Pa].
-    viscosity : float
-        [Pa s], extensional.
-    """
-
-    youngs_modulus: float
-    viscosity: float
+    youngs_modulus: float  # [Pa]
+    viscosity: float  # [Pa s], extensional
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A named constant of a flow rule.
-
-    Attributes
-    ----------
-    name : str
-        As it stands in the rule.
-    value : float
-        SI.
-    dimension : tuple of float
-        Exponents of kg, m and s.
-    """
+    """A named constant of a flow rule, SI."""
 
     name: str
     value: float
@@ -110,53 +76,46 @@ class Parameter:
 
 
 @dataclass(frozen=True, slots=True)
-class Modes(AsValidator):
+class Modes(Kind):
     """A list of modes."""
 
     accepted: str = 'a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
 
     def read(self, value: object) -> tuple[Mode, ...]:
         if not isinstance(value, (list, tuple)):
-            raise refusal(f"{shown(value)} is not a list", self.accepted)
+            raise self.refuse(f"{shown(value)} is not a list")
         if len(value) > _MOST:
             raise refusal(f"{len(value)} modes", f"at most {_MOST} modes")
-        faults: list[tuple[tuple[str, ...], PydanticCustomError]] = []
-        modes = []
-        for number, item in enumerate(value, start=1):
-            read = self._constants(item, str(number), faults)
-            if len(read) == len(_MODE):
-                modes.append(Mode(**read))
+        faults: list[Refused] = []
+        modes = [self._mode(item, str(number), faults) for number, item in enumerate(value, start=1)]
         if faults:
             raise refusals("modes", faults)
         return tuple(modes)
 
-    def _constants(
-        self, item: object, number: str, faults: list[tuple[tuple[str, ...], PydanticCustomError]]
-    ) -> dict[str, float]:
+    def _mode(self, item: object, number: str, faults: list[Refused]) -> Mode:
         if isinstance(item, Mode):
-            return {name: getattr(item, name) for name in _MODE}
+            return item
         if not isinstance(item, Mapping):
-            faults.append(((number,), refusal(f"{shown(item)} is not a mode", self.accepted)))
-            return {}
-        for key in item:
-            if key not in _MODE:
-                faults.append(((number, str(key)), refusal("unknown key", ", ".join(_MODE))))
-        read = {}
+            faults.append(((number,), self.refuse(f"{shown(item)} is not a mode")))
+            item = {name: SI(1.0) for name in _MODE}
+        for key in set(item) - set(_MODE):
+            faults.append(((number, str(key)), refusal("unknown key", ", ".join(_MODE))))
+        read = dict.fromkeys(_MODE, math.nan)
         for name, kind in _MODE.items():
             try:
                 if name not in item:
-                    raise refusal("missing", kind.accepted)
+                    raise kind.refuse("missing")
                 read[name] = kind.read(item[name])
             except PydanticCustomError as error:
                 faults.append(((number, name), error))
-        return read
+        return Mode(**read)
 
     def write(self, value: tuple[Mode, ...]) -> object:
         return [{name: kind.write(getattr(mode, name)) for name, kind in _MODE.items()} for mode in value]
 
 
 @dataclass(frozen=True, slots=True)
-class Parameters(AsValidator):
+class Parameters(Kind):
     """A table of named constants of any unit."""
 
     accepted: str = 'a table of named constants, such as {s0 = "1 kPa", t0 = "2 s", m = 3}'
@@ -167,10 +126,10 @@ class Parameters(AsValidator):
         if not isinstance(value, Mapping):
             if isinstance(value, (str, list, tuple)) and not value:
                 return ()
-            raise refusal(f"{shown(value)} is not a table", self.accepted)
+            raise self.refuse(f"{shown(value)} is not a table")
         if len(value) > _MOST:
             raise refusal(f"{len(value)} parameters", f"at most {_MOST} parameters")
-        faults = []
+        faults: list[Refused] = []
         parameters = []
         for name, given in value.items():
             try:
@@ -206,21 +165,11 @@ INDEXED = ("power-law", "herschel-bulkley")
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """One tensile constant from one shear datum.
-
-    Attributes
-    ----------
-    constant, shear : str
-        Names of the keys.
-    indexed : bool or None
-        Whether the law must have an index; None if that does not matter.
-    words : str
-        The rule, by von Mises' equivalence; Trouton's 3 of a Newtonian fluid.
-    """
+    """One tensile constant from one shear datum, by von Mises' equivalence; Trouton's 3 of a Newtonian fluid."""
 
     constant: str
     shear: str
-    indexed: bool | None
+    indexed: bool | None  # Whether the law must have an index; None if that does not matter
     words: str
 
     def suits(self, law: str | None) -> bool:
@@ -229,13 +178,9 @@ class Conversion:
 
     def factor(self, index: float, poisson: float) -> float:
         """Return the tensile value over the shear one; infinite where it overflows."""
-        if self.constant == "youngs_modulus":
-            return 2 * (1 + poisson)
-        if self.constant == "yield_stress":
-            return math.sqrt(3.0)
-        if not self.indexed:
-            return 3.0
-        return power(3.0, (index + 1) / 2)
+        if self.constant == "viscosity":
+            return power(3.0, (index + 1) / 2) if self.indexed else 3.0
+        return 2 * (1 + poisson) if self.constant == "youngs_modulus" else math.sqrt(3.0)
 
 
 def power(base: float, exponent: float) -> float:
@@ -255,10 +200,9 @@ FROM_SHEAR = (
 )
 
 _SAME = (
-    *(
-        {constant, *(one.shear for one in FROM_SHEAR if one.constant == constant)}
-        for constant in ("youngs_modulus", "viscosity", "yield_stress")
-    ),
+    {"youngs_modulus", "storage_modulus"},
+    {"viscosity", "shear_viscosity", "shear_consistency", "consistency"},
+    {"yield_stress", "shear_yield_stress"},
     {"loss_tangent", "loss_modulus", "solid_viscosity"},
 )
 """Keys of [material] of which a scene has one at most."""
@@ -280,14 +224,8 @@ def physical_path(path: str) -> str:
 def twins(path: str) -> tuple[str, ...]:
     """Name the other keys that say the same as this one, by their dotted paths."""
     table, _, key = path.partition(".")
-    if table == "filament":
-        return tuple(
-            f"filament.{other}"
-            for other in ("thickness", "diameter")
-            if key in ("thickness", "diameter") and other != key
-        )
-    groups = [same for same in _SAME if key in same] if table == "material" else []
-    return tuple(f"material.{other}" for same in groups for other in sorted(same - {key}))
+    same = {"filament": ({"thickness", "diameter"},), "material": _SAME}.get(table, ())
+    return tuple(f"{table}.{other}" for keys in same if key in keys for other in sorted(keys - {key}))
 
 
 def tensile_name(shear: str) -> str:
@@ -327,7 +265,6 @@ GROUPED = ("elastic", "maxwell", "newtonian", "kelvin-voigt", "bingham", "power-
 SOLIDS = ("elastic", "kelvin-voigt", "standard-linear")
 # Laws that consist of more than their constants.
 _LISTS = {"modes": "multimode-maxwell", "flow": "custom", "parameters": "custom"}
-_NEEDED = ("modes", "flow")
 
 OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency", "consistency")
 """Keys whose unit may depend on the law and its index."""
@@ -346,13 +283,7 @@ def kind_of_constant(name: str, law: str | None, index: float) -> Quantity:
 
 
 def check_loss(law: str | None) -> None:
-    """Refuse a loss below yield of a law that has no spring, or whose only stress beside it is a viscous one already.
-
-    Raises
-    ------
-    PydanticCustomError
-        A `refusal`.
-    """
+    """Refuse a loss below yield of a law without a spring, or whose stress beside the spring is viscous already."""
     why = {"newtonian": "has no spring that could ring", "kelvin-voigt": "has this viscosity as material.viscosity"}
     if law in why:
         others = ", ".join(other for other in CONSTANTS if other not in why)
@@ -360,30 +291,12 @@ def check_loss(law: str | None) -> None:
 
 
 def check_against_law(name: str, law: str | None, value: object, accepted: str) -> None:
-    """Refuse a constant or list that the law needs and has not, or has and does not use.
-
-    Parameters
-    ----------
-    name : str
-        Key of the table ``[material]``.
-    law : str or None
-        None if it was faulty itself.
-    value : object
-        None or empty if not given.
-    accepted : str
-        What the key accepts.
-
-    Raises
-    ------
-    PydanticCustomError
-        A `refusal`.
-    """
+    """Refuse a constant or list that the law needs and has not, or has and does not use; `law` None: faulty itself."""
     if law is None:
         return
-    needed = _LISTS[name] == law and name in _NEEDED if name in _LISTS else name in CONSTANTS[law]
-    used = _LISTS[name] == law if name in _LISTS else needed
+    used = _LISTS[name] == law if name in _LISTS else name in CONSTANTS[law]
     missing = value is None or value in ((), "")
-    if missing and needed:
+    if missing and used and name != "parameters":
         raise refusal(f"missing: the law '{law}' needs it", accepted)
     if not missing and not used:
         laws = _LISTS.get(name) or ", ".join(other for other, constants in CONSTANTS.items() if name in constants)
@@ -398,24 +311,9 @@ def stress_scales(parameters: tuple[Parameter, ...], youngs_modulus: float | Non
 
 
 def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> None:
-    """Refuse unknown symbols, unused parameters, units that do not fit, and rules that no material has.
-
-    Parameters
-    ----------
-    formula : Formula
-        phi(sigma).
-    parameters : tuple of Parameter
-        Its constants.
-    youngs_modulus : float or None
-        E [Pa].
-
-    Raises
-    ------
-    ValidationError
-        With every fault at its key.
-    """
+    """Refuse unknown symbols, unused parameters, units that do not fit, and rules that no material has."""
     known = {parameter.name: parameter for parameter in parameters}
-    faults: list[tuple[tuple[str, ...], PydanticCustomError]] = [
+    faults: list[Refused] = [
         (("flow",), refusal(f"unknown symbol '{name}'", f"sigma, pi, and the parameters: {', '.join(known) or 'none'}"))
         for name in sorted(formula.names - set(known))
     ]
@@ -448,8 +346,6 @@ _CONSTANTS = ("youngs_modulus", "second_modulus", "viscosity", "yield_stress")
 class Material(Part):
     """A law and its constants, all tensile; SI.
 
-    Notes
-    -----
     A constant that the law does not use is None.
     """
 
@@ -502,32 +398,36 @@ class Material(Part):
             raise refusal(f"{shown(value)}, but the law '{law}' has no index", f"leaving it out, or one of {laws}")
         return index
 
-    @field_validator("shear_viscosity", "shear_consistency", "consistency", mode="wrap")
+    @field_validator("shear_viscosity", "shear_consistency", "consistency", mode="plain")
     @classmethod
-    def _of_the_right_law(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+    def _of_the_right_law(cls, value: Any, info: ValidationInfo) -> Any:
         name, law = str(info.field_name), info.data.get("law")
         if value is None:
             return None
-        conversion = next(one for one in FROM_SHEAR if one.shear == name)
-        if law is not None and not conversion.suits(law):
+        if law is not None and not next(rule for rule in FROM_SHEAR if rule.shear == name).suits(law):
             other = "shear_consistency" if law in INDEXED else "shear_viscosity"
             raise refusal(f"given, but the law '{law}' has no {name.removeprefix('shear_')} in shear", other)
         if name == "consistency" and _is_given("shear_consistency", info):
-            raise refusal("given twice, here and as material.shear_consistency", "one of the two")
+            raise _given_twice("shear_consistency")
         return _read(name, value, info)
 
-    @field_validator("youngs_modulus", "second_modulus", "viscosity", "yield_stress", mode="wrap")
+    @field_validator("youngs_modulus", "second_modulus", "viscosity", "yield_stress", mode="plain")
     @classmethod
-    def _as_the_law_needs(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> float | None:
+    def _as_the_law_needs(cls, value: Any, info: ValidationInfo) -> float | None:
         name, law = str(info.field_name), info.data.get("law")
-        given = [one for one in FROM_SHEAR if one.constant == name and _is_given(one.shear, info)]
-        if value is not None and given:
-            raise refusal(f"given twice, here and as material.{given[0].shear}", "one of the two")
+        given = [conversion for conversion in FROM_SHEAR if conversion.constant == name]
+        given = [conversion for conversion in given if _is_given(conversion.shear, info)]
         result = None
         if value is not None:
+            if given:
+                raise _given_twice(given[0].shear)
             result = _read(name, value, info)
         elif given:
-            result = _converted(given[0], info)
+            # NaN never escapes: without a sound ratio there is a fault, and with a fault there is no material.
+            factor = given[0].factor(info.data.get("index", 1.0), info.data.get("poisson", math.nan))
+            result = factor * info.data.get(given[0].shear, math.nan)
+            if result == math.inf:
+                raise refusal(f"{factor:g} times {given[0].shear} is not finite", "a smaller value")
         check_against_law(name, law, result, kind_of_constant(name, law, info.data.get("index", 1.0)).accepted)
         return result
 
@@ -541,31 +441,20 @@ class Material(Part):
             )
         return handler(value)
 
-    @field_validator("loss_tangent", mode="wrap")
+    @field_validator("loss_tangent", "solid_viscosity", mode="wrap")
     @classmethod
     def _loss_of_a_spring(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        tangent, modulus = handler(value), info.data.get("loss_modulus", math.nan)
-        if modulus is not None:
-            if tangent != 0:
-                raise refusal("given twice, here and as material.loss_modulus", "one of the two")
+        loss, modulus, data = handler(value), info.data.get("loss_modulus", math.nan), info.data
+        other = "loss_tangent" if modulus is None else "loss_modulus"
+        if loss and (data.get("loss_tangent") or (info.field_name == "loss_tangent" and modulus is not None)):
+            raise _given_twice(other)
+        if info.field_name == "loss_tangent" and modulus is not None:
             # G' of a Young's modulus that was given itself.
-            own = (info.data.get("youngs_modulus") or math.nan) / (2 * (1 + info.data.get("poisson", math.nan)))
-            tangent = modulus / (info.data.get("storage_modulus") or own)
-        if tangent != 0:
-            check_loss(info.data.get("law"))
-        return tangent
-
-    @field_validator("solid_viscosity", mode="wrap")
-    @classmethod
-    def _given_once(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        viscosity = handler(value)
-        if viscosity is None:
-            return None
-        if info.data.get("loss_tangent", 0.0) != 0:
-            other = "loss_tangent" if info.data.get("loss_modulus") is None else "loss_modulus"
-            raise refusal(f"given twice, here and as material.{other}", "one of the two")
-        check_loss(info.data.get("law"))
-        return viscosity
+            own = (data.get("youngs_modulus") or math.nan) / (2 * (1 + data.get("poisson", math.nan)))
+            loss = modulus / (data.get("storage_modulus") or own)
+        if loss:
+            check_loss(data.get("law"))
+        return loss
 
     @field_validator("modes", "flow", "parameters", mode="wrap")
     @classmethod
@@ -608,13 +497,10 @@ class Material(Part):
         return threshold(self.flow, values, stress_scales(self.parameters, self.youngs_modulus))
 
     def values(self) -> dict[str, float]:
-        """Return every constant of the law by its leaf name; SI.
+        """Return every constant that the law has by its leaf name, SI.
 
-        Returns
-        -------
-        dict of str to float
-            Without what the law does not have. Modes are ``mode_1_youngs_modulus`` and so on; the parameters of a
-            custom law go by the user's names, and its threshold, if there is one, is ``yield_stress``.
+        Modes are ``mode_1_youngs_modulus`` and so on; the parameters of a custom law go by the user's names, and its
+        threshold, if there is one, is ``yield_stress``.
         """
         found = {name: value for name in _CONSTANTS if (value := getattr(self, name)) is not None}
         if self.law in INDEXED:
@@ -631,23 +517,27 @@ class Material(Part):
     def notes(self) -> tuple[str, ...]:
         """What was converted from shear data, in words and numbers."""
         notes = []
-        for one in FROM_SHEAR:
-            shear = getattr(self, one.shear)
-            if shear is not None:
-                unit = kind_of_constant(one.constant, self.law, self.index).unit or "Pa s"
-                unit = "Pa" if one.constant in ("yield_stress", "youngs_modulus") else unit.replace("*", " ")
-                words, tensile = one.words.replace("n+1", f"{self.index:g}+1"), getattr(self, one.constant)
-                what = one.shear.removeprefix("shear_").replace("_", " ")
-                if one.constant == "youngs_modulus":
-                    words = words.replace("poisson", f"{self.poisson:g}")
-                    notes.append(f"storage modulus {shear:.6g} Pa = Young's modulus {tensile:.6g} Pa, {words}")
-                else:
-                    notes.append(f"{what} {shear:.6g} {unit} in shear = {tensile:.6g} {unit} in tension, {words}")
+        for rule in FROM_SHEAR:
+            shear, tensile = getattr(self, rule.shear), getattr(self, rule.constant)
+            if shear is None:
+                continue
+            unit = (kind_of_constant(rule.constant, self.law, self.index).unit or "Pa s").replace("*", " ")
+            words = rule.words.replace("n+1", f"{self.index:g}+1").replace("poisson", f"{self.poisson:g}")
+            if rule.constant == "youngs_modulus":
+                notes.append(f"storage modulus {shear:.6g} Pa = Young's modulus {tensile:.6g} Pa, {words}")
+            else:
+                unit = unit if rule.constant == "viscosity" else "Pa"
+                what = rule.shear.removeprefix("shear_").replace("_", " ")
+                notes.append(f"{what} {shear:.6g} {unit} in shear = {tensile:.6g} {unit} in tension, {words}")
         if self.loss_modulus is not None:
             storage = self.loss_modulus / self.loss_tangent
             ratio = f"loss modulus {self.loss_modulus:.6g} Pa over storage modulus {storage:.6g} Pa"
             notes.append(f"{ratio} = loss tangent {self.loss_tangent:.6g}")
         return tuple(notes)
+
+
+def _given_twice(other: str) -> PydanticCustomError:
+    return refusal(f"given twice, here and as material.{other}", "one of the two")
 
 
 def _is_given(name: str, info: ValidationInfo) -> bool:
@@ -657,21 +547,8 @@ def _is_given(name: str, info: ValidationInfo) -> bool:
 
 def _read(name: str, value: object, info: ValidationInfo) -> float:
     law = info.data.get("law")
-    if (
-        (law is None or law in INDEXED)
-        and "index" not in info.data
-        and name in OF_THE_INDEX
-        and name != "shear_viscosity"
-    ):
+    of_the_index = name in ("viscosity", "shear_consistency", "consistency")
+    if of_the_index and (law is None or law in INDEXED) and "index" not in info.data:
         # There is a fault already, and without an index no unit to compare with.
         return math.nan
     return kind_of_constant(name, law, info.data.get("index", 1.0)).read(value)
-
-
-def _converted(conversion: Conversion, info: ValidationInfo) -> float:
-    # NaN never escapes: without a sound ratio there is a fault, and with a fault there is no material.
-    factor = conversion.factor(info.data.get("index", 1.0), info.data.get("poisson", math.nan))
-    result = factor * info.data.get(conversion.shear, math.nan)
-    if result == math.inf:
-        raise refusal(f"{factor:g} times {conversion.shear} is not finite", "a smaller value")
-    return float(result)

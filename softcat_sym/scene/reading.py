@@ -52,10 +52,7 @@ def as_scene(given: SceneLike) -> Scene:
     return Scene.from_dict(given)
 
 
-def load_scene(
-    name_or_path: str | os.PathLike[str],
-    overrides: Mapping[str, object] | Sequence[str] = (),
-) -> Scene:
+def load_scene(name_or_path: str | os.PathLike[str], overrides: Mapping[str, object] | Sequence[str] = ()) -> Scene:
     """Read a scene and validate it.
 
     Parameters
@@ -82,7 +79,7 @@ def load_scene(
     changes, faults = read_overrides(overrides)
     faults += apply([change for change in changes if _is_group(change)], table)
     determined = determined_by_groups(table)
-    late = tuple(change for change in changes if _overrules(change, determined))
+    late = tuple(change for change in changes if physical_path(change.path) in determined)
     faults += apply([change for change in changes if change not in late and not _is_group(change)], table)
     try:
         scene = Scene.model_validate(table, context={LATE: late})
@@ -95,10 +92,6 @@ def load_scene(
 
 def _is_group(change: Override) -> bool:
     return change.path.split(".")[0] == "groups"
-
-
-def _overrules(change: Override, determined: frozenset[str]) -> bool:
-    return physical_path(change.path) in determined
 
 
 def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
@@ -132,9 +125,7 @@ def _table_of(text: str, source: str) -> dict[str, Any]:
         table = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise _refuse(
-            source,
-            f"not TOML: {shown(str(error), 200)[1:-1]}",
-            "TOML; `softcat new my-ink.toml` writes a scene",
+            source, f"not TOML: {shown(str(error), 200)[1:-1]}", "TOML; `softcat new my-ink.toml` writes a scene"
         ) from None
     if not table:
         raise _refuse(source, "the file is empty", "at least the tables [filament], [material], [run], or [groups]")

@@ -101,18 +101,7 @@ _REFUSED_LATER = ("bingham", "herschel-bulkley")
 
 
 def faults_between_parts(scene: Scene) -> list[Fault]:
-    """List everything that does not go together.
-
-    Parameters
-    ----------
-    scene : Scene
-        Sound part by part.
-
-    Returns
-    -------
-    list of Fault
-        Empty for a scene that makes sense.
-    """
+    """List everything that does not go together."""
     checks = (
         *(_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection),
         *(_of_shaking, _of_loss, _of_section),
@@ -121,13 +110,7 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
 
 
 def refuse_settled(scene: Scene, why: str) -> None:
-    """Refuse a run that ends when it has settled, where several answers are compared at the same times.
-
-    Raises
-    ------
-    SceneError
-        If the scene asks for that.
-    """
+    """Refuse a run that ends when it has settled, where several answers are compared at the same times."""
     if scene.run.until == "settled":
         raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
 
@@ -472,65 +455,25 @@ def parts_of_scene() -> dict[str, type[Part]]:
 
 @dataclass(frozen=True, slots=True)
 class Groups:
-    """Dimensionless groups of a scene; None where the law has no such constant.
+    """Dimensionless groups of a scene; None where the law has no such constant."""
 
-    Attributes
-    ----------
-    delta : float
-        Thickness over span.
-    E_star : float or None
-        E/(rho g L).
-    G : float or None
-        rho g L/sY [3.10]; of a custom law with the stress below which nothing flows.
-    V : float or None
-        eta/(rho sqrt(g L^3)) [3.10]; with an index K/(rho g L (L/g)^(n/2)).
-    eps_Y : float or None
-        sY/E [3.9].
-    tau_star : float or None
-        V/E_star: relaxation time in units of sqrt(L/g), where the index is 1.
-    B : float or None
-        1/(2 V).
-    """
-
-    delta: float
-    E_star: float | None
-    G: float | None
-    V: float | None
-    eps_Y: float | None
-    tau_star: float | None
-    B: float | None
+    delta: float  # Thickness over span
+    E_star: float | None  # E/(rho g L)
+    G: float | None  # rho g L/sY [3.10]; of a custom law with the stress below which nothing flows
+    V: float | None  # eta/(rho sqrt(g L^3)) [3.10]; with an index K/(rho g L (L/g)^(n/2))
+    eps_Y: float | None  # sY/E [3.9]
+    tau_star: float | None  # V/E_star: relaxation time in units of sqrt(L/g), where the index is 1
+    B: float | None  # 1/(2 V)
 
 
 def gravity_time(scene: Scene) -> float:
-    """Return sqrt(L/g).
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
-
-    Returns
-    -------
-    float
-        In s; infinite without gravity.
-    """
+    """Return sqrt(L/g)."""
     gravity = scene.load.gravity
     return math.sqrt(scene.filament.span / gravity) if gravity > 0 else math.inf
 
 
 def elastic_time(scene: Scene) -> float:
-    """Return L sqrt(rho/E).
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
-
-    Returns
-    -------
-    float
-        In s; zero for a law without a modulus, which is infinitely stiff.
-    """
+    """Return L sqrt(rho/E)."""
     modulus = _modulus(scene)
     return scene.filament.span * math.sqrt(scene.filament.density / modulus) if modulus is not None else 0.0
 
@@ -548,18 +491,7 @@ def _viscosity(scene: Scene) -> float | None:
 
 
 def groups_of(scene: Scene) -> Groups:
-    """Compute the dimensionless groups [3.9, 3.10].
-
-    Parameters
-    ----------
-    scene : Scene
-        Any scene.
-
-    Returns
-    -------
-    Groups
-        Without gravity the groups take their limits: E_star and V infinite, G, B and tau_star zero.
-    """
+    """Compute the dimensionless groups [3.9, 3.10]."""
     filament, material = scene.filament, scene.material
     modulus, viscosity, yields_at = _modulus(scene), _viscosity(scene), material.threshold or None
     stress, impulse = filament.density * scene.load.gravity * filament.span, _impulse(scene)

@@ -12,8 +12,7 @@ from difflib import get_close_matches
 from functools import cache, lru_cache
 from numbers import Integral, Real
 from tokenize import TokenError
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Literal
 from unicodedata import category
 
 from pydantic import GetCoreSchemaHandler
@@ -24,27 +23,27 @@ from softcat_sym.errors import Fault
 if TYPE_CHECKING:
     from pint import UnitRegistry
 
-_LENGTH, _TIME, _MASS, _ANGLE = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-_STRESS, _VISCOSITY, _DENSITY = (1.0, -1.0, -2.0), (1.0, -1.0, -1.0), (1.0, -3.0, 0.0)
-_ACCELERATION, _TENSION, _CURVATURE, _FREQUENCY = (0.0, 1.0, -2.0), (1.0, 0.0, -2.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)
+# Exponents of kg, m and s.
+Dimension = tuple[float, float, float]
+PURE: Dimension = (0.0, 0.0, 0.0)
+STRESS: Dimension = (1.0, -1.0, -2.0)
+_VISCOSITY: Dimension = (1.0, -1.0, -1.0)
 
-_FACTORS: Mapping[tuple[float, float, float], Mapping[str, float]] = {
-    _LENGTH: {"m": 1.0, "cm": 0.01, "mm": 0.001, "um": 1e-6, "nm": 1e-9, "km": 1000.0},
-    _TIME: {"s": 1.0, "ms": 0.001, "us": 1e-6, "min": 60.0, "h": 3600.0},
-    _MASS: {"kg": 1.0, "g": 0.001, "mg": 1e-6},
-    _ANGLE: {"rad": 1.0, "deg": 0.017453292519943295},
-    _STRESS: {"Pa": 1.0, "mPa": 0.001, "kPa": 1000.0, "MPa": 1e6, "GPa": 1e9},
+# The units of most scenes: with them a run never imports pint.
+_FACTORS: Mapping[Dimension, Mapping[str, float]] = {
+    (0.0, 1.0, 0.0): {"m": 1.0, "cm": 0.01, "mm": 0.001, "um": 1e-6, "nm": 1e-9, "km": 1000.0},
+    (0.0, 0.0, 1.0): {"s": 1.0, "ms": 0.001, "us": 1e-6, "min": 60.0, "h": 3600.0},
+    (1.0, 0.0, 0.0): {"kg": 1.0, "g": 0.001, "mg": 1e-6},
+    PURE: {"rad": 1.0, "deg": 0.017453292519943295},
+    STRESS: {"Pa": 1.0, "mPa": 0.001, "kPa": 1000.0, "MPa": 1e6, "GPa": 1e9},
     _VISCOSITY: {"Pa*s": 1.0, "mPa*s": 0.001, "kPa*s": 1000.0, "MPa*s": 1e6, "GPa*s": 1e9},
-    _DENSITY: {"kg/m^3": 1.0, "g/cm^3": 1000.0},
-    _ACCELERATION: {"m/s^2": 1.0},
-    _TENSION: {"N/m": 1.0, "mN/m": 0.001},
-    _CURVATURE: {"1/m": 1.0},
-    _FREQUENCY: {"Hz": 1.0, "kHz": 1000.0},
+    (1.0, -3.0, 0.0): {"kg/m^3": 1.0, "g/cm^3": 1000.0},
+    (0.0, 1.0, -2.0): {"m/s^2": 1.0},
+    (1.0, 0.0, -2.0): {"N/m": 1.0, "mN/m": 0.001},
+    (0.0, -1.0, 0.0): {"1/m": 1.0},
+    (0.0, 0.0, -1.0): {"Hz": 1.0, "kHz": 1000.0},
 }
-
-COMMON: Mapping[str, tuple[float, tuple[float, float, float]]] = MappingProxyType(
-    {unit: (factor, dimension) for dimension, factors in _FACTORS.items() for unit, factor in factors.items()}
-)
+COMMON = {unit: (factor, dimension) for dimension, factors in _FACTORS.items() for unit, factor in factors.items()}
 """SI value and exponents of kg, m and s of each."""
 
 SI_UNITS = {
@@ -60,15 +59,9 @@ SI_UNITS = {
     "angle": "rad",
     "frequency": "Hz",
 }
-
-# Exponents of kg, m and s.
-Dimension = tuple[float, float, float]
-PURE: Dimension = (0.0, 0.0, 0.0)
-STRESS: Dimension = (1.0, -1.0, -2.0)
-_BASE = ("[mass]", "[length]", "[time]")
 _SHORT: dict[Dimension, str] = {
     STRESS: "Pa",
-    (1.0, -1.0, -1.0): "Pa*s",
+    _VISCOSITY: "Pa*s",
     (-1.0, 1.0, 2.0): "1/Pa",
     (-1.0, 1.0, 1.0): "1/(Pa*s)",
     (0.0, 0.0, -1.0): "1/s",
@@ -84,6 +77,12 @@ _NUMBER_AND_UNIT = re.compile(
 _UNIT = re.compile(r"[A-Za-zµμΩ°²³⁻¹·*/^()0-9 .+-]{1,60}")
 # Python would compute 9^9^9^9 to its last digit, and never end.
 _TOWER = re.compile(r"[0-9.][\s)]*(\^|\*\*)")
+# What pint leaks of its tokeniser and its arithmetic for malformed units; a lone sign fails an assertion of its parser.
+_LEAKED = (
+    *(ValueError, TypeError, AttributeError, LookupError, ArithmeticError),
+    *(SyntaxError, TokenError, AssertionError, RecursionError),
+)
+_ANY_DIMENSION = "one of mass, length and time"
 
 
 class NotAQuantity(ValueError):  # noqa: N818 - its text is "what was found", never shown as an exception
@@ -102,12 +101,18 @@ def in_si(value: Any) -> Any:
         return {key: in_si(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [in_si(item) for item in value]
-    if isinstance(value, bool) or not isinstance(value, Real):
-        return value
+    return SI(_float(value)) if _is_number(value) else value
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def _float(value: Any) -> float:
     try:
-        return SI(value)
+        return float(value)
     except OverflowError:
-        return SI(math.inf)
+        return math.inf
 
 
 @cache
@@ -118,15 +123,8 @@ def registry() -> UnitRegistry[float]:
     return pint.UnitRegistry()
 
 
-# What pint leaks of its tokeniser and its arithmetic for malformed units; a lone sign fails an assertion of its parser.
-_LEAKED = (
-    *(ValueError, TypeError, AttributeError, LookupError, ArithmeticError),
-    *(SyntaxError, TokenError, AssertionError, RecursionError),
-)
-
-
 @lru_cache(maxsize=1024)
-def _measured(unit: str, wanted: str = "one of mass, length and time") -> tuple[float, Dimension]:
+def _measured(unit: str, wanted: str = _ANY_DIMENSION) -> tuple[float, Dimension]:
     """SI value of one `unit`, so that a file already in SI keeps its numbers to the last bit, and its dimension."""
     return COMMON[unit] if unit in COMMON else measured_by_pint(unit, wanted)
 
@@ -137,33 +135,22 @@ def measured_by_pint(unit: str, wanted: str) -> tuple[float, Dimension]:
     from pint.errors import PintError
 
     try:
-        one = ureg.Quantity(1.0, ureg.parse_units(unit))
-        exponents = {str(name): float(str(power)) for name, power in one.dimensionality.items()}
-        factor = _tidied(float(one.to_base_units().magnitude))
+        quantity = ureg.Quantity(1.0, ureg.parse_units(unit))
+        exponents = {str(name): float(str(power)) for name, power in quantity.dimensionality.items()}
+        factor = float(quantity.to_base_units().magnitude)
     except (PintError, *_LEAKED):
         raise NotAQuantity(f"unknown unit '{unit}'") from None
-    dimension = (exponents.pop(_BASE[0], 0.0), exponents.pop(_BASE[1], 0.0), exponents.pop(_BASE[2], 0.0))
+    dimension = (exponents.pop("[mass]", 0.0), exponents.pop("[length]", 0.0), exponents.pop("[time]", 0.0))
     if exponents:
-        raise NotAQuantity(f"'{unit}' is of dimension {one.dimensionality}, not {wanted}")
-    return factor, dimension
-
-
-def _tidied(factor: float) -> float:
-    """Take the last bits of pint's own arithmetic out of a short decimal: 1 g/cm^3 is 1000 kg/m^3 exactly."""
+        raise NotAQuantity(f"'{unit}' is of dimension {quantity.dimensionality}, not {wanted}")
+    # Without the last bits of pint's own arithmetic: 1 g/cm^3 is 1000 kg/m^3 exactly.
     short = float(f"{factor:.12g}")
-    return short if math.isclose(short, factor, rel_tol=1e-15) else factor
+    return (short if math.isclose(short, factor, rel_tol=1e-15) else factor), dimension
 
 
-def _dimension_of(dimension: Dimension) -> str:
-    for name, si in SI_UNITS.items():
-        if same_dimension(_measured(si)[1], dimension):
-            return _article(name)
-    return f"of unit {si_unit(dimension)}"
-
-
-def same_dimension(one: Dimension, other: Dimension) -> bool:
+def same_dimension(a: Dimension, b: Dimension) -> bool:
     """Tell whether two dimensions are the same to the digits that a file gives an exponent."""
-    return all(abs(a - b) < _SAME_EXPONENT for a, b in zip(one, other, strict=True))
+    return all(abs(x - y) < _SAME_EXPONENT for x, y in zip(a, b, strict=True))
 
 
 def si_unit(dimension: Dimension) -> str:
@@ -190,40 +177,31 @@ def _article(noun: str) -> str:
 def to_si(value: object, dimension: str, unit: str = "") -> float:
     """Turn a quantity into its SI value."""
     if isinstance(value, SI):
-        if not math.isfinite(value):
-            raise NotAQuantity(f"{shown(value)} is not finite")
-        return float(value)
+        return _finite(float(value), value)
     wanted = _article(dimension) + (f" in {unit}" if unit else "")
     si, found, name = _read(value, wanted)
     if not same_dimension(found, _measured(unit or SI_UNITS[dimension])[1]):
-        raise NotAQuantity(f"'{name}' is {_dimension_of(found)}, not {wanted}")
-    if not math.isfinite(si):
-        raise NotAQuantity(f"{shown(value)} is not finite")
-    if dimension == "frequency" and _is_angular(name):
-        raise NotAQuantity(f"'{name}' measures an angle, not cycles: a frequency is in Hz, 2 pi rad/s each")
-    return si
-
-
-def _is_angular(unit: str) -> bool:
-    """Tell whether pint counts radians in it, which it takes for pure numbers: 1 rad/s would be read as 1 Hz."""
-    if unit in COMMON:
-        return False
-    ureg = registry()
-    return "radian" in str(ureg.get_root_units(ureg.parse_units(unit))[1])
+        known = (noun for noun, si_name in SI_UNITS.items() if same_dimension(_measured(si_name)[1], found))
+        is_a = next(map(_article, known), f"of unit {si_unit(found)}")
+        raise NotAQuantity(f"'{name}' is {is_a}, not {wanted}")
+    # Pint takes radians for pure numbers: 1 rad/s would be read as 1 Hz.
+    if dimension == "frequency" and name not in COMMON:
+        ureg = registry()
+        if "radian" in str(ureg.get_root_units(ureg.parse_units(name))[1]):
+            raise NotAQuantity(f"'{name}' measures an angle, not cycles: a frequency is in Hz, 2 pi rad/s each")
+    return _finite(si, value)
 
 
 def to_si_of_any(value: object) -> tuple[float, Dimension]:
     """Turn a quantity of whatever dimension into its SI value; a bare number is a pure one."""
-    if isinstance(value, (int, float, Real)) and not isinstance(value, bool):
-        try:
-            si, dimension = float(value), PURE
-        except OverflowError:
-            raise NotAQuantity(f"{shown(value)} is not finite") from None
-    else:
-        si, dimension, _ = _read(value, "one of mass, length and time")
+    si, dimension = (_float(value), PURE) if _is_number(value) else _read(value, _ANY_DIMENSION)[:2]
+    return _finite(si, value), dimension
+
+
+def _finite(si: float, value: object) -> float:
     if not math.isfinite(si):
         raise NotAQuantity(f"{shown(value)} is not finite")
-    return si, dimension
+    return si
 
 
 def _read(value: object, wanted: str) -> tuple[float, Dimension, str]:
@@ -231,11 +209,13 @@ def _read(value: object, wanted: str) -> tuple[float, Dimension, str]:
     if isinstance(value, str):
         magnitude, unit = _split(value)
     elif hasattr(value, "magnitude") and hasattr(value, "units"):
-        magnitude, unit = _pint_quantity(value.magnitude, value.units)
-    elif isinstance(value, (int, float, Real)) and not isinstance(value, bool):
-        raise NotAQuantity(f"{value!r} has no unit")
+        if not isinstance(value.magnitude, Real):
+            raise NotAQuantity(f"{shown(value.magnitude)} is not a single number")
+        # By name, because a quantity of another registry cannot be converted by ours.
+        magnitude, unit = _finite(float(value.magnitude), float(value.magnitude)), str(value.units)
     else:
-        raise NotAQuantity(f"{shown(value)} is not a quantity")
+        found = f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity"
+        raise NotAQuantity(found)
     factor, dimension = _measured(unit, wanted)
     # In decimal, as the file is: 6 mm is then the same float as 0.006 m.
     return float(Decimal(repr(magnitude)) * Decimal(repr(factor))), dimension, unit
@@ -245,23 +225,12 @@ def _split(text: str) -> tuple[float, str]:
     match = _NUMBER_AND_UNIT.fullmatch(text)
     if match is None:
         raise NotAQuantity(f"{shown(text)} is not a number with a unit")
-    magnitude = float(match["number"])
-    if not math.isfinite(magnitude):
-        raise NotAQuantity(f"{shown(text)} is not finite")
+    magnitude = _finite(float(match["number"]), text)
     if not match["unit"]:
         raise NotAQuantity(f"{shown(text)} has no unit")
     if not _UNIT.fullmatch(match["unit"]) or _TOWER.search(match["unit"]):
         raise NotAQuantity(f"unknown unit {shown(match['unit'])}")
     return magnitude, match["unit"]
-
-
-def _pint_quantity(magnitude: object, units: object) -> tuple[float, str]:
-    if not isinstance(magnitude, Real):
-        raise NotAQuantity(f"{shown(magnitude)} is not a single number")
-    if not math.isfinite(magnitude):
-        raise NotAQuantity(f"{magnitude} is not finite")
-    # By name, because a quantity of another registry cannot be converted by ours.
-    return float(magnitude), str(units)
 
 
 def with_unit(value: float, dimension: str, unit: str = "") -> str:
@@ -289,10 +258,8 @@ def unknown_key(path: str, tables: Mapping[str, Sequence[str]]) -> Fault:
     """Build the fault for a key that does not exist."""
     table, _, key = path.rpartition(".")
     here = tables.get(table, ())
-    hint = did_you_mean(key, here)
     elsewhere = [f"{other}.{key}".lstrip(".") for other, keys in tables.items() if key in keys]
-    if elsewhere:
-        hint = f" (did you mean '{elsewhere[0]}'?)"
+    hint = f" (did you mean '{elsewhere[0]}'?)" if elsewhere else did_you_mean(key, here)
     return Fault(path, f"unknown key{hint}", ", ".join(here))
 
 
@@ -309,12 +276,6 @@ def fault_of(error: ErrorDetails, tables: Mapping[str, Sequence[str]], accepted:
     return Fault(path, f"{shown(error['input'])} is not a table", f"a table [{path}]")
 
 
-# The protocol `Kind` documents the three methods once for all kinds.
-# ruff: noqa: D102
-
-
-Sign = Literal["any", "non-negative", "positive"]
-
 SMALLEST, LARGEST = 1e-30, 1e30
 """No quantity of a filament lies beyond in SI units, and products of a few of them neither vanish nor overflow."""
 
@@ -330,61 +291,57 @@ def refusals(title: str, faults: Iterable[tuple[tuple[str, ...], PydanticCustomE
     return ValidationError.from_exception_data(title, details)
 
 
-@runtime_checkable
-class Kind(Protocol):
-    """How one sort of value is read, described and written."""
+class Kind(ABC):
+    """How one sort of value is read, described and written; stands in ``Annotated[float, kind]``."""
 
-    @property
-    def accepted(self) -> str:
-        """What is accepted, for a fault."""
-        ...
+    __slots__ = ()
+    accepted: Any  # What is accepted, in words for a fault
 
+    @abstractmethod
     def read(self, value: object) -> Any:
         """Return the validated value; raises `refusal`."""
-        ...
 
     def write(self, value: Any) -> object:
         """Return what TOML holds; ``read(write(value)) == value``."""
-        ...
+        return list(value) if isinstance(value, tuple) else value
 
-
-class AsValidator(ABC):
-    """Lets a kind stand in ``Annotated[float, kind]``."""
-
-    __slots__ = ()
+    def refuse(self, found: str) -> PydanticCustomError:
+        """Build the error for what was found instead."""
+        return refusal(found, self.accepted)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self.read)
 
-    @abstractmethod
-    def read(self, value: object) -> Any: ...
+
+# `Kind` documents the methods once for all kinds.
+# ruff: noqa: D102
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity(AsValidator):
+class Quantity(Kind):
     """A dimensional quantity, stored as an SI float; `unit` where its SI unit is not that of its dimension."""
 
     dimension: str
     example: str
-    sign: Sign = "positive"
+    sign: Literal["any", "non-negative", "positive"] = "positive"
     unit: str = ""
 
     @property
     def accepted(self) -> str:
         what = self.dimension if self.sign == "any" else f"{self.sign} {self.dimension}"
-        return f'{"an" if what[0] in "aeiou" else "a"} {what} with its unit, such as "{self.example}"'
+        return f'{_article(what)} with its unit, such as "{self.example}"'
 
     def read(self, value: object) -> float:
         try:
             si = to_si(value, self.dimension, self.unit)
         except NotAQuantity as found:
-            raise refusal(str(found), self.accepted) from None
+            raise self.refuse(str(found)) from None
         if si < 0 and self.sign != "any":
-            raise refusal(f"{shown(value)} is negative", self.accepted)
+            raise self.refuse(f"{shown(value)} is negative")
         if si == 0 and self.sign == "positive":
-            raise refusal(f"{shown(value)} is zero", self.accepted)
+            raise self.refuse(f"{shown(value)} is zero")
         if si != 0 and not SMALLEST <= abs(si) <= LARGEST:
-            raise refusal(f"{shown(value)} is beyond {SMALLEST:g} to {LARGEST:g} in SI units", self.accepted)
+            raise self.refuse(f"{shown(value)} is beyond {SMALLEST:g} to {LARGEST:g} in SI units")
         return si + 0.0  # -0.0 would make equal scenes print differently
 
     def write(self, value: float) -> object:
@@ -392,7 +349,7 @@ class Quantity(AsValidator):
 
 
 @dataclass(frozen=True, slots=True)
-class Number(AsValidator):
+class Number(Kind):
     """A dimensionless number strictly between two bounds, or equal to the lower one if that is `closed`."""
 
     above: float = -math.inf
@@ -407,24 +364,18 @@ class Number(AsValidator):
         return f"a {sign}number without a unit"
 
     def read(self, value: object) -> float:
-        if isinstance(value, bool) or not isinstance(value, Real):
-            raise refusal(f"{shown(value)} is not a number", self.accepted)
-        try:
-            number = float(value)
-        except OverflowError:
-            number = math.inf
+        if not _is_number(value):
+            raise self.refuse(f"{shown(value)} is not a number")
+        number = _float(value)
         if not math.isfinite(number):
-            raise refusal(f"{shown(value)} is not finite", self.accepted)
+            raise self.refuse(f"{shown(value)} is not finite")
         if not self.above < number < self.below and not (self.closed and number == self.above):
-            raise refusal(f"{shown(value)} is out of range", self.accepted)
+            raise self.refuse(f"{shown(value)} is out of range")
         return number
-
-    def write(self, value: float) -> object:
-        return float(value)
 
 
 @dataclass(frozen=True, slots=True)
-class Whole(AsValidator):
+class Whole(Kind):
     """A whole number between two bounds, both included."""
 
     least: int
@@ -436,18 +387,20 @@ class Whole(AsValidator):
 
     def read(self, value: object) -> int:
         if isinstance(value, bool) or not isinstance(value, Integral):
-            raise refusal(f"{shown(value)} is not a whole number", self.accepted)
+            raise self.refuse(f"{shown(value)} is not a whole number")
         number = int(value)
         if not self.least <= number <= self.most:
-            raise refusal(f"{shown(value)} is out of range", self.accepted)
+            raise self.refuse(f"{shown(value)} is out of range")
         return number
 
-    def write(self, value: int) -> object:
-        return int(value)
+
+def _unknown_name(value: object, names: tuple[str, ...]) -> str:
+    hint = did_you_mean(value, names) if isinstance(value, str) else ""
+    return f"{shown(value)} is not a name known here{hint}"
 
 
 @dataclass(frozen=True, slots=True)
-class Choice(AsValidator):
+class Choice(Kind):
     """One of a few names."""
 
     names: tuple[str, ...]
@@ -459,36 +412,26 @@ class Choice(AsValidator):
     def read(self, value: object) -> str:
         if isinstance(value, str) and value in self.names:
             return value
-        raise refusal(self.unknown(value), self.accepted)
-
-    def unknown(self, value: object) -> str:
-        """Say what was found in place of a name."""
-        return _unknown_name(value, self.names)
-
-    def write(self, value: str) -> object:
-        return value
+        raise self.refuse(_unknown_name(value, self.names))
 
 
 @dataclass(frozen=True, slots=True)
-class Text(AsValidator):
+class Text(Kind):
     """Any text."""
 
     accepted: str = "text in quotes"
 
     def read(self, value: object) -> str:
         if not isinstance(value, str):
-            raise refusal(f"{shown(value)} is not text", self.accepted)
+            raise self.refuse(f"{shown(value)} is not text")
         # Half a letter has no bytes, NUL ends a text in a netCDF file, and the others would move a terminal's cursor.
         if any(category(letter) in ("Cc", "Cs") and letter not in "\t\n" for letter in value):
             raise refusal(f"{shown(value)} holds a control character", f"{self.accepted}, of letters and signs")
         return value
 
-    def write(self, value: str) -> object:
-        return value
-
 
 @dataclass(frozen=True, slots=True)
-class Flag(AsValidator):
+class Flag(Kind):
     """True or false."""
 
     accepted: str = "true or false"
@@ -496,14 +439,11 @@ class Flag(AsValidator):
     def read(self, value: object) -> bool:
         if isinstance(value, bool):
             return value
-        raise refusal(f"{shown(value)} is neither true nor false", self.accepted)
-
-    def write(self, value: bool) -> object:
-        return value
+        raise self.refuse(f"{shown(value)} is neither true nor false")
 
 
 @dataclass(frozen=True, slots=True)
-class Numbers(AsValidator):
+class Numbers(Kind):
     """A list of dimensionless numbers above a bound; if it is not empty, of at least so many."""
 
     above: float = -math.inf
@@ -516,17 +456,14 @@ class Numbers(AsValidator):
 
     def read(self, value: object) -> tuple[float, ...]:
         if not isinstance(value, (list, tuple)):
-            raise refusal(f"{shown(value)} is not a list", self.accepted)
+            raise self.refuse(f"{shown(value)} is not a list")
         if 0 < len(value) < self.least:
-            raise refusal(f"a list of {len(value)}", self.accepted)
+            raise self.refuse(f"a list of {len(value)}")
         return tuple(Number(self.above).read(item) for item in value)
-
-    def write(self, value: tuple[float, ...]) -> object:
-        return list(value)
 
 
 @dataclass(frozen=True, slots=True)
-class Names(AsValidator):
+class Names(Kind):
     """A list of names, or one of a few words that stand for a list."""
 
     words: tuple[str, ...]
@@ -540,48 +477,37 @@ class Names(AsValidator):
             if value in self.words:
                 return value
             if value.strip().startswith("["):
-                raise refusal(f"{shown(value)} is not a list: its brackets or quotes do not match", self.accepted)
+                raise self.refuse(f"{shown(value)} is not a list: its brackets or quotes do not match")
             list_of_one = f', or a list, even of one: ["{value}"]'
             raise refusal(_unknown_name(value, self.words), f"{', '.join(self.words)}{list_of_one}")
         if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
-            raise refusal(f"{shown(value)} is not a list of names", self.accepted)
+            raise self.refuse(f"{shown(value)} is not a list of names")
         if not value:
-            raise refusal(f"{shown(value)} names nothing", self.accepted)
+            raise self.refuse(f"{shown(value)} names nothing")
         repeated = sorted({item for item in value if value.count(item) > 1})
         if repeated:
             raise refusal(f"{', '.join(map(repr, repeated))} named twice", "each name once")
         return tuple(value)
 
-    def write(self, value: str | tuple[str, ...]) -> object:
-        return value if isinstance(value, str) else list(value)
+
+_ROW = (Quantity("time", "1 s", "any"), Quantity("length", "5 mm", "any"), Quantity("length", "5 mm", "any"))
 
 
 @dataclass(frozen=True, slots=True)
-class Motion(AsValidator):
+class Motion(Kind):
     """A path in the plane: rows of a time and two displacements."""
 
     accepted: str = '"hold", or a list of rows [time, dx, dy], such as [["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]'
 
-    def read(self, value: object) -> tuple[tuple[float, float, float], ...]:
+    def read(self, value: object) -> tuple[tuple[float, ...], ...]:
         if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
             return ()
         if not isinstance(value, (list, tuple)):
-            raise refusal(f"{shown(value)} is not a list of rows", self.accepted)
-        return tuple(self._row(row) for row in value)
+            raise self.refuse(f"{shown(value)} is not a list of rows")
+        for row in value:
+            if not isinstance(row, (list, tuple)) or len(row) != len(_ROW):
+                raise self.refuse(f"{shown(row)} is not a row [time, dx, dy]")
+        return tuple(tuple(kind.read(item) for kind, item in zip(_ROW, row, strict=True)) for row in value)
 
-    def _row(self, row: object) -> tuple[float, float, float]:
-        if not isinstance(row, (list, tuple)) or len(row) != 3:
-            raise refusal(f"{shown(row)} is not a row [time, dx, dy]", self.accepted)
-        return (_TIME_DIMENSION.read(row[0]), _SHIFT.read(row[1]), _SHIFT.read(row[2]))
-
-    def write(self, value: tuple[tuple[float, float, float], ...]) -> object:
-        return [[_TIME_DIMENSION.write(time), _SHIFT.write(dx), _SHIFT.write(dy)] for time, dx, dy in value] or "hold"
-
-
-_TIME_DIMENSION = Quantity("time", "1 s", "any")
-_SHIFT = Quantity("length", "5 mm", "any")
-
-
-def _unknown_name(value: object, names: tuple[str, ...]) -> str:
-    hint = did_you_mean(value, names) if isinstance(value, str) else ""
-    return f"{shown(value)} is not a name known here{hint}"
+    def write(self, value: tuple[tuple[float, ...], ...]) -> object:
+        return [[kind.write(item) for kind, item in zip(_ROW, row, strict=True)] for row in value] or "hold"

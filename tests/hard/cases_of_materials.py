@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import softcat_sym as sc
+from tests.common.closed_forms import soft_beam_sag, soft_catenary_sag, von_karman_sag
 
 from ..acceptance.viscous_string import viscous_string
-from ..physics.closed_forms import soft_beam_sag, soft_catenary_sag, von_karman_sag
 from .case import PLASTIC, RUPTURES, Case
 from .dimensionless import PAPER, STATIC, asked
 from .judging import ends_at, ends_like, follows, moves_like, refined

@@ -5,8 +5,8 @@ from __future__ import annotations
 import softcat_sym as sc
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.simulate import without_estimate
+from tests.common.closed_forms import soft_beam_sag, soft_catenary_sag
 
-from ..physics.closed_forms import soft_beam_sag, soft_catenary_sag
 from .case import RUPTURES, Case
 from .dimensionless import PAPER, STATIC, STRING, Scales, asked
 from .judging import ends_at, follows, heights, moves_like, refined

@@ -1,0 +1,130 @@
+"""Scenes in SI numbers, and runs of them through the layers of the package."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from softcat_sym import simulate
+from softcat_sym.discretization.assembly import assemble, choose_grid
+from softcat_sym.discretization.grid import Grid
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.results.trajectory import Trajectory, judge
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.run import prepare
+from softcat_sym.solvers.settings import choose_settings
+from softcat_sym.solvers.solution import Silence
+
+Array = npt.NDArray[np.float64]
+
+GEOMETRY = ("bending", "finite-stretch", "thinning", "large-rotation")
+"""Everything but inertia, flow and the ramp."""
+
+
+def scene(
+    *,
+    thickness: float,
+    E: float,
+    span: float = 1.0,
+    density: float = 1000.0,
+    gravity: float = 10.0,
+    section: str = "rectangle",
+    eta: float | None = None,
+    yield_stress: float | None = None,
+    ends: tuple[str, str] = ("clamped", "clamped"),
+    ramp: float = 0.0,
+    duration: float = 1.0,
+    frames: int = 2,
+    effects: str | tuple[str, ...] = "paper",
+    closure: str = "material",
+    accuracy: float = 1e-3,
+    cells: int = 40,
+    grading: float = 1.0,
+    rtol: float | None = None,
+    solver: str | None = None,
+) -> Scene:
+    """A scene of SI numbers on equal cells; the law follows from the constants that are given."""
+    law = "elastic" if eta is None else "maxwell" if yield_stress is None else "bingham"
+    material: dict[str, Any] = {"law": law, "youngs_modulus": f"{float(E)!r} Pa"}
+    if eta is not None:
+        material["viscosity"] = f"{float(eta)!r} Pa*s"
+    if yield_stress is not None:
+        material["yield_stress"] = f"{float(yield_stress)!r} Pa"
+    numerics = {"cells": cells, "grading": grading, "rtol": rtol, "solver": solver}
+    return Scene.model_validate(
+        {
+            "filament": {
+                "span": f"{float(span)!r} m",
+                "thickness": f"{float(thickness)!r} m",
+                "section": section,
+                "density": f"{float(density)!r} kg/m^3",
+            },
+            "material": material,
+            "ends": {"left": ends[0], "right": ends[1]},
+            "load": {"gravity": f"{float(gravity)!r} m/s^2", "ramp": f"{float(ramp)!r} s"},
+            "run": {
+                "duration": f"{float(duration)!r} s",
+                "frames": frames,
+                "accuracy": accuracy,
+                "effects": effects if isinstance(effects, str) else list(effects),
+                "closure": closure,
+            },
+            "numerics": {key: value for key, value in numerics.items() if value is not None},
+        }
+    )
+
+
+def run(asked: Scene, grid: Grid | None = None) -> Trajectory:
+    """Run a scene; on a grid of one's own, through the same layers as `simulate`."""
+    if grid is None:
+        return simulate(asked)
+    effects = choose_effects(asked)
+    equations = derive(effects.terms(), SECTIONS[asked.filament.section], asked.run.closure)
+    graph = assemble(equations, grid or choose_grid(asked), effects.names)
+    prepared = prepare(asked, graph, choose_settings(asked, effects))
+    return judge(asked, effects, prepared, prepared.solve(Silence()), {})
+
+
+def sag(trajectory: Trajectory) -> float:
+    """Final depth of the midpoint [m]."""
+    assert trajectory.outcome.is_success, trajectory.summary["message"]
+    return -float(trajectory.data["midpoint"][-1])
+
+
+def extrapolated(coarse: float, fine: float) -> float:
+    """Limit of a second-order sequence from a grid and one twice as fine."""
+    return fine + (fine - coarse) / 3
+
+
+PAPER = {"delta": 0.03, "span": 0.2, "density": 1900.0, "gravity": 9.81, "E": 4e6}
+"""The paper's filament (section 3), SI."""
+
+ELASTIC_TIME = PAPER["span"] * (PAPER["density"] / PAPER["E"]) ** 0.5
+"""Its unit of time L sqrt(rho/E) [s]."""
+
+
+def paper_scene(G: float, V: float, duration: float, ramp: float = 10.0, **changes: Any) -> Scene:
+    """One of the paper's Bingham scenes; duration and ramp in units of L sqrt(rho/E)."""
+    span, density, gravity = PAPER["span"], PAPER["density"], PAPER["gravity"]
+    return scene(
+        thickness=PAPER["delta"] * span,
+        span=span,
+        density=density,
+        gravity=gravity,
+        E=PAPER["E"],
+        yield_stress=density * gravity * span / G,
+        eta=V * density * (gravity * span**3) ** 0.5,
+        ramp=ramp * ELASTIC_TIME,
+        duration=duration * ELASTIC_TIME,
+        **changes,
+    )
+
+
+def upward_crossings(t: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Times at which y rises through zero, by linear interpolation."""
+    before = np.flatnonzero((y[:-1] <= 0) & (y[1:] > 0))
+    return t[before] + (t[before + 1] - t[before]) * y[before] / (y[before] - y[before + 1])

@@ -1,0 +1,122 @@
+"""One section driven through a history of stretch and turning by the package's own chain, fibres or amplitudes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.discretization.cell_printer import ResolvedPrinter, Strains
+from softcat_sym.discretization.graph import CATALOGUE, Setting, parameter_values
+from softcat_sym.discretization.grid import End, half_span, lengths_of
+from softcat_sym.discretization.section_rule import SectionRule
+from softcat_sym.discretization.supports import Profile, Supports, held
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+
+from .filaments import GEOMETRY, Array, scene
+
+UNIT = 1.0
+"""Young's modulus, viscosity and thickness are one: times are in relaxation times, turning in 1/h0."""
+
+
+@dataclass(frozen=True)
+class OneCell:
+    """A Bingham section that does not shear; E = eta = h0 = A0 = 1."""
+
+    rates: ca.Function
+    resultants: ca.Function
+    states: int
+
+
+def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
+    """Print the chain of one cell."""
+    names = (*GEOMETRY, "inertia", "viscous-flow", "yielding", "fibres")
+    asked = scene(
+        thickness=UNIT, span=10.0, E=UNIT, eta=UNIT, yield_stress=yield_stress, section=section, effects=names
+    )
+    equations = derive(choose_effects(asked).terms(), SECTIONS[section], asked.run.closure)
+    numbers = parameter_values(asked)
+    values = {p.symbol: numbers[p.name] for p in CATALOGUE if p.name in numbers}
+    supports = held(Supports(), {}, ca.SX(1), ca.SX(0))
+    grid = half_span(1, End.CLAMPED)
+    setting = Setting(values, grid, Profile(), supports, ca.SX(1), lengths_of(grid))
+    printer = ResolvedPrinter(equations, setting, rule)
+    s, turning, a = ca.SX.sym("s"), ca.SX.sym("theta_X"), ca.SX.sym("a", rule.states)
+    straight, level = ca.SX(0), ca.SX(0)
+    axial = (ca.DM(rule.recall) @ a).T
+    strains = Strains(s, straight, turning, None)
+    points = printer.points(strains, [(axial, ca.SX(1, rule.points))])
+    section_forces = printer.resultants(strains, level, points)
+    inputs = [s, turning, a]
+    return OneCell(
+        ca.Function("rates", inputs, [ca.densify(ca.DM(rule.project) @ points.flows[0].axial_rate.T)]),
+        ca.Function("resultants", inputs, [section_forces.tension, section_forces.moment]),
+        rule.states,
+    )
+
+
+def follow(cell: OneCell, duration: float, s: Array, turning: Array) -> tuple[Array, Array]:
+    """T and M at every second instant of a history, by the classical Runge-Kutta method."""
+    steps = (len(s) - 1) // 2
+    dt = duration / steps
+    a, strains = ca.MX.sym("a", cell.states), ca.MX.sym("strains", 2, 3)
+    begin, middle, end = (strains[:, n] for n in range(3))
+    k1 = cell.rates(begin[0], begin[1], a)
+    k2 = cell.rates(middle[0], middle[1], a + dt / 2 * k1)
+    k3 = cell.rates(middle[0], middle[1], a + dt / 2 * k2)
+    k4 = cell.rates(end[0], end[1], a + dt * k3)
+    step = ca.Function("step", [a, strains], [a + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4)])
+    given = np.array([s, turning])
+    pieces = np.stack([given[:, :-1:2], given[:, 1::2], given[:, 2::2]], axis=-1)
+    states = step.mapaccum(steps)(np.zeros(cell.states), pieces.transpose(0, 1, 2).reshape(2, -1))
+    states = np.hstack([np.zeros((cell.states, 1)), np.asarray(states)])
+    tension, moment = cell.resultants.map(steps + 1)(s[None, ::2], turning[None, ::2], states)
+    return np.asarray(tension).ravel(), np.asarray(moment).ravel()
+
+
+def bend_slowly(cell: OneCell, rule: SectionRule, turning: Array, dt: float) -> tuple[Array, Array]:
+    """T and M of a section of fixed length that is bent so slowly that viscosity hardly matters: implicit Euler.
+
+    Under a monotone history this is the return to the yield surface, which has no error of its own. Each step minimises
+    a convex function that is quadratic piece by piece: Newton's method, held back wherever it would climb.
+    """
+    a, before, k = ca.SX.sym("a", cell.states), ca.SX.sym("b", cell.states), ca.SX.sym("k")
+    # weighted with <p_n p_m> the residual is the slope of that convex function
+    norm = ca.DM(rule.recall.T @ np.diag(rule.weight) @ rule.recall)
+    residual = norm @ ((a - before) / dt - cell.rates(1.0, k, a))
+    slope = ca.Function("slope", [a, before, k], [residual, ca.jacobian(residual, a)])
+    states = [np.zeros(cell.states)]
+    for turned in turning[1:]:
+        states.append(_minimum(slope, states[-1], float(turned)))
+    every = np.array(states).T
+    tension, moment = cell.resultants.map(len(turning))(np.ones((1, len(turning))), turning[None, :], every)
+    return np.asarray(tension).ravel(), np.asarray(moment).ravel()
+
+
+def _minimum(slope: ca.Function, before: Array, turned: float) -> Array:
+    a = before
+    for _ in range(200):
+        residual, jacobian = (np.array(value) for value in slope(a, before, turned))
+        step = -np.linalg.solve(jacobian, residual).ravel()
+        if np.max(np.abs(step)) <= 1e-12 * max(float(np.max(np.abs(a))), abs(turned)):
+            return a + step
+        a = a + _length(slope, a, step, before, turned) * step
+    raise ArithmeticError(f"no convergence at a turning of {turned}")
+
+
+def _length(slope: ca.Function, a: Array, step: Array, before: Array, turned: float) -> float:
+    """How far to go along the step: to where the function stops falling, by bisection, if the whole step climbs."""
+
+    def climb(part: float) -> float:
+        return float(step @ np.asarray(slope(a + part * step, before, turned)[0]).ravel())
+
+    if climb(1.0) <= 1e-9 * abs(climb(0.0)):
+        return 1.0
+    low, high = 0.0, 1.0
+    for _ in range(50):
+        middle = (low + high) / 2
+        low, high = (middle, high) if climb(middle) < 0 else (low, middle)
+    return (low + high) / 2

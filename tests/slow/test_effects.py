@@ -1,0 +1,388 @@
+"""Every effect: its limit, its absence from the graph, and the bundled scene that shows it."""
+
+from __future__ import annotations
+
+import importlib
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cache, partial
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.discretization.assembly import assemble, choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect import Effect
+from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import load_scene
+from softcat_sym.scene.scene import Scene
+from tests.acceptance import fading_filaments as fading
+from tests.acceptance.fading_filaments import Pair
+from tests.acceptance.rheology import STRING
+from tests.acceptance.table import show
+
+
+# How fast each effect fades as its coefficient goes to zero: the table of limits, by effect.
+@dataclass(frozen=True)
+class Limit:
+    """An effect that fades: where, and by which coefficient; theory's exponent and prefactor, each with its band."""
+
+    effect: str
+    what: str
+    values: tuple[float, ...]
+    exponent: tuple[float, float]
+    pair: Callable[[float], Pair]
+    prefactor: tuple[Callable[[], float] | float, float] | None = None
+
+
+def halved(value: float) -> tuple[float, ...]:
+    return value, value / 2, value / 4
+
+
+_STRAIN = {"finite-stretch": 1 / 6, "thinning": 1 / 3, "large-rotation": 2 / 5}
+_CABLE, _PINS = partial(fading.bending_of_a_cable, {}), partial(fading.bending_of_a_cable, fading.PINNED)
+LIMITS: tuple[Limit, ...] = (
+    Limit("inertia", "viscous string, rho at fixed rho g", (1.0, 0.1, 0.01), (1 / 5, 0.03), fading.inertia_always),
+    Limit("inertia", "the same, late", (0.1, 0.01, 0.001), (13 / 60, 0.03), fading.inertia_late),
+    Limit("inertia", "viscous beam, rho at fixed rho g", (1e-2, 1e-3, 1e-4), (1, 0.02), fading.inertia_of_a_beam),
+    Limit("bending", "elastic cable between clamps, l/L", halved(0.016), (1, 0.06), _CABLE, (1.0, 0.04)),
+    Limit("bending", "elastic cable between pins, l/L", halved(0.04), (3, 0.06), _PINS, (20.0, 0.04)),
+    Limit("bending", "creeping string, pins, late, h/L", halved(0.04), (2, 0.1), fading.bending_of_a_creeping_string),
+    Limit(
+        "extensibility",
+        "clamped elastic beam, H/h",
+        halved(0.2),
+        (2, 0.03),
+        fading.extensibility_of_a_beam,
+        (fading.STIFFENING, 0.03),
+    ),
+    *(
+        Limit(
+            name,
+            "elastic cable, mean strain",
+            halved(0.02),
+            (1, 0.03),
+            partial(fading.geometry_of_a_cable, name),
+            (_STRAIN[name], 0.03),
+        )
+        for name in STRING
+    ),
+    Limit("viscous-flow", "Maxwell cable, t E/eta", halved(0.1), (1, 0.03), fading.flow_of_a_cable, (1 / 3, 0.03)),
+    Limit(
+        "viscous-stress",
+        "Kelvin-Voigt beam, eta/(E ramp)",
+        halved(0.02),
+        (1, 0.02),
+        fading.viscous_stress_of_a_beam,
+        (15 / 8, 0.03),
+    ),
+    Limit(
+        "yielding",
+        "creeping string, sigma_Y/(rho g L)",
+        halved(0.4),
+        (1, 0.03),
+        fading.yielding_of_a_string,
+        (2 * fading.CREPT, 0.03),
+    ),
+    Limit(
+        "gravity-ramp",
+        "creeping beam, ramp/duration",
+        halved(0.1),
+        (1, 0.02),
+        fading.ramp_of_a_creeping_beam,
+        (1 / 2, 0.03),
+    ),
+    Limit("gravity-ramp", "swinging beam, ramp [s]", halved(0.04), (1, 0.05), fading.ramp_of_a_swinging_beam),
+    Limit("shear", "clamped beam, h/L", halved(0.1), (2, 0.02), fading.shear_of_a_beam, (8 * 1.45 * 6 / 5, 0.01)),
+    Limit("fibres", "Bingham beam, pins, sigma_Y/(rho g L)", halved(0.4), (2, 0.1), fading.fibres_of_a_beam),
+    Limit("necking-gradient", "Maxwell string, pins, h/L", halved(0.1), (2, 0.04), fading.gradient_of_a_string),
+    Limit(
+        "rotary-inertia",
+        "swinging clamped beam, h/L",
+        halved(0.05),
+        (2, 0.04),
+        fading.rotation_of_a_beam,
+        (fading.rayleigh_share, 0.04),
+    ),
+    Limit(
+        "gravity-shaking",
+        "swinging clamped beam, a",
+        halved(0.4),
+        (1, 0.01),
+        fading.shaking_of_a_beam,
+        (fading.duhamel_share, 0.01),
+    ),
+    Limit(
+        "surface-tension", "clamped beam, F L^2/(E I)", halved(0.4), (1, 0.02), fading.surface_of_a_beam, (1 / 40, 0.01)
+    ),
+    Limit(
+        "solid-damping",
+        "swinging clamped beam, G''/G'",
+        halved(0.02),
+        (1, 0.04),
+        fading.loss_of_a_beam,
+        (fading.loss_share, 0.04),
+    ),
+)
+"""Every limit; each effect has one or more."""
+
+
+# What every effect must have: a bundled scene, a limit test and a derivation.
+NOTEBOOKS = Path(__file__).parents[2] / "derivations"
+EQUATIONS = "softcat_sym.physics"
+_SENTENCE = re.compile(r"Effects derived here:(.*?)\.(?:\s|$)(?!`)", re.DOTALL)
+_ENTRY = re.compile(r"`([a-z-]+)`\s+\(([^)]*)\)")
+_CELL = re.compile(r"^# %%(.*)$", re.MULTILINE)
+
+
+def _without_scene(effect: Effect) -> list[str]:
+    if effect.example not in bundled_names():
+        return [f"scene: no bundled scene {effect.example!r}"]
+    scene = load_scene(effect.example)
+    if not effect.applies(scene):
+        return [f"scene: {effect.example} cannot have it"]
+    if reason := effect.indispensable(dispensing(effect)):
+        return [f"scene: {effect.example} cannot do without it, so that nothing shows: {reason}"]
+    asked = scene if not effect.saved(scene) else scene.replace({"run.effects": list(lists(effect)[0])})
+    if effect.name not in choose_effects(asked).names:
+        return [f"scene: {effect.example} does not take it in"]
+    return []
+
+
+def _without_derivation(effect: Effect, notebooks: Path) -> list[str]:
+    path = notebooks / f"{effect.derivation}.py"
+    if not path.is_file():
+        return [f"derivation: no notebook {effect.derivation!r}"]
+    prose, code = _cells(path.read_text("utf-8"))
+    objects = derived_in(prose).get(effect.name)
+    if not objects:
+        return [f"derivation: {effect.derivation} does not say that it derives it"]
+    missing = [name for name in objects if not _is_held(name)]
+    missing += [name for name in objects if not re.search(rf"\b{name.rpartition('.')[2]}\b", code)]
+    return [f"derivation: {effect.derivation} compares nothing with {name}" for name in missing]
+
+
+def derived_in(prose: str) -> dict[str, tuple[str, ...]]:
+    """Effects that a notebook says it derives, with the objects that they are compared with."""
+    sentence = _SENTENCE.search(prose)
+    entries = _ENTRY.findall(sentence.group(1)) if sentence else []
+    return {name: tuple(re.findall(r"`([\w.]+)`", objects)) for name, objects in entries}
+
+
+def _cells(text: str) -> tuple[str, str]:
+    """Text of the markdown cells, and of the code cells without their imports."""
+    prose, code = [], []
+    parts = _CELL.split(text)[1:]
+    for kind, cell in zip(parts[::2], parts[1::2], strict=True):
+        if "[markdown]" in kind:
+            prose.append(re.sub(r"^# ?", "", cell, flags=re.MULTILINE))
+        else:
+            code.append(re.sub(r"^from \S+ import (\([^)]*\)|.*)$", "", cell, flags=re.MULTILINE))
+    return "\n".join(prose), "\n".join(code)
+
+
+def _is_held(name: str) -> bool:
+    """Whether the equations have an object of this name."""
+    module, _, attribute = name.rpartition(".")
+    try:
+        return hasattr(importlib.import_module(f"{EQUATIONS}.{module}" if module else EQUATIONS), attribute)
+    except ModuleNotFoundError:
+        return False
+
+
+# Graphs of bundled scenes with and without one effect, like with like.
+CELLS = 6
+BESIDE = {"shear": ("fibres",)}
+"""Effects that hide another one: a resolved section keeps its shear, made stiff."""
+STEADY = {"load.shake": 0.0, "load.shake_frequency": "0 Hz"}
+"""What a scene must no longer ask for where an effect is left out that it could not do without."""
+
+
+def dependents(name: str) -> set[str]:
+    """Effects that make no sense without this one."""
+    found = {name}
+    while more := {effect.name for effect in REGISTRY if found & set(effect.needs)} - found:
+        found |= more
+    return found - {name}
+
+
+def lists(effect: Effect) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What ``auto`` holds in the effect's scene, with the effect and what it needs, and the same without it.
+
+    Neither has what needs the effect: that would leave with it, and be mistaken for it.
+    """
+    chosen = set(choose_effects(load_scene(effect.example)).names) | {effect.name}
+    for other in reversed(REGISTRY):
+        chosen |= set(other.needs) if other.name in chosen else set()
+    chosen -= dependents(effect.name) | set(BESIDE.get(effect.name, ()))
+    listed = tuple(other.name for other in REGISTRY if other.name in chosen)
+    return listed, tuple(name for name in listed if name != effect.name)
+
+
+def with_effects(scene: Scene, names: Iterable[str]) -> Scene:
+    """The scene with these effects and no other; under steady gravity where its shaking is not among them."""
+    named = list(names)
+    return scene.replace({"run.effects": named, **({} if "gravity-shaking" in named else STEADY)})
+
+
+def dispensing(effect: Effect) -> Scene:
+    """The effect's scene, as it may do without the effect."""
+    scene = load_scene(effect.example)
+    return scene.replace(STEADY) if effect.name == "gravity-shaking" else scene
+
+
+@cache
+def graph_of(scene_name: str, names: tuple[str, ...]) -> Graph:
+    """The scene's graph on few cells, with these effects and no other."""
+    asked = with_effects(load_scene(scene_name), names).replace({"numerics.cells": CELLS, "numerics.grading": 1.0})
+    effects = choose_effects(asked)
+    if effects.names != names:
+        raise ValueError(f"asked for {names}, got {effects.names}")
+    equations = derive(effects.terms(), SECTIONS[asked.filament.section], asked.run.closure)
+    grid = choose_grid(asked)
+    return assemble(equations, grid, names, choose_theory(asked, equations), choose_body(asked, grid))
+
+
+def unknowns(graph: Graph) -> int:
+    """Number of differential and algebraic states."""
+    return len(graph.state_names) + len(graph.algebraic_names)
+
+
+def kinds(graph: Graph) -> set[str]:
+    """Blocks of unknowns; plastic states through the thickness without their number."""
+    return {without_number(kind) for kind in (*graph.x_kinds, *graph.z_kinds)}
+
+
+def without_number(kind: str) -> str:
+    """``axial_3`` is ``axial``, ``a_1`` itself."""
+    head, _, tail = kind.rpartition("_")
+    return head if tail.isdigit() and head in ("axial", "shear") else kind
+
+
+# An effect whose coefficient goes to zero converges to its absence, at the rate that theory gives.
+@pytest.mark.slow
+@pytest.mark.parametrize("limit", LIMITS, ids=lambda limit: f"{limit.effect}: {limit.what}")
+def test_a_fading_effect_is_its_absence(limit: Limit) -> None:
+    pairs = [limit.pair(value) for value in limit.values]
+    shares = [np.max(np.abs(present - absent)) / np.max(np.abs(absent)) for present, absent in pairs]
+    exponents = np.diff(np.log(shares)) / np.diff(np.log(limit.values))
+    exponent, band = limit.exponent
+    rows = list(zip(limit.values, shares, (None, *exponents), shares / np.power(limit.values, exponent), strict=True))
+    show(
+        f"{limit.effect}, {limit.what}: {limit.exponent}", ("value", "share of the sag", "exponent", "prefactor"), rows
+    )
+    assert exponents[-1] == pytest.approx(exponent, abs=band)
+    if limit.prefactor is not None:
+        wanted, share = limit.prefactor
+        assert rows[-1][-1] == pytest.approx(wanted() if callable(wanted) else wanted, rel=share)
+
+
+@pytest.mark.slow
+def test_a_linear_profile_of_fibres_is_the_run_without_them() -> None:
+    """The two are discretised differently, so they agree as the square of the cells, down to a thousandth of shear."""
+    threshold, rows, differences = 0.4, [], []
+    for cells in (10, 20, 40):
+        linear = fading.bingham_beam(threshold, (*fading.BENDING_FLOW, "fibres"), cells, {"order": 1})
+        without = fading.bingham_beam(threshold, fading.BENDING_FLOW, cells, {})
+        differences.append(float(np.max(np.abs(linear - without)) / np.max(without)))
+        rows.append([cells, f"{without[-1]:.6f}", f"{linear[-1]:.6f}", f"{differences[-1]:.1e}"])
+    show("linear profile", ("cells", "sag without fibres", "sag of linear fibres", "difference"), rows)
+    assert differences[0] / differences[1] == pytest.approx(4, rel=0.2)
+    assert differences[2] < 1e-3
+
+
+# Every registered effect has a bundled scene in which it matters, a limit test and a derivation.
+NAMES = [effect.name for effect in REGISTRY]
+WHOLE = REGISTRY[0]
+COARSE = {"numerics.cells": 10, "numerics.fibres": 6}
+
+
+def test_every_effect_has_its_scene_its_limit_and_its_derivation() -> None:
+    for effect in REGISTRY:
+        assert not [*_without_scene(effect), *_without_derivation(effect, NOTEBOOKS)]
+
+
+def test_no_limit_is_of_an_unknown_effect() -> None:
+    assert {limit.effect for limit in LIMITS} == set(NAMES)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("effect", REGISTRY, ids=NAMES)
+def test_it_matters_in_its_scene(effect: Effect) -> None:
+    """Leaving it out changes the midpoint by more than the accuracy asked, or the run cannot be finished."""
+    scene = sc.load_scene(effect.example, COARSE if "fibres" in lists(effect)[1] else {"numerics.cells": 10})
+    runs = [sc.simulate(with_effects(scene, names)) for names in lists(effect)]
+    assert runs[0].outcome is sc.Outcome.solved
+    change = float("inf")
+    if runs[1].outcome is sc.Outcome.solved:
+        present, absent = (run.data["midpoint"].values for run in runs)
+        change = float(np.max(np.abs(present - absent)) / np.max(np.abs(present)))
+    header = ("scene", "change without it", "accuracy", "outcome without it")
+    accuracy = scene.run.accuracy
+    show(effect.name, header, [[effect.example, f"{change:.2e}", f"{accuracy:g}", runs[1].outcome.name]])
+    assert change > accuracy
+
+
+# An absent effect leaves no symbol in the graph and fewer instructions, in the bundled scene in which it matters.
+NAMES_ABSENT_EFFECTS = [effect.name for effect in REGISTRY]
+SYMBOLS: dict[str, tuple[set[str], set[str]]] = {
+    "inertia": (set(), {"u", "v"}),
+    "bending": ({"thickness"}, {"a_1"}),
+    "extensibility": (set(), {"x", "u", "a_0"}),
+    "viscous-flow": ({"viscosity"}, {"axial", "shear"}),
+    "viscous-stress": ({"viscosity"}, set()),
+    "yielding": ({"yield_stress"}, set()),
+    "gravity-ramp": ({"ramp"}, set()),
+    "shear": ({"poisson"}, {"axial", "shear", "psi"}),
+    "necking-gradient": ({"aspect"}, set()),
+    "rotary-inertia": (set(), {"omega"}),
+    "solid-damping": ({"solid_viscosity"}, set()),
+    "gravity-shaking": ({"shake", "shake_frequency"}, set()),
+}
+"""Parameters and blocks of unknowns of each effect alone; the others change expressions, and have neither."""
+
+
+def depends_on(graph: Graph) -> set[str]:
+    """Parameters that the right-hand sides, powers and observables depend on."""
+    arguments = [graph.t, graph.x, graph.z, graph.p]
+    seen = graph.observables.call(arguments)
+    everything = ca.vertcat(graph.ode, graph.alg, *graph.powers, *(ca.vec(value) for value in seen))
+    used = np.asarray(ca.which_depends(everything, graph.p, 1, False), dtype=bool)
+    return {name for name, is_used in zip(graph.parameters, used, strict=True) if is_used}
+
+
+def pair(effect: Effect) -> tuple[Graph, Graph]:
+    """Graphs with and without the effect."""
+    with_it, without_it = lists(effect)
+    return graph_of(effect.example, with_it), graph_of(effect.example, without_it)
+
+
+def test_an_absent_effect_leaves_nothing() -> None:
+    for effect in REGISTRY:
+        present, absent = pair(effect)
+        parameters = set(present.parameters) - set(absent.parameters)
+        blocks = kinds(present) - kinds(absent)
+        own_parameters, own_blocks = SYMBOLS.get(effect.name, (set(), set()))
+        assert own_parameters <= parameters
+        assert own_blocks <= blocks
+        assert set(absent.parameters) <= set(present.parameters)
+        assert unknowns(absent) <= unknowns(present)
+        assert absent.instructions < present.instructions
+
+
+def test_no_parameter_lies_idle() -> None:
+    """Whatever a graph lists it uses, so that a parameter that is not listed has left no symbol anywhere."""
+    for effect in REGISTRY:
+        for graph in pair(effect):
+            assert depends_on(graph) == set(graph.parameters)
+
+
+# One table of symbols with LaTeX, dimensions and equation numbers; a machine checks every term of every equation.

@@ -1,0 +1,764 @@
+"""Filaments against beams, strings, oracles, orders, limits and symmetries."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import product
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import softcat_sym as sc
+from softcat_sym.discretization.assembly import assemble, choose_theory
+from softcat_sym.discretization.grid import End, Grid, choose_grading, half_span, whole_span
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.run import prepare
+from softcat_sym.solvers.settings import choose_settings
+from softcat_sym.solvers.solution import Silence
+from tests.common.closed_forms import (
+    BEAM_CONSTANT,
+    FIRST_EIGENVALUE,
+    GYRATION,
+    elastic_catenary,
+    soft_beam_sag,
+    soft_catenary_sag,
+    viscous_string_sag,
+    von_karman_sag,
+)
+from tests.common.filaments import GEOMETRY, PAPER, extrapolated, paper_scene, run, sag, scene, upward_crossings
+from tests.marks import few
+from tests.oracle.reissner_filament import E_STAR
+from tests.oracle.reissner_filament import run as oracle
+from tests.oracle.rk4_filament import run as straight_oracle
+
+# The same filament in plain NumPy, written without a look at this package: staggered in space, RK4 in time.
+CELLS_STRAIGHT = 20
+
+
+@pytest.mark.parametrize(
+    ("G", "end", "closure"),
+    few(
+        product((0.01, 0.4, 1.9), ("clamped", "pinned"), ("material", "printed")),
+        *[(0.01, "pinned", "material"), (0.4, "clamped", "material"), (0.4, "pinned", "printed")],
+        (1.9, "clamped", "printed"),
+    ),
+)
+def test_midpoint_and_shape_agree_with_the_straight_oracle(G: float, end: str, closure: str) -> None:
+    """No yield, an overdamped arrest and a descent."""
+    V = 26.0
+    expected = straight_oracle(
+        PAPER["delta"], G, V, None, "bingham", closure, CELLS_STRAIGHT, 20.0, outputs=(5, 10, 15), ends=end
+    )
+    asked = paper_scene(
+        G, V, 20, frames=5, cells=CELLS_STRAIGHT, rtol=1e-7, solver="rosenbrock", closure=closure, ends=(end, end)
+    )
+    done = run(asked)
+    assert done.outcome.is_success
+    data, span = done.data, PAPER["span"]
+    found = data["midpoint"].values[1:] / span
+    shape = np.abs(data["x"].values[-1, CELLS_STRAIGHT:] / span - expected.x[-1]) + np.abs(
+        data["y"].values[-1, CELLS_STRAIGHT:] / span - expected.y[-1]
+    )
+    error = np.max(np.abs(found / expected.midpoint - 1))
+    assert error < 1e-5
+    assert np.max(shape) < 1e-6
+
+
+# The shearing filament in plain NumPy, written without a look at this package: complex plane, RK4, Newton for psi.
+CELLS, FIBRES, FRAMES = 10, 4, 5
+DURATION = 20.0
+TIMES = tuple(np.linspace(0, DURATION, FRAMES)[1:])
+
+
+def filament(G: float, V: float, effects: list[str], **changes: object) -> sc.Trajectory:
+    """The scene of the oracle, in plane stress, on the same equal cells, with a tolerance that leaves no time error."""
+    published = ["inertia", "bending", "finite-stretch", "thinning", "large-rotation", "gravity-ramp"]
+    overrides = {
+        "groups.G": G,
+        "groups.V": V,
+        "groups.duration": DURATION,
+        "filament.width": "1 um",
+        "run.frames": FRAMES,
+        "run.effects": [*published, "viscous-flow", "yielding", "shear", "fibres", *effects],
+        "numerics.cells": CELLS,
+        "numerics.grading": 1.0,
+        "numerics.fibres": FIBRES,
+        "numerics.solver": "rosenbrock",
+        "numerics.rtol": 1e-7,
+        **changes,
+    }
+    return sc.simulate(sc.load_scene("continual-descent", overrides))
+
+
+# The oracle's gradient is that of the stretch along the normal, ours that of the centreline's.
+GRADIENT = (0.25, 0.4, 1 / 48, 1e-5)
+
+
+@pytest.mark.parametrize(
+    ("G", "V", "beta", "tolerance"),
+    few(
+        [*((G, 26.0, None, 2e-6) for G in (0.01, 0.4, 1.9)), (0.25, 0.4, None, 5e-6), GRADIENT],
+        *[(0.4, 26.0, None, 2e-6), GRADIENT],
+    ),
+)
+def test_midpoint_and_energies_agree(G: float, V: float, beta: float | None, tolerance: float) -> None:
+    expected = oracle(0.03, G, V, CELLS, fibres=FIBRES, duration=DURATION, beta=beta, times=TIMES)
+    run = filament(G, V, [] if beta is None else ["necking-gradient"])
+    found = run.data["midpoint"].values[1:] / run.scene.filament.span
+    error = np.max(np.abs(found / expected.midpoint - 1))
+    filament_of = run.scene.filament
+    unit = run.scene.material.youngs_modulus * filament_of.width * filament_of.thickness * filament_of.span
+    lost = run.data["energy_dissipated"].values[1:] / unit / 2
+    assert error < tolerance
+    np.testing.assert_allclose(lost, expected.energies["dissipated"], rtol=20 * tolerance, atol=1e-12)
+    if beta is not None:
+        steepened = run.data["energy_gradient"].values[1:] / unit / 2
+        np.testing.assert_allclose(steepened, expected.energies["gradient"], rtol=0.03, atol=1e-9)
+
+
+@pytest.mark.parametrize("backend", ["compiled", "interpreted"])
+def test_the_pull_of_the_surface_agrees(backend: str) -> None:
+    """Gam half the yield stress, on an overdamped arrest; its energy too."""
+    G, V, half = 0.4, 26.0, 0.5
+    pull = half / (E_STAR * G)
+    expected = oracle(0.03, G, V, CELLS, fibres=FIBRES, duration=DURATION, times=TIMES, surface=pull)
+    gamma = pull * 4e6 / (1 / 6e-3 + 1 / 1e-6)
+    changes = {"surroundings.surface_tension": f"{gamma!r} N/m", "numerics.backend": backend}
+    run = filament(G, V, ["surface-tension"], **changes)
+    found = run.data["midpoint"].values[1:] / run.scene.filament.span
+    unit = 4e6 * 1e-6 * 6e-3 * 0.2
+    surface = run.data["energy_surface"].values[1:] / unit / 2
+    np.testing.assert_allclose(found, expected.midpoint, rtol=2e-6)
+    np.testing.assert_allclose(surface, expected.energies["surface"], rtol=2e-5, atol=1e-13)
+    assert run.summary["energy_residual"] < 1e-5
+
+
+# Balances: energy over a run, forces on the supports.
+LAWS = {
+    "elastic": scene(thickness=0.03, E=3e6, duration=1.0, frames=41, cells=10),
+    "maxwell": scene(thickness=0.03, E=3e6, eta=3e4, duration=1.0, frames=41, cells=10, solver="rosenbrock"),
+    "bingham": paper_scene(0.4, 26, 60, frames=41, cells=10, solver="rosenbrock"),
+    "bingham-bdf": paper_scene(0.4, 26, 60, frames=41, cells=10, solver="cvodes"),
+}
+
+
+def imbalance(done: Trajectory) -> float:
+    """Largest change of kinetic + elastic + potential + dissipated - work, over the largest of them."""
+    data = done.data
+    stored = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated")
+    balance = sum(data[name].values for name in stored) - data["work_external"].values
+    return float(np.ptp(balance) / max(np.max(np.abs(data[name].values)) for name in (*stored, "work_external")))
+
+
+def test_energy_closes_with_the_tolerance_in_the_material_closure() -> None:
+    for asked in LAWS.values():
+        tolerances = (1e-3, 1e-4, 1e-5)
+        residuals = [imbalance(run(asked.replace({"numerics.rtol": rtol}))) for rtol in tolerances]
+        assert residuals[0] > 3 * residuals[1] > 9 * residuals[2]
+        assert residuals[2] < 2e-5
+
+
+@pytest.mark.parametrize("law", ["elastic", "bingham"])
+def test_energy_does_not_close_in_the_printed_closure(law: str) -> None:
+    """Its forces have no potential: a tighter tolerance does not help."""
+    printed = LAWS[law].replace({"run.closure": "printed"})
+    loose, tight = (imbalance(run(printed.replace({"numerics.rtol": rtol}))) for rtol in (1e-4, 1e-6))
+    assert tight > 1e-3
+    assert tight == pytest.approx(loose, rel=0.02)
+
+
+def test_dissipation_never_decreases() -> None:
+    for closure in ["material", "printed"]:
+        for law in ["maxwell", "bingham", "bingham-bdf"]:
+            done = run(LAWS[law].replace({"numerics.rtol": 1e-5, "run.closure": closure}))
+            lost = done.data["energy_dissipated"].values
+            worst = float(np.min(np.diff(lost)) / lost[-1])
+            assert lost[0] == 0
+            assert lost[-1] > 0
+            # A high-order method sums the power with weights of both signs: where flow sets in they leave a trace.
+            assert worst > -1e-7
+
+
+@pytest.mark.parametrize("ends", ["clamped", "pinned"])
+def test_energies_of_a_linear_beam_are_clapeyrons(ends: str) -> None:
+    """Stored q^2 L^5/(1440 E I) between clamps, q^2 L^5/(240 E I) between pins; the weight has given twice that."""
+    h, E, q_per_area = 0.02, 1e12, 1e4
+    asked = scene(thickness=h, E=E, ends=(ends, ends), effects=GEOMETRY, cells=40)
+    data = run(asked).data
+    area, second_moment = h**2, h**4 / 12
+    expected = (q_per_area * area) ** 2 / ((1440 if ends == "clamped" else 240) * E * second_moment)
+    stored, potential = float(data["energy_elastic"][-1]), float(data["energy_potential"][-1])
+    assert stored == pytest.approx(expected, rel=3e-3)
+    assert potential == pytest.approx(-2 * stored, rel=1e-6)
+
+
+def vertical_force(data: xr.Dataset, axial: np.ndarray) -> np.ndarray:
+    """Vertical component of the internal force Q t + N n on the cells, from the positions of the nodes."""
+    dx, dy = np.diff(data["x"].values, axis=1), np.diff(data["y"].values, axis=1)
+    length = np.hypot(dx, dy)
+    return (axial * dy + data["shear_force"].values * dx) / length
+
+
+def support_forces(data: xr.Dataset, axial: np.ndarray, density: float, area: float, gravity: float) -> np.ndarray:
+    """Upward force of both supports: internal force in the end cells and the weight of the half cells at the ends."""
+    force = vertical_force(data, axial)
+    end_cells = data["X_node"].values[[1, -1]] - data["X_node"].values[[0, -2]]
+    return force[:, -1] - force[:, 0] + density * gravity * area * np.sum(end_cells) / 2
+
+
+@pytest.mark.parametrize(
+    ("effects", "closure", "ends"),
+    [
+        (("large-rotation", "finite-stretch", "thinning"), "material", ("clamped", "clamped")),
+        (GEOMETRY, "printed", ("clamped", "clamped")),
+        (GEOMETRY, "printed", ("clamped", "pinned")),
+    ],
+    ids=["string", "beam", "clamped-pinned-beam"],
+)
+def test_supports_carry_the_weight(effects: tuple[str, ...], closure: str, ends: tuple[str, str]) -> None:
+    """Exactly, on any grid: with the printed closure Q = T, and the discrete forces balance cell by cell."""
+    thickness, density, gravity = 0.05, 1000.0, 10.0
+    asked = scene(thickness=thickness, E=3e5, ends=ends, effects=effects, closure=closure, cells=8)
+    data = run(asked).data
+    weight = density * gravity * thickness**2
+    found = support_forces(data, data["tension"].values, density, thickness**2, gravity)[-1]
+    assert found == pytest.approx(weight, rel=1e-9)
+
+
+def test_supports_carry_weight_and_inertia_while_falling() -> None:
+    """Force on the supports = weight + rate of the vertical momentum, by differences of the positions in time."""
+    thickness, density, gravity = 0.05, 1000.0, 10.0
+    material = {"E": 3e6, "eta": 1e5, "closure": "printed"}
+    asked = scene(thickness=thickness, **material, ramp=0.3, duration=1.0, frames=401, cells=8, rtol=1e-7)
+    data = run(asked).data
+    t, y = data["time"].values, data["y"].values
+    u = np.clip(t / 0.3, 0, 1)
+    now = gravity * u**3 * (10 - 15 * u + 6 * u**2)
+    nodes = data["X_node"].values
+    mass = density * thickness**2 * np.gradient(nodes) * np.where((nodes == nodes[0]) | (nodes == nodes[-1]), 0.5, 1)
+    step = t[1] - t[0]
+    second = (-y[4:] + 16 * y[3:-1] - 30 * y[2:-2] + 16 * y[1:-3] - y[:-4]) / (12 * step**2)
+    inertia = second @ mass
+    force = vertical_force(data, data["tension"].values)
+    end_weight = density * thickness**2 * (nodes[1] - nodes[0]) * now
+    supports = (force[:, -1] - force[:, 0] + end_weight)[2:-2]
+    weight = density * thickness**2 * now[2:-2]
+    error = np.max(np.abs(supports - weight - inertia)) / np.max(weight)
+    share = np.max(np.abs(inertia)) / np.max(weight)
+    assert share > 0.3
+    assert error < 1e-4
+
+
+# Beams: static sag for every pair of ends, stretching columns, large deflections, viscous creep.
+TINY = 2e-5
+"""Sag of the linear beams, over the span: a thousandth of their thickness."""
+
+
+def test_static_sag_of_a_linear_beam() -> None:
+    for section in ["rectangle", "circle"]:
+        for ends in list(BEAM_CONSTANT):
+            thickness, weight = 0.02, 1000.0 * 10.0
+            E = weight / (BEAM_CONSTANT[ends] * GYRATION[section] * thickness**2 * TINY)
+            found = [
+                sag(run(scene(thickness=thickness, E=E, section=section, ends=ends, effects=GEOMETRY, cells=cells)))
+                for cells in (20, 40)
+            ]
+            error = extrapolated(*found) / TINY - 1
+            assert abs(found[1] / TINY - 1) < 2e-3
+            assert abs(error) < 1e-4
+
+
+COLUMN = {1e5: 0.139709, 1e6: 0.062621, 1e7: 0.025403, 1e8: 0.005982}
+"""E [Pa] to sag [m], small strain and slope: rod of 636.62 kg/m^3, R = 0.01 m, L = 1 m, g = 9.80665 m/s^2."""
+
+
+def column_sag(E: float, effects: tuple[str, ...], cells: int) -> float:
+    asked = scene(thickness=0.02, E=E, section="circle", density=636.62, gravity=9.80665, effects=effects, cells=cells)
+    return sag(run(asked))
+
+
+def test_small_strain_column_is_von_karmans() -> None:
+    """Without large rotation, finite stretch and thinning the package solves von Karman's equations.
+
+    The softer the column, the thinner the layers at its clamps: 2 cells of N = 40 at 1e5 Pa.
+    """
+    for E, tolerance in [(1e8, 1e-5), (1e7, 5e-5), (1e6, 3e-4), (1e5, 1.5e-3)]:
+        expected = von_karman_sag(E, GYRATION["circle"] * 0.02**2, 636.62 * 9.80665)
+        error = extrapolated(*(column_sag(E, ("bending", "extensibility"), cells) for cells in (20, 40))) / expected - 1
+        assert abs(error) < tolerance
+
+
+def test_soft_column_leaves_von_karman_by_its_strain() -> None:
+    """The full theory is softer: its section thins and its strain is true strain, 5 % of it at 1e5 Pa."""
+    for E, low, high in [(1e8, 0, 0.002), (1e7, 0, 0.005), (1e6, 0.005, 0.02), (1e5, 0.04, 0.07)]:
+        error = extrapolated(*(column_sag(E, GEOMETRY, cells) for cells in (20, 40))) / COLUMN[E] - 1
+        assert low < error < high
+
+
+@pytest.mark.parametrize(
+    ("E_star", "delta", "section"), [(10.0, 0.05, "rectangle"), (20.0, 0.05, "circle"), (300.0, 0.03, "rectangle")]
+)
+def test_large_deflection_against_a_boundary_value_solver(E_star: float, delta: float, section: str) -> None:
+    expected = soft_beam_sag(E_star, delta, GYRATION[section])
+    found = [
+        sag(run(scene(thickness=delta, E=E_star * 1e4, section=section, effects=GEOMETRY, cells=cells)))
+        for cells in (20, 40)
+    ]
+    error = extrapolated(*found) / expected - 1
+    assert abs(error) < 3e-4
+
+
+def test_creep_of_a_clamped_viscous_beam_of_circular_section() -> None:
+    """sag = rho g L^4 t/(72 mu D^2) with the shear viscosity mu, on top of the elastic sag."""
+    D, mu, E, weight = 0.02, 1e9, 1e12, 1000.0 * 10.0
+    duration = 72 * mu * D**2 * TINY / weight
+    asked = scene(
+        thickness=D,
+        E=E,
+        eta=3 * mu,
+        section="circle",
+        effects=(*GEOMETRY, "viscous-flow"),
+        duration=duration,
+        frames=5,
+        cells=40,
+        rtol=1e-6,
+    )
+    done = run(asked)
+    assert done.outcome.is_success
+    t, found = done.data["time"].values, -done.data["midpoint"].values
+    expected = weight * t / (72 * mu * D**2) + weight / (24 * E * D**2)
+    np.testing.assert_allclose(found, expected, rtol=2e-3)
+
+
+def test_beam_bending_viscometer() -> None:
+    """ASTM C598 without a load: mu = g L^3/(2.4 I v) rho A L/1.6, v in midpoint travel per minute; pinned ends."""
+    D, mu, L, rho, g = 3e-3, 1e12, 0.05, 2500.0, 9.81
+    asked = scene(
+        span=L,
+        thickness=D,
+        section="circle",
+        density=rho,
+        gravity=g,
+        E=70e9,
+        eta=3 * mu,
+        ends=("pinned", "pinned"),
+        effects=(*GEOMETRY, "viscous-flow"),
+        duration=600.0,
+        frames=3,
+        cells=40,
+        rtol=1e-6,
+    )
+    done = run(asked)
+    assert done.outcome.is_success
+    heights = done.data["midpoint"].values
+    speed = (heights[1] - heights[2]) / 300 * 60
+    area, second_moment = np.pi * D**2 / 4, np.pi * D**4 / 64
+    found = g * L**3 / (2.4 * second_moment * speed) * rho * area * L / 1.6
+    assert found == pytest.approx(mu, rel=2e-3)
+
+
+# Strings and cables, which carry their weight by tension alone: elastic and viscous.
+WEIGHT = 1000.0 * 10.0
+FULL = ("finite-stretch", "thinning", "large-rotation")
+
+
+@pytest.mark.parametrize("E_star", [50.0, 1e3, 1e5])
+def test_shallow_elastic_cable(E_star: float) -> None:
+    """sag^3 = 3 rho g L^4/(64 E), with its prefactor: exact for the barest filament whatever E."""
+    barest = (scene(thickness=0.01, E=E_star * WEIGHT, effects=("extensibility",), cells=n) for n in (20, 40))
+    found = [sag(run(asked)) for asked in barest]
+    prefactor = extrapolated(*(depth**3 * E_star for depth in found))
+    assert prefactor == pytest.approx(3 / 64, rel=1e-6)
+
+
+def test_shallow_cable_with_all_effects() -> None:
+    """The same prefactor in the whole theory, bending included, for a stiff and thin filament."""
+    E_star = 1e5
+    asked = scene(thickness=1e-4, E=E_star * WEIGHT, effects=("bending", *FULL), cells=40)
+    prefactor = sag(run(asked)) ** 3 * E_star
+    assert prefactor == pytest.approx(3 / 64, rel=5e-3)
+
+
+def test_elastic_catenary_to_its_shape() -> None:
+    """T = E A0 (s - 1) at any slope is the classical elastic catenary."""
+    for E_star in [0.5, 5.0, 50.0, 1000.0]:
+        coarse, fine = (
+            run(scene(thickness=0.01, E=E_star * WEIGHT, effects=("large-rotation",), cells=cells))
+            for cells in (20, 40)
+        )
+        assert coarse.outcome.is_success
+        assert fine.outcome.is_success
+        x, y = elastic_catenary(E_star, coarse.data["X_node"].values)
+        worst = 0.0
+        for name, exact in (("x", x), ("y", y)):
+            found = extrapolated(coarse.data[name].values[-1], fine.data[name].values[-1, ::2])
+            worst = max(worst, float(np.max(np.abs(found - exact))))
+        assert worst < 1e-6 * -y.min()
+
+
+@pytest.mark.parametrize("E_star", [3.0, 30.0, 1000.0])
+def test_catenary_that_thins(E_star: float) -> None:
+    """T = E A0 log(s)/s, by quadrature."""
+    expected = soft_catenary_sag(E_star)
+    error = (
+        extrapolated(*(sag(run(scene(thickness=0.01, E=E_star * WEIGHT, effects=FULL, cells=n))) for n in (20, 40)))
+        / expected
+        - 1
+    )
+    assert abs(error) < 1e-6
+
+
+def viscous_string(*effects: str, E_star: float, final_sag: float) -> tuple[np.ndarray, np.ndarray, float]:
+    """Times and sags of a quasi-static Maxwell string that should end at a given sag, and its viscosity."""
+    eta = 1e6
+    duration = final_sag**3 * 128 * eta / (9 * WEIGHT)
+    done = run(
+        scene(
+            thickness=1e-4,
+            E=E_star * WEIGHT,
+            eta=eta,
+            effects=("viscous-flow", *effects),
+            duration=duration,
+            frames=6,
+            cells=40,
+            rtol=1e-7,
+        )
+    )
+    assert done.outcome.is_success, done.summary["message"]
+    return done.data["time"].values, -done.data["midpoint"].values, eta
+
+
+def test_shallow_maxwell_string_from_elastic_sag_to_creep() -> None:
+    """The whole history, elastic sag, logarithm and one-third law, against its closed form."""
+    E_star = 1e4
+    t, found, eta = viscous_string(E_star=E_star, final_sag=0.03)
+    expected = np.array([viscous_string_sag(time, E_star * WEIGHT, eta, WEIGHT) for time in t])
+    np.testing.assert_allclose(found, expected, rtol=2e-4)
+
+
+@pytest.mark.parametrize("effects", [(), ("bending", *FULL)], ids=["bare", "all-effects"])
+def test_viscous_string_prefactor(effects: tuple[str, ...]) -> None:
+    """sag^3 = 9 rho g L^4 t/(128 eta) once the elastic sag is forgotten."""
+    t, found, eta = viscous_string(*effects, E_star=1e8, final_sag=0.02)
+    prefactor = found[1:] ** 3 * eta / (WEIGHT * t[1:])
+    np.testing.assert_allclose(prefactor, 9 / 128, rtol=5e-3)
+
+
+# Second order in 1/N: the observed order of three grids, each twice as fine as the last.
+SCENES = {
+    "elastic-beam": scene(thickness=0.03, E=3e6, effects=GEOMETRY),
+    "elastic-swing": scene(thickness=0.03, E=3e6, ramp=0.3, duration=0.4, rtol=1e-5),
+    "maxwell-creep": scene(
+        thickness=0.03, E=1e7, eta=1e5, effects=(*GEOMETRY, "viscous-flow"), duration=0.3, rtol=1e-6
+    ),
+    "maxwell-descent": scene(thickness=0.03, E=1e7, eta=2.6e5, duration=1.0, rtol=1e-6, solver="rosenbrock"),
+    "bingham-descent": paper_scene(1.9, 26, 46, rtol=1e-6, solver="rosenbrock"),
+}
+
+
+@pytest.mark.parametrize("asked", SCENES.values(), ids=list(SCENES))
+def test_midpoint_is_second_order(asked: Scene) -> None:
+    sags = [sag(run(asked.replace({"numerics.cells": cells}))) / asked.filament.span for cells in (20, 40, 80)]
+    order = np.log2((sags[0] - sags[1]) / (sags[1] - sags[2]))
+    assert 1.7 < order < 2.3
+
+
+# Second order in 1/N survives unequal cells, and cells gathered at the clamp buy accuracy.
+GRADING = 10.0
+
+
+def _elastic(*effects: str, ramp: float = 0.0) -> Scene:
+    return scene(thickness=0.03, E=3e6, ramp=ramp, duration=0.4, rtol=1e-5, effects=(*GEOMETRY, *effects))
+
+
+def _creeping(*effects: str) -> Scene:
+    names = (*GEOMETRY, "viscous-flow", *effects)
+    return scene(thickness=0.03, E=1e7, eta=1e5, duration=0.3, rtol=1e-6, effects=names)
+
+
+SMOOTH = {
+    "elastic beam": _elastic(),
+    "elastic beam that shears": _elastic("shear"),
+    "elastic swing that shears": _elastic("inertia", "gravity-ramp", "shear", ramp=0.3),
+    "Maxwell creep": _creeping(),
+    "Maxwell creep that shears": _creeping("shear"),
+}
+LONG = 460
+DESCENT = paper_scene(1.9, 26, LONG, rtol=1e-4, solver="rosenbrock")
+ARREST = paper_scene(0.4, 26, LONG, rtol=1e-4, solver="rosenbrock")
+
+
+def depth(asked: Scene, grid: Grid) -> float:
+    """Final sag over span, on a grid of one's own."""
+    effects = choose_effects(asked)
+    equations = derive(effects.terms(), SECTIONS[asked.filament.section], asked.run.closure)
+    graph = assemble(equations, grid, effects.names, choose_theory(asked, equations))
+    prepared = prepare(asked, graph, choose_settings(asked, effects))
+    solution = prepared.solve(Silence())
+    assert solution.outcome.is_success, solution.message
+    shown = graph.observe(solution.time, solution.x, solution.z, prepared.p)
+    middle = int(np.flatnonzero(grid.nodes == 0.0)[0])
+    return -float(shown["y"][-1, middle]) / asked.filament.span
+
+
+def graded(cells: int) -> Grid:
+    return half_span(cells, End.CLAMPED, GRADING)
+
+
+def test_midpoint_is_second_order_on_graded_cells() -> None:
+    for asked in SMOOTH.values():
+        sags = [depth(asked, graded(cells)) for cells in (10, 20, 40)]
+        order = np.log2((sags[0] - sags[1]) / (sags[1] - sags[2]))
+        assert 1.8 < order < 2.3
+
+
+@pytest.mark.parametrize("name", ["elastic beam", "elastic beam that shears"])
+def test_graded_and_equal_cells_have_one_limit(name: str) -> None:
+    asked = SMOOTH[name]
+    coarse, fine = (depth(asked, graded(cells)) for cells in (20, 40))
+    equal = [depth(asked, half_span(cells, End.CLAMPED)) for cells in (20, 40)]
+    assert extrapolated(coarse, fine) == pytest.approx(extrapolated(*equal), rel=5e-5)
+
+
+@pytest.mark.parametrize(
+    ("asked", "effects"),
+    [(DESCENT, "paper"), (ARREST, "paper"), pytest.param(ARREST, "auto", marks=pytest.mark.slow)],
+    ids=["descent", "arrest", "arrest that shears"],
+)
+def test_chosen_grading_is_worth_twice_the_cells(asked: Scene, effects: str) -> None:
+    """Against fine graded cells: 20 of the chosen grading come closer than 40 equal ones, to the shape at rest too."""
+    asked = asked.replace({"run.effects": effects})
+    limit = depth(asked, graded(80))
+    error = abs(depth(asked, half_span(20, End.CLAMPED, choose_grading(asked, 20))) / limit - 1)
+    equal = abs(depth(asked, half_span(40, End.CLAMPED)) / limit - 1)
+    assert error < equal / 2
+
+
+# Limits: what an effect, or the choice of closure, is worth, falls as the square of the sag, with known prefactors.
+WEIGHT_LIMITS = 1e4
+"""rho g L [Pa] of every scene here."""
+
+SAGS = np.array([0.02, 0.04, 0.08])
+BEAM_SAGS = np.array([0.001, 0.002, 0.004])
+THICKNESS = 0.04
+"""... of the beams, whose sag is a tenth of it at most."""
+
+FULL_LIMITS = ("finite-stretch", "thinning", "large-rotation")
+
+
+def beam_moduli(sags: np.ndarray) -> np.ndarray:
+    """E [Pa] of linear beams with these sags: sag = 12 rho g L^4/(384 E h^2)."""
+    return 12 * WEIGHT_LIMITS / (384 * THICKNESS**2 * sags)
+
+
+def slope(sags: np.ndarray, differences: np.ndarray) -> float:
+    return float(np.polyfit(np.log(sags), np.log(np.abs(differences)), 1)[0])
+
+
+def closures(**asked: Any) -> tuple[float, float]:
+    """Sag in the material closure, and by how much the printed one differs, relatively."""
+    material, printed = (sag(run(scene(closure=closure, cells=10, **asked))) for closure in ("material", "printed"))
+    return material, printed / material - 1
+
+
+def elastic_beam(final: float) -> dict[str, Any]:
+    return {"thickness": THICKNESS, "E": beam_moduli(np.array([final]))[0], "effects": GEOMETRY}
+
+
+def maxwell_string(final: float) -> dict[str, Any]:
+    eta = 1e6
+    creep = {"eta": eta, "duration": final**3 * 128 * eta / (9 * WEIGHT_LIMITS), "rtol": 1e-7}
+    return {"thickness": 0.01, "E": 1e6 * WEIGHT_LIMITS, "effects": ("viscous-flow", *FULL_LIMITS), **creep}
+
+
+def bingham_string(final: float) -> dict[str, Any]:
+    """It yields at 0.3 of the stress rho g L^2/8H that it ends with."""
+    changes = {"yield_stress": 0.3 * WEIGHT_LIMITS / (8 * final), "effects": ("viscous-flow", "yielding", *FULL_LIMITS)}
+    return maxwell_string(final) | changes
+
+
+@pytest.mark.parametrize("asked", [elastic_beam, maxwell_string, bingham_string])
+def test_closures_agree_in_the_limit_of_small_strain(asked: Callable[[float], dict[str, Any]]) -> None:
+    targets = (BEAM_SAGS if asked is elastic_beam else SAGS)[::2]
+    sags, differences = np.array([closures(**asked(float(target))) for target in targets]).T
+    order = slope(sags, differences)
+    assert 1.7 < order < 2.3
+
+
+def test_printed_closure_on_a_creeping_string() -> None:
+    """Tension eta A s_t/s (1 - log s) instead of eta A s_t/s: sag_printed/sag_material = 1 + (8/15) H^2.
+
+    From H e_t (1 - e) = const with e = (8/3) H^2.
+    """
+    depth, difference = closures(**maxwell_string(0.03))
+    assert difference / depth**2 == pytest.approx(8 / 15, rel=0.03)
+
+
+# Inertia: free fall, and the first frequency of beams.
+GRAVITY = 10.0
+
+
+@pytest.mark.parametrize("law", ["elastic", "maxwell", "bingham"])
+def test_midpoint_falls_freely_until_the_ends_are_felt(law: str) -> None:
+    """-g t^2/2: the news of the supports travels a half span at the axial wave speed sqrt(E/rho)."""
+    E_star = 100.0
+    before_the_news = 0.9 * 0.5 / np.sqrt(E_star)
+    asked = scene(
+        thickness=0.01,
+        E=E_star * 1e4,
+        eta=None if law == "elastic" else 1e5,
+        yield_stress=1e4 if law == "bingham" else None,
+        duration=before_the_news * np.sqrt(1 / GRAVITY),
+        frames=21,
+        cells=40,
+        rtol=1e-6,
+    )
+    data = run(asked).data
+    t, y = data["time"].values[1:], data["midpoint"].values[1:]
+    error = np.max(np.abs(y / (-GRAVITY * t**2 / 2) - 1))
+    assert error < 1e-6
+
+
+def test_midpoint_falls_freely_under_ramped_gravity() -> None:
+    """Twice the integral of g(t) = g (10 u^3 - 15 u^4 + 6 u^5), u = t/ramp: g ramp^2 (u^5/2 - u^6/2 + u^7/7)."""
+    ramp = 0.04
+    asked = scene(thickness=0.01, E=1e6, ramp=ramp, duration=0.9 * 0.5 / np.sqrt(1e3), frames=11, cells=40, rtol=1e-8)
+    data = run(asked).data
+    t, y = data["time"].values[1:], data["midpoint"].values[1:]
+    u = t / ramp
+    assert u[-1] < 1
+    expected = -GRAVITY * ramp**2 * (u**5 / 2 - u**6 / 2 + u**7 / 7)
+    error = np.max(np.abs(y - expected)) / np.max(np.abs(expected))
+    assert error < 1e-6
+
+
+@pytest.mark.parametrize("ends", list(FIRST_EIGENVALUE), ids="-".join)
+def test_first_frequency_of_a_beam(ends: tuple[str, str]) -> None:
+    """Gravity at once: the midpoint swings about the static sag, between zero and about twice it."""
+    thickness, density, static = 0.01, 1000.0, 1e-4
+    E = density * GRAVITY / (BEAM_CONSTANT[ends] * GYRATION["rectangle"] * thickness**2 * static)
+    rigidity = E * GYRATION["rectangle"] * thickness**2 / density
+    period = 2 * np.pi / (FIRST_EIGENVALUE[ends] ** 2 * np.sqrt(rigidity))
+    asked = scene(thickness=thickness, E=E, ends=ends, duration=10.5 * period, frames=801, cells=40, rtol=3e-4)
+    done = run(asked)
+    assert done.outcome.is_success
+    t, y = done.data["time"].values, done.data["midpoint"].values
+    crossings = upward_crossings(t, y + static)
+    found = (crossings[-1] - crossings[0]) / (len(crossings) - 1)
+    assert len(crossings) == 10
+    assert found == pytest.approx(period, rel=2e-3)
+    assert -np.mean(y[t < 10 * period]) == pytest.approx(static, rel=5e-3)
+    assert -np.min(y) == pytest.approx(2 * static, rel=0.03)
+
+
+# Units and scales: nothing but the dimensionless groups decides the shape.
+RTOL = 1e-6
+
+
+def asked(*texts: str) -> Scene:
+    """A Bingham scene from quantities with their units."""
+    span, thickness, density, E, eta, yield_stress, gravity, ramp, duration = texts
+    table = {
+        "filament": {"span": span, "thickness": thickness, "density": density},
+        "material": {"law": "bingham", "youngs_modulus": E, "viscosity": eta, "yield_stress": yield_stress},
+        "load": {"gravity": gravity, "ramp": ramp},
+        "run": {"duration": duration, "frames": 11},
+        "numerics": {"cells": 20},
+    }
+    return Scene.model_validate(table)
+
+
+def fallen(law: str, solver: str, L: float, rho: float, g: float) -> np.ndarray:
+    """Midpoint over L of a scene with E* = 500, V = 20, G = 1, delta = 1/32, for 2 sqrt(L/g)."""
+    stress, time = rho * g * L, (L / g) ** 0.5
+    flow = {"elastic": (), "maxwell": ("viscous-flow",), "bingham": ("viscous-flow", "yielding")}[law]
+    asked = scene(
+        span=L,
+        thickness=L / 32,
+        density=rho,
+        gravity=g,
+        E=500 * stress,
+        eta=None if law == "elastic" else 20 * stress * time,
+        yield_stress=stress if law == "bingham" else None,
+        ramp=0.5 * time,
+        duration=2 * time,
+        frames=11,
+        cells=10,
+        rtol=RTOL,
+        solver=solver,
+        effects=(*GEOMETRY, "gravity-ramp", *flow, *(() if solver == "idas" else ("inertia",))),
+    )
+    done = run(asked)
+    assert done.outcome.is_success
+    return done.data["midpoint"].values / L
+
+
+@pytest.mark.parametrize(
+    ("law", "solver"),
+    few(
+        [("elastic", "rosenbrock"), *product(("maxwell", "bingham"), ("cvodes", "rosenbrock", "idas"))],
+        *[("maxwell", "idas"), ("bingham", "cvodes"), ("bingham", "rosenbrock")],
+    ),
+)
+def test_same_groups_same_shape(law: str, solver: str) -> None:
+    """Scales that are powers of two change no digit of BDF; others only what rounding tells the step-size control."""
+    reference = fallen(law, solver, 1.0, 1024.0, 1.0)
+    binary = [fallen(law, solver, 2.0**-8, 2.0**11, 0.25), fallen(law, solver, 64.0, 512.0, 2.0**-4)]
+    decimal = [fallen(law, solver, 3e-3, 2400.0, 9.81)]
+    apart = [float(np.max(np.abs(found - reference)) / np.max(np.abs(reference))) for found in (*binary, *decimal)]
+    assert max(apart[:2]) == 0
+    assert max(apart) < 10 * RTOL
+
+
+# Symmetry: half a span stands for the whole, and left is right.
+CELLS_SYMMETRY = 10
+ODD = ("x", "shear_force")
+EVEN = ("y", "stretch", "tension", "moment", "curvature", "stress_mean", "stress_bending", "thickness")
+
+SCENES_SYMMETRY = {
+    "elastic-statics": scene(thickness=0.03, E=3e5, effects=GEOMETRY, cells=CELLS_SYMMETRY),
+    "maxwell-fall": scene(
+        thickness=0.03, E=1e7, eta=2.6e5, frames=5, cells=CELLS_SYMMETRY, rtol=3e-9, solver="rosenbrock"
+    ),
+    "bingham-descent": paper_scene(1.9, 26, 20, frames=5, cells=CELLS_SYMMETRY, rtol=1e-8, solver="rosenbrock"),
+}
+
+
+def difference(one: np.ndarray, two: np.ndarray) -> float:
+    return float(np.max(np.abs(one - two)) / np.max(np.abs(one)))
+
+
+@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics", "bingham-descent"))
+def test_half_span_equals_whole_span(name: str) -> None:
+    asked = SCENES_SYMMETRY[name]
+    half = run(asked)
+    whole = run(asked, whole_span(CELLS_SYMMETRY, End.CLAMPED, End.CLAMPED))
+    assert half.outcome.is_success
+    apart = {name: difference(half.data[name].values, whole.data[name].values) for name in ("midpoint", *ODD, *EVEN)}
+    energies = {
+        name: difference(half.data[name].values, whole.data[name].values)
+        for name in ("energy_elastic", "energy_potential")
+    }
+    assert apart["midpoint"] < 1e-8
+    assert max(apart.values()) < 1e-7
+    assert max(energies.values()) < 1e-7
+
+
+@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics", "bingham-descent"))
+def test_clamped_pinned_is_the_mirror_image_of_pinned_clamped(name: str) -> None:
+    asked = SCENES_SYMMETRY[name]
+    one = run(asked.replace({"ends.right": "pinned"}))
+    two = run(asked.replace({"ends.left": "pinned"}))
+    assert one.outcome.is_success
+    apart = {name: difference(one.data[name].values, -two.data[name].values[:, ::-1]) for name in ODD}
+    apart |= {name: difference(one.data[name].values, two.data[name].values[:, ::-1]) for name in EVEN}
+    assert max(apart.values()) < 1e-10
+    # The two ends do differ.
+    heights = one.data["y"].values[-1]
+    assert difference(heights, heights[::-1]) > 0.01

@@ -1,0 +1,668 @@
+"""The equations of the paper from the densities of the cell."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+import sympy as sp
+from scipy import special
+from scipy.integrate import dblquad, quad, solve_bvp, solve_ivp
+from scipy.special import iv, ivp
+
+from softcat_sym.physics import bulk, kinematics, necking, reissner
+from softcat_sym.physics import closures as closure
+from softcat_sym.physics import closures as layers
+from softcat_sym.physics import closures as paper_section
+from softcat_sym.physics import kinematics as balance
+from softcat_sym.physics import kinematics as motion
+from softcat_sym.physics import small_deflection as sd
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.laws import bingham_rate, maxwell_rate
+from softcat_sym.physics.reissner import Gam, Lam, S, k
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
+
+# The motion of the centreline, (2.1)-(2.5) corrected, against exact solutions and against numbers.
+LAMBDA_0 = sy.rho * sy.A0
+
+
+def right_sides(solution: dict[sp.Expr, sp.Expr]) -> list[sp.Expr]:
+    """Right sides of the corrected (2.4) on a known motion."""
+    return [sp.simplify(e.right.subs(solution).doit()) for e in motion.MOTION]
+
+
+def test_the_catenary_hangs_still() -> None:
+    """x = a asinh(X/a), tension rho g A0 sqrt(a^2 + X^2): the curve of the exact inextensible catenary."""
+    a = sp.Symbol("a", positive=True)
+    hanging = {
+        motion.angle: sp.atan(sy.X / a),
+        motion.stretch: sp.Integer(1),
+        motion.moment: sp.Integer(0),
+        motion.axial_force: LAMBDA_0 * sy.g * sp.sqrt(a**2 + sy.X**2),
+    }
+    assert right_sides(hanging) == [0, 0]
+
+
+def test_a_whirling_rod_is_pulled_inwards() -> None:
+    """A straight rod that turns with omega about its middle: acceleration -omega^2 r, gravity aside."""
+    omega, length = sp.symbols("omega l", positive=True)
+    whirling = {
+        motion.angle: omega * sy.t,
+        motion.stretch: sp.Integer(1),
+        motion.moment: sp.Integer(0),
+        motion.axial_force: LAMBDA_0 * omega**2 * (length**2 / 4 - sy.X**2) / 2,
+    }
+    found = right_sides(whirling)
+    wanted = [-(omega**2) * sy.X * sp.cos(omega * sy.t), -(omega**2) * sy.X * sp.sin(omega * sy.t) - sy.g]
+    assert [sp.simplify(a - b) for a, b in zip(found, wanted, strict=True)] == [0, 0]
+
+
+def test_a_uniformly_stretched_beam_feels_its_load_once() -> None:
+    """A straight filament drawn to s: N = M_X/s, so that a parabolic moment carries M_XX/s per unit X."""
+    load = sp.Symbol("q", positive=True)
+    straight = {
+        motion.angle: sp.Integer(0),
+        motion.stretch: sy.s,
+        motion.moment: load * sy.s * sy.X**2 / 2,
+        motion.axial_force: sp.Integer(0),
+    }
+    assert sp.simplify(right_sides(straight)[1] - (load / LAMBDA_0 - sy.g)) == 0
+
+
+def test_conservative_and_expanded_form_agree_on_a_random_filament() -> None:
+    """Central differences of Q t + N n against (2.4), with nothing taken from the derivation."""
+    rng = np.random.default_rng(3)
+    c = [sp.Float(v, 17) for v in rng.uniform(0.2, 1.0, 8)]
+    shape = {
+        motion.angle: c[0] * sp.sin(3 * sy.X) + c[1] * sy.X,
+        motion.stretch: 1 + c[2] * sp.cos(2 * sy.X) / 3,
+        motion.moment: c[3] * sp.sin(c[4] + 4 * sy.X),
+        motion.axial_force: c[5] + c[6] * sp.cos(5 * sy.X),
+    }
+    numbers = {sy.rho: 2, sy.A0: 3, sy.g: 0}
+    rights = [sp.lambdify(sy.X, e.right.subs(shape).doit().subs(numbers)) for e in motion.MOTION]
+    angle, stretch, moment, axial = (sp.lambdify(sy.X, value) for value in shape.values())
+
+    def force(at: float) -> np.ndarray:
+        step = 1e-5
+        shear = (moment(at + step) - moment(at - step)) / (2 * step) / stretch(at)
+        th = angle(at)
+        return axial(at) * np.array([np.cos(th), np.sin(th)]) + shear * np.array([-np.sin(th), np.cos(th)])
+
+    for at in rng.uniform(-1, 1, 20):
+        step = 1e-4
+        wanted = (force(at + step) - force(at - step)) / (2 * step) / 6
+        assert [right(at) for right in rights] == pytest.approx(wanted, rel=1e-5, abs=1e-5)
+
+
+@pytest.mark.parametrize("centreline", [kinematics.LARGE_ROTATION, kinematics.SMALL_SLOPE], ids=["large", "small"])
+def test_power_of_the_internal_force(centreline: kinematics.Kinematics) -> None:
+    """F.v_X = Q s_t + M_X theta_t, by finite differences along a random motion of the tangent."""
+    force = balance.internal_force(centreline, bending=True)
+    stretch_of = sp.lambdify((sy.x_X, sy.y_X), centreline.stretch)
+    angle_of = sp.lambdify((sy.x_X, sy.y_X), centreline.turning.subs({sy.x_X_before: 1, sy.y_X_before: 0}))
+    force_of = sp.lambdify((sy.x_X, sy.y_X, sy.s, sy.Q, sy.M_X), (force.horizontal, force.vertical))
+    rng = np.random.default_rng(4)
+    for _ in range(20):
+        tangent, speed = rng.normal((1.5, 0)), rng.normal(size=2)
+        axial, change = rng.normal(size=2)
+        step = 1e-6
+        ahead, behind = tangent + step * speed, tangent - step * speed
+        s_t = (stretch_of(*ahead) - stretch_of(*behind)) / (2 * step)
+        theta_t = math.remainder(angle_of(*ahead) - angle_of(*behind), 2 * math.pi) / (2 * step)
+        power = np.dot(force_of(*tangent, stretch_of(*tangent), axial, change), speed)
+        assert power == pytest.approx(axial * s_t + change * theta_t, rel=1e-7, abs=1e-7)
+
+
+@pytest.mark.parametrize("turns", [0.3, 1.0, -2.7])
+def test_turnings_add_up_over_full_turns(turns: float) -> None:
+    turning = sp.lambdify((sy.x_X_before, sy.y_X_before, sy.x_X, sy.y_X), kinematics.LARGE_ROTATION.turning)
+    angles = np.linspace(0, 2 * math.pi * turns, 33)
+    tangents = np.column_stack([np.cos(angles), np.sin(angles)]) * np.linspace(1, 2, 33)[:, None]
+    total = sum(turning(*tangents[k], *tangents[k + 1]) for k in range(32))
+    assert total == pytest.approx(2 * math.pi * turns, rel=1e-12)
+
+
+def test_geometry_of_an_ellipse() -> None:
+    """(2.5) on x = 3 cos X, y = 2 sin X, whose curvature everybody knows."""
+    ellipse = [(motion.x, 3 * sp.cos(sy.X)), (motion.y, 2 * sp.sin(sy.X))]
+    stretch, change, _, turning = (e.right.subs(ellipse).doit() for e in motion.GEOMETRY)
+    length = sp.sqrt(9 * sp.sin(sy.X) ** 2 + 4 * sp.cos(sy.X) ** 2)
+    assert sp.simplify(stretch - length) == 0
+    assert sp.simplify(change.subs(motion.stretch, length) - length.diff(sy.X)) == 0
+    assert sp.simplify(turning.subs(motion.stretch, length) - 6 / length**2) == 0
+
+
+# The section's closed forms against quadrature, and the material closure against fibres integrated one by one.
+SHAPES = [(RECTANGLE, UNIFORM), (SHEET, WIDE), (CIRCLE, UNIFORM)]
+each_shape = pytest.mark.parametrize(("shape", "shrinking"), SHAPES, ids=[shape.name for shape, _ in SHAPES])
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(60)
+ANGLES = math.pi / 2 * (NODES + 1)
+MODULUS, THICKNESS = 3.0, 0.2
+
+LAWS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "maxwell": lambda stress: stress / 2,
+    "eyring": lambda stress: np.sinh(4 * stress) / 5,
+    "cubic": lambda stress: 3 * stress**3,
+    "bingham": lambda stress: np.sign(stress) * np.maximum(np.abs(stress) - 0.2, 0),
+}
+
+
+def fibres(shape: Section) -> tuple[np.ndarray, np.ndarray]:
+    """Fibres and their share of the section, by quadrature in the angle of a circle or straight."""
+    if shape is CIRCLE:
+        return np.cos(ANGLES), math.pi / 2 * WEIGHTS * 2 / math.pi * np.sin(ANGLES) ** 2
+    return NODES, WEIGHTS / 2
+
+
+def path(time: float) -> tuple[float, float, float, float]:
+    """Stretch and turning as they are driven, and their rates."""
+    return (
+        1 + 0.3 * time + 0.1 * math.sin(5 * time),
+        2 * math.sin(3 * time),
+        0.3 + 0.5 * math.cos(5 * time),
+        6 * math.cos(3 * time),
+    )
+
+
+def lever(shrinking: Contraction, stretch: float) -> float:
+    """h/(2 s)."""
+    return THICKNESS / 2 * stretch ** (-2 if shrinking is WIDE else -1.5)
+
+
+@each_shape
+def test_polynomials_are_orthogonal(shape: Section, shrinking: Contraction) -> None:
+    del shrinking
+    where, share = fibres(shape)
+    table = np.array([sp.lambdify(sy.zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(6)])
+    wanted = np.diag([float(layers.mean_square(shape, n)) for n in range(6)])
+    assert (table * share) @ table.T == pytest.approx(wanted, abs=1e-13)
+
+
+def test_the_papers_bingham_rates_against_quadrature() -> None:
+    """(2.26), (2.27), every pattern of yielding that random stresses bring."""
+    letters = (sy.T, sy.M, paper_section.z_L, paper_section.z_H, paper_section.h, paper_section.D, sy.sigma_Y, sy.eta)
+    P_t, C_t = (
+        sp.lambdify(letters, rate, modules="numpy")
+        for rate in (paper_section.plastic_stretch_rate(), paper_section.plastic_bend_rate())
+    )
+    h, D, Y, viscosity = 0.4, 0.7, 1.3, 2.0
+    for mean, slope in np.random.default_rng(5).normal(0, 2.5, (200, 2)):
+        tension, moment = mean * h * D, slope * D * h**2 / 6
+        ends = sorted((level - mean) / slope * h / 2 for level in (-Y, Y))
+        z_L, z_H = (min(max(end, -h / 2), h / 2) for end in ends)
+        cuts = np.array([-h / 2, z_L, z_H, h / 2])
+        wanted = np.zeros(2)
+        for low, high in pairwise(cuts):
+            z = (low + high) / 2 + (high - low) / 2 * NODES
+            stress = mean + slope * z / (h / 2)
+            flow = np.sign(stress) * np.maximum(np.abs(stress) - Y, 0) / viscosity
+            wanted += (high - low) / 2 * D * np.array([np.sum(WEIGHTS * flow), np.sum(WEIGHTS * flow * z)])
+        held = (tension, moment, z_L, z_H, h, D, Y, viscosity)
+        assert [P_t(*held), C_t(*held)] == pytest.approx(wanted, rel=1e-11, abs=1e-12)
+
+
+def run(shape: Section, shrinking: Contraction, law: str, order: int) -> tuple[np.ndarray, float, dict[str, float]]:
+    """Integrate the states of one driven section; return them, its dissipation, and the work of Q, T and -M."""
+    where, share = fibres(shape)
+    basis = np.array([sp.lambdify(sy.zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(order + 1)])
+    norms = np.array([float(layers.mean_square(shape, n)) for n in range(order + 1)])
+    excess = sp.lambdify((sy.T, sy.M, sy.s, sy.theta_X), layers.conjugate_force(shrinking))
+
+    def rates(time: float, state: np.ndarray) -> np.ndarray:
+        stretch, turning, stretch_t, turning_t = path(time)
+        strain = math.log(stretch) - turning * lever(shrinking, stretch) * where
+        stress = MODULUS * (strain - state[: order + 1] @ basis)
+        flow = LAWS[law](stress)
+        tension = np.sum(share * stress) / stretch
+        moment = lever(shrinking, stretch) * np.sum(share * stress * where)
+        force = excess(tension, moment, stretch, turning)
+        work = (force * stretch_t - moment * turning_t, tension * stretch_t - moment * turning_t)
+        return np.array([*(basis * share @ flow / norms), np.sum(share * stress * flow), *work])
+
+    tolerance = 1e-8 if law == "bingham" else 1e-11
+    last = solve_ivp(rates, (0, 1), np.zeros(order + 4), rtol=tolerance, atol=tolerance, method="DOP853").y[:, -1]
+    return last[: order + 1], last[order + 1], {"Q": last[order + 2], "T": last[order + 3]}
+
+
+@pytest.mark.parametrize("law", LAWS)
+@each_shape
+def test_energy_closes_at_any_order_with_the_conjugate_force_only(
+    shape: Section, shrinking: Contraction, law: str
+) -> None:
+    for order in (1, 3):
+        states, lost, work = run(shape, shrinking, law, order)
+        stretch, turning, _, _ = path(1.0)
+        stresses = layers.stress_amplitudes(shrinking, list(map(sp.Float, states)))
+        stored = layers.stored_energy(shape, stresses)
+        left = float(stored.subs({sy.A0: 1, sy.E: MODULUS, sy.h0: THICKNESS, sy.s: stretch, sy.theta_X: turning}))
+        assert left + lost == pytest.approx(work["Q"], rel=1e-6 if law == "bingham" else 1e-9)
+        assert abs(left + lost - work["T"]) > 1e-3 * work["Q"]
+        assert lost > 0
+
+
+@pytest.mark.parametrize("law", ["eyring", "cubic"])
+@each_shape
+def test_the_orders_converge_to_the_fibres(shape: Section, shrinking: Contraction, law: str) -> None:
+    """Each fibre on its own, no polynomials: the mean plastic strain and the bending one of order 1, 2, 4."""
+    where, share = fibres(shape)
+
+    def rates(time: float, plastic: np.ndarray) -> np.ndarray:
+        stretch, turning, _, _ = path(time)
+        strain = math.log(stretch) - turning * lever(shrinking, stretch) * where
+        return LAWS[law](MODULUS * (strain - plastic))
+
+    plastic = solve_ivp(rates, (0, 1), np.zeros(60), rtol=1e-9, atol=1e-10).y[:, -1]
+    wanted = np.array([np.sum(share * plastic), np.sum(share * plastic * where) / np.sum(share * where**2)])
+    errors = [np.abs(run(shape, shrinking, law, order)[0][:2] - wanted).max() for order in (1, 2, 4)]
+    assert errors[2] < 0.1 * errors[0]
+    assert errors[2] < 2e-3
+
+
+def test_the_appendix_in_a_thickness_that_does_not_change() -> None:
+    """(A 2) with a_n = sqrt(h/(2n + 1)) times ours, at s = 1, for a cubic flow rule by quadrature."""
+    for order in range(4):
+        h, turning = 0.4, 1.7
+        ours = np.random.default_rng(9).normal(0, 0.1, 4)
+        theirs = [a * math.sqrt(h / (2 * n + 1)) for n, a in enumerate(ours)]
+        integral = paper_section.coefficient_rate(order, list(map(sp.Float, theirs)))
+        numbers = {sy.s: 1, sy.E: 2.5, sy.theta_X: turning, paper_section.h: h}
+        flow = next(iter(integral.function.atoms(sp.core.function.AppliedUndef)))
+        integrand = sp.lambdify(paper_section.z, (integral.function / flow * flow.args[0] ** 3).subs(numbers))
+        paper = np.sum(WEIGHTS * h / 2 * integrand(h / 2 * NODES))
+        basis = np.array([special.eval_legendre(n, NODES) for n in range(4)])
+        stress = 2.5 * (-turning * h / 2 * NODES - ours @ basis)
+        mine = np.sum(WEIGHTS / 2 * stress**3 * basis[order]) * (2 * order + 1)
+        assert paper == pytest.approx(mine * math.sqrt(h / (2 * order + 1)), rel=1e-11)
+
+
+def test_the_solver_and_the_layers_hold_the_same_axial_force() -> None:
+    held = {e.name: e.right for e in closure.CLOSURE_EQUATIONS}
+    assert sp.simplify(layers.conjugate_force(UNIFORM) - held["axial force, material closure"]) == 0
+    assert sp.simplify(layers.conjugate_force(WIDE) - held["axial force of a sheet, material closure"]) == 0
+
+
+# The shearing filament in numbers: conjugate forces by differencing an energy, J2 flow against the bulk law.
+CONSTANTS = {sy.E: 3.0, bulk.nu: 0.45, sy.A0: 1.7, sy.h0: 0.3, reissner.kappa_s: 0.8, sy.sigma_Y: 0.1, sy.eta: 2.0}
+STATE = (1.25, 0.07, 0.4)
+NODES_GAUSS, WEIGHTS_GAUSS = np.polynomial.legendre.leggauss(8)
+WEIGHTS_GAUSS = WEIGHTS_GAUSS / 2
+PLASTIC = 0.05 * np.sin(3 * NODES_GAUSS)
+PLASTIC_SHEAR = 0.02 * NODES_GAUSS**2
+CONTRACTIONS = pytest.mark.parametrize("contraction", [UNIFORM, WIDE], ids=["both ways", "sheet"])
+
+
+def compiled(inputs: list[sp.Symbol], expression: object) -> Callable[..., np.ndarray]:
+    substituted = [sp.sympify(e).subs(CONSTANTS) for e in expression]  # type: ignore[attr-defined]
+    return sp.lambdify(inputs, substituted, modules="numpy")
+
+
+def fibre_stresses(cell: reissner.ShearingCell, state: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
+    inputs = [Lam, Gam, k, sy.zeta, reissner.eps_p, reissner.gamma_p]
+    axial, shear = compiled(inputs, (cell.axial_stress, cell.shear_stress))(*state, NODES_GAUSS, PLASTIC, PLASTIC_SHEAR)
+    return axial, shear
+
+
+def stored(cell: reissner.ShearingCell, state: tuple[float, ...]) -> float:
+    """Energy per unit material length."""
+    energy = compiled([sy.sigma, reissner.tau_f], [cell.elastic_energy])(*fibre_stresses(cell, state))[0]
+    return CONSTANTS[sy.A0] * float(WEIGHTS_GAUSS @ energy)
+
+
+@CONTRACTIONS
+def test_conjugate_forces_are_the_slopes_of_the_energy(contraction: Contraction) -> None:
+    cell = reissner.shearing_cell(contraction)
+    axial, shear = fibre_stresses(cell, STATE)
+    means = (WEIGHTS_GAUSS @ axial, WEIGHTS_GAUSS @ (axial * NODES_GAUSS), WEIGHTS_GAUSS @ shear)
+    symbols = [reissner.sigma_mean, reissner.sigma_zeta, reissner.tau_mean, Lam]
+    resultants = compiled(symbols, (cell.tension, cell.moment, cell.shear_force))(*means, STATE[0])
+    forces = compiled([sy.T, sy.M, S, Lam, Gam, k], (cell.normal_force, cell.section_force, cell.couple))(
+        *resultants, *STATE
+    )
+    for n, force in enumerate(forces):
+        ahead, behind = (tuple(v + d * (i == n) for i, v in enumerate(STATE)) for d in (1e-5, -1e-5))
+        assert force == pytest.approx((stored(cell, ahead) - stored(cell, behind)) / 2e-5, rel=1e-7, abs=1e-9)
+
+
+def test_a_rigid_rotation_changes_no_strain_and_turns_the_force() -> None:
+    cell = reissner.shearing_cell()
+    strains = compiled([sy.x_X, sy.y_X, reissner.psi], reissner.director_strains())
+    force = compiled([reissner.n_1, reissner.n_2, reissner.psi], cell.force)
+    gradient, turn = np.array([1.1, 0.3]), 0.9
+    rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    assert strains(*(rotation @ gradient), 0.2 + turn) == pytest.approx(strains(*gradient, 0.2))
+    assert force(2.0, -0.7, 0.2 + turn) == pytest.approx(rotation @ force(2.0, -0.7, 0.2))
+
+
+def test_forces_turn_a_section_by_their_moment_about_it() -> None:
+    """Lam n_2 - Gam n_1 is r_X cross F, so that moment of momentum is conserved whatever the law."""
+    cell = reissner.shearing_cell()
+    gradient, angle, force = np.array([1.1, 0.3]), 0.2, (2.0, -0.7)
+    stretch, shear = compiled([sy.x_X, sy.y_X, reissner.psi], reissner.director_strains())(*gradient, angle)
+    pull = compiled([reissner.n_1, reissner.n_2, reissner.psi], cell.force)(*force, angle)
+    turning = compiled([reissner.n_1, reissner.n_2, Lam, Gam], [cell.turning_moment])(*force, stretch, shear)[0]
+    assert turning == pytest.approx(gradient[0] * pull[1] - gradient[1] * pull[0])
+
+
+def test_a_fibre_flows_as_the_solid_does() -> None:
+    for axial, shear in [(0.3, 0.0), (0.0, -0.2), (-0.25, 0.15), (0.04, 0.02)]:
+        flow = reissner.fibre_flow(bingham_rate())
+        pair = [sy.sigma, reissner.tau_f]
+        size = compiled(pair, [flow.equivalent])(axial, shear)[0]
+        rates = compiled([*pair, bulk.sigma_eq], (flow.axial_rate, flow.shear_rate, flow.dissipation))(
+            axial, shear, size
+        )
+        stress = np.array([[axial, shear, 0], [shear, 0, 0], [0, 0, 0]])
+        deviator = stress - np.trace(stress) / 3 * np.eye(3)
+        assert size == pytest.approx(np.sqrt(1.5 * np.sum(deviator**2)))
+        solid = 1.5 * max(size - 0.1, 0) / 2 * deviator / size
+        assert rates == pytest.approx([solid[0, 0], 2 * solid[0, 1], np.sum(stress * solid)], abs=1e-15)
+        assert rates[2] >= 0
+
+
+def test_a_stiff_shear_leaves_the_force_of_the_thin_filament() -> None:
+    """n_1 tends to T + 3/2 M theta_s as Gam falls with the shear modulus."""
+    cell = reissner.shearing_cell()
+    values = {sy.T: 1.0, sy.M: 0.02, S: 0.3, Lam: 1.2, k: 0.4}
+    limit = 1.0 + 1.5 * 0.02 * 0.4 / 1.2
+    for stiffness in (1e2, 1e4, 1e6):
+        tilt = 0.3 * 1.2**2 / stiffness
+        assert float(cell.normal_force.subs(values | {Gam: tilt})) == pytest.approx(
+            limit, abs=0.3 * 1.2 / stiffness + 1e-12
+        )
+
+
+def test_shear_correction_of_the_circle_agrees_with_elasticity_when_incompressible() -> None:
+    assert float(reissner.cowper_circle().subs(bulk.nu, 0.5)) == pytest.approx(float(reissner.CIRCLE_SHEAR))
+    height = np.linspace(-1, 1, 20001)
+    parabola = 1 - height**2
+    for weight, held in ((np.ones_like(height), reissner.RECTANGLE_SHEAR), (np.sqrt(parabola), reissner.CIRCLE_SHEAR)):
+        total = weight.sum()
+        mean, square = (parabola * weight).sum() / total, (parabola**2 * weight).sum() / total
+        assert mean**2 / square == pytest.approx(float(held), rel=1e-4)
+
+
+# The gradient term of a neck in numbers: exact viscous necks, a discrete bar, quadrature of the sections.
+STRETCH, STRESS, VISCOSITY, THICKNESS_NECK = 1.3, 0.7, 2.0, 0.4
+VALUES = {
+    sy.s: STRETCH,
+    sy.sigma: STRESS,
+    sy.eta: VISCOSITY,
+    sy.h0: THICKNESS_NECK,
+    necking.aspect: 2.0,
+    sy.sigma_Y: 0.1,
+}
+
+
+def growth(neck: necking.Neck, material_wavenumber: float) -> float:
+    return float(neck.growth_rate(maxwell_rate()).subs(VALUES | {necking.wavenumber: material_wavenumber}))
+
+
+def thread(x: float) -> float:
+    """Growth over sigma/eta of a neck of wavenumber x/radius in a viscous thread: Stokes flow, Bessel functions."""
+    # v_r = A I1(r) + B r I0(r), v_x = -A I0 - B (2 I0 + r I1), p = 2 B I0, shear viscosity 1, lengths in 1/k.
+    shear = [-2 * iv(1, x), -(2 * ivp(0, x) + iv(1, x) + x * ivp(1, x)) - x * iv(0, x)]
+    normal = [2 * ivp(1, x), 2 * (iv(0, x) + x * ivp(0, x)) - 2 * iv(0, x)]
+    a, b = np.linalg.solve([shear, normal], [-1.0, 0.0])
+    return 3 * float(a * iv(1, x) + b * x * iv(0, x))
+
+
+def layer(x: float) -> float:
+    """Growth over sigma/(4 mu) of a neck of wavenumber x/half thickness in a viscous layer."""
+    return 2 / (1 + np.sinh(2 * x) / (2 * x))
+
+
+@pytest.mark.parametrize(("name", "exact"), [("circle", thread), ("sheet", layer)])
+def test_long_necks_grow_as_in_a_viscous_liquid(name: str, exact: object) -> None:
+    neck = necking.NECKS[name]
+    thickness = float(neck.contraction.thickness.subs(VALUES))
+    errors = []
+    for x in (0.2, 0.1):
+        current = 2 * x / thickness
+        ours = growth(neck, current * STRETCH) * VISCOSITY / STRESS
+        errors.append(abs(ours - exact(x)))  # type: ignore[operator]
+        assert abs(ours - 1) > 10 * errors[-1]
+    assert errors[0] / errors[1] == pytest.approx(16, rel=0.05)
+
+
+def second_moment(name: str) -> float:
+    """<y^2 + z^2> over h^2, or <y^2>, of the section by quadrature."""
+    if name == "circle":
+        area = dblquad(
+            lambda z, y: y**2 + z**2, -0.5, 0.5, lambda y: -np.sqrt(0.25 - y**2), lambda y: np.sqrt(0.25 - y**2)
+        )
+        return area[0] / (np.pi / 4)
+    width = {"rectangle": 2.0, "plane stress": 1e-9, "square": 1.0}[name]
+    return dblquad(lambda z, y: y**2 + z**2, -0.5, 0.5, -width / 2, width / 2)[0] / width
+
+
+def test_beta_is_a_quarter_of_the_squared_radius_of_gyration() -> None:
+    for name in ["rectangle", "plane stress", "square", "circle"]:
+        assert float(necking.NECKS[name].beta.subs(VALUES)) == pytest.approx(second_moment(name) / 4)
+
+
+def test_a_discrete_bar_grows_at_the_stated_rate() -> None:
+    """Solve T - (b(T) s_X)_X = Q spectrally for a bar with a small neck, and see how fast the neck grows."""
+    for name in list(necking.NECKS):
+        for wave in [1, 3, 8]:
+            neck, points, small = necking.NECKS[name], 64, 1e-7
+            X = np.arange(points) / points
+            derivative = np.real(
+                np.fft.ifft(
+                    2j * np.pi * np.fft.fftfreq(points, 1 / points)[:, None] * np.fft.fft(np.eye(points), axis=0),
+                    axis=0,
+                )
+            )
+            stretch = STRETCH * (1 + small * np.cos(2 * np.pi * wave * X))
+            per_tension = sp.lambdify(
+                sy.s, (neck.stiffness() / sy.T).subs(sy.T, 1).subs(VALUES | {sy.s: sy.s}), "numpy"
+            )
+            coefficient = per_tension(stretch) if neck.stiffness().has(sy.s) else None
+            assert coefficient is not None
+            operator = np.eye(points) - derivative @ np.diag(coefficient * (derivative @ stretch))
+            tension = np.linalg.solve(operator, np.full(points, STRESS / STRETCH))
+            rate = tension * stretch / VISCOSITY
+            found = 2 * np.mean(rate * np.cos(2 * np.pi * wave * X)) / small
+            assert found == pytest.approx(growth(neck, 2 * np.pi * wave), rel=1e-5, abs=1e-6)
+
+
+def test_the_force_does_the_stated_power() -> None:
+    """Over a bar with s_X = 0 at both ends, - integral of (b s_X)_X s_t is the integral of b s_X s_Xt."""
+    for neck in necking.NECKS.values():
+        X, t = necking.X, necking.t
+        profile = 1.3 + sp.cos(2 * sp.pi * X) / 5 + t * sp.cos(sp.pi * X) / 10
+        pull = 1 + X**2 / 2
+        here = {necking.tension: pull, necking.stretch: profile}
+        force = neck.force().subs(here).doit() * sp.diff(profile, t)
+        local = {
+            sy.T: pull,
+            sy.s: profile,
+            necking.s_slope: sp.diff(profile, X),
+            necking.s_slope_rate: sp.diff(profile, X, t),
+        }
+        nodes, weights = np.polynomial.legendre.leggauss(40)
+        works = []
+        for density in (force, neck.gradient_power().subs(local)):
+            value = sp.lambdify(X, density.subs(t, 0).subs({sy.h0: THICKNESS_NECK, necking.aspect: 2.0}), "numpy")
+            works.append(float(weights @ value((nodes + 1) / 2)) / 2)
+        assert abs(works[1]) > 1e-5
+        assert works[0] == pytest.approx(works[1], rel=1e-9)
+
+
+def test_the_shortest_neck_does_not_grow() -> None:
+    for neck in necking.NECKS.values():
+        wavelength = float(neck.shortest_neck().subs(VALUES))
+        assert growth(neck, 2 * np.pi / wavelength * STRETCH) == pytest.approx(0, abs=1e-12)
+        assert growth(neck, 2 * np.pi / (2 * wavelength) * STRETCH) > 0
+        assert float(neck.stiffness().subs(VALUES | {sy.T: -1})) == 0
+
+
+def test_folds_count_the_overstress_law_only_while_it_flows() -> None:
+    count = necking.folds(bingham_rate())
+    time = necking.t
+    assert float(count.subs(VALUES | {time: 3.0})) == pytest.approx(STRESS / VISCOSITY * 3)
+    assert float(count.subs(VALUES | {time: 3.0, sy.sigma: 0.05})) == 0
+
+
+# The reduced model, numerically: von Karman's beam, memory by quadrature, energy, both forms of the memory.
+Floats = npt.NDArray[np.float64]
+
+
+@pytest.mark.parametrize(("modulus", "sag"), [(1e5, 0.139709), (1e6, 0.062621), (1e7, 0.025403), (1e8, 0.005982)])
+def test_at_rest_it_is_von_karmans_clamped_beam(modulus: float, sag: float) -> None:
+    values = {sy.E: modulus, sy.rho: 636.62, sy.g: 9.80665, sy.h0: 0.02, sy.A0: np.pi * 0.01**2, sy.L: 1.0}
+    section = sd.small_deflection(CIRCLE, flows=False)
+    moment = section.moment.subs(sy.sigma_1, section.stress_bending)
+    F = sp.Symbol("F")
+    curvature = sp.lambdify(sy.M, sp.solve(moment - sy.M, sd.y_XX)[0].subs(values))
+    moment_change = sp.lambdify((F, sy.T, sy.y_X), sp.solve(section.vertical_force - F, sy.M_X)[0])
+    weight = float(sp.solve(section.acceleration, sd.F_X)[0].subs(values))
+    elongation = sp.lambdify(sy.y_X, section.elongation)
+    tension = sp.lambdify(sd.e_mean, section.tension.subs(sy.sigma_0, section.stress_mean).subs(values))
+
+    def slopes(x: Floats, u: Floats, p: Floats) -> Floats:
+        _, y_x, m, f, _ = u
+        return np.array(
+            [y_x, curvature(m), moment_change(f, p[0] * tension(1e-3), y_x), weight + 0 * x, elongation(y_x)]
+        )
+
+    def ends(mid: Floats, end: Floats, p: Floats) -> Floats:
+        return np.array([mid[1], mid[3], end[0], end[1], mid[4], (tension(2 * end[4]) / tension(1e-3)) - p[0]])
+
+    x = np.linspace(0, 0.5, 101)
+    guess = np.array(
+        [
+            -16 * sag * (x**2 - 0.25) ** 2,
+            -64 * sag * x * (x**2 - 0.25),
+            np.zeros_like(x),
+            weight * x,
+            sag**2 * x * 8 / 3,
+        ]
+    )
+    solution = solve_bvp(slopes, ends, x, guess, p=[sag**2 * 8 / 3 / 1e-3], tol=1e-8, max_nodes=20000)
+    assert solution.success
+    assert -solution.y[0, 0] == pytest.approx(sag, rel=1e-4)
+
+
+def test_plastic_strains_remember_as_the_integrals_do() -> None:
+    values = {sy.E: 3.0, sy.eta: 2.0, sy.A0: 0.7, sy.h0: 0.4}
+    section = sd.small_deflection(RECTANGLE, flows=True)
+    stress = sp.lambdify((sd.e_mean, sy.a_0), section.stress_mean.subs(values))
+    bending = sp.lambdify((sd.y_XX, sy.a_1), section.stress_bending.subs(values))
+    rates = sp.lambdify((sy.sigma_0, sy.sigma_1), [section.rate_mean.subs(values), section.rate_bending.subs(values)])
+    strain, curvature, end = (lambda t: np.sin(2 * t) ** 2), (lambda t: t * np.cos(3 * t)), 2.5
+    run = solve_ivp(
+        lambda t, a: rates(stress(strain(t), a[0]), bending(curvature(t), a[1])),
+        (0, end),
+        [0.0, 0.0],
+        rtol=1e-10,
+        atol=1e-12,
+    )
+    sigma_0, sigma_1 = stress(strain(end), run.y[0, -1]), bending(curvature(end), run.y[1, -1])
+    tension = float(section.tension.subs(values).subs(sy.sigma_0, sigma_0))
+    moment = float(section.moment.subs(values).subs(sy.sigma_1, sigma_1))
+
+    def memory(rate: Callable[[float], float]) -> float:
+        return float(quad(lambda s: np.exp((s - end) * 3.0 / 2.0) * rate(s), 0, end, epsabs=1e-12)[0])
+
+    assert tension == pytest.approx(3.0 * 0.7 * memory(lambda t: 2 * np.sin(4 * t)), rel=1e-7)
+    inertia = 0.7 * 0.4**2 / 12
+    assert moment == pytest.approx(-3.0 * inertia * memory(lambda t: np.cos(3 * t) - 3 * t * np.sin(3 * t)), rel=1e-7)
+
+
+N, DELTA, V, TAU = 12, 0.02, 400.0, 0.3
+SMALL = {sy.rho: 1.0, sy.g: 1.0, sy.A0: 1.0, sy.h0: DELTA, sy.eta: V, sy.E: V / TAU}  # spans and sqrt(L/g)
+DX = 0.5 / N
+CELLS, NODES_SMALL = np.full(N, DX), np.r_[DX / 2, np.full(N - 1, DX), DX / 2]
+
+
+def curvature_of(slope: Floats) -> Floats:
+    """On nodes, with no slope at midspan and at the clamp."""
+    return np.diff(np.r_[0.0, slope, 0.0]) / NODES_SMALL
+
+
+def held_end(v: Floats) -> Floats:
+    return np.r_[v, 0.0]
+
+
+class Staggered:
+    """The reduced filament from the expressions of one section: y and a_1 on nodes, a_0 once."""
+
+    def __init__(self, flows: bool) -> None:
+        section = sd.small_deflection(RECTANGLE, flows=flows)
+        strains = (sd.e_mean, sd.y_XX, sy.a_0, sy.a_1)
+        stress = {sy.sigma_0: section.stress_mean, sy.sigma_1: section.stress_bending}
+
+        def of_strain(*names: str) -> Callable[..., list[Floats]]:
+            return sp.lambdify(strains, [getattr(section, n).subs(stress).subs(SMALL) for n in names])
+
+        self.resultants = of_strain("tension", "moment", "rate_mean", "rate_bending")
+        self.powers = of_strain("elastic_mean", "elastic_bending", "dissipation_mean", "dissipation_bending")
+        self.elongation = sp.lambdify(sy.y_X, section.elongation)
+        self.force = sp.lambdify((sy.T, sy.y_X, sy.M_X), section.vertical_force)
+        self.acceleration = sp.lambdify(sd.F_X, section.acceleration.subs(SMALL))
+
+    def strains(self, u: Floats) -> tuple[Floats, tuple[float, Floats, float, Floats]]:
+        slope = np.diff(held_end(u[:N])) / DX
+        e_mean = 2 * float(np.sum(self.elongation(slope) * DX))
+        return slope, (e_mean, curvature_of(slope), u[2 * N], u[2 * N + 1 : 3 * N + 2])
+
+    def __call__(self, t: float, u: Floats) -> Floats:
+        slope, strains = self.strains(u)
+        T, M, rate_0, rate_1 = self.resultants(*strains)
+        F = self.force(T, slope, np.diff(M) / DX)
+        y_tt = self.acceleration(np.diff(np.r_[0.0, F]) / NODES_SMALL[:N])
+        _, _, lost_0, lost_1 = self.powers(*strains)
+        dissipation = lost_0 / 2 + np.sum((lost_1 + 0 * M) * NODES_SMALL)
+        return np.r_[u[N : 2 * N], y_tt, rate_0, rate_1 + 0 * M, dissipation]
+
+    def energy(self, u: Floats) -> float:
+        stored_0, stored_1, _, _ = self.powers(*self.strains(u)[1])
+        mass = NODES_SMALL[:N]
+        motion = np.sum(mass * (u[N : 2 * N] ** 2 / 2 + u[:N]))
+        return float(motion + stored_0 / 2 + np.sum(stored_1 * NODES_SMALL) + u[-1])
+
+    def run(self, end: float) -> Floats:
+        done = solve_ivp(self, (0, end), np.zeros(3 * N + 3), method="LSODA", rtol=1e-9, atol=1e-12)
+        assert done.success
+        return np.asarray(done.y)
+
+
+@pytest.mark.parametrize("flows", [True, False])
+def test_energy_closes(flows: bool) -> None:
+    model = Staggered(flows)
+    states = model.run(0.3)
+    fallen = -float(np.sum(NODES_SMALL[:N] * states[:N, -1]))
+    assert fallen > 1e-3
+    assert max(abs(model.energy(u)) for u in states.T) < 1e-6 * fallen
+    assert (states[-1, -1] > 1e-3 * fallen) == flows
+
+
+def test_memories_of_2_18_give_the_same_motion_as_plastic_strains() -> None:
+    y_tt, y_xx, q, m = sp.symbols("y_tt y_xx q m")
+    y = sd.y_bar(sd.x_bar, sd.t_star)
+    plain: Mapping[sp.Expr, sp.Expr] = {
+        sp.Derivative(y, (sd.t_star, 2)): y_tt,
+        sp.Derivative(y, (sd.x_bar, 2)): y_xx,
+        sd.q_bar(sd.t_star): q,
+        sd.m_bar(sd.x_bar, sd.t_star): m,
+        sd.K_I: sd.form_factor(RECTANGLE),
+        sd.delta: DELTA,
+        sd.V: V,
+        sd.tau_star: TAU,
+    }
+    acceleration = sp.lambdify((y_xx, q, m), sp.solve(sd.REDUCED.residual().subs(plain), y_tt)[0])
+
+    def rate(t: float, u: Floats) -> Floats:
+        y, v, bent, q = u[:N], u[N : 2 * N], u[2 * N : 3 * N + 1], u[-1]
+        slope, slope_t = np.diff(held_end(y)) / DX, np.diff(held_end(v)) / DX
+        m = np.diff(np.r_[0.0, np.diff(bent) / DX]) / NODES_SMALL[:N]
+        accelerated = acceleration(curvature_of(slope)[:N], q, m)
+        return np.r_[v, accelerated, curvature_of(slope_t) - bent / TAU, np.sum(slope * slope_t * DX) - q / TAU]
+
+    done = solve_ivp(rate, (0, 0.3), np.zeros(3 * N + 2), method="LSODA", rtol=1e-9, atol=1e-12)
+    assert done.y[0, -1] == pytest.approx(Staggered(flows=True).run(0.3)[0, -1], rel=1e-5)

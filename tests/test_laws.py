@@ -1,0 +1,454 @@
+"""Laws at a material point."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm, logm
+from scipy.optimize import brentq
+
+from softcat_sym.discretization.casadi_printer import CellFunction, evaluate
+from softcat_sym.physics import bulk
+from softcat_sym.physics import bulk as bulk_step
+from softcat_sym.physics import closed_forms as from_shear
+from softcat_sym.physics import closed_forms as strings
+from softcat_sym.physics.laws import E_2, Flow, K, Law, bingham_rate, law_of, maxwell_rate, mode, n
+from softcat_sym.physics.regimes import H
+from softcat_sym.physics.rheometry import mu
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
+from softcat_sym.physics.symbols import E, L, eta, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
+from softcat_sym.scene.formula import parse_formula
+
+# Every law is what it becomes in the limits where another one rules.
+MODULUS = 4e6
+STRESSES = np.concatenate([-np.logspace(4, -2, 60), [0.0], np.logspace(-2, 4, 60)]) * 10
+each_index = pytest.mark.parametrize("index", (0.3, 0.5, 1.0, 2.0))
+
+
+def flow_of(law: str, *, yields: bool = False) -> Flow:
+    (branch,) = law_of(law).branches
+    flow = branch.in_force(flows=True, yields=yields).flow
+    assert flow is not None
+    return flow
+
+
+def rates(flow: Flow, **material: float) -> np.ndarray:
+    known = {"E": MODULUS, "eta": 13.84e3, "K": 13.84e3, "n": 1.0, "sigma_Y": 9.32e3} | material
+    at = {symbol: known[symbol.name] for symbol in flow.rate.free_symbols - {sigma}}
+    return np.asarray(sp.lambdify(sigma, flow.rate.xreplace(at), modules="numpy")(STRESSES), dtype=float)
+
+
+def test_herschel_bulkley_of_index_one_is_bingham() -> None:
+    one, other = rates(flow_of("herschel-bulkley", yields=True)), rates(flow_of("bingham", yields=True))
+    np.testing.assert_allclose(one, other, rtol=1e-12, atol=0)
+    assert np.count_nonzero(one)
+
+
+@each_index
+def test_herschel_bulkley_without_yield_stress_is_the_power_law(index: float) -> None:
+    wanted = rates(flow_of("power-law"), n=index)
+    np.testing.assert_allclose(
+        rates(flow_of("herschel-bulkley", yields=True), n=index, sigma_Y=0.0), wanted, rtol=1e-14
+    )
+    np.testing.assert_array_equal(rates(flow_of("herschel-bulkley"), n=index), wanted)
+
+
+def test_the_power_law_of_index_one_is_maxwell() -> None:
+    np.testing.assert_allclose(rates(flow_of("power-law")), rates(flow_of("maxwell")), rtol=1e-15)
+    assert flow_of("bingham") == flow_of("bingham", yields=False)
+    np.testing.assert_array_equal(rates(flow_of("bingham")), rates(flow_of("maxwell")))
+
+
+@each_index
+def test_what_makes_the_slope_finite_at_rest_is_not_felt_elsewhere(index: float) -> None:
+    felt = np.abs(STRESSES) >= 1e-6 * MODULUS
+    exact = np.sign(STRESSES) * (np.abs(STRESSES) / 13.84e3) ** (1 / index)
+    found = rates(flow_of("power-law"), n=index)
+    np.testing.assert_allclose(found[felt], exact[felt], rtol=2e-6)
+    assert np.all(np.diff(found) >= 0)
+    np.testing.assert_allclose(found, -found[::-1], rtol=1e-14)
+    slope = sp.diff(flow_of("power-law").rate, sigma).subs({sigma: 0, E: MODULUS, K: 13.84e3, n: index})
+    assert 0 < float(slope) < 1e9
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_one_mode_is_maxwell(section: str) -> None:
+    modulus, viscosity = mode(1)
+    (one,), (other,) = law_of("multimode-maxwell", modes=1).branches, law_of("maxwell").branches
+    alike = {modulus: E, viscosity: eta}
+    assert one.modulus.xreplace(alike) == other.modulus
+    assert one.flow is not None and other.flow is not None
+    assert one.flow.rate.xreplace(alike) == other.flow.rate
+    ours, theirs = (flow.means(SECTIONS[section]) for flow in (one.flow, other.flow))
+    assert ours.rate.xreplace(alike) == theirs.rate
+    assert ours.bending_rate.xreplace(alike) == theirs.bending_rate
+
+
+def test_modes_relax_each_in_its_own_time() -> None:
+    law = law_of("multimode-maxwell", modes=3)
+    assert [constant.name for constant in law.constants] == [
+        f"mode_{k}_{name}" for k in (1, 2, 3) for name in ("youngs_modulus", "viscosity")
+    ]
+    assert len({constant.symbol for constant in law.constants}) == 6
+    for number, branch in enumerate(law.branches, 1):
+        modulus, viscosity = mode(number)
+        assert branch.flow is not None
+        # eps_p_t = sigma_j/eta_j: at a held strain sigma_j falls at the rate E_j/eta_j
+        assert branch.modulus * sp.diff(branch.flow.rate, sigma) == modulus / viscosity
+
+
+def test_springs_and_dashpots_of_the_linear_solids() -> None:
+    assert law_of("newtonian") == Law("newtonian", branches=(), viscosity=eta)
+    voigt, zener = law_of("kelvin-voigt"), law_of("standard-linear")
+    assert [branch.modulus for branch in voigt.branches] == [E]
+    assert (voigt.viscosity, voigt.flows) == (eta, False)
+    spring, arm = zener.branches
+    assert (spring.modulus, spring.flow, arm.modulus) == (E, None, E_2)
+    assert arm.flow is not None and arm.flow.rate == sigma / eta
+    assert (zener.viscosity, zener.flows, zener.yields) == (None, True, False)
+
+
+@each_index
+def test_constants_in_shear_and_in_tension(index: float) -> None:
+    """Of von Mises's law: sigma_eq = sqrt(3) tau, and the shear rate is sqrt(3) times the equivalent rate."""
+    yielding, trouton, consistency = from_shear.FROM_SHEAR_EQUATIONS
+    flow = flow_of("herschel-bulkley", yields=True).rate
+    shear = {from_shear.tau_Y: 2.0, from_shear.k_shear: 5.0, n: index, mu: 5.0}
+    tensile = {sigma_Y: yielding.right.subs(shear), K: consistency.right.subs(shear), n: index, E: 1e3}
+    for tau in (2.1, 3.0, 17.0):
+        shear_rate = np.sqrt(3) * float(flow.xreplace(tensile).subs(sigma, np.sqrt(3) * tau))
+        assert 2 + 5 * shear_rate**index == pytest.approx(tau, rel=1e-9)
+    assert float(trouton.right.subs(shear)) == 15
+
+
+# A formula of one's own that says what a built-in law says is that law.
+STRESSES_LAWS_CUSTOM = np.array([-30.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 30.0])
+
+
+@dataclass(frozen=True)
+class Tree:
+    """A formula as nested tuples: a number, a name, or (operation, *operands)."""
+
+    node: Any
+
+    def fold(
+        self, number: Callable[[float], Any], name: Callable[[str], Any], operation: Callable[[str, Sequence[Any]], Any]
+    ) -> Any:
+        if isinstance(self.node, str):
+            return name(self.node)
+        if isinstance(self.node, tuple):
+            return operation(self.node[0], [Tree(part).fold(number, name, operation) for part in self.node[1:]])
+        return number(self.node)
+
+
+MAXWELL = Tree(("div", "sigma", "eta0"))
+OVERSTRESS = ("max", ("sub", ("abs", "sigma"), "y0"), 0)
+BINGHAM = Tree(("mul", ("sign", "sigma"), ("div", OVERSTRESS, "eta0")))
+EYRING = Tree(("mul", "rate", ("sinh", ("div", "sigma", "s"))))
+PLASTIC = Tree(("mul", "rate", ("asinh", ("div", "sigma", "s"))))
+
+
+def custom(tree: Tree, *, yields: bool = False):
+    law = law_of("custom", formula=tree, yields=yields)
+    (branch,) = law.branches
+    return law, branch, {constant.name: constant.symbol for constant in law.constants}
+
+
+def test_sigma_over_a_viscosity_is_maxwell() -> None:
+    law, branch, constants = custom(MAXWELL)
+    assert list(constants) == ["eta0"]
+    assert branch.flow.rate.xreplace({constants["eta0"]: eta}) == sigma / eta
+    assert (law.flows, law.yields) == (True, False)
+
+
+@pytest.mark.parametrize("shape", (RECTANGLE, CIRCLE), ids=lambda shape: shape.name)
+def test_with_a_threshold_it_is_bingham(shape) -> None:
+    law, branch, constants = custom(BINGHAM, yields=True)
+    assert (law.flows, law.yields) == (True, True)
+    wanted = law_of("bingham").branches[0]
+    assert branch.flow == branch.flow_beyond_yield
+    material = {sigma_Y: 1.0, E: 400.0, eta: 2.0, constants["eta0"]: 2.0, constants["y0"]: 1.0}
+    ours, theirs = branch.flow_beyond_yield, wanted.flow_beyond_yield
+    point = {**material, sigma: STRESSES_LAWS_CUSTOM}
+    np.testing.assert_allclose(evaluate(ours.rate, point), evaluate(theirs.rate, point), rtol=1e-15)
+    one, other = ours.means(shape), theirs.means(shape)
+    point = {**material, sigma_0: STRESSES_LAWS_CUSTOM, sigma_1: STRESSES_LAWS_CUSTOM[::-1] * 0.7}
+    for name in ("rate", "bending_rate", "yielded_fraction", "largest_rate"):
+        found, exact = (evaluate(getattr(means, name), point) for means in (one, other))
+        np.testing.assert_allclose(found, exact, atol=1e-13 if shape is RECTANGLE else 1e-5)
+
+
+@pytest.mark.parametrize(
+    "text", ["sinh(sigma/s0)/t0", "sign(sigma)*max(abs(sigma) - y0, 0)**1.5", "asinh(sigma/s0)**3"]
+)
+def test_a_formula_of_a_scene(text: str) -> None:
+    """As the scene evaluates it in plain floats, so the printed expression does."""
+    formula = parse_formula(text)
+    law = law_of("custom", formula=formula)
+    values = {"s0": 2.0, "t0": 0.5, "y0": 0.7}
+    at = {constant.symbol: values[constant.name] for constant in law.constants} | {sigma: STRESSES_LAWS_CUSTOM}
+    wanted = [formula.value(stress, values) for stress in STRESSES_LAWS_CUSTOM]
+    np.testing.assert_allclose(evaluate(law.branches[0].flow.rate, at), wanted, rtol=1e-13)
+
+
+@pytest.mark.parametrize(("tree", "exact"), [(EYRING, np.sinh), (PLASTIC, np.arcsinh)], ids=["sinh", "asinh"])
+def test_values_and_slopes_of_a_formula_as_printed(tree: Tree, exact: Callable[[np.ndarray], np.ndarray]) -> None:
+    _, branch, constants = custom(tree)
+    at = {sigma: STRESSES_LAWS_CUSTOM, constants["rate"]: 3.0, constants["s"]: 2.0, E: 400.0}
+    np.testing.assert_allclose(evaluate(branch.flow.rate, at), 3 * exact(STRESSES_LAWS_CUSTOM / 2), rtol=1e-14)
+    means = branch.flow.means(RECTANGLE)
+    stress = ca.SX.sym("stress", 2)
+    point = {**at, sigma_0: stress[0], sigma_1: stress[1]}
+    del point[sigma]
+    both = CellFunction({"mean": means.rate, "bend": means.bending_rate}, tuple(point))(point)
+    slope = ca.Function("slope", [stress], [ca.jacobian(ca.vertcat(both["mean"], both["bend"]), stress)])
+    # at rest either is a dashpot of 3/2
+    np.testing.assert_allclose(np.array(slope((0.0, 0.0))), 1.5 * np.eye(2), atol=1e-12)
+
+
+# The sag of a string, against its own equation integrated by a machine.
+AT = {rho: 1e3, g: 9.81, L: 0.2, K: 700.0, eta: 700.0, E: 3e5}
+
+
+@pytest.mark.parametrize("index", (0.3, 0.5, 1.0, 2.0))
+def test_a_power_law_string_creeps_by_its_own_flow_rule(index: float) -> None:
+    known = {**AT, n: index}
+    # (d eps/dH) H_t = (sigma/K)^(1/n)
+    rate = (sigma / K) ** (1 / n) / sp.diff(strings.string_strain(), H)
+    of_sag = sp.lambdify(H, rate.subs(sigma, strings.string_stress()).subs(known), modules="math")
+    closed = sp.lambdify(t, strings.power_law_string_sag().subs(known), modules="math")
+    start, end = 1e-3, 10.0
+    found = solve_ivp(lambda _, sag: [of_sag(sag[0])], (start, end), [closed(start)], rtol=1e-10, atol=1e-14)
+    assert found.y[0, -1] == pytest.approx(closed(end), rel=1e-7)
+    assert closed(2.0) / closed(1.0) == pytest.approx(2 ** (index / (2 * index + 1)), rel=1e-12)
+
+
+def test_a_power_law_string_of_index_one_is_viscous() -> None:
+    one = strings.power_law_string_sag().subs({n: 1, K: eta})
+    assert sp.simplify((one / strings.viscous_string_sag()) ** 3 - 1) == 0
+
+
+def test_an_elastic_string_carries_its_weight() -> None:
+    sag = strings.elastic_string_sag()
+    assert sp.simplify(E * strings.string_strain(sag) / strings.string_stress(sag) - 1) == 0
+
+
+# The one scalar equation of a step in plane stress is the implicit exponential map of the three-dimensional law.
+PHI = sp.Function("phi", positive=True)
+SUM, GAP = bulk_step.strain_sum, bulk_step.strain_gap
+FIRST, SECOND = bulk.elastic_strain[0, 0], bulk.elastic_strain[1, 1]
+HALVES = {FIRST: (SUM + GAP) / 2, SECOND: (SUM - GAP) / 2}
+
+
+def plane_stress_chain() -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
+    """Mandel stress, Lp and sig_eq of the general law in principal axes, in the sum and the gap of the strains."""
+    law = bulk.plane_stress(PHI(sigma))
+    stress = law.stress.subs(HALVES).applyfunc(sp.simplify)
+    of_stress = {bulk.mandel[0, 0]: stress[0, 0], bulk.mandel[1, 1]: stress[1, 1]}
+    return stress, law.flow.subs(of_stress), law.equivalent.subs(of_stress)
+
+
+def with_stiffness(expr: sp.Expr) -> sp.Expr:
+    return expr.subs(bulk_step.stiffness())
+
+
+def test_the_relaxed_strains_solve_the_three_dimensional_step() -> None:
+    stress, flow, _ = plane_stress_chain()
+    assert stress[2, 2] == 0
+    relaxed = bulk_step.relaxed_strains(PHI(sigma))
+    before = (bulk_step.trial_sum + bulk_step.trial_gap) / 2, (bulk_step.trial_sum - bulk_step.trial_gap) / 2
+    after = HALVES[FIRST], HALVES[SECOND]
+    for axis in range(2):
+        left = (before[axis] - after[axis] - bulk.step * flow[axis, axis]).subs(relaxed, simultaneous=True)
+        assert sp.simplify(with_stiffness(left)) == 0
+
+
+def test_the_equivalent_stress_is_that_of_the_general_law() -> None:
+    _, _, equivalent = plane_stress_chain()
+    assert sp.simplify(with_stiffness(bulk_step.plane_stress_equivalent_stress()) ** 2 - equivalent**2) == 0
+
+
+def test_the_residual_vanishes_where_the_relaxed_strains_have_the_stress_announced() -> None:
+    rate = PHI(sigma)
+    product = sp.prod(bulk_step.relaxation(rate))
+    closed = bulk.sigma_eq - bulk_step.plane_stress_equivalent_stress().subs(
+        bulk_step.relaxed_strains(rate), simultaneous=True
+    )
+    numbers = {
+        bulk_step.trial_sum: sp.Rational(3, 10),
+        bulk_step.trial_gap: sp.Rational(-1, 5),
+        bulk_step.stiffness_sum: 2,
+        bulk_step.stiffness_gap: sp.Rational(2, 3),
+        bulk.step: sp.Rational(1, 7),
+        bulk.sigma_eq: sp.Rational(1, 5),
+        PHI(bulk.sigma_eq): sp.Rational(3, 4),
+        PHI(sp.Rational(1, 5)): sp.Rational(3, 4),
+    }
+    assert sp.simplify((bulk_step.residual(rate) - product * closed).subs(numbers)) == 0
+
+
+def test_one_root_for_every_flow_rule_that_never_falls() -> None:
+    x, a, b, s, d = sp.symbols("x a b s d", positive=True)
+    squared = (s / (1 + a * x)) ** 2 + (d / (1 + b * x)) ** 2
+    # every term of numerator and denominator is positive: sig_eq falls and x sig_eq grows with x
+    for expression in (-squared.diff(x), (x**2 * squared).diff(x)):
+        top, bottom = sp.fraction(sp.together(expression))
+        assert sp.expand(top).is_positive
+        assert sp.expand(bottom).is_positive
+
+
+def test_energy_and_width_are_those_of_the_general_law() -> None:
+    strain = bulk.plane_stress(PHI(sigma)).strain.subs(HALVES)
+    assert sp.simplify(with_stiffness(bulk_step.plane_stress_elastic_energy()) - bulk.elastic_energy(strain)) == 0
+    assert (
+        sp.simplify(sp.log(bulk_step.width_stretch().subs(bulk_step.state[1], 0)).diff(SUM) - strain[2, 2] / SUM) == 0
+    )
+
+
+def test_trial_strains_are_the_logarithm_of_be() -> None:
+    rng = np.random.default_rng(2)
+    inputs = (*bulk_step.deformation, *bulk_step.state)
+    for _ in range(6):
+        deformation = np.eye(2) + 0.4 * rng.normal(size=(2, 2))
+        deformation[0] *= np.sign(np.linalg.det(deformation))
+        plastic = np.eye(2) + 0.2 * rng.normal(size=(2, 2))
+        plastic = plastic @ plastic.T
+        numbers = (*deformation.ravel(), plastic[0, 0], plastic[0, 1], plastic[1, 1])
+        values = {symbol: float(number) for symbol, number in zip(inputs, numbers, strict=True)}
+        values[bulk_step.jacobian] = float(np.linalg.det(deformation))
+        for stage in (bulk_step.axes(), bulk_step.trial_determinants(), bulk_step.trial_strains()):
+            values |= {symbol: float(evaluate(value, values)[0]) for symbol, value in stage.items()}
+        plane = bulk_step.along_axes(bulk_step.trial_sum / 2, bulk_step.trial_gap / 2)
+        wanted = logm(deformation @ plastic @ deformation.T) / 2
+        assert [evaluate(part, values)[0] for part in plane] == pytest.approx(wanted.ravel(), abs=1e-12)
+
+
+# The three-dimensional law in numbers: integrated along a path, against what a tensile test must give.
+MODULUS_BULK, POISSON, YIELD, VISCOSITY = 1.0, 0.45, 0.02, 0.5
+CONSTANTS = {E: MODULUS_BULK, bulk.nu: POISSON, sigma_Y: YIELD, eta: VISCOSITY}
+LAW = bulk.general(bingham_rate())
+UPPER = [(i, j) for i in range(3) for j in range(i, 3)]
+
+
+def compiled(inputs: list[sp.Symbol], expression: sp.Expr | sp.Matrix) -> Callable[..., np.ndarray]:
+    return sp.lambdify(inputs, expression.subs(CONSTANTS), modules="numpy")
+
+
+STRESS = compiled([bulk.elastic_strain[i, j] for i, j in UPPER], LAW.stress)
+EQUIVALENT = compiled([bulk.mandel[i, j] for i, j in UPPER], LAW.equivalent)
+FLOW = compiled([bulk.mandel[i, j] for i, j in UPPER] + [bulk.sigma_eq], LAW.flow)
+RESIDUAL = compiled([bulk.sigma_eq, bulk.sigma_trial, bulk.step], LAW.residual)
+
+
+def six(tensor: np.ndarray) -> list[float]:
+    return [tensor[i, j] for i, j in UPPER]
+
+
+def of_symmetric(function: Callable[[np.ndarray], np.ndarray], tensor: np.ndarray) -> np.ndarray:
+    values, axes = np.linalg.eigh(tensor)
+    return axes @ np.diag(function(values)) @ axes.T
+
+
+def elastic_strain(deformation: np.ndarray, plastic: np.ndarray) -> np.ndarray:
+    elastic = deformation @ np.linalg.inv(plastic)
+    return of_symmetric(np.log, elastic.T @ elastic) / 2
+
+
+def flow_at(stress: np.ndarray) -> np.ndarray:
+    equivalent = max(float(EQUIVALENT(*six(stress))), 1e-12)
+    return np.array(FLOW(*six(stress), equivalent), dtype=float)
+
+
+def shear_and_stretch(time: float) -> np.ndarray:
+    stretch = 1 + 0.1 * time
+    return np.array([[stretch, 0.15 * np.sin(3 * time), 0], [0, stretch**-0.5, 0.05 * time], [0, 0, stretch**-0.5]])
+
+
+def explicit(path: Callable[[float], np.ndarray], steps: int) -> np.ndarray:
+    plastic, dt = np.eye(3), 1 / steps
+    for step in range(steps):
+        stress = STRESS(*six(elastic_strain(path(step * dt), plastic)))
+        plastic = of_symmetric(np.exp, dt * flow_at(stress)) @ plastic
+    return plastic
+
+
+def implicit(path: Callable[[float], np.ndarray], steps: int) -> np.ndarray:
+    """Radial return: one scalar equation a step."""
+    plastic, dt = np.eye(3), 1 / steps
+    for step in range(steps):
+        trial = STRESS(*six(elastic_strain(path((step + 1) * dt), plastic)))
+        size = float(EQUIVALENT(*six(trial)))
+        new = brentq(RESIDUAL, 1e-12, size, args=(size, dt), xtol=1e-15) if size > 1e-12 else size
+        plastic = of_symmetric(np.exp, dt * flow_at(trial * new / size)) @ plastic if size > 1e-12 else plastic
+    return plastic
+
+
+@pytest.mark.parametrize("stress", [0.01, 0.03, -0.05])
+def test_a_tensile_test_flows_at_the_rate_of_the_fibre(stress: float) -> None:
+    flow = flow_at(np.diag([stress, 0, 0]))
+    rate = np.sign(stress) * max(abs(stress) - YIELD, 0) / VISCOSITY
+    assert np.diag(flow) == pytest.approx([rate, -rate / 2, -rate / 2])
+
+
+def test_pulled_elastically_a_bar_has_its_modulus_and_poisson_ratio() -> None:
+    stretch = 1.3
+    stress = STRESS(*six(elastic_strain(np.diag([stretch, stretch**-POISSON, stretch**-POISSON]), np.eye(3))))
+    assert np.diag(stress) == pytest.approx([MODULUS_BULK * np.log(stretch), 0, 0], abs=1e-14)
+
+
+def test_flow_keeps_the_volume_and_dissipates() -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(50):
+        stress = rng.normal(size=(3, 3)) * 0.05
+        stress = stress + stress.T
+        flow = flow_at(stress)
+        size = float(EQUIVALENT(*six(stress)))
+        assert np.trace(flow) == pytest.approx(0, abs=1e-14)
+        assert np.sum(stress * flow) == pytest.approx(size * max(size - YIELD, 0) / VISCOSITY)
+    assert np.linalg.det(explicit(shear_and_stretch, 50)) == pytest.approx(1, abs=1e-12)
+
+
+def test_implicit_steps_converge_to_the_explicit_path() -> None:
+    reference = explicit(shear_and_stretch, 1600)
+    assert np.abs(reference - np.eye(3)).max() > 0.02
+    errors = [np.abs(implicit(shear_and_stretch, steps) - reference).max() for steps in (25, 50)]
+    assert errors[1] < 2e-3
+    assert errors[0] / errors[1] == pytest.approx(2, abs=0.4)
+
+
+def test_an_implicit_step_ends_at_the_stress_it_announces() -> None:
+    deformation, dt = shear_and_stretch(0.4), 0.3
+    trial = STRESS(*six(elastic_strain(deformation, np.eye(3))))
+    size = float(EQUIVALENT(*six(trial)))
+    new = brentq(RESIDUAL, 1e-12, size, args=(size, dt), xtol=1e-15)
+    plastic = of_symmetric(np.exp, dt * flow_at(trial * new / size))
+    stress = STRESS(*six(elastic_strain(deformation, plastic)))
+    assert YIELD < new < 0.9 * size
+    assert float(EQUIVALENT(*six(stress))) == pytest.approx(new, rel=1e-9)
+
+
+def test_closed_form_of_the_return() -> None:
+    closed = compiled([bulk.sigma_trial, bulk.step], bulk.bingham_return())
+    for trial in (0.01, 0.02, 0.05, 1.0):
+        assert RESIDUAL(float(closed(trial, 0.3)), trial, 0.3) == pytest.approx(0, abs=1e-15)
+
+
+def test_a_turning_observer_sees_the_same_flow() -> None:
+    spin = np.array([[0, -1.0, 0.5], [1.0, 0, 0.2], [-0.5, -0.2, 0]])
+    turned = explicit(lambda time: expm(spin * time) @ shear_and_stretch(time), 40)
+    assert turned == pytest.approx(explicit(shear_and_stretch, 40), abs=1e-12)
+
+
+def test_plane_stress_is_the_general_law_with_a_free_width() -> None:
+    law = bulk.plane_stress(maxwell_rate())
+    plane = [bulk.elastic_strain[0, 0], bulk.elastic_strain[1, 1]]
+    strain = np.array(compiled(plane, law.strain)(0.02, -0.005), dtype=float)
+    assert np.array(compiled(plane, law.stress)(0.02, -0.005)) == pytest.approx(STRESS(*six(strain)), abs=1e-15)
+    assert STRESS(*six(strain))[2, 2] == pytest.approx(0, abs=1e-16)

@@ -1,0 +1,703 @@
+"""Sections: shapes, means over them, and the moment that bends them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import pairwise
+
+import casadi as ca
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import linprog
+
+from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.cell_printer import CellPrinter
+from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.laws import (
+    K,
+    bingham_means,
+    bingham_rate,
+    herschel_bulkley_rate,
+    maxwell_means,
+    maxwell_rate,
+    n,
+    power_law_rate,
+)
+from softcat_sym.physics.sections import (
+    CIRCLE,
+    NONE,
+    RECTANGLE,
+    SECTIONS,
+    UNIFORM,
+    Section,
+    SectionMeans,
+    quadrature_means,
+    scaled,
+)
+from softcat_sym.physics.symbols import A0, E, c, eta, h0, s, sigma, sigma_0, sigma_1, sigma_Y, zeta
+from tests.acceptance.table import show
+from tests.common.filaments import Array, scene
+from tests.common.one_cell import bend_slowly, one_cell
+
+# Means of the Bingham rule over a section: the package's closed forms, and two references that know none of them.
+MODULUS, VISCOSITY, YIELD = 4e6, 13.84e3, 9.32e3
+
+
+@dataclass(frozen=True)
+class Means:
+    """<phi>, <phi zeta>, yielded fraction and largest rate."""
+
+    rate: float
+    moment: float
+    yielded: float
+    largest: float
+
+
+@cache
+def _compiled(section: str) -> Callable[..., tuple[float, ...]]:
+    means = bingham_means(SECTIONS[section])
+    moment = means.bending_rate * SECTIONS[section].zeta_squared
+    expressions = [means.rate, moment, means.yielded_fraction, means.largest_rate]
+    return sp.lambdify((sigma_0, sigma_1, sigma_Y, eta, E), expressions, modules="math")
+
+
+def closed_form(section: str, mean: float, slope: float, *, threshold: float = YIELD) -> Means:
+    """The package's means, where the stress is mean + slope zeta."""
+    return Means(*_compiled(section)(mean, slope, threshold, VISCOSITY, MODULUS))
+
+
+def flow_rule(stress: np.ndarray) -> np.ndarray:
+    """<|sigma| - sigma_Y> sign(sigma)/eta."""
+    return np.sign(stress) * np.maximum(np.abs(stress) - YIELD, 0.0) / VISCOSITY
+
+
+def quadrature(section: str, mean: float, slope: float) -> Means:
+    """Gauss quadrature in zeta = sin(angle), split at the yield points, where the flow rule has its kinks."""
+    edges = [-1.0, 1.0]
+    if slope != 0:
+        edges += [zeta for zeta in ((YIELD - mean) / slope, (-YIELD - mean) / slope) if -1 < zeta < 1]
+    angles = np.arcsin(np.sort(edges))
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    totals = np.zeros(3)
+    for low, high in pairwise(angles):
+        angle = (high + low) / 2 + (high - low) / 2 * nodes
+        zeta = np.sin(angle)
+        density = 2 / math.pi * np.cos(angle) if section == "circle" else np.full_like(zeta, 0.5)
+        measure = weights * (high - low) / 2 * density * np.cos(angle)
+        stress = mean + slope * zeta
+        rate = flow_rule(stress)
+        totals += [np.sum(measure * rate), np.sum(measure * rate * zeta), np.sum(measure * (np.abs(stress) > YIELD))]
+    largest = float(np.max(np.abs(flow_rule(np.array([mean - slope, mean + slope])))))
+    return Means(*map(float, totals), largest)
+
+
+def paper(mean: float, slope: float, *, thickness: float, width: float) -> Means:
+    """(2.26) and (2.27) of a rectangle in the paper's letters; T = A sigma_0, M = I sigma_1/(h/2), P_t = A<phi>,
+    C_t = A (h/2)<phi zeta>.
+
+    The section yields in -h/2 < z < z_L and z_H < z < h/2. A section that has yielded right through has z_L = z_H.
+    """
+    h, D, sY = thickness, width, YIELD
+    T, M = mean * h * D, slope * (h**3 * D / 12) / (h / 2)
+    z_L, z_H = -h / 2, h / 2
+    if slope != 0:
+        # sigma(z) = T/(D h) + 12 M z/(D h^3) = -+ sigma_Y, clipped to the section
+        ends = sorted((sign * sY - mean) / (slope / (h / 2)) for sign in (-1, 1))
+        z_L, z_H = (min(max(end, -h / 2), h / 2) for end in ends)
+    elif abs(mean) > sY:
+        z_L = z_H = 0.0
+    top, bottom = math.copysign(1, 6 * M + h * T), math.copysign(1, 6 * M - h * T)
+    P_t = (
+        (1 + (z_L - z_H) / h) * T
+        + 6 * M * (z_L**2 - z_H**2) / h**3
+        + (z_H - h / 2) * D * sY * top
+        + (z_L + h / 2) * D * sY * bottom
+    ) / VISCOSITY
+    C_t = (
+        (1 - 4 * (z_H**3 - z_L**3) / h**3) * M
+        + T * (z_L**2 - z_H**2) / (2 * h)
+        + (z_H**2 / 2 - h**2 / 8) * D * sY * top
+        + (z_L**2 / 2 - h**2 / 8) * D * sY * bottom
+    ) / VISCOSITY
+    fraction = (z_L + h / 2 + h / 2 - z_H) / h
+    return Means(P_t / (h * D), C_t / (h * D * h / 2), fraction, math.nan)
+
+
+def sign_cases() -> dict[str, tuple[float, float]]:
+    """(sigma_0, sigma_1) in units of the yield stress: every way to yield, in all four quadrants."""
+    cases = {
+        "rest": (0.0, 0.0),
+        "below everywhere": (0.3, 0.4),
+        "exactly at yield on one side": (0.25, 0.75),
+        "exactly at yield, pure bending": (0.0, 1.0),
+        "one side": (0.5, 1.2),
+        "one side, barely": (0.5, 0.5001),
+        "both sides": (0.2, 3.0),
+        "both sides, pure bending": (0.0, 2.5),
+        "half in tension": (1.0, 2.0),
+        "right through": (3.0, 0.7),
+        "right through, exactly": (2.0, 1.0),
+        "right through, uniform": (1.7, 0.0),
+        "uniform below": (0.7, 0.0),
+        "nearly uniform above": (1.7, 1e-9),
+        "nearly uniform at yield": (1.0, 1e-9),
+        "very steep": (0.5, 500.0),
+        "very far": (400.0, 3.0),
+    }
+    return {
+        f"{name} {'+-'[a < 0]}{'+-'[b < 0]}": (a * mean, b * slope)
+        for name, (mean, slope) in cases.items()
+        for a in (1, -1)
+        for b in (1, -1)
+    }
+
+
+# Weights, partial moments and contraction of the sections, against quadrature and symbolically.
+SHAPES = [RECTANGLE, CIRCLE]
+EDGES = ["-0.999", "-0.7", "-0.2", "0", "0.35", "0.8", "0.99"]
+
+
+def name(shape: Section) -> str:
+    return shape.name
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=name)
+def test_the_weight_is_a_density_of_zeta(shape: Section) -> None:
+    with mpmath.workdps(30):
+        weight = sp.lambdify(zeta, shape.weight, "mpmath")
+        for power, wanted in ((0, 1), (1, 0), (2, shape.zeta_squared)):
+            found = mpmath.quad(
+                lambda angle, n=power: weight(mpmath.sin(angle)) * mpmath.sin(angle) ** n * mpmath.cos(angle),
+                [-mpmath.pi / 2, 0, mpmath.pi / 2],
+            )
+            assert abs(found - mpmath.mpf(int(sp.numer(wanted))) / int(sp.denom(wanted))) < mpmath.mpf(10) ** -24
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=name)
+@pytest.mark.parametrize("edge", EDGES)
+def test_partial_moments_against_quadrature(shape: Section, edge: str) -> None:
+    with mpmath.workdps(30):
+        at = mpmath.mpf(edge)
+        weight = sp.lambdify(zeta, shape.weight, "mpmath")
+
+        def beyond(power: int, offset: mpmath.mpf | int) -> mpmath.mpf:
+            # in zeta = sin(angle), so that the chord of a circle is smooth at its end
+            def integrand(angle: mpmath.mpf) -> mpmath.mpf:
+                place = mpmath.sin(angle)
+                return (place - offset if offset != 1 else 1) * place**power * weight(place) * mpmath.cos(angle)
+
+            return mpmath.quad(integrand, [mpmath.asin(at), mpmath.pi / 2])
+
+        for expr, wanted in (
+            (shape.area, beyond(0, 1)),
+            (shape.overstress_mean, beyond(0, at)),
+            (shape.overstress_moment, beyond(1, at)),
+        ):
+            found = sp.lambdify(c, expr, "mpmath")(at)
+            assert abs(found - wanted) < mpmath.mpf(10) ** -24
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=name)
+def test_derivatives_of_the_partial_moments(shape: Section) -> None:
+    """K_n' = -J_n, the integral of zeta^n w beyond c, and J_n' = -c^n w(c)."""
+    weight = shape.weight.subs(zeta, c)
+    assert sp.simplify(sp.diff(shape.overstress_mean, c) + shape.area) == 0
+    assert sp.simplify(sp.diff(shape.area, c) + weight) == 0
+    first = -sp.diff(shape.overstress_moment, c)
+    assert sp.simplify(sp.diff(first, c) + c * weight) == 0
+    assert sp.limit(first, c, 1, "-") == 0
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=name)
+def test_the_interval_of_the_edge_is_the_section(shape: Section) -> None:
+    low, high = shape.interval
+    assert -1 <= low < high <= 1
+    assert float(high - low) == pytest.approx(2, abs=1e-13)
+    slopes = [sp.diff(e, c) for e in (shape.area, shape.overstress_mean, shape.overstress_moment)]
+    assert all(math.isfinite(slope.subs(c, end)) for slope in slopes for end in (low, high))
+
+
+def test_second_moments_are_those_of_the_textbook() -> None:
+    width, thickness = sp.symbols("D h", positive=True)
+    half = thickness / 2
+    assert width * thickness * half**2 * RECTANGLE.zeta_squared == width * thickness**3 / 12
+    assert sp.pi * half**2 * half**2 * CIRCLE.zeta_squared == sp.pi * thickness**4 / 64
+
+
+def test_uniform_contraction_keeps_the_volume_and_the_shape() -> None:
+    assert UNIFORM.area * s == A0
+    assert sp.simplify(UNIFORM.thickness**2 / UNIFORM.area - h0**2 / A0) == 0
+    assert UNIFORM.area.subs(s, 1) == NONE.area == A0
+    assert UNIFORM.thickness.subs(s, 1) == NONE.thickness == h0
+
+
+# Means by quadrature: against closed forms and adaptive integration, and with derivatives wherever one may start.
+MEAN_SHAPES = {shape.name: shape for shape in (RECTANGLE, CIRCLE)}
+INDICES = (0.25, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0)
+NAMES = ("rate", "bending_rate", "yielded_fraction", "largest_rate")
+each_shape = pytest.mark.parametrize("shape", MEAN_SHAPES.values(), ids=MEAN_SHAPES)
+few = settings(max_examples=40, deadline=None)
+stresses = st.floats(-6, 6)
+
+RULES: dict[str, tuple[sp.Expr, sp.Expr]] = {
+    "power": (power_law_rate(), sp.S.Zero),
+    "herschel-bulkley": (herschel_bulkley_rate(), sigma_Y),
+}
+MEANS = {
+    (name, shape): quadrature_means(MEAN_SHAPES[shape], rate, threshold)
+    for name, (rate, threshold) in RULES.items()
+    for shape in MEAN_SHAPES
+}
+BINGHAM = {name: quadrature_means(shape, bingham_rate(), sigma_Y) for name, shape in MEAN_SHAPES.items()}
+CLOSED = {name: bingham_means(shape) for name, shape in MEAN_SHAPES.items()}
+
+
+def values(mean: float, slope: float, index: float = 1.0) -> dict[sp.Symbol, float]:
+    """Stresses in units of the yield stress; a rate of one at a stress of one."""
+    return {sigma_0: mean, sigma_1: slope, sigma_Y: 1.0, E: 400.0, K: 1.0, n: index}
+
+
+@cache
+def _printed(means: SectionMeans) -> tuple[list[sp.Symbol], ca.Function]:
+    outputs = {name: sp.sympify(getattr(means, name)) for name in NAMES}
+    symbols = sorted(set().union(*(value.free_symbols for value in outputs.values())), key=str)
+    inputs = {symbol: ca.SX.sym(symbol.name) for symbol in symbols}
+    found = CellFunction(outputs, symbols)(inputs)
+    return symbols, ca.Function("means", list(inputs.values()), [ca.SX(found[name]) for name in NAMES])
+
+
+def at(means: SectionMeans, given_values: dict[sp.Symbol, float]) -> dict[str, float]:
+    symbols, function = _printed(means)
+    return dict(zip(NAMES, map(float, function(*(given_values[symbol] for symbol in symbols))), strict=True))
+
+
+def integrated(shape: Section, flow: Callable[[float], float], mean: float, slope: float, kinks: tuple[float, ...]):
+    """<phi> and <phi zeta>/<zeta^2>, adaptively in zeta = sin(angle) between the kinks."""
+    inside = [(kink - mean) / slope for kink in kinks if slope != 0 and abs(kink - mean) < abs(slope)]
+    angles = [math.asin(edge) for edge in sorted({-1.0, 1.0, *inside})]
+
+    def density(angle: float) -> float:
+        return 2 / math.pi * math.cos(angle) ** 2 if shape is CIRCLE else math.cos(angle) / 2
+
+    def moment(order: int) -> float:
+        def integrand(angle: float) -> float:
+            return flow(mean + slope * math.sin(angle)) * density(angle) * math.sin(angle) ** order
+
+        return sum(quad(integrand, a, b, epsabs=0, epsrel=1e-10, limit=200)[0] for a, b in pairwise(angles))
+
+    return moment(0), moment(1) / float(shape.zeta_squared)
+
+
+@each_shape
+@pytest.mark.parametrize("case", sign_cases())
+def test_of_the_bingham_rule_they_are_the_closed_ones(shape: Section, case: str) -> None:
+    mean, slope = (YIELD * value for value in sign_cases()[case])
+    point = {sigma_0: mean, sigma_1: slope, sigma_Y: YIELD, eta: VISCOSITY, E: MODULUS}
+    found, wanted = at(BINGHAM[shape.name], point), at(CLOSED[shape.name], point)
+    scale = (abs(mean) + abs(slope)) / VISCOSITY
+    within = 1e-14 if shape is RECTANGLE else 1e-6
+    for name in ("rate", "bending_rate", "largest_rate"):
+        assert found[name] == pytest.approx(wanted[name], abs=within * scale, rel=0), name
+    assert found["yielded_fraction"] == pytest.approx(wanted["yielded_fraction"], abs=1e-12)
+
+
+@each_shape
+def test_of_the_maxwell_rule_they_are_the_closed_ones(shape: Section) -> None:
+    found, wanted = quadrature_means(shape, maxwell_rate(), sp.S.Zero), maxwell_means(shape)
+    for mean, slope in ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.3, -0.7), (-2.0, 0.1)):
+        point = {sigma_0: mean, sigma_1: slope, eta: 2.0, E: 400.0}
+        for name, value in at(wanted, point).items():
+            assert at(found, point)[name] == pytest.approx(value, abs=1e-14 if shape is RECTANGLE else 1e-6)
+
+
+@pytest.mark.parametrize("index", INDICES)
+@pytest.mark.parametrize(("name", "shape"), MEANS)
+def test_against_adaptive_integration(name: str, shape: str, index: float) -> None:
+    threshold = 0.0 if name == "power" else 1.0
+
+    def flow(stress: float) -> float:
+        return math.copysign(max(abs(stress) - threshold, 0) ** (1 / index), stress)
+
+    worst = 0.0
+    for mean, slope in np.random.default_rng(3).normal(0, 2.5, (25, 2)):
+        found = at(MEANS[name, shape], values(mean, slope, index))
+        wanted = integrated(MEAN_SHAPES[shape], flow, mean, slope, (threshold, -threshold))
+        size = max(map(abs, wanted))
+        misses = abs(found["rate"] - wanted[0]), abs(found["bending_rate"] - wanted[1])
+        worst = max(worst, max(misses) / size if size else max(misses))
+    assert worst < 3e-6
+
+
+def test_derivatives_are_finite_wherever_one_may_start() -> None:
+    for index in INDICES:
+        for name, shape in MEANS:
+            means = MEANS[name, shape]
+            stress = ca.SX.sym("stress", 2)
+            point = {**values(0.0, 0.0, index), sigma_0: stress[0], sigma_1: stress[1]}
+            rates = CellFunction({key: getattr(means, key) for key in NAMES}, tuple(point))(point)
+            both = ca.vertcat(*(rates[key] for key in NAMES))
+            function = ca.Function("means", [stress], [both, ca.jacobian(both, stress)])
+            starts = [
+                (a, b)
+                for a in (0.0, 0.5, 1.0, 3.0, -1.0, -3.0)
+                for b in (0.0, 1e-12, 0.5, 1.0, 2.0, 4.0, -2.0, -1e-300)
+            ]
+            for start in starts:
+                for value in function(start):
+                    assert np.all(np.isfinite(np.array(value))), start
+
+
+@each_shape
+@pytest.mark.parametrize("index", (0.5, 1.0, 2.0))
+def test_a_uniform_section_that_flows_resists_bending(shape: Section, index: float) -> None:
+    """At zero moment the bending rate has the slope of the rule itself, phi'(sigma_0), and not that of a sign."""
+    stress = ca.SX.sym("stress", 2)
+    for name, threshold in (("power", 0.0), ("herschel-bulkley", 1.0)):
+        point = {**values(3.0, 0.0, index), sigma_0: stress[0], sigma_1: stress[1]}
+        means = MEANS[name, shape.name]
+        rates = CellFunction({"mean": means.rate, "bend": means.bending_rate}, tuple(point))(point)
+        jacobian = ca.Function("j", [stress], [ca.jacobian(ca.vertcat(rates["mean"], rates["bend"]), stress)])
+        slope = (3.0 - threshold) ** (1 / index - 1) / index
+        assert np.array(jacobian((3.0, 0.0))) == pytest.approx(slope * np.eye(2), rel=2e-6, abs=2e-6 * slope)
+
+
+@pytest.mark.parametrize(("name", "shape"), MEANS)
+@few
+@given(mean=stresses, slope=stresses, step=st.floats(0, 1), index=st.sampled_from(INDICES))
+def test_odd_monotone_and_never_giving_work_back(
+    name: str, shape: str, mean: float, slope: float, step: float, index: float
+) -> None:
+    means = MEANS[name, shape]
+    found, opposite = at(means, values(mean, slope, index)), at(means, values(-mean, -slope, index))
+    largest = at(means, values(abs(mean) + step, abs(slope) + step, index))["largest_rate"]
+    # Which side is in tension is not known where the stress varies by less than 1e-30 E.
+    noise = 1e-12 * largest + 1e-25
+    for key in ("rate", "bending_rate"):
+        assert found[key] == pytest.approx(-opposite[key], abs=noise)
+    assert mean * found["rate"] + slope * found["bending_rate"] * float(MEAN_SHAPES[shape].zeta_squared) >= -noise * 12
+    error = 1e-5 * largest
+    assert at(means, values(mean + step, slope, index))["rate"] >= found["rate"] - error
+    assert at(means, values(mean, slope + step, index))["bending_rate"] >= found["bending_rate"] - 4 * error
+
+
+@few
+@given(share=st.floats(-1, 1), size=st.floats(0, 0.999), index=st.sampled_from(INDICES))
+def test_below_yield_nothing_flows_at_all(share: float, size: float, index: float) -> None:
+    for shape in MEAN_SHAPES:
+        point = values(size * share, size * (1 - abs(share)), index)
+        assert set(at(MEANS["herschel-bulkley", shape], point).values()) == {0.0}
+
+
+def test_a_wide_sheet_flows_by_the_rule_of_its_equivalent_stress() -> None:
+    """r phi(r sigma), r = sqrt(3)/2: 4/3 of the viscosity, 2/sqrt(3) of the yield stress, (2/sqrt(3))^(n+1) of K."""
+    r = math.sqrt(3) / 2
+    base = {sigma_0: 1.7, sigma_1: -0.9, E: 400.0}
+    fluids = {"maxwell": maxwell_means(RECTANGLE), "bingham": CLOSED["rectangle"]}
+    fluids |= {name: MEANS[name, "rectangle"] for name in RULES}
+    for means in fluids.values():
+        sheet = scaled(means, sp.sqrt(3) / 2)
+        for index in INDICES:
+            material = {eta: 2.0, sigma_Y: 1.0, K: 2.0, n: index}
+            wide = {eta: 2.0 * 4 / 3, sigma_Y: 1 / r, K: 2.0 * r ** -(index + 1), n: index}
+            assert at(sheet, {**base, **material}) == pytest.approx(at(means, {**base, **wide}), rel=1e-11)
+
+
+def test_a_weight_it_does_not_know_is_refused() -> None:
+    wrong = replace(RECTANGLE, name="wedge", weight=(1 + zeta) / 2)
+    with pytest.raises(ValueError, match="wedge"):
+        quadrature_means(wrong, maxwell_rate(), sp.S.Zero)
+
+
+# The closed-form means of the Bingham rule, (2.26) and (2.27), against quadrature and the paper's own letters.
+CASES = sign_cases()
+BINGHAM_SHAPES = sorted(SECTIONS)
+few_bingham_means = settings(max_examples=40, deadline=None)
+stresses_bingham_means = st.floats(-6 * YIELD, 6 * YIELD)
+
+
+def agree(one: Means, two: Means, mean: float, slope: float, rel: float = 2e-14) -> None:
+    scale = (abs(mean) + abs(slope)) / VISCOSITY
+    assert one.rate == pytest.approx(two.rate, abs=rel * scale, rel=0)
+    assert one.moment == pytest.approx(two.moment, abs=rel * scale, rel=0)
+    assert one.yielded == pytest.approx(two.yielded, abs=1e-6)
+
+
+def test_every_sign_case_against_quadrature() -> None:
+    for section in BINGHAM_SHAPES:
+        for case in CASES:
+            mean, slope = (YIELD * value for value in CASES[case])
+            found, wanted = closed_form(section, mean, slope), quadrature(section, mean, slope)
+            agree(found, wanted, mean, slope)
+            assert found.largest == pytest.approx(wanted.largest, rel=1e-12, abs=1e-12 * YIELD / VISCOSITY)
+
+
+@pytest.mark.parametrize("section", BINGHAM_SHAPES)
+def test_many_random_stresses_against_quadrature(section: str) -> None:
+    for mean, slope in np.random.default_rng(7).normal(0, 2 * YIELD, (300, 2)):
+        agree(closed_form(section, mean, slope), quadrature(section, mean, slope), mean, slope)
+
+
+def test_the_paper_letter_by_letter() -> None:
+    """Through the thickness of a section that has shrunk, whose size must not matter to the means."""
+    for case in CASES:
+        mean, slope = (YIELD * value for value in CASES[case])
+        wanted = paper(mean, slope, thickness=0.0055, width=0.004)
+        found = closed_form("rectangle", mean, slope)
+        scale = (abs(mean) + abs(slope)) / VISCOSITY
+        # The paper subtracts cubes of z_H and z_L: where the section is nearly uniform that costs it digits.
+        assert found.rate == pytest.approx(wanted.rate, abs=1e-12 * scale, rel=0)
+        assert found.moment == pytest.approx(wanted.moment, abs=1e-12 * scale, rel=0)
+
+
+def test_the_paper_at_random_stresses() -> None:
+    for mean, slope in np.random.default_rng(8).normal(0, 2 * YIELD, (300, 2)):
+        wanted = paper(mean, slope, thickness=0.006, width=0.01)
+        agree(closed_form("rectangle", mean, slope), wanted, mean, slope, 1e-13)
+
+
+@pytest.mark.parametrize("section", BINGHAM_SHAPES)
+@few_bingham_means
+@given(mean=stresses_bingham_means, slope=stresses_bingham_means, step=st.floats(0, YIELD))
+def test_symmetric_monotone_and_never_giving_work_back(section: str, mean: float, slope: float, step: float) -> None:
+    found = closed_form(section, mean, slope)
+    scale = (abs(mean) + abs(slope) + step) / VISCOSITY
+    for a, b in ((-1, -1), (1, -1)):
+        other = closed_form(section, a * mean, b * slope)
+        assert found.rate == pytest.approx(a * other.rate, abs=1e-14 * scale, rel=0)
+        assert found.moment == pytest.approx(b * other.moment, abs=1e-14 * scale, rel=0)
+        assert found.largest == other.largest
+    assert mean * found.rate >= -1e-16 * scale * (abs(mean) + abs(slope))
+    assert slope * found.moment >= -1e-16 * scale * (abs(mean) + abs(slope))
+    assert closed_form(section, mean + step, slope).rate >= found.rate - 1e-14 * scale
+    assert closed_form(section, mean, slope + step).moment >= found.moment - 1e-14 * scale
+
+
+@pytest.mark.parametrize("section", BINGHAM_SHAPES)
+@few_bingham_means
+@given(share=st.floats(-1, 1), size=st.floats(0, 0.999))
+def test_below_yield_nothing_flows_at_all_bingham_means(section: str, share: float, size: float) -> None:
+    """Exactly nothing: `no-yield` is the run in which no fibre ever does."""
+    mean = size * share * YIELD
+    slope = size * (1 - abs(share)) * YIELD
+    assert closed_form(section, mean, slope) == Means(0.0, 0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("section", BINGHAM_SHAPES)
+@few_bingham_means
+@given(mean=stresses_bingham_means, slope=stresses_bingham_means, ahead=st.floats(-1, 1), aside=st.floats(-1, 1))
+def test_continuous_with_the_slope_of_the_flow_rule(
+    section: str, mean: float, slope: float, ahead: float, aside: float
+) -> None:
+    """Neither mean can change faster than the stress over eta, also across the yield point and through zero moment."""
+    step = 1e-6 * YIELD
+    one, two = closed_form(section, mean, slope), closed_form(section, mean + ahead * step, slope + aside * step)
+    bound = (abs(ahead) + abs(aside)) * step / VISCOSITY + 1e-14 * (abs(mean) + abs(slope)) / VISCOSITY
+    assert abs(one.rate - two.rate) <= bound
+    assert abs(one.moment - two.moment) <= bound
+
+
+@pytest.mark.parametrize("section", BINGHAM_SHAPES)
+@few_bingham_means
+@given(mean=stresses_bingham_means, slope=stresses_bingham_means)
+def test_without_a_threshold_it_is_maxwell(section: str, mean: float, slope: float) -> None:
+    found = closed_form(section, mean, slope, threshold=1e-12 * YIELD)
+    rounding = (1e-14 * (abs(mean) + abs(slope)) + 2e-12 * YIELD) / VISCOSITY
+    assert abs(found.rate - mean / VISCOSITY) <= rounding
+    assert abs(found.moment - slope / VISCOSITY * float(SECTIONS[section].zeta_squared)) <= rounding
+
+
+@pytest.mark.parametrize("section", BINGHAM_SHAPES)
+def test_the_derivative_at_zero_moment_is_the_one_from_either_side(section: str) -> None:
+    """A uniform section that flows resists bending like the fluid it is: d<phi zeta>/d sigma_1 = <zeta^2>/eta."""
+    step = 1e-4 * YIELD
+    for slope in (step, -step):
+        found = closed_form(section, 3 * YIELD, slope).moment / slope
+        assert found * VISCOSITY == pytest.approx(float(SECTIONS[section].zeta_squared), rel=1e-9)
+    moment = bingham_means(SECTIONS[section]).bending_rate
+    at = {sigma_0: 3 * YIELD, sigma_1: 0, sigma_Y: YIELD, eta: VISCOSITY, E: MODULUS}
+    assert float(moment.subs(at)) == 0
+
+
+def test_the_flow_rules_themselves() -> None:
+    rule = sp.lambdify((sigma, sigma_Y, eta), bingham_rate(), modules="math")
+    for stress in (-3.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 3.0):
+        assert rule(stress * YIELD, YIELD, VISCOSITY) == flow_rule(np.array(stress * YIELD))
+    assert maxwell_rate() == sigma / eta
+
+
+def test_a_uniform_section_at_yield_does_not_divide_by_zero() -> None:
+    for mean in (YIELD, -YIELD, 0.0):
+        found = closed_form("rectangle", mean, 0.0)
+        assert (found.rate, found.moment, found.largest) == (0.0, 0.0, 0.0)
+
+
+def test_no_mean_depends_on_the_modulus() -> None:
+    """E stands in the closed form only to keep a quotient finite."""
+    means = bingham_means(RECTANGLE)
+    for mean, slope in ((0.0, 0.0), (2.0, 0.0), (2.0, 1e-12), (0.5, 3.0)):
+        at = {sigma_0: mean * YIELD, sigma_1: slope * YIELD, sigma_Y: YIELD, eta: VISCOSITY}
+        one, two = (float(means.rate.subs({**at, E: modulus})) for modulus in (1e3, 1e12))
+        assert one == two
+
+
+# One section of the printed graph pulled at a constant rate: Trouton's tension, and what the closures make of it.
+MODULUS_PULLED, ETA, RATE = 1e7, 1e4, 1.0
+"""Relaxation time 1 ms, strained by 1 per second: Newtonian to 0.1 %."""
+
+
+def pulled(closure: str, strains: np.ndarray) -> np.ndarray:
+    """Tension per undeformed area at the given true strains, pulled at a constant true strain rate."""
+    asked = scene(thickness=0.01, E=MODULUS_PULLED, eta=ETA, closure=closure)
+    equations = derive(choose_effects(asked).terms(), SECTIONS["rectangle"], closure)
+    cell = CellPrinter(equations, {sy.E: MODULUS_PULLED, sy.eta: ETA, sy.h0: 0.01})
+    s, a_0, sigma_0 = ca.SX.sym("s"), ca.SX.sym("a_0"), ca.SX.sym("sigma_0")
+    stress = ca.Function("stress", [s, a_0], [cell.stress(0, "stress_mean", {sy.s: s, sy.a_0: a_0})])
+    tension = ca.Function("tension", [s, sigma_0], [cell.section("tension", {sy.s: s, sy.sigma_0: sigma_0})])
+    flow = ca.Function("flow", [s, sigma_0], [cell.flow(0, s, sigma_0, ca.SX(0))["rate_mean"]])
+
+    def rate(time: float, plastic: np.ndarray) -> np.ndarray:
+        stretch = np.exp(RATE * time)
+        return np.array([float(flow(stretch, stress(stretch, plastic[0])))])
+
+    times = strains / RATE
+    history = solve_ivp(rate, (0, times[-1]), [0.0], "Radau", times, rtol=1e-9, atol=1e-12)
+    stretches = np.exp(strains)
+    return np.array([float(tension(x, stress(x, a))) for x, a in zip(stretches, history.y[0], strict=True)])
+
+
+def test_material_closure_gives_trouton_tension() -> None:
+    """T = eta A s_t/s at any stretch, less what has not built up yet: 1 - exp(-t/tau)."""
+    strains = np.array([0.001, 0.005, 0.2, 0.5, 1.0, 1.5])
+    expected = ETA * RATE / np.exp(strains) * (1 - np.exp(-strains / RATE * MODULUS_PULLED / ETA))
+    found = pulled("material", strains)
+    np.testing.assert_allclose(found, expected, rtol=1e-6)
+
+
+def test_printed_closure_loses_its_tension_at_a_stretch_of_e() -> None:
+    """T = eta A s_t/s (1 - log s): 20 % too small at 20 % strain, nothing at s = e, negative beyond."""
+    strains = np.array([0.2, 0.5, 1.0, 1.5])
+    found = pulled("printed", strains)
+    np.testing.assert_allclose(found / (ETA * RATE / np.exp(strains)), 1 - strains, atol=5e-3)
+    assert found[0] == pytest.approx(0.8 * ETA * RATE / np.exp(0.2), rel=5e-3)
+    assert found[3] < 0
+
+
+# Slow bending of an elastoplastic section, against the exact curves and ultimate moments of textbooks.
+YIELD_SLOW = 1e-3
+SECOND = {"rectangle": 1 / 3, "circle": 1 / 4}
+ULTIMATE = {"rectangle": 3 / 2, "circle": 16 / (3 * np.pi)}
+"""M_p/M_Y: sY b h^2/4 over sY b h^2/6, sY d^3/6 over pi sY d^3/32."""
+FURTHEST = 10.0
+CURVATURE = np.linspace(0.0, FURTHEST, 61)
+SLOWNESS = 1e9
+"""Relaxation times in which the curvature grows by that of first yield: the overstress of a fibre is a billionth, that
+of an outermost point that flows for a whole section as many times more as its weight is less."""
+OVERSTRESS = 1e-5
+BENDING_RULES = {"fibres": (6, 12, 24, 64), "order": (1, 3, 5, 8)}
+
+
+def exact(section: str, curvature: Array) -> Array:
+    """M/M_Y of kappa/kappa_Y: an elastic core within c = kappa_Y/kappa of the centre, yield outside (Nadai 1931).
+
+    Rectangle 3/2 (1 - c^2/3); circle (2/pi) [ asin(c)/c + (5 - 2 c^2) sqrt(1 - c^2)/3 ].
+    """
+    c = 1 / np.maximum(curvature, 1.0)
+    plastic = {
+        "rectangle": 3 / 2 * (1 - c**2 / 3),
+        "circle": 2 / np.pi * (np.arcsin(c) / c + (5 - 2 * c**2) * np.sqrt(1 - c**2) / 3),
+    }
+    return np.where(curvature <= 1, curvature, plastic[section])
+
+
+def found(section: str, rule: SectionRule) -> tuple[Array, Array]:
+    """Mean stress over sY and M/M_Y; E = h0 = 1, so that kappa_Y = 2 sY."""
+    turning = 2 * YIELD_SLOW * CURVATURE
+    tension, moment = bend_slowly(one_cell(section, rule, YIELD_SLOW), rule, turning, SLOWNESS * CURVATURE[1])
+    return tension / YIELD_SLOW, -moment / (YIELD_SLOW * SECOND[section] / 2)
+
+
+def rule_of(section: str, kind: str, number: int) -> SectionRule:
+    shape = SECTIONS[section]
+    return fibre_rule(shape, number) if kind == "fibres" else order_rule(shape, number, 24)
+
+
+def limit_moment(section: str, rule: SectionRule) -> float:
+    """M_p/M_Y by the static theorem: the largest moment of a stress that exceeds yield nowhere, a linear program."""
+    objective = -(rule.weight * rule.zeta) @ rule.recall / SECOND[section]
+    both = np.vstack([rule.recall, -rule.recall])
+    solved = linprog(objective, A_ub=both, b_ub=np.ones(len(both)), bounds=[(None, None)] * rule.states)
+    assert solved.success
+    return -float(solved.fun)
+
+
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
+def test_closed_forms_are_integrals_over_the_section(section: str) -> None:
+    """sigma = max(-1, min(1, kappa zeta)), and all of it at yield for the ultimate moment."""
+
+    def width(zeta: float) -> float:
+        return 1.0 if section == "rectangle" else 4 / np.pi * np.sqrt(1 - zeta**2)
+
+    for curvature in (0.5, 1.0, 1.3, 3.0, 20.0):
+        core = min(1.0, 1 / curvature)
+        parts = ((0.0, core), (core, 1.0))
+        whole = sum(quad(lambda z: z * min(1.0, curvature * z) * width(z), *part)[0] for part in parts)  # noqa: B023
+        assert exact(section, np.array([curvature]))[0] == pytest.approx(whole / SECOND[section], abs=1e-9)
+    ultimate = quad(lambda z: z * width(z), 0, 1)[0] / SECOND[section]
+    assert pytest.approx(ultimate, abs=1e-9) == ULTIMATE[section]
+    assert exact(section, np.array([1e6]))[0] == pytest.approx(ultimate, abs=1e-9)
+
+
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
+def test_moment_follows_curvature(section: str) -> None:
+    wanted, rows = exact(section, CURVATURE), []
+    curve: dict[str, list[float]] = {"fibres": [], "order": []}
+    for kind, numbers in BENDING_RULES.items():
+        for number in numbers:
+            rule = rule_of(section, kind, number)
+            axial, moment = found(section, rule)
+            error = float(np.max(np.abs(moment - wanted)) / ULTIMATE[section])
+            limit = limit_moment(section, rule)
+            curve[kind].append(error)
+            at_limit = f"{limit / ULTIMATE[section] - 1:+.4f}"
+            rows.append([f"{kind} {number}", f"{error:.5f}", f"{moment[-1]:.5f}", f"{wanted[-1]:.5f}", at_limit])
+            assert np.max(np.abs(axial)) < 1e-9
+            assert moment.max() <= limit + OVERSTRESS
+            # Drucker: no softening, whatever the stresses are free to do
+            assert np.all(np.diff(moment) > -OVERSTRESS)
+            elastic = CURVATURE <= 1
+            np.testing.assert_allclose(moment[elastic], CURVATURE[elastic], atol=1e-9)
+    head = ("section", "largest error/M_p", "M/M_Y at 10 kappa_Y", "exact", "its M_p/exact - 1")
+    show(f"{section}: slow bending at fixed length", head, rows)
+    assert all(fine < 0.4 * coarse for coarse, fine in pairwise(curve["fibres"]))
+    assert curve["fibres"][-1] < 1e-3
+    assert all(fine < coarse for coarse, fine in pairwise(curve["order"]))
+
+
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
+def test_fibres_yield_one_by_one(section: str) -> None:
+    """Each carries its strain or the yield stress: the whole curve, exactly, up to viscosity."""
+    for number in (6, 24):
+        rule = fibre_rule(SECTIONS[section], number)
+        stress = np.clip(CURVATURE[:, None] * rule.zeta, -1.0, 1.0)
+        wanted = stress @ (rule.weight * rule.zeta) / SECOND[section]
+        np.testing.assert_allclose(found(section, rule)[1], wanted, atol=1e-7)
+
+
+@pytest.mark.parametrize("section", ["rectangle", "circle"])
+def test_a_linear_profile_stops_at_first_yield(section: str) -> None:
+    """A linear stress that exceeds yield nowhere has at most the moment of first yield: M_p is out of reach."""
+    rule = order_rule(SECTIONS[section], 1, 64)
+    _, moment = found(section, rule)
+    assert moment[-1] == pytest.approx(1 / rule.zeta[-1], abs=OVERSTRESS)
+    assert moment[-1] == pytest.approx(1.0, abs=2e-3)
