@@ -20,7 +20,7 @@ from softcat_sym.solvers import compiled as c_model
 from softcat_sym.solvers import compiled as compiling
 from softcat_sym.solvers.compiled import runtime_sources
 from softcat_sym.solvers.solution import Silence
-from tests.oracle.rk4_filament import run as oracle
+from tests.common.rk4_filament import run as oracle
 from tests.rivals import casadi_rosenbrock, radau, scenes
 from tests.rivals.casadi_rosenbrock import CompiledRosenbrock, Interpreted
 from tests.rivals.kirchhoff_c import HandWritten

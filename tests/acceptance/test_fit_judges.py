@@ -16,7 +16,7 @@ from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
-from tests.oracle import rk4_filament
+from tests.common import rk4_filament
 from tests.physics.scenes import scene as paper_filament
 
 from .elements import elements, name_of, plane

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.oracle.rk4_filament import run as oracle
+from tests.common.rk4_filament import run as oracle
 
 from .scenes import PAPER, paper_scene, run
 

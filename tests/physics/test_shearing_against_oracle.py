@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from tests.oracle.reissner_filament import E_STAR
-from tests.oracle.reissner_filament import run as oracle
+from tests.common.reissner_filament import E_STAR
+from tests.common.reissner_filament import run as oracle
 
 CELLS, FIBRES, FRAMES = 10, 4, 5
 DURATION = 20.0

@@ -8,7 +8,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.effects.forecast import forecast
 from tests.acceptance.table import show
-from tests.oracle.reissner_filament import run as oracle
+from tests.common.reissner_filament import run as oracle
 
 pytestmark = pytest.mark.slow
 

@@ -23,7 +23,7 @@ from softcat_sym.solvers import compiled as compiling
 from softcat_sym.solvers import settings as backend
 from softcat_sym.solvers.settings import choose_backend
 from tests.acceptance.table import show
-from tests.native.compilers import Counter, compiler
+from tests.common.compilers import Counter, compiler
 
 from .filaments import scene_of, without
 

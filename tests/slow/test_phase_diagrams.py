@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.ensemble.ensemble import NobodyListens
+from softcat_sym.ensemble.executor import executor
 from softcat_sym.scene.scene import elastic_time
 from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, PhaseSheet, phase_diagram, phase_lines
-from softcat_sym.studies.phase_runs import CLAMPS_ONLY, PASSED, PLANES, PhaseRunner, Place, duration_at
-
-from .table import show
+from softcat_sym.studies.phase_runs import CLAMPS_ONLY, PASSED, PLANES, Place, duration_at, run_places
+from tests.common.table import show
 
 SPAN, DENSITY, GRAVITY = 0.2, 1900.0, 9.81
 SECONDS = 60.0
@@ -146,10 +145,10 @@ def test_first_yield_goes_from_the_sudden_to_the_slow_line() -> None:
     rows, found = [], {}
     for ramp in (0, 10, 40, 400):
         asked = scene(f"load.ramp={ramp * elastic_time(scene())} s")
-        runner = PhaseRunner(asked, 1, NobodyListens())
 
-        def sound(gravity_number: float, runner: PhaseRunner = runner) -> bool:
-            return runner.run([Place(gravity_number, 26.0, 0.03)])[0].regime == "no-yield"
+        def sound(gravity_number: float, asked: sc.Scene = asked) -> bool:
+            with executor(1) as pool:
+                return run_places(asked, [Place(gravity_number, 26.0, 0.03)], pool)[0].regime == "no-yield"
 
         found[ramp] = bisected(sound, 0.02, 0.12)
         lines = {line.name: line.at(1.0) for line in phase_lines(asked, PLANES["G-V"], 3) if line.kind == "first yield"}

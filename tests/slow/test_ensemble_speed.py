@@ -12,8 +12,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.ensemble.ensemble import Ensemble
 from softcat_sym.solvers.compiled import Answer, CModel, Run, Status
-
-from .table import show
+from tests.common.table import show
 
 Settings = dict[str, object]
 
