@@ -17,7 +17,7 @@ from softcat_sym.error_control.control import periods_of
 from softcat_sym.error_control.estimate import Judge
 from softcat_sym.errors import SoftcatError
 from softcat_sym.simulate import without_estimate
-from tests.limited_process import Ask, limit_this_process, side_by_side
+from tests.common.limited_process import Ask, limit_this_process, side_by_side
 
 from .kept_answers import fingerprint, kept
 

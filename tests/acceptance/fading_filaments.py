@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from ..hard.truths import beam_shaken
+from tests.common.truths import beam_shaken
+
 from .rheology import GEOMETRY, STRING, Array, limit_of, scene, solved
 
 WEIGHT = 1e4

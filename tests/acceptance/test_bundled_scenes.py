@@ -13,9 +13,9 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.results.trajectory import Trajectory
+from tests.common import curves
 from tests.marks import few
 
-from ..oracle import curves
 from .table import show
 
 Checked = list[tuple[str, float, float, float]]

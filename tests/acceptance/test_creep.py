@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ..oracle import curves
+from tests.common import curves
+
 from .rheology import GEOMETRY, Array, flow_of, limit_of, scene, solved
 from .table import show
 

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.common import curves, materials
 from tests.marks import few
 
-from ..oracle import curves, materials
 from .rheology import GEOMETRY, STRING, Array, flow_of, limit_of, scene, solved
 from .table import show
 

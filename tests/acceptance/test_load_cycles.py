@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.common import materials
 from tests.marks import few
 
-from ..oracle import materials
 from .rheology import GEOMETRY, flow_of, scene, solved
 from .table import show
 

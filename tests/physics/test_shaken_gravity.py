@@ -8,9 +8,9 @@ from scipy.integrate import cumulative_simpson
 
 from softcat_sym import Scene, simulate
 from softcat_sym.simulate import without_estimate
+from tests.common.truths import beam_shaken
 from tests.marks import few
 
-from ..hard.truths import beam_shaken
 from .scenes import GEOMETRY, Array, extrapolated, paper_scene, run, scene
 
 GRAVITY, DENSITY = 10.0, 1000.0

@@ -19,8 +19,8 @@ from softcat_sym.solvers import compiled as external_module
 from softcat_sym.solvers.compiled import External, compiled_rhs, compiled_rosenbrock
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
+from tests.common.compilers import Counter
 
-from ..native.compilers import Counter
 from .filaments import graph_of, prepared, scene_of, without
 
 

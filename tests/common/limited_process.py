@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import ExitStack, closing
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
@@ -18,6 +18,9 @@ from typing import Any
 START = 120.0  # s in which a fresh process imports everything
 PATIENCE = 20.0
 """Wall-clock time over processor time: a busy machine shares its processors, a process that sleeps uses none."""
+
+Ask = Callable[[object, Sequence[float]], tuple[list[Any], str]]
+"""See :meth:`LimitedProcess.ask`."""
 
 
 class LimitedProcess:
@@ -61,41 +64,26 @@ class LimitedProcess:
         self._here.close()
 
 
-Ask = Callable[[object, Sequence[float]], tuple[list[Any], str]]
-"""See :meth:`LimitedProcess.ask`."""
-
-
-@contextmanager
-def limited_processes(serve: Callable[[Connection], None], number: int) -> Iterator[Ask]:
-    """So many processes; threads ask, and each waits until one is free."""
-    made = [LimitedProcess(serve) for _ in range(number)]
-    free: SimpleQueue[LimitedProcess] = SimpleQueue()
-    for process in made:
-        free.put(process)
-
-    def ask(question: object, limits: Sequence[float]) -> tuple[list[Any], str]:
-        process = free.get()
-        try:
-            return process.ask(question, limits)
-        finally:
-            free.put(process)
-
-    try:
-        yield ask
-    finally:
-        for process in made:
-            process.close()
-
-
 def side_by_side(
     serve: Callable[[Connection], None], answered: Callable[[Ask, Any], Any], questions: Iterable[Any]
 ) -> list[Any]:
-    """Answer questions on all processors, in their order."""
+    """Answer questions on all processors, in their order; a thread waits until one of the processes is free."""
     waiting = list(questions)
     number = min(os.cpu_count() or 1, len(waiting))
     if not number:
         return []
-    with limited_processes(serve, number) as ask, ThreadPoolExecutor(number) as threads:
+    with ExitStack() as stack, ThreadPoolExecutor(number) as threads:
+        free: SimpleQueue[LimitedProcess] = SimpleQueue()
+        for _ in range(number):
+            free.put(stack.enter_context(closing(LimitedProcess(serve))))
+
+        def ask(question: object, limits: Sequence[float]) -> tuple[list[Any], str]:
+            process = free.get()
+            try:
+                return process.ask(question, limits)
+            finally:
+                free.put(process)
+
         return list(threads.map(lambda question: answered(ask, question), waiting))
 
 

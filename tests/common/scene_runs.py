@@ -1,28 +1,30 @@
-"""What holds in every run that is returned as a success, whatever the scene."""
+"""One drawn scene: read, written, run in a process of its own, and looked at for what must hold in every success."""
 
 from __future__ import annotations
 
+import json
+import tempfile
+import time
+import warnings
 from collections.abc import Iterator
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
+import softcat_sym as sc
+from softcat_sym.errors import SoftcatError
 from softcat_sym.results.fields import min_energy
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.scene import scene as geometry
 from softcat_sym.scene.scene import Scene
+from tests.common.limited_process import Ask, limit_this_process
 
-Array = npt.NDArray[np.float64]
-
-_STORED = (
-    "energy_kinetic",
-    "energy_elastic",
-    "energy_potential",
-    "energy_dissipated",
-    "energy_gradient",
-    "energy_surface",
-)
+REFUSED = "refused"
+_STORED = tuple(f"energy_{kind}" for kind in ("kinetic", "elastic", "potential", "dissipated", "gradient", "surface"))
 
 PLACE = 1e-6
 """How far a support may be from its place, over the span: what algebraic constraints and steps leave open."""
@@ -42,7 +44,7 @@ def is_balanced(scene: Scene, trajectory: Trajectory) -> bool:
     """Whether energy is to be conserved: with the material closure, of a run that is carried through time.
 
     Not by a list with finite stretch and without thinning: its section swells with the stretch, and stores energy that
-    no force knows (`test_invariants.py` shows it).
+    no force knows (`test_properties.py` shows it).
     """
     effects = set(trajectory.summary["effects"])
     carried = {"inertia", "viscous-flow", "viscous-stress"} & effects
@@ -132,3 +134,89 @@ def _symmetry(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
 
 def _largest_energy(data: xr.Dataset) -> float:
     return max(float(np.abs(data[name].values).max()) for name in (*_STORED, "work_external"))
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One scene."""
+
+    scene: str
+    law: str
+    outcome: str
+    reason: str = ""
+    broken: tuple[str, ...] = ()
+    residual: float | None = None
+    seconds: float = 0.0
+
+
+def answer(table: dict[str, Any], folder: str) -> Answer:
+    """Run one scene, and look for what is broken; any exception but the package's own is."""
+    started = time.process_time()
+    known: dict[str, Any] = {"scene": json.dumps(table), "law": table["material"]["law"]}
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            warnings.simplefilter("ignore", sc.SoftcatWarning)  # what the package tells of a good answer
+            known |= _run(table, folder)
+    except SoftcatError as error:
+        known |= {"outcome": REFUSED, "reason": str(error)}
+    except Exception as error:  # noqa: BLE001  whatever comes out is what is looked for
+        known |= {"outcome": "", "broken": (f"{type(error).__name__}: {error}",)}
+    return Answer(**known, seconds=time.process_time() - started)
+
+
+def _run(table: dict[str, Any], folder: str) -> dict[str, Any]:
+    scene = Scene.model_validate(table)
+    broken = _there_and_back(scene, folder)
+    run = sc.simulate(scene)
+    balanced = is_balanced(scene, run)
+    found: dict[str, Any] = {"outcome": run.outcome.name, "reason": run.summary["message"]}
+    if run.outcome.is_success:
+        broken += messages(run)
+        found["residual"] = run.summary["energy_residual"] if balanced else None
+    return found | {"broken": tuple(broken)}
+
+
+def _there_and_back(scene: Scene, folder: str) -> list[str]:
+    """Scene to TOML to scene is the identity, and so is the text."""
+    text = scene.to_toml()
+    file = Path(folder) / "scene.toml"
+    file.write_text(text, encoding="utf-8")
+    again = sc.load_scene(file)
+    broken = [] if again == scene else ["scene to TOML to scene is not the identity"]
+    return broken + ([] if again.to_toml() == text else ["the scene is written differently the second time"])
+
+
+_LATE = "no answer within"
+
+
+def is_late(answer: Answer) -> bool:
+    """Whether a scene was ended for the time it took: no exception, no process that died of its own."""
+    return not answer.outcome and answer.broken[0].startswith(_LATE)
+
+
+def answer_within(ask: Ask, table: dict[str, Any], limit: float) -> Answer:
+    """Answer one scene within so many seconds of the processor; else its answer says that there was none."""
+    answers, died = ask((table, limit), (limit,))
+    if answers:
+        found: Answer = answers[0]
+        return found
+    why = died or f"{_LATE} {limit:g} s"
+    return Answer(json.dumps(table), table["material"]["law"], "", broken=(why,), seconds=limit)
+
+
+def serve(there: Connection) -> None:
+    """Answer scenes one after another."""
+    import softcat_sym.simulate  # noqa: F401  imported before the clock runs
+
+    there.send("ready")
+    with tempfile.TemporaryDirectory() as folder:
+        while True:
+            try:
+                table, limit = there.recv()
+            except EOFError:
+                return
+            limit_this_process(limit)
+            found = answer(table, folder)
+            limit_this_process(0)
+            there.send(found)

@@ -1,7 +1,8 @@
-"""SIGTERM ends a command as Ctrl-C does: one line, its own status, no child and no file left behind."""
+"""Signals and full disks: a command ends with one line and its own status, no child and no half file left behind."""
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import subprocess
@@ -12,15 +13,20 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.library import recall
+from softcat_sym.errors import SoftcatError
+from softcat_sym.files import fill_atomically, made, replace_atomically, write_all, written_together
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
+from softcat_sym.reference.element_loop import write_checkpoint
 from softcat_sym.solvers.compiled import CModel
-
-from .commands import ended, hanging, is_gone, softcat, until
-from .tiny_disk import files_in
+from tests.cli.in_process import Softcat, sets
+from tests.common.commands import ended, hanging, is_gone, until
+from tests.common.commands import softcat as started
+from tests.common.tiny_disk import files_in, remount, tiny_disk
 
 SHORT = ("--set", "groups.duration=10", "--set", "run.frames=11", "--set", "numerics.cells=10", "--mesh", "6x2")
 
@@ -132,7 +138,7 @@ def test_sigterm_ends_calculix_and_removes_its_folder(
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
     output = tmp_path / "out"
     asked = ("compare", "continual-descent", "-o", str(output), "--engine", "calculix", *SHORT)
-    with softcat(*asked, ignoring=ignoring) as process:
+    with started(*asked, ignoring=ignoring) as process:
         until(note.exists, process)
         assert not is_gone(note, 0.0)
         said = "softcat: interrupted; the same command goes on from what was finished\n"
@@ -151,7 +157,7 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
     note = hanging(tmp_path / "cc", when)
     monkeypatch.setenv("CC", str(tmp_path / "cc"))
     monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
-    with softcat("run", "arrested-overdamped", "-o", str(tmp_path / "out")) as process:
+    with started("run", "arrested-overdamped", "-o", str(tmp_path / "out")) as process:
         until(note.exists, process)
         assert ended(process, signal.SIGTERM) == (143, "", "softcat: interrupted; nothing was written\n")
     assert is_gone(note)
@@ -167,7 +173,7 @@ def test_a_killed_calculix_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     note = hanging(tmp_path / "bin" / "ccx")
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
     asked = ("compare", "continual-descent", "-o", str(tmp_path / "out"), "--engine", "calculix", *SHORT)
-    with softcat(*asked) as process:
+    with started(*asked) as process:
         until(note.exists, process)
         os.kill(int(note.read_text().split()[0]), signal.SIGKILL)
         _, message = process.communicate(timeout=60)
@@ -176,3 +182,91 @@ def test_a_killed_calculix_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert message.count("\n") == 1
     assert is_gone(note)
     assert not (tmp_path / "out").exists()
+
+
+SCENE = "arrested-overdamped"
+QUICK = sets("numerics.cells=10", "run.frames=21", "numerics.estimate=false", "numerics.backend=interpreted")
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    return Softcat(monkeypatch, capsys)
+
+
+def test_what_is_written_together_is_there_together_or_not_at_all(tmp_path: Path) -> None:
+    old, new = tmp_path / "old", tmp_path / "new"
+    old.write_bytes(b"old")
+
+    def full(_: Path) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    with pytest.raises(OSError, match=r"No space left on device: .*third") as raised, written_together():
+        replace_atomically(old, b"new")
+        replace_atomically(new, b"new")
+        assert old.read_bytes() == b"old", "not before all is written"
+        fill_atomically(tmp_path / "third", full)
+    assert raised.value.filename == str(tmp_path / "third")
+    assert files_in(tmp_path) == {"old": b"old"}
+    write_all(tmp_path, {"old": b"new", "new": b"newer"})
+    assert files_in(tmp_path) == {"old": b"new", "new": b"newer"}
+
+
+def test_a_place_that_is_a_folder_stops_all_of_them(tmp_path: Path) -> None:
+    (tmp_path / "b").mkdir()
+    with pytest.raises(IsADirectoryError):
+        write_all(tmp_path, {"a": b"1", "b": b"2"})
+    assert files_in(tmp_path) == {}
+
+
+def test_a_folder_into_which_nothing_came_goes_again(tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt), made(tmp_path / "deep" / "er"):
+        raise KeyboardInterrupt
+    assert list(tmp_path.iterdir()) == []
+    with pytest.raises(KeyboardInterrupt), made(tmp_path):
+        raise KeyboardInterrupt
+    assert tmp_path.is_dir(), "what was there stays"
+
+
+def test_a_run_on_a_full_disk_says_so_and_leaves_the_old_files(softcat: Softcat, tmp_path: Path) -> None:
+    with tiny_disk(tmp_path / "disk", 1000) as disk:
+        output = disk / "out"
+        assert softcat("run", SCENE, "-o", str(output), "-q", *QUICK).status == 0
+        before = files_in(disk)
+        for room in (4, 128):
+            (disk / "fill").write_bytes(b"")
+            space = os.statvfs(disk)
+            (disk / "fill").write_bytes(bytes(space.f_bavail * space.f_frsize - 1000 * room))
+            done = softcat("run", SCENE, "-o", str(output), "-q", *QUICK)
+            assert (done.status, done.out) == (2, "")
+            assert done.err == f"softcat: cannot write the results: No space left on device ({output})\n"
+            (disk / "fill").unlink()
+            assert files_in(disk) == before
+
+
+@pytest.mark.parametrize("room", [0, 60])
+def test_c_on_a_full_disk_is_not_half_a_product(softcat: Softcat, tmp_path: Path, room: int) -> None:
+    with tiny_disk(tmp_path / "disk", 100) as disk:
+        (disk / "fill").write_bytes(bytes(1000 * (100 - room)))
+        done = softcat("generate", SCENE, "-o", str(disk / "out"), "-q", *QUICK[:2])
+        assert (done.status, done.out) == (2, "")
+        assert done.err.startswith("softcat: cannot write the results: No space left on device")
+        assert [path.name for path in disk.iterdir()] == ["fill"]
+
+
+def test_a_disk_that_is_only_read_is_refused_before_the_run(softcat: Softcat, tmp_path: Path) -> None:
+    """Root may write wherever it likes, except where nobody may."""
+    with tiny_disk(tmp_path / "disk", 100) as disk:
+        remount(disk, "ro")
+        for command in ("run", "generate"):
+            done = softcat(command, SCENE, "-o", str(disk / "out"), "-q", *QUICK[:2])
+            assert (done.status, done.err) == (2, f"softcat: cannot write the results: {disk} cannot be written\n")
+
+
+def test_the_checkpoint_of_elements_is_whole_or_the_old_one(tmp_path: Path) -> None:
+    with tiny_disk(tmp_path / "disk", 40) as disk:
+        path = disk / "elements.npz"
+        write_checkpoint(path, "key", {"x": np.zeros(100)})
+        before = files_in(disk)
+        with pytest.raises(SoftcatError, match=r"cannot write the checkpoint .*No space left on device"):
+            write_checkpoint(path, "key", {"x": np.zeros(10_000)})
+        assert files_in(disk) == before

@@ -1,26 +1,33 @@
 """Whole scenes drawn at random: every answer is right as far as invariants can tell, or an honest refusal.
 
-The ranges stand in ``scene_strategies.py`` and were fixed, like the seeds, before any scene was run.
+The ranges stand in ``common/scene_strategies.py`` and were fixed, like the seeds, before any scene was run.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import json
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import asdict, replace
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+import xarray as xr
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
+import softcat_sym as sc
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.scene import Scene
 from tests.acceptance.kept_answers import fingerprint, kept
-from tests.acceptance.table import show
-from tests.limited_process import Ask, side_by_side
-
-from .limited import answer_within, is_late, serve
-from .scene_runs import REFUSED, Answer
-from .scene_strategies import scenes
+from tests.common import scene_runs
+from tests.common.limited_process import Ask, LimitedProcess, side_by_side
+from tests.common.scene_runs import REFUSED, Answer, answer_within, is_balanced, is_late, messages, serve
+from tests.common.scene_strategies import scenes
+from tests.common.table import show
 
 SEED = 20261121
 FEW, MANY = 20, 2000
@@ -161,3 +168,95 @@ def test_two_thousand_scenes_keep_every_property() -> None:
     tables = drawn(MANY, quick=False)
     assert len(tables) == MANY
     check(answers(tables))
+
+
+TABLE: dict[str, Any] = {
+    "filament": {"span": "0.2 m", "thickness": "8 mm", "density": "1900 kg/m^3"},
+    "material": {"law": "maxwell", "youngs_modulus": "2 MPa", "viscosity": "0.2 MPa*s"},
+    "ends": {"motion": [["0 s", "0 m", "0 m"]]},
+    "run": {"duration": "0.3 s", "frames": 4, "accuracy": 0.01},
+    "numerics": {"cells": 8, "backend": "interpreted", "estimate": False},
+}
+
+
+def spoiled(data: xr.Dataset) -> Iterator[tuple[str, xr.Dataset]]:
+    """What is to be said of the data, each with one thing in it broken."""
+    for message, name, place, change in (
+        ("moment is not finite", "moment", (2, 3), lambda _: np.nan),
+        ("a stretch of 0", "stretch", (1, 0), lambda _: 0.0),
+        ("the left support is off", "y", (3, 0), lambda y: y + 1e-6),
+        ("the right support is off", "x", (2, -1), lambda x: x - 1e-6),
+        ("an energy residual of", "energy_elastic", 2, lambda e: e + 0.02 * float(abs(data.energy_potential).max())),
+        ("dissipation falls", "energy_dissipated", 3, lambda _: data.energy_dissipated.values[2] * (1 - 1e-3)),
+        ("left and right differ", "y", (3, 4), lambda y: 1.05 * y),
+    ):
+        broken = data.copy(deep=True)
+        broken[name][place] = change(float(broken[name][place]))
+        yield message, broken
+    yield "frames at", data.assign_coords(time=data.time * 1.01)
+
+
+def test_what_is_broken_is_noticed() -> None:
+    run = sc.simulate(Scene.model_validate(TABLE))
+    assert run.outcome.is_success
+    assert messages(run) == []
+    for message, data in spoiled(run.data):
+        assert any(message in text for text in messages(dataclasses.replace(run, data=data))), message
+
+
+def test_a_foreign_exception_and_an_untrue_file_are_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(scene: Scene) -> Trajectory:
+        raise ZeroDivisionError("by zero")
+
+    monkeypatch.setattr(scene_runs.sc, "simulate", fails)
+    assert scene_runs.answer(TABLE, str(tmp_path)).broken == ("ZeroDivisionError: by zero",)
+    other = Scene.model_validate({**TABLE, "title": "other"})
+    monkeypatch.setattr(scene_runs.sc, "load_scene", lambda path: other)
+    assert scene_runs._there_and_back(Scene.model_validate(TABLE), str(tmp_path))
+
+
+def test_a_refusal_is_no_fault(tmp_path: Path) -> None:
+    table = {**TABLE, "run": {"duration": "1 s", "effects": ["yielding"]}}
+    found = scene_runs.answer(table, str(tmp_path))
+    assert (found.outcome, found.broken) == (scene_runs.REFUSED, ())
+    assert "run.effects" in found.reason
+
+
+@pytest.mark.slow
+def test_a_hang_and_a_death_are_seen_and_the_next_scene_is_answered() -> None:
+    one = LimitedProcess(serve)
+    try:
+        assert answer_within(one.ask, TABLE, 0.01).broken == ("no answer within 0.01 s",)
+        one._process.kill()
+        one._process.join()
+        assert answer_within(one.ask, TABLE, 60.0).broken == ("the process died with -9",)
+        found = answer_within(one.ask, TABLE, 60.0)
+        assert (found.outcome, found.broken) == ("solved", ())
+    finally:
+        one.close()
+
+
+@pytest.mark.parametrize("thinning", [True, False])
+def test_energy_is_audited_where_forces_and_store_belong_together(thinning: bool) -> None:
+    """A cantilever whose section swells misses the same energy at any tolerance; one that thins misses none."""
+    effects = ["inertia", "bending", "extensibility", "finite-stretch", "large-rotation", "viscous-stress"]
+    table = TABLE | {
+        "filament": {"span": "0.2 m", "thickness": "8 mm", "density": "1900 kg/m^3"},
+        "material": {"law": "kelvin-voigt", "youngs_modulus": "0.2 MPa", "viscosity": "400 Pa*s"},
+        "ends": {"left": "clamped", "right": "free"},
+        "run": TABLE["run"]
+        | {"effects": [*effects, *(["thinning"] if thinning else [])], "duration": "1 s", "accuracy": 1e-3},
+    }
+    residuals = []
+    for rtol in (1e-6, 1e-8):
+        changed = table | {"numerics": TABLE["numerics"] | {"rtol": rtol}}
+        found = sc.simulate(Scene.model_validate(changed))
+        residuals.append(found.summary["energy_residual"])
+        assert is_balanced(found.scene, found) is thinning
+        warned = any(warning.startswith("the energy residual") for warning in found.summary["warnings"])
+        assert warned is not thinning
+    if thinning:
+        assert residuals[1] < 1e-6
+    else:
+        assert residuals[1] == pytest.approx(residuals[0], rel=0.1)
+        assert residuals[1] > 1e-3
