@@ -137,7 +137,7 @@ def test_sigterm_ends_calculix_and_removes_its_folder(
     note = hanging(tmp_path / "bin" / "ccx")
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
     output = tmp_path / "out"
-    asked = ("compare", "continual-descent", "-o", str(output), "--engine", "calculix", *SHORT)
+    asked = ("compare", "continual-descent", "-o", str(output), "--engine", "calculix", "-q", *SHORT)
     with started(*asked, ignoring=ignoring) as process:
         until(note.exists, process)
         assert not is_gone(note, 0.0)
@@ -157,7 +157,7 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
     note = hanging(tmp_path / "cc", when)
     monkeypatch.setenv("CC", str(tmp_path / "cc"))
     monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
-    with started("run", "arrested-overdamped", "-o", str(tmp_path / "out")) as process:
+    with started("run", "arrested-overdamped", "-q", "-o", str(tmp_path / "out")) as process:
         until(note.exists, process)
         assert ended(process, signal.SIGTERM) == (143, "", "softcat: interrupted; nothing was written\n")
     assert is_gone(note)
@@ -172,7 +172,7 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
 def test_a_killed_calculix_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     note = hanging(tmp_path / "bin" / "ccx")
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
-    asked = ("compare", "continual-descent", "-o", str(tmp_path / "out"), "--engine", "calculix", *SHORT)
+    asked = ("compare", "continual-descent", "-o", str(tmp_path / "out"), "--engine", "calculix", "-q", *SHORT)
     with started(*asked) as process:
         until(note.exists, process)
         os.kill(int(note.read_text().split()[0]), signal.SIGKILL)

@@ -128,7 +128,7 @@ def test_no_flag_names_the_processor_unless_the_user_asks(tmp_path: Path, monkey
 def test_the_processor_counts_where_a_flag_asks_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
     native, general = compile_library(ANSWER, flags=["-march=native"]), compile_library(ANSWER)
     asking._processor.cache_clear()
-    monkeypatch.setattr(compiler, "_output", lambda *command: "#define __OTHER__ 1\n")
+    monkeypatch.setattr(asking, "_output", lambda *command: "#define __OTHER__ 1\n")
     assert compile_library(ANSWER) == general
     assert compile_library(ANSWER, flags=["-march=native"]) != native
     asking._processor.cache_clear()

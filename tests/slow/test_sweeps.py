@@ -94,6 +94,7 @@ def test_a_member_that_kills_every_worker_loses_its_chunk_alone() -> None:
 
 
 STREAMING = """
+from softcat_sym.studies.sweep import peak_memory
 import json, sys, time
 import softcat_sym as sc
 class Memory:
