@@ -20,7 +20,9 @@ PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"
 
 COMPILING = (
     "accuracy/test_long_ringings_once.py",
-    "native",
+    "test_native_",
+    "slow/test_phase_diagrams.py",
+    "slow/test_ensemble_speed.py",
     "reference",
     "cli/test_compare.py",
     "codegen",

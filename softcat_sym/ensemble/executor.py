@@ -299,17 +299,3 @@ def counted(results: Iterable[Result], members: int, done: int, progress: Member
             left = (time.monotonic() - begun) / (done - before) * (members - done)
             progress.update(done, members, left)
         yield result
-
-
-def map_members(
-    function: Callable[[Item], Result],
-    members: Sequence[Item],
-    *,
-    workers: int | None = None,
-    scheduler: str | None = None,
-    local_cluster: int | None = None,
-    on_progress: MembersProgress | None = None,
-) -> Iterator[tuple[int, Result | Lost]]:
-    """The place of each member and its result, as they are finished, in an executor of their own."""
-    with executor(workers, scheduler, local_cluster) as pool:
-        yield from counted(pool.map_members(function, members), len(members), 0, on_progress)

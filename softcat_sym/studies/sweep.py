@@ -256,7 +256,7 @@ class _Blocks:
 
 @dataclass
 class Counts:
-    """How members ended."""
+    """How many members ended in each outcome, and in each regime."""
 
     outcomes: Counter[str] = field(default_factory=Counter)
     regimes: Counter[str] = field(default_factory=Counter)
