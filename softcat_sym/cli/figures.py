@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -95,14 +94,14 @@ def _descent_of_maxwell(output: Path, filmed: dict[str, FilmedScene], quiet: boo
 def _phases(output: Path, filmed: dict[str, FilmedScene], quiet: bool) -> _Made:
     """Figure 3(a)."""
     del output, filmed
-    from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
+    from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.plotting.paper_figures import phase_caption as caption
     from softcat_sym.plotting.paper_figures import phase_files
     from softcat_sym.scene.reading import load_scene
     from softcat_sym.studies.phase import SETTINGS, phase_diagram
 
     scene = load_scene("arrested-overdamped", list(SETTINGS))
-    with nullcontext(NobodyListens()) if quiet else MembersBar("figure 3(a)") as progress:
+    with MembersBar("figure 3(a)", quiet=quiet) as progress:
         diagram = phase_diagram(scene, progress=progress)
     return phase_files(diagram), caption(diagram)
 

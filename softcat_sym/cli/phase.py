@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
 from typing import Annotated
 
 import typer
@@ -50,7 +49,7 @@ def phase(
     mark of its own. Unless --set says otherwise, the physics is the paper's, the accuracy 1e-2, with 40 graded cells.
     After Ctrl-C the same command goes on from the runs that were finished.
     """
-    from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
+    from softcat_sym.ensemble.ensemble import MembersBar
     from softcat_sym.plotting.phase import print_phase_diagram, write_phase_diagram
     from softcat_sym.studies.phase import SETTINGS, phase_diagram
     from softcat_sym.studies.phase_runs import PLANES
@@ -58,7 +57,7 @@ def phase(
     asked, output = scene_and_directory(scene, changes, output, "phase", SETTINGS)
     planes = plane or list(PLANES)
     with study(output, fresh=fresh):
-        with nullcontext(NobodyListens()) if quiet else MembersBar("phase diagram") as bar:
+        with MembersBar("phase diagram", quiet=quiet) as bar:
             diagram = phase_diagram(
                 asked,
                 planes,

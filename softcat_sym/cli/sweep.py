@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -23,10 +22,6 @@ from softcat_sym.cli.application import (
 )
 from softcat_sym.cli.completing import complete_change
 from softcat_sym.errors import SoftcatError
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.sweep import Sweep
-    from softcat_sym.studies.sweep_table import SweepPlan
 
 VaryOption = Annotated[
     list[str] | None,
@@ -86,33 +81,26 @@ def sweep(
     answer is a row like the others. Memory stays the same however many there are; fewer frames make it faster:
     --set run.frames=41. After Ctrl-C the same command goes on from the members that were finished.
     """
-    from softcat_sym.ensemble.executor import check_workplace
-    from softcat_sym.studies.sweep_table import plan_sweep
-
-    check_workplace(workers, scheduler, local_cluster)
-    if (table is None) is not bool(vary):
-        raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
-    asked, output = scene_and_directory(scene, changes, output, "sweep")
-    plan = plan_sweep(asked, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
-    done = _run(plan, output, (workers, scheduler, local_cluster), fresh=fresh, quiet=quiet)
-    if not done.counts.outcomes.get("solved"):
-        print_error("no member is an answer; sweep.csv tells of each why")
-        raise typer.Exit(UNTRUSTED)
-
-
-def _run(
-    plan: SweepPlan, output: Path, where: tuple[int | None, str | None, int | None], *, fresh: bool, quiet: bool
-) -> Sweep:
-    from softcat_sym.ensemble.ensemble import MembersBar, NobodyListens
+    from softcat_sym.ensemble.ensemble import MembersBar
+    from softcat_sym.ensemble.executor import check_executor
     from softcat_sym.plotting.sweep import print_sweep, write_sweep
     from softcat_sym.studies.sweep import run_sweep
+    from softcat_sym.studies.sweep_table import plan_sweep
 
+    where = (workers, scheduler, local_cluster)
+    check_executor(*where)
+    if (table is None) is not bool(vary):
+        raise SoftcatError("say what varies by --vary KEY=VALUES or by --from-csv FILE, and not by both")
+    base, output = scene_and_directory(scene, changes, output, "sweep")
+    plan = plan_sweep(base, table or vary or [], mode, samples=samples, seed=seed, shapes=shapes, estimate=estimate)
     with study(output, fresh=fresh):
-        with nullcontext(NobodyListens()) if quiet else MembersBar("sweep") as bar:
+        with MembersBar("sweep", quiet=quiet) as bar:
             done = run_sweep(plan, output, where, bar)
         written = write_sweep(done, output)
     if not quiet:
         print_sweep(done)
         names = ["sweep.nc", "sweep.csv", *(path.name for path in written)]
         typer.echo(f"wrote {', '.join(names)} to {output}")
-    return done
+    if not done.counts.outcomes.get("solved"):
+        print_error("no member is an answer; sweep.csv tells of each why")
+        raise typer.Exit(UNTRUSTED)

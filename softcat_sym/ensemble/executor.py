@@ -1,185 +1,162 @@
-"""Many runs worked off in blocks, in threads or on a Dask cluster."""
+"""One executor of many runs: threads of this process, or a Dask cluster; results as they are finished."""
 
 from __future__ import annotations
 
+import ctypes
 import importlib.metadata
 import logging
+import os
 import re
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent import futures
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, Generic, Protocol, TypeVar
+from itertools import islice
+from typing import Any, Protocol, TypeVar
 
-from softcat_sym.ensemble.ensemble import MembersProgress, workers_of
 from softcat_sym.errors import SoftcatError
+from softcat_sym.solvers.solution import Silence
 
 Item = TypeVar("Item")
-Done = TypeVar("Done")
-ItemIn = TypeVar("ItemIn", contravariant=True)
-DoneOut = TypeVar("DoneOut", covariant=True)
-
-Told = Callable[[int], None]
-"""Told of that many items that are done."""
-
-
-@dataclass(frozen=True)
-class Block(Generic[Item]):
-    """Items that are run, kept and lost together."""
-
-    number: int  # Its place among the blocks, from 0
-    items: tuple[Item, ...]  # What is run
-
-
-class Work(Protocol[ItemIn, DoneOut]):
-    """What is done with items; it can be sent to another process."""
-
-    def run(self, items: Sequence[ItemIn], threads: int, told: Told) -> Sequence[DoneOut]:
-        """Run items, `threads` at a time; a result for each, in their order."""
-        ...
-
-    def lost(self, item: ItemIn, why: str) -> DoneOut:
-        """The result of an item that has killed whoever ran it."""
-        ...
-
-
-class Workplace(Protocol):
-    """Where blocks are run."""
-
-    def run(
-        self, work: Work[Item, Done], blocks: Iterable[Block[Item]], told: Told
-    ) -> Iterator[tuple[int, Sequence[Done]]]:
-        """The number and the results of each block, as they are finished."""
-        ...
-
-    def named(self) -> str:
-        """What it is, for the record."""
-        ...
-
-    def size(self) -> int:
-        """How many members it runs at a time."""
-        ...
-
-
-def blocks_of(items: Sequence[Item], size: int) -> list[Block[Item]]:
-    """Cut items into blocks of a size; the last may be smaller."""
-    starts = range(0, len(items), size)
-    return [Block(number, tuple(items[start : start + size])) for number, start in enumerate(starts)]
-
-
-@dataclass(frozen=True)
-class Embedded:
-    """Threads of this process."""
-
-    threads: int  # Members at a time
-
-    def run(
-        self, work: Work[Item, Done], blocks: Iterable[Block[Item]], told: Told
-    ) -> Iterator[tuple[int, Sequence[Done]]]:
-        """The number and the results of each block, in order."""
-        for block in blocks:
-            yield block.number, work.run(block.items, self.threads, told)
-
-    def named(self) -> str:
-        """How many threads there are."""
-        return f"embedded, {self.threads} thread{'s' if self.threads > 1 else ''}"
-
-    def size(self) -> int:
-        """The threads."""
-        return self.threads
-
-
+Result = TypeVar("Result")
 # Dask's own annotations are incomplete.
 Client = Any
 Future = Any
 
-_ANSWER = 10.0
-"""Seconds in which a scheduler must answer."""
-
-_ALONE = 60.0
-"""Seconds that a cluster may be without any worker before the study ends."""
-
-_LOOK = 1.0
-"""Seconds between two looks at the workers."""
-
 _AHEAD = 2
-"""Blocks sent for each thread of the cluster: enough that none waits, and few enough for the memory."""
+"""Tasks submitted for each thread: enough that none waits, and few enough for the memory."""
 
-_DEAF = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+_ANSWER, _ALONE, _LOOK = 10.0, 60.0, 1.0
+"""Seconds in which a scheduler must answer, that a cluster may be without workers, and between two looks at them."""
+
+_IGNORE_CTRL_C = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
 """What workers of our own begin with: Ctrl-C in a terminal reaches them too, but it is for us to end them."""
 
 _ADDRESS = re.compile(r"(?:tcp|tls|ws|wss)://\S+:\d{1,5}/?")
+_DIED = "the workers that ran this member and those beside it died (killed, or out of memory); run it again"
 
-_DIES = "the workers that ran this member and those beside it died (killed, or out of memory); run it again"
+
+class MembersProgress(Protocol):
+    """Listens to running members."""
+
+    def update(self, done: int, members: int, left: float) -> None:
+        """Take note of the members done, of how many there are, and of the time left [s]."""
+        ...
+
+
+class Stop(Silence):
+    """Ends integrations from outside: as their listener, it raises once it is set."""
+
+    def __init__(self) -> None:
+        self.flag = ctypes.c_int(0)
+
+    def set(self) -> None:
+        """Let no integration continue."""
+        self.flag.value = 1
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Look whether to stop."""
+        if self.flag.value:
+            raise KeyboardInterrupt
+
+
+@dataclass(frozen=True)
+class Lost:
+    """In place of the result of a member whose workers died."""
+
+    message: str = _DIED
+
+
+class Threads:
+    """Threads of this process."""
+
+    def __init__(self, size: int, stop: Stop) -> None:
+        self.size, self.stop = size, stop
+        self._pool = futures.ThreadPoolExecutor(size, thread_name_prefix="softcat-member")
+
+    def __str__(self) -> str:
+        return f"embedded, {self.size} thread{'s' if self.size > 1 else ''}"
+
+    def map_members(
+        self, function: Callable[[Item], Result], members: Iterable[Item], chunk: int = 1
+    ) -> Iterator[tuple[int, Result | Lost]]:
+        """The place of each member and its result, as they are finished; chunks are for clusters."""
+        waiting = enumerate(members)
+        running: dict[futures.Future[Result], int] = {}
+        while True:
+            for number, member in islice(waiting, _AHEAD * self.size - len(running)):
+                running[self._pool.submit(function, member)] = number
+            if not running:
+                return
+            for future in futures.wait(running, return_when=futures.FIRST_COMPLETED).done:
+                yield running.pop(future), future.result()
+
+    def close(self) -> None:
+        """End what runs, and wait for it."""
+        self.stop.set()
+        self._pool.shutdown(cancel_futures=True)
 
 
 class Cluster:
-    """A Dask cluster."""
+    """A Dask cluster; where its workers die, the members of a chunk are lost."""
 
-    def __init__(self, client: Client, what: str) -> None:
-        self._client, self._what = client, what
+    def __init__(self, client: Client, name: str) -> None:
+        self.stop = Stop()
+        self._client, self._name = client, name
+        self._running: dict[Future, list[tuple[int, Any]]] = {}
 
-    def named(self) -> str:
-        """What it is."""
-        return self._what
+    def __str__(self) -> str:
+        return self._name
 
+    @property
     def size(self) -> int:
         """Threads of all workers."""
         return sum(self._client.nthreads().values())
 
-    def run(
-        self, work: Work[Item, Done], blocks: Iterable[Block[Item]], told: Told
-    ) -> Iterator[tuple[int, Sequence[Done]]]:
-        """The number and the results of each block, as workers finish them; where these die, its members are lost."""
-        waiting, sent = iter(blocks), dict[Any, Block[Item]]()
-        try:
-            self._send(work, waiting, sent)
-            while sent:
-                future = self._next(list(sent))
-                block = sent.pop(future)
-                results = _results(future)
-                self._send(work, waiting, sent)
-                told(len(block.items))
-                yield block.number, [work.lost(item, _DIES) for item in block.items] if results is None else results
-        finally:
-            if sent:
-                self._client.cancel(list(sent), force=True)
-
-    def _send(self, work: Work[Item, Done], waiting: Iterator[Block[Item]], sent: dict[Any, Block[Item]]) -> None:
-        """Send blocks until there are enough for every thread of the cluster."""
-        enough = _AHEAD * max(1, self.size())
-        while len(sent) < enough:
-            block = next(waiting, None)
-            if block is None:
+    def map_members(
+        self, function: Callable[[Item], Result], members: Iterable[Item], chunk: int = 1
+    ) -> Iterator[tuple[int, Result | Lost]]:
+        """The place of each member and its result, as they are finished; `chunk` of them go to a worker at a time."""
+        waiting, running = enumerate(members), self._running
+        while True:
+            while len(running) < _AHEAD * max(1, self.size) and (batch := list(islice(waiting, chunk))):
+                items = [item for _, item in batch]
+                running[self._client.submit(_each, function, items, pure=False, retries=0)] = batch
+            if not running:
                 return
-            sent[self._client.submit(_run, work, block.items, pure=False, retries=0)] = block
+            future = self._finished()
+            batch = running.pop(future)
+            results = _results(future) or [Lost()] * len(batch)
+            yield from ((number, result) for (number, _), result in zip(batch, results, strict=True))
 
-    def _next(self, futures: Sequence[Future]) -> Future:
-        """The next that is finished."""
+    def close(self) -> None:
+        """Cancel what runs."""
+        if self._running:
+            self._client.cancel(list(self._running), force=True)
+
+    def _finished(self) -> Future:
         from distributed import wait
 
         lonely = 0.0
         while True:
             try:
                 with self._client.as_current():
-                    return next(iter(wait(futures, timeout=_LOOK, return_when="FIRST_COMPLETED").done))
+                    return wait(list(self._running), timeout=_LOOK, return_when="FIRST_COMPLETED").done.pop()
             except TimeoutError:
                 lonely = 0.0 if self._client.nthreads() else lonely + _LOOK
             if self._client.status != "running":
-                raise SoftcatError(
-                    f"{self._what}: the scheduler is gone; start it again, then give the same command again"
-                )
+                raise SoftcatError(f"{self}: the scheduler is gone; start it again, then give the same command again")
             if lonely > _ALONE:
-                raise SoftcatError(f"{self._what}: no worker is left; start some, then give the same command again")
+                raise SoftcatError(f"{self}: no worker is left; start some, then give the same command again")
 
 
-def _run(work: Work[Item, Done], items: Sequence[Item]) -> Sequence[Done]:
-    """What a worker does: one member after the other, as each of its threads has a block of its own."""
-    return work.run(items, 1, lambda _: None)
+def _each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
+    return [function(item) for item in items]
 
 
-def _results(future: Future) -> Any:
-    """The results of a block; None if its workers died."""
+def _results(future: Future) -> list[Any] | None:
+    """The results of a chunk; None if its workers died."""
     from distributed import KilledWorker
 
     error = future.exception()
@@ -187,11 +164,59 @@ def _results(future: Future) -> Any:
         return None
     if isinstance(error, BaseException):
         raise SoftcatError(f"a worker of the cluster failed: {type(error).__name__}: {error}") from error
-    return future.result()
+    results: list[Any] = future.result()
+    return results
+
+
+Executor = Threads | Cluster
 
 
 @contextmanager
-def cluster_at(address: str) -> Iterator[Cluster]:
+def executor(
+    workers: int | None = None, scheduler: str | None = None, local_cluster: int | None = None
+) -> Iterator[Executor]:
+    """The executor that is asked for; when the context ends, nothing of it runs any more."""
+    check_executor(workers, scheduler, local_cluster)
+    if scheduler is None and local_cluster is None:
+        threads = Threads(worker_count(workers), Stop())
+        try:
+            yield threads
+        finally:
+            threads.close()
+        return
+    with _cluster_at(scheduler) if scheduler is not None else _local_cluster(local_cluster or 1) as cluster:
+        try:
+            yield cluster
+        finally:
+            cluster.close()
+
+
+def check_executor(workers: int | None, scheduler: str | None, local_cluster: int | None) -> None:
+    """Refuse what cannot be had, before anything is computed."""
+    if scheduler is not None and local_cluster is not None:
+        raise SoftcatError("name a scheduler or a local cluster, not both")
+    if workers is not None and (scheduler is not None or local_cluster is not None):
+        raise SoftcatError("a number of threads is for runs in this process; workers of a cluster have their own")
+    worker_count(workers)
+    if local_cluster is not None and not _is_count(local_cluster):
+        raise SoftcatError(f"a local cluster of {local_cluster!r}: give a whole number of worker processes, 1 or more")
+
+
+def worker_count(workers: int | None) -> int:
+    """As many threads as requested, otherwise one for each core that this process may use."""
+    if workers is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if not _is_count(workers):
+        raise SoftcatError(f"workers = {workers!r}: give a whole number of threads, 1 or more, or None for all cores")
+    return workers
+
+
+def _is_count(value: object) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 1
+
+
+@contextmanager
+def _cluster_at(address: str) -> Iterator[Cluster]:
     """The cluster of a scheduler that runs already."""
     distributed = _distributed()
     if not _ADDRESS.fullmatch(address):
@@ -211,20 +236,14 @@ def cluster_at(address: str) -> Iterator[Cluster]:
 
 
 @contextmanager
-def own_cluster(processes: int) -> Iterator[Cluster]:
+def _local_cluster(processes: int) -> Iterator[Cluster]:
     """A cluster of worker processes on this machine, each with one thread, which ends with the context."""
     distributed = _distributed()
+    options = {"n_workers": processes, "threads_per_worker": 1, "processes": True, "preload": [_IGNORE_CTRL_C]}
+    options |= {"host": "127.0.0.1", "dashboard_address": None, "silence_logs": logging.CRITICAL}
     with (
         _quiet(),
-        distributed.LocalCluster(
-            n_workers=processes,
-            threads_per_worker=1,
-            processes=True,
-            dashboard_address=None,
-            host="127.0.0.1",
-            silence_logs=logging.CRITICAL,
-            preload=[_DEAF],
-        ) as local,
+        distributed.LocalCluster(**options) as local,
         distributed.Client(local, set_as_default=False) as client,
     ):
         yield Cluster(client, f"local Dask cluster, {processes} worker process{'es' if processes > 1 else ''}")
@@ -271,54 +290,12 @@ def _quiet() -> Iterator[None]:
         logger.setLevel(before)
 
 
-def check_workplace(workers: int | None, scheduler: str | None, local_cluster: int | None) -> None:
-    """Refuse what cannot be had, before anything is computed."""
-    if scheduler is not None and local_cluster is not None:
-        raise SoftcatError("name a scheduler or a local cluster, not both")
-    if workers is not None and (scheduler is not None or local_cluster is not None):
-        raise SoftcatError("a number of threads is for runs in this process; workers of a cluster have their own")
-    workers_of(workers)
-    if local_cluster is not None and (
-        isinstance(local_cluster, bool) or not isinstance(local_cluster, int) or local_cluster < 1
-    ):
-        raise SoftcatError(f"a local cluster of {local_cluster!r}: give a whole number of worker processes, 1 or more")
-
-
-@contextmanager
-def workplace(
-    workers: int | None = None, scheduler: str | None = None, local_cluster: int | None = None
-) -> Iterator[Workplace]:
-    """The place that is asked for, ready to work; a cluster that was started for it ends with it."""
-    check_workplace(workers, scheduler, local_cluster)
-    if scheduler is None and local_cluster is None:
-        yield Embedded(workers_of(workers))
-        return
-
-    with cluster_at(scheduler) if scheduler is not None else own_cluster(local_cluster or 1) as cluster:
-        yield cluster
-
-
-Keep = Callable[[int, Sequence[Done]], object]
-
-
-class Count:
-    """Items done, told on with the time that the others will take."""
-
-    def __init__(self, members: int, done: int, listener: MembersProgress) -> None:
-        self._members, self._before, self._done, self._listener = members, done, done, listener
-        self._begun = time.monotonic()
-
-    def __call__(self, more: int) -> None:
-        """Note that so many more are done."""
-        self._done += more
-        now = self._done - self._before
-        left = (time.monotonic() - self._begun) / now * (self._members - self._done) if now else 0.0
-        self._listener.update(self._done, self._members, max(left, 0.0))
-
-
-def run_blocks(
-    work: Work[Item, Done], blocks: Iterable[Block[Item]], place: Workplace, told: Count, keep: Keep[Done]
-) -> None:
-    """Run blocks, and hand each to `keep` as soon as it is finished."""
-    for number, results in place.run(work, blocks, told):
-        keep(number, results)
+def counted(results: Iterable[Result], members: int, done: int, progress: MembersProgress | None) -> Iterator[Result]:
+    """The results, each reported with the time that the rest will take; `done` members were there before."""
+    begun, before = time.monotonic(), done
+    for result in results:
+        done += 1
+        if progress is not None:
+            left = (time.monotonic() - begun) / (done - before) * (members - done)
+            progress.update(done, members, left)
+        yield result

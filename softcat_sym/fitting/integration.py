@@ -20,7 +20,7 @@ from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import TIME_SCALE, Graph, parameter_values, time_scale
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.ensemble.ensemble import workers_of
+from softcat_sym.ensemble.executor import worker_count
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.scene.scene import Scene, is_slack, rest_length
@@ -378,7 +378,7 @@ class CompiledForward:
         count, sites = len(begin.d_parameters), self.filament.sites
         moved = np.zeros((count, sites.shape[0] * sites.shape[1]))
         moved[:, sites.x], moved[:, sites.z] = begin.d_x, begin.d_z
-        shares = np.array_split(np.arange(count), max(1, min(workers_of(None), count)))
+        shares = np.array_split(np.arange(count), max(1, min(worker_count(None), count)))
         statuses = [Status() for _ in shares]
 
         def part(number: int) -> Callable[[ct.c_int], tuple[Floats, Floats]]:

@@ -12,15 +12,12 @@ from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from rich.console import Console
-from rich.table import Table
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import Quoted, csv_bytes, write_results
+from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK
 from softcat_sym.studies.phase import (
-    DESCENT_TIME,
     NO_YIELD,
     OVERDAMPED,
     PAPER_STRAIN,
@@ -28,19 +25,14 @@ from softcat_sym.studies.phase import (
     PhaseDiagram,
     PhaseSheet,
 )
-from softcat_sym.studies.phase_runs import ARREST_FLOW_TIME as FLOW_TIME
 from softcat_sym.studies.phase_runs import (
-    CLAMP_REGION,
     CLAMPS_ONLY,
     DESCENDING,
-    ELASTIC_TIME,
-    PASSED,
-    WEIGHT_TIME,
     PhaseRun,
 )
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
+    pass
 
 _LINES: Final[dict[str, tuple[float, list[float]]]] = {
     "paper": (0, []),
@@ -75,26 +67,11 @@ def look_of(mark: str) -> _Look:
     return LOOKS.get(mark, _FAILED)
 
 
-def caption(diagram: PhaseDiagram, sheet: PhaseSheet) -> str:
-    """What is shown, how it was decided, and what refinement saved."""
-    effects = diagram.scene.run.effects
-    physics = effects if isinstance(effects, str) else ", ".join(effects)
-    return (
-        f"Each mark is a run ({physics} physics, {sheet.held(diagram.scene)}), each tint the regime between runs. "
-        f"{len(sheet.points)} of the {sheet.nodes} nodes of a {sheet.lattice.cells} x {sheet.lattice.cells} "
-        f"lattice were run, refined where neighbours differ: {sheet.saved} were saved "
-        f"({sheet.saved / sheet.nodes:.0%}). "
-        f"Arrested: the plastic rate is below {ARREST_RATE:g} σʏ/η in every fibre over the last tenth of the run; "
-        f"hollow: so it is but within {CLAMP_REGION:g} L of the ends; only the clamps flow on. A run that is no answer "
-        f"has no regime; one that first falls past {PASSED:g} L is judged by how it does so."
-    )
-
-
 def phase_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     """Draw one plane."""
     title = f"Regimes over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
     with style.styled():
-        figure, body = style.sheet(title, height=4.4, notes=caption(diagram, sheet), columns=128)
+        figure, body = style.sheet(title, height=4.4, notes=diagram.caption(sheet), columns=128)
         axes = body.subplots()
         draw_tints(axes, sheet)
         _draw_runs(axes, sheet)
@@ -190,27 +167,13 @@ _PLACES: Final[tuple[tuple[str, Callable[[PhaseRun], float]], ...]] = (
 )
 
 
-def strain_caption(diagram: PhaseDiagram) -> str:
-    """What is shown, and the paper's continual descent."""
-    run = diagram.descent
-    clamp, midspan = run.clamp, run.midspan
-    state = f"at t~ = 460 (G 1.9, V 26, δ 0.03; {run.outcome}, sag {run.sag:.3f} L)"
-    return (
-        "True axial strain of the most stretched fibre at the end of each run, in the cell next to the clamp and in "
-        f"the one at midspan. Outlined: over {PAPER_STRAIN:.0%}. Crosses: no answer. The paper's continual descent "
-        f'{state}, where it finds "over 23 %" near the clamp: here {clamp.largest:.0%} in the outer fibre and '
-        f"{clamp.centreline:.0%} of the centreline at the clamp, {midspan.largest:.0%} and {midspan.centreline:.0%} at "
-        "midspan."
-    )
-
-
 def strain_figure(diagram: PhaseDiagram, sheet: PhaseSheet) -> Figure:
     """Draw two maps of one plane: every run at its place, coloured by a strain."""
     title = f"Local strain over G and {'δ' if sheet.plane.y.key == 'delta' else 'V'}"
     answers = [point.run for point in sheet.points if point.run.regime is not None]
     others = [point.run for point in sheet.points if point.run.regime is None]
     with style.styled():
-        figure, body = style.sheet(title, height=3.3, notes=strain_caption(diagram), columns=128)
+        figure, body = style.sheet(title, height=3.3, notes=diagram.strain_caption, columns=128)
         panels = body.subplots(1, 2, sharey=True)
         for axes, (words, strain) in zip(panels, _PLACES, strict=True):
             draw_tints(axes, sheet)
@@ -232,168 +195,40 @@ def _places(sheet: PhaseSheet, runs: list[PhaseRun]) -> tuple[list[float], list[
     return [run.place.G for run in runs], [getattr(run.place, sheet.plane.y.key) for run in runs]
 
 
-HEADER = ("boundary of the runs", "against the line", "source", "rows", "off by")
-
-
-def saved_text(sheet: PhaseSheet) -> str:
-    """Runs, lattice, saving and time in a sentence."""
-    marks = ", ".join(f"{count} {mark}" for mark, count in sheet.counts.items())
-    again = sheet.runs - len(sheet.points)
-    twice = f", {again} of them twice" if again else ""
-    return (
-        f"{sheet.plane.name}: {len(sheet.points)} of {sheet.nodes} filaments run{twice}; refinement saved "
-        f"{sheet.saved} ({sheet.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, "
-        f"{sheet.processor:.1f} s of processor time. {marks}."
-    )
-
-
-def boundary_rows(sheet: PhaseSheet) -> list[tuple[str, ...]]:
-    """Below `HEADER`: G of the runs over that of the line, less one: median of the rows, least and most."""
-    return [
-        (
-            one.kind,
-            one.line.name,
-            one.line.source,
-            str(one.rows),
-            f"{100 * one.median:+.0f} % ({100 * one.least:+.0f} to {100 * one.most:+.0f})",
-        )
-        for one in sheet.distances
-    ]
-
-
-def boundary_table(sheet: PhaseSheet) -> Table:
-    """The rows as a table for the terminal."""
-    title = f"boundaries over {sheet.plane.name}: G of the runs against the lines"
-    return text_table(HEADER, boundary_rows(sheet), title=title, right=(3,), padding=(0, 1, 0, 0))
+_HEADER = ("boundary of the runs", "against the line", "source", "rows", "off by")
 
 
 def print_phase_diagram(diagram: PhaseDiagram, console: Console | None = None) -> None:
     """Print a table and a sentence for each plane, and the strains of the paper's continual descent."""
     out = console or Console()
     for sheet in diagram.sheets:
-        out.print(boundary_table(sheet))
-        out.print(saved_text(sheet), markup=False, highlight=False)
-    out.print(strain_caption(diagram), markup=False, highlight=False)
-
-
-COLUMNS = (
-    "plane", "G", "V", "delta", "regime", "outcome", "mark", "duration_s", "drawn_out_within_s", "sag_over_span",
-    "rate", "span_rate", "clamp_strain", "clamp_strain_centreline", "midspan_strain", "midspan_strain_centreline",
-    "steps", "runs", "message",
-)  # fmt: skip
-"""Rates are the largest of the last tenth of the run over sigma_Y/eta; strains are those of the outer fibre."""
-
-
-def runs_csv(diagram: PhaseDiagram) -> bytes:
-    """One row for each filament of each plane, answers or not."""
-    rows = (
-        (sheet.plane.name, *_cells(point.run))
-        for sheet in diagram.sheets
-        for point in sorted(sheet.points, key=lambda one: (one.j, one.i))
-    )
-    return csv_bytes(COLUMNS, rows)
-
-
-def lines_csv(diagram: PhaseDiagram) -> bytes:
-    """The lines of the formulas, a row for each of their points."""
-    rows = []
-    for sheet in diagram.sheets:
-        for line in sheet.lines:
-            about = (sheet.plane.name, Quoted(line.name), line.kind, line.source, Quoted(line.equation))
-            pairs = zip(line.other.tolist(), line.G.tolist(), strict=True)
-            rows += [(*about, sheet.plane.y.key, other, G) for other, G in pairs]
-    return csv_bytes(("plane", "line", "boundary", "source", "equation", "other", "other_value", "G"), rows)
-
-
-def boundaries_csv(diagram: PhaseDiagram) -> bytes:
-    """Where the runs go from one regime to another, a row for each crossing of a lattice row."""
-    rows = (
-        (sheet.plane.name, one.kind, sheet.plane.y.key, one.other, one.G_low, one.G_high)
-        for sheet in diagram.sheets
-        for one in sheet.crossings
-    )
-    return csv_bytes(("plane", "boundary", "other", "other_value", "G_low", "G_high"), rows)
-
-
-def document(diagram: PhaseDiagram) -> dict[str, Any]:
-    """What ``phase.json`` holds."""
-    descent = diagram.descent
-    return {
-        "title": diagram.scene.title,
-        "definitions": {
-            "arrested": f"plastic rate below {ARREST_RATE:g} sigma_Y/eta in every fibre over the last "
-            f"{ARREST_TIME:.0%} of the run",
-            "underdamped": f"the midpoint turned back by more than {TURNED_BACK:.0%} of its largest sag",
-            "descending-at-clamps": f"descending, but arrested further than {CLAMP_REGION:g} L from the ends",
-            "no answer": f"localised or failed; repeated until the sag passes {PASSED:g} L if it does so",
-            "duration": f"ramp + ({ELASTIC_TIME:g} + V min({WEIGHT_TIME:g}, {FLOW_TIME:g} G)) sqrt(L/g)",
-        },
-        "planes": {sheet.plane.name: _sheet(diagram.scene, diagram, sheet) for sheet in diagram.sheets},
-        "continual_descent": {
-            "groups": {"G": descent.place.G, "V": descent.place.V, "delta": descent.place.delta},
-            "time_over_L_sqrt_rho_E": DESCENT_TIME,
-            "outcome": descent.outcome,
-            "regime": descent.regime,
-            "sag_over_span": descent.sag,
-            "paper_local_strain_over": PAPER_STRAIN,
-            "clamp_strain": descent.clamp.largest,
-            "clamp_strain_centreline": descent.clamp.centreline,
-            "midspan_strain": descent.midspan.largest,
-            "midspan_strain_centreline": descent.midspan.centreline,
-            "caption": strain_caption(diagram),
-        },
-        "workers": diagram.workers,
-    }
+        rows = [
+            (
+                distance.kind,
+                distance.line.name,
+                distance.line.source,
+                str(distance.rows),
+                f"{100 * distance.median:+.0f} % ({100 * distance.least:+.0f} to {100 * distance.most:+.0f})",
+            )
+            for distance in sheet.distances
+        ]
+        title = f"boundaries over {sheet.plane.name}: G of the runs against the lines"
+        out.print(text_table(_HEADER, rows, title=title, right=(3,), padding=(0, 1, 0, 0)))
+        again = sheet.runs - len(sheet.points)
+        saved = (
+            f"{sheet.plane.name}: {len(sheet.points)} of {sheet.nodes} filaments run"
+            f"{f', {again} of them twice' if again else ''}; refinement saved {sheet.saved} "
+            f"({sheet.saved / sheet.nodes:.0%}); {sheet.wall:.1f} s, {sheet.processor:.1f} s of processor time. "
+            f"{', '.join(f'{count} {mark}' for mark, count in sheet.counts.items())}."
+        )
+        out.print(saved, markup=False, highlight=False)
+    out.print(diagram.strain_caption, markup=False, highlight=False)
 
 
 def write_phase_diagram(diagram: PhaseDiagram, directory: str | Path) -> list[Path]:
     """Write ``phase.json``, ``scene.toml``, three tables and two pictures for each plane."""
-    contents: dict[str, object] = {
-        "phase.json": document(diagram),
-        "scene.toml": diagram.scene.to_toml(),
-        "phase_runs.csv": runs_csv(diagram),
-        "phase_boundaries.csv": boundaries_csv(diagram),
-        "phase_lines.csv": lines_csv(diagram),
-    }
-    for sheet in diagram.sheets:
-        contents[f"phase_{sheet.plane.name}.png"] = phase_figure(diagram, sheet)
-        contents[f"phase_{sheet.plane.name}_strain.png"] = strain_figure(diagram, sheet)
+    tables = {"runs": diagram.to_frame(), "boundaries": diagram.boundaries(), "lines": diagram.lines()}
+    contents: dict[str, object] = {"phase.json": diagram.to_dict(), "scene.toml": diagram.scene.to_toml()}
+    contents |= {f"phase_{name}.csv": table.to_csv(index=False, lineterminator="\n") for name, table in tables.items()}
+    contents |= {f"phase_{name}.png": figure for name, figure in diagram.figures().items()}
     return write_results(directory, contents)
-
-
-def _sheet(scene: Scene, diagram: PhaseDiagram, sheet: PhaseSheet) -> dict[str, Any]:
-    return {
-        "resolution": sheet.lattice.cells,
-        "held": sheet.held(scene),
-        "nodes": sheet.nodes,
-        "nodes_run": len(sheet.points),
-        "nodes_saved": sheet.saved,
-        "runs": sheet.runs,
-        "wall_s": sheet.wall,
-        "processor_s": sheet.processor,
-        "marks": sheet.counts,
-        "boundaries": [
-            {
-                "boundary": one.kind,
-                "line": one.line.name,
-                "source": one.line.source,
-                "equation": one.line.equation,
-                "rows": one.rows,
-                "median": one.median,
-                "least": one.least,
-                "most": one.most,
-            }
-            for one in sheet.distances
-        ],
-        "caption": caption(diagram, sheet),
-    }
-
-
-def _cells(run: PhaseRun) -> tuple[object, ...]:
-    place, clamp, midspan = run.place, run.clamp, run.midspan
-    strains = (clamp.largest, clamp.centreline, midspan.largest, midspan.centreline)
-    return (
-        *(place.G, place.V, place.delta, run.regime, run.outcome, run.mark, run.duration, run.drawn_out),
-        *(run.sag, run.rate, run.span_rate, *strains, run.steps, run.runs),
-        Quoted(run.message) if run.message else None,
-    )

@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -17,22 +17,25 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.expected_regime import TURNS_BACK
 from softcat_sym.effects.forecast import overshoot, rebound, ringing_share
 from softcat_sym.effects.scaling_estimates import beam_of, instant_modulus, weight_stress
-from softcat_sym.ensemble.ensemble import MembersProgress, NobodyListens
-from softcat_sym.ensemble.executor import workplace
+from softcat_sym.ensemble.executor import Executor, MembersProgress, executor
 from softcat_sym.physics import regimes
 from softcat_sym.physics.sections import SECTIONS, Section
-from softcat_sym.results.motion import ARREST_RATE
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time
 from softcat_sym.solvers.solution import watched
 from softcat_sym.studies.phase_runs import (
+    ARREST_FLOW_TIME,
+    CLAMP_REGION,
     CLAMPS_ONLY,
     DESCENDING,
+    ELASTIC_TIME,
+    PASSED,
     PLANES,
+    WEIGHT_TIME,
     Node,
     PhasePlane,
     PhaseRun,
-    PhaseRunner,
     Place,
     RefinedLattice,
     checked_resolution,
@@ -40,7 +43,12 @@ from softcat_sym.studies.phase_runs import (
     planes_of,
     refined,
     refuse_scene,
+    run_places,
 )
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.figure import Figure
 
 Kind = Literal["first yield", "arrest", "overdamping", "arrest of the span"]
 Source = Literal["paper", "exact", "estimate"]
@@ -213,6 +221,12 @@ class Distance:
     least: float
     most: float
 
+    def to_dict(self) -> dict[str, Any]:
+        """What ``phase.json`` holds of it."""
+        line = {"boundary": self.kind, "line": self.line.name, "source": self.line.source}
+        line |= {"equation": self.line.equation}
+        return line | {"rows": self.rows, "median": self.median, "least": self.least, "most": self.most}
+
 
 def crossings(G: Floats, other: Floats, marks: npt.NDArray[np.str_]) -> tuple[Crossing, ...]:
     """Every crossing of a lattice."""
@@ -310,6 +324,21 @@ class PhaseSheet:
         """The groups at a node."""
         return place_at(scene, self.plane, float(self.x[i]), float(self.y[j]))
 
+    def to_dict(self, scene: Scene) -> dict[str, Any]:
+        """What ``phase.json`` holds of the plane."""
+        return {
+            "resolution": self.lattice.cells,
+            "held": self.held(scene),
+            "nodes": self.nodes,
+            "nodes_run": len(self.points),
+            "nodes_saved": self.saved,
+            "runs": self.runs,
+            "wall_s": self.wall,
+            "processor_s": self.processor,
+            "marks": self.counts,
+            "boundaries": [distance.to_dict() for distance in self.distances],
+        }
+
 
 @dataclass(frozen=True)
 class PhaseDiagram:
@@ -319,6 +348,109 @@ class PhaseDiagram:
     sheets: tuple[PhaseSheet, ...]  # One for each plane
     descent: PhaseRun  # The paper's continual descent (G 1.9, V 26, delta 0.03) at t~ = 460
     workers: int  # Threads, or workers of a cluster
+
+    def caption(self, sheet: PhaseSheet) -> str:
+        """What is shown, how it was decided, and what refinement saved."""
+        effects = self.scene.run.effects
+        physics = effects if isinstance(effects, str) else ", ".join(effects)
+        return (
+            f"Each mark is a run ({physics} physics, {sheet.held(self.scene)}), each tint the regime between runs. "
+            f"{len(sheet.points)} of the {sheet.nodes} nodes of a {sheet.lattice.cells} x {sheet.lattice.cells} "
+            f"lattice were run, refined where neighbours differ: {sheet.saved} were saved "
+            f"({sheet.saved / sheet.nodes:.0%}). Arrested: the plastic rate is below {ARREST_RATE:g} σʏ/η in every "
+            f"fibre over the last tenth of the run; hollow: so it is but within {CLAMP_REGION:g} L of the ends; only "
+            f"the clamps flow on. A run that is no answer has no regime; one that first falls past {PASSED:g} L is "
+            "judged by how it does so."
+        )
+
+    @property
+    def strain_caption(self) -> str:
+        """What the maps of strain show, and the paper's continual descent."""
+        run, clamp, midspan = self.descent, self.descent.clamp, self.descent.midspan
+        return (
+            "True axial strain of the most stretched fibre at the end of each run, in the cell next to the clamp and "
+            f"in the one at midspan. Outlined: over {PAPER_STRAIN:.0%}. Crosses: no answer. The paper's continual "
+            f"descent at t~ = 460 (G 1.9, V 26, δ 0.03; {run.outcome}, sag {run.sag:.3f} L), where it finds "
+            f'"over 23 %" near the clamp: here {clamp.largest:.0%} in the outer fibre and {clamp.centreline:.0%} of '
+            f"the centreline at the clamp, {midspan.largest:.0%} and {midspan.centreline:.0%} at midspan."
+        )
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row for each filament of each plane, answers or not.
+
+        Rates are the largest of the last tenth of the run over sigma_Y/eta; strains are those of the outer fibre.
+        """
+        import pandas as pd
+
+        rows = [
+            {"plane": sheet.plane.name, **point.run.to_dict()}
+            for sheet in self.sheets
+            for point in sorted(sheet.points, key=lambda point: (point.j, point.i))
+        ]
+        return pd.DataFrame(rows)
+
+    def boundaries(self) -> pd.DataFrame:
+        """Where the runs go from one regime to another, a row for each crossing of a lattice row."""
+        import pandas as pd
+
+        columns = ("plane", "boundary", "other", "other_value", "G_low", "G_high")
+        rows = [
+            (sheet.plane.name, found.kind, sheet.plane.y.key, found.other, found.G_low, found.G_high)
+            for sheet in self.sheets
+            for found in sheet.crossings
+        ]
+        return pd.DataFrame(rows, columns=columns)
+
+    def lines(self) -> pd.DataFrame:
+        """The lines of the formulas, a row for each of their points."""
+        import pandas as pd
+
+        tables = []
+        for sheet in self.sheets:
+            for line in sheet.lines:
+                about = {"plane": sheet.plane.name, "line": line.name, "boundary": line.kind, "source": line.source}
+                about |= {"equation": line.equation, "other": sheet.plane.y.key}
+                tables.append(pd.DataFrame({**about, "other_value": line.other, "G": line.G}))
+        return pd.concat(tables)
+
+    def figures(self) -> dict[str, Figure]:
+        """Regimes and local strains over each plane."""
+        from softcat_sym.plotting.phase import phase_figure, strain_figure
+
+        pictures = {sheet.plane.name: phase_figure(self, sheet) for sheet in self.sheets}
+        return pictures | {f"{sheet.plane.name}_strain": strain_figure(self, sheet) for sheet in self.sheets}
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``phase.json`` holds."""
+        run = self.descent
+        return {
+            "title": self.scene.title,
+            "definitions": {
+                "arrested": f"plastic rate below {ARREST_RATE:g} sigma_Y/eta in every fibre over the last "
+                f"{ARREST_TIME:.0%} of the run",
+                "underdamped": f"the midpoint turned back by more than {TURNED_BACK:.0%} of its largest sag",
+                "descending-at-clamps": f"descending, but arrested further than {CLAMP_REGION:g} L from the ends",
+                "no answer": f"localised or failed; repeated until the sag passes {PASSED:g} L if it does so",
+                "duration": f"ramp + ({ELASTIC_TIME:g} + V min({WEIGHT_TIME:g}, {ARREST_FLOW_TIME:g} G)) sqrt(L/g)",
+            },
+            "planes": {
+                sheet.plane.name: sheet.to_dict(self.scene) | {"caption": self.caption(sheet)} for sheet in self.sheets
+            },
+            "continual_descent": {
+                "groups": {"G": run.place.G, "V": run.place.V, "delta": run.place.delta},
+                "time_over_L_sqrt_rho_E": DESCENT_TIME,
+                "outcome": run.outcome,
+                "regime": run.regime,
+                "sag_over_span": run.sag,
+                "paper_local_strain_over": PAPER_STRAIN,
+                "clamp_strain": run.clamp.largest,
+                "clamp_strain_centreline": run.clamp.centreline,
+                "midspan_strain": run.midspan.largest,
+                "midspan_strain_centreline": run.midspan.centreline,
+                "caption": self.strain_caption,
+            },
+            "workers": self.workers,
+        }
 
 
 def phase_diagram(
@@ -334,30 +466,29 @@ def phase_diagram(
     """Regimes over one or more planes."""
     chosen, cells = planes_of(planes), checked_resolution(resolution)
     refuse_scene(scene)
-    with watched() as interrupts, workplace(workers, scheduler, local_cluster) as place:
+    with watched() as interrupts, executor(workers, scheduler, local_cluster) as pool:
         try:
-            runner = PhaseRunner(scene, place.size(), progress or NobodyListens(), place)
-            sheets = tuple(_sheet(scene, plane, cells, runner) for plane in chosen)
-            return PhaseDiagram(scene, sheets, descent_run(scene), place.size())
+            sheets = tuple(_sheet(scene, plane, cells, pool, progress) for plane in chosen)
+            return PhaseDiagram(scene, sheets, descent_run(scene, pool), pool.size)
         finally:
             interrupts.check()
 
 
-def descent_run(scene: Scene) -> PhaseRun:
+def descent_run(scene: Scene, pool: Executor) -> PhaseRun:
     """The paper's continual descent to its last time, by the physics and the numerics of a scene."""
     paper = load_scene(DESCENT_SCENE)
     paper = paper.model_copy(update={"run": scene.run, "numerics": scene.numerics})
     place = place_at(paper, PLANES["G-V"], 1.9, 26.0)
-    return PhaseRunner(paper, 1, NobodyListens()).run([place], [DESCENT_TIME * elastic_time(paper)])[0]
+    return run_places(paper, [place], pool, durations=[DESCENT_TIME * elastic_time(paper)])[0]
 
 
-def _sheet(scene: Scene, plane: PhasePlane, cells: int, runner: PhaseRunner) -> PhaseSheet:
+def _sheet(scene: Scene, plane: PhasePlane, cells: int, pool: Executor, progress: MembersProgress | None) -> PhaseSheet:
     begun, spent = time.perf_counter(), time.process_time()
     x, y = plane.x.values(cells), plane.y.values(cells)
     points: list[PhasePoint] = []
 
     def marks(nodes: Sequence[Node]) -> list[str]:
-        runs = runner.run([place_at(scene, plane, float(x[i]), float(y[j])) for i, j in nodes])
+        runs = run_places(scene, [place_at(scene, plane, float(x[i]), float(y[j])) for i, j in nodes], pool, progress)
         points.extend(PhasePoint(i, j, run) for (i, j), run in zip(nodes, runs, strict=True))
         return [run.mark for run in runs]
 

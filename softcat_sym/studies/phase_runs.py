@@ -4,26 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
-from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym import store
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.ensemble.ensemble import MembersProgress, Stop, Workshop, side_by_side
-from softcat_sym.ensemble.executor import Count, Embedded, Told, Workplace, blocks_of, run_blocks
-from softcat_sym.ensemble.table import Member, members_of
+from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
+from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, counted
+from softcat_sym.ensemble.members import Member
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
-from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, regime_of, seen
-from softcat_sym.results.verdict import measures, missing_effect, verdict
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, rest_length
 from softcat_sym.simulate import identity_of
-from softcat_sym.solvers.outcome import Outcome
-from softcat_sym.solvers.run import Prepared
-from softcat_sym.solvers.solution import Solution
-from softcat_sym.store import json_form, keep, key_of, recall
 
 MIN_RESOLUTION, MAX_RESOLUTION = 4, 640
 
@@ -140,62 +134,6 @@ def row_of(scene: Scene, place: Place, duration: float) -> dict[str, object]:
     return delta | {"groups.G": place.G, "groups.V": place.V, "run.duration": duration}
 
 
-_SORTS = 16
-"""Sorts of filament that are remembered from block to block: their graphs are what takes memory."""
-
-
-@dataclass(frozen=True)
-class JudgedMember:
-    """A finished run."""
-
-    prepared: Prepared  # How it was integrated
-    solution: Solution  # What came out
-    fields: dict[str, Floats]  # Over the whole span, as from :func:`softcat_sym.results.fields.whole_span_fields`
-    nodes: Floats  # Their material coordinates [m]
-    cells: Floats
-    midpoint: Floats  # shape (frames,); Height of midspan [m]
-    outcome: Outcome  # How it ended
-    message: str  # Why, if that was no success
-    energy_residual: float  # Of the balance at every frame
-    regime: str | None  # What the run shows; None if it is no answer
-    # Effects that ``auto`` has left out and that the run shows to matter, and how: a single run would be repeated.
-    missing_effect: dict[str, str]
-
-
-def judged(member: Member, workshop: Workshop, stop: Stop) -> JudgedMember:
-    """Integrate a member and judge it by all its frames."""
-    stop.update(0.0, None)
-    scene = member.scene
-    prepared = workshop.prepare(member)
-    solution = prepared.solve(stop)
-    fields = whole_span_fields(scene, prepared, solution)
-    nodes, cells = node_positions(prepared.graph, rest_length(scene))
-    residual = energy_residual(fields, min_energy(scene))
-    audits = prepared.graph.conserves_energy and prepared.integration is not None
-    outcome, message = verdict(scene, member.effects, solution, fields, nodes, residual if audits else 0.0)
-    midpoint = fields["y"][:, fields["y"].shape[1] // 2]
-    regime = regime_of(scene, member.effects, fields, midpoint) if outcome.is_success else None
-    missing = _overlooked(member, solution.time * prepared.scale, (nodes, cells), fields, outcome)
-    return JudgedMember(prepared, solution, fields, nodes, cells, midpoint, outcome, message, residual, regime, missing)
-
-
-def _overlooked(
-    member: Member, time: Floats, places: tuple[Floats, Floats], fields: dict[str, Floats], outcome: Outcome
-) -> dict[str, str]:
-    """What the program has left out of a member and the finished run calls for."""
-    if member.scene.run.effects != "auto":
-        return {}
-    motion = seen(member.scene, member.effects, time, places, fields)
-    return missing_effect(member.scene, member.effects, measures(member.scene, member.effects, motion), outcome)
-
-
-@lru_cache(maxsize=2)
-def shared_workshop(plan: str) -> Workshop:
-    """What the blocks of a plan share in this process; `plan` is any text that tells plans apart."""
-    del plan
-    return Workshop(_SORTS)
-
-
 Node = tuple[int, int]
 Label = Callable[[Sequence[Node]], Sequence[str]]
 
@@ -299,22 +237,16 @@ DESCENDING = "descending"
 CLAMPS_ONLY = "descending-at-clamps"
 """Mark of a descending filament whose span, `CLAMP_REGION` away from the ends, counts as arrested by itself."""
 
-Watched = tuple[Place, float]
-"""A filament's groups, and how long it is watched [s]."""
-
-LOST = "lost"
-"""Outcome of a run whose worker died."""
-
-_BLOCK = 16
-"""Filaments that are run, kept and lost together: some tenths of a second."""
+_CHUNK = 16
+"""Filaments that go to a worker of a cluster together: some tenths of a second."""
 
 
 @dataclass(frozen=True)
 class LocalStrains:
     """True axial strain at one section: of the centreline, and of its most stretched fibre (2.6, objective form)."""
 
-    centreline: float
-    largest: float
+    centreline: float = 0.0
+    largest: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -327,16 +259,16 @@ class PhaseRun:
     message: str  # Why, of a run that is no answer
     duration: float  # Of the run that was judged [s]
     # Duration [s] of the longer run that was no answer, where the judged one ends as its sag passes `PASSED`.
-    drawn_out: float | None
-    runs: int  # How many were made: 1 or 2
-    sag: float  # Of the midpoint at the end, over the span
+    drawn_out: float | None = None
+    runs: int = 1  # How many were made: 1 or 2
+    sag: float = 0.0  # Of the midpoint at the end, over the span
     # Largest plastic rate in the last tenth of the run over sigma_Y/eta: of all fibres, and of those further than
     # `CLAMP_REGION` from the ends.
-    rate: float
-    span_rate: float
-    clamp: LocalStrains  # At the end of the run, in the cell at a clamp and in the one at midspan
-    midspan: LocalStrains
-    steps: int  # Of the integrator, of all runs
+    rate: float = 0.0
+    span_rate: float = 0.0
+    clamp: LocalStrains = LocalStrains()  # At the end of the run, in the cell at a clamp and in the one at midspan
+    midspan: LocalStrains = LocalStrains()
+    steps: int = 0  # Of the integrator, of all runs
 
     @property
     def mark(self) -> str:
@@ -345,114 +277,98 @@ class PhaseRun:
             return CLAMPS_ONLY
         return self.regime if self.regime is not None else self.outcome
 
+    def to_dict(self) -> dict[str, Any]:
+        """A row of the table of runs."""
+        row = asdict(self.place) | {"regime": self.regime, "outcome": self.outcome, "mark": self.mark}
+        row |= {"duration_s": self.duration, "drawn_out_within_s": self.drawn_out, "sag_over_span": self.sag}
+        row |= {"rate": self.rate, "span_rate": self.span_rate}
+        for name, strains in (("clamp", self.clamp), ("midspan", self.midspan)):
+            row |= {f"{name}_strain": strains.largest, f"{name}_strain_centreline": strains.centreline}
+        return row | {"steps": self.steps, "runs": self.runs, "message": self.message or None}
 
-class PhaseRunner:
-    """Runs filaments that differ in their groups, side by side; equations, graph and C code are made once."""
 
-    def __init__(
-        self,
-        scene: Scene,
-        workers: int,
-        progress: MembersProgress,
-        place: Workplace | None = None,
-    ) -> None:
-        self._scene, self._progress, self._place = scene, progress, place or Embedded(workers)
-        self._work = PhaseWork(scene)
-
-    def run(self, places: Sequence[Place], durations: Sequence[float] | None = None) -> list[PhaseRun]:
-        """Run one filament for each place."""
-        watched = durations or [duration_at(self._scene, place) for place in places]
-        asked = list(zip(places, watched, strict=True))
-        identity = identity_of(self._scene)
-        keys = {one: key_of("phase", identity, one) for one in asked}
-        known = {one: recall(key) for one, key in keys.items()}
-        found = {one: _FORM.read(content) for one, content in known.items() if content is not None}
-        blocks = blocks_of([one for one in asked if one not in found], _BLOCK)
-
-        def keep_all(number: int, runs: Sequence[PhaseRun]) -> None:
-            for one, run in zip(blocks[number].items, runs, strict=True):
-                found[one] = run
-                if run.outcome != LOST:
-                    keep(keys[one], _FORM.write(run))
-
-        told = Count(len(asked), len(found), self._progress)
-        run_blocks(self._work, blocks, self._place, told, keep_all)
-        return [found[one] for one in asked]
+def run_places(
+    scene: Scene,
+    places: Sequence[Place],
+    pool: Executor,
+    progress: MembersProgress | None = None,
+    durations: Sequence[float] | None = None,
+) -> list[PhaseRun]:
+    """Run one filament for each place, finished ones from the store."""
+    members = list(zip(places, durations or [duration_at(scene, place) for place in places], strict=True))
+    identity, work = identity_of(scene), PlaceWork(scene, pool.stop)
+    keys = {member: store.key_of("phase", identity, member) for member in members}
+    contents = {member: store.recall(key) for member, key in keys.items()}
+    runs = {member: _FORM.read(content) for member, content in contents.items() if content is not None}
+    missing = [member for member in members if member not in runs]
+    study_of(scene)  # made once, before threads look for it
+    results = pool.map_members(work, missing, _CHUNK)
+    for number, result in counted(results, len(members), len(runs), progress):
+        member = missing[number]
+        if isinstance(result, Lost):
+            runs[member] = PhaseRun(member[0], None, "lost", result.message, member[1])
+        else:
+            runs[member] = result
+            store.keep(keys[member], _FORM.write(result))
+    return [runs[member] for member in members]
 
 
 @dataclass(frozen=True)
-class PhaseWork:
-    """What is done with places; it can be sent to another process."""
+class PlaceWork:
+    """Runs the filament at a place, observed for a time [s]; it can be sent to another process."""
 
     scene: Scene  # What the filaments have in common
+    stop: Stop
 
-    def run(self, items: Sequence[Watched], threads: int, told: Told) -> list[PhaseRun]:
-        """Run filaments, each for its time, `threads` of them at once."""
-        members = members_of(self.scene, [row_of(self.scene, *item) for item in items], "once")
-        # CasADi keeps Python's lock while it integrates: threads would only wait for each other.
-        threads = threads if all(member.parallel for member in members) else 1
-        stop, workshop = Stop(), shared_workshop(self.scene.to_toml())
-        pairs = [(place, member) for (place, _), member in zip(items, members, strict=True)]
-        return side_by_side(lambda pair: _one(*pair, workshop, stop), pairs, threads, stop, lambda _: told(1))
+    def __call__(self, item: tuple[Place, float]) -> PhaseRun:
+        """Run it; if that is no answer once more, to the time at which it has fallen past every catenary.
 
-    def lost(self, item: Watched, why: str) -> PhaseRun:
-        """The run of a filament that has killed whoever ran it: no answer."""
+        What descends for ever is drawn out in the end, and then it is no answer: what it did before is one.
+        """
         place, duration = item
-        none = LocalStrains(0.0, 0.0)
-        return PhaseRun(place, None, LOST, why, duration, None, 1, 0.0, 0.0, 0.0, none, none, 0)
+        study = study_of(self.scene)
+        with study.workshop.alone():
+            member = study.maker.member(row_of(self.scene, place, duration))
+        first, sag = self._run(place, member)
+        if first.regime is not None or not np.any(sag > PASSED):
+            return first
+        short = first.duration * float(np.argmax(sag > PASSED)) / (member.scene.run.frames - 1)
+        run = member.scene.run.model_copy(update={"duration": short})
+        second, _ = self._run(place, replace(member, scene=member.scene.model_copy(update={"run": run})))
+        steps = first.steps + second.steps
+        if second.regime != DESCENDING:
+            return replace(first, runs=2, steps=steps)
+        return replace(second, runs=2, steps=steps, drawn_out=first.duration)
+
+    def _run(self, place: Place, member: Member) -> tuple[PhaseRun, Floats]:
+        """A run, and its sag over the span, shape (frames,)."""
+        run = judged(member, *study_of(self.scene).workshop.run(member, self.stop))
+        sag = -run.midpoint / rest_length(member.scene)
+        rate, span_rate = _rates(run)
+        result = PhaseRun(
+            place,
+            run.regime,
+            run.outcome.name,
+            run.message,
+            member.scene.run.duration,
+            sag=float(sag[-1]),
+            rate=rate,
+            span_rate=span_rate,
+            clamp=_strains(run.fields, 0),
+            midspan=_strains(run.fields, run.fields["stretch"].shape[1] // 2),
+            steps=run.solution.steps,
+        )
+        return result, sag
 
 
-def _one(place: Place, member: Member, workshop: Workshop, stop: Stop) -> PhaseRun:
-    """Run a filament; one that is no answer once more, to the time at which it has fallen past every catenary.
-
-    What descends for ever is drawn out in the end, and then it is no answer: what it did before is one.
-    """
-    first, sag = _run(place, member, workshop, stop)
-    if first.regime is not None or not np.any(sag > PASSED):
-        return first
-    frames = member.scene.run.frames
-    short = first.duration * float(np.argmax(sag > PASSED)) / (frames - 1)
-    run = member.scene.run.model_copy(update={"duration": short})
-    shorter = replace(member, scene=member.scene.model_copy(update={"run": run}))
-    second, _ = _run(place, shorter, workshop, stop)
-    steps = first.steps + second.steps
-    if second.regime != DESCENDING:
-        return replace(first, runs=2, steps=steps)
-    return replace(second, runs=2, steps=steps, drawn_out=first.duration)
-
-
-def _run(place: Place, member: Member, workshop: Workshop, stop: Stop) -> tuple[PhaseRun, Floats]:
-    """A run, and its sag over the span, shape (frames,)."""
-    scene, one = member.scene, judged(member, workshop, stop)
-    rate, span_rate = _rates(scene, one.prepared, one.fields["plastic_rate"])
-    sag = -one.midpoint / rest_length(scene)
-    run = PhaseRun(
-        place,
-        one.regime,
-        one.outcome.name,
-        one.message,
-        scene.run.duration,
-        None,
-        1,
-        float(sag[-1]),
-        rate,
-        span_rate,
-        _strains(one.fields, 0),
-        _strains(one.fields, one.fields["stretch"].shape[1] // 2),
-        one.solution.steps,
-    )
-    return run, sag
-
-
-def _rates(scene: Scene, prepared: Prepared, rate: Floats) -> tuple[float, float]:
+def _rates(run: MemberRun) -> tuple[float, float]:
     """Largest plastic rate of the last tenth over sigma_Y/eta: everywhere, and away from the ends."""
-    material, span = scene.material, rest_length(scene)
+    material, rate = run.member.scene.material, run.fields["plastic_rate"]
     pace = (material.yield_stress or 0.0) / (material.viscosity or np.inf)
     if not pace:
         return 0.0, 0.0
     last = rate[min(len(rate) - 1, int((1 - ARREST_TIME) * (len(rate) - 1))) :]
-    cells = node_positions(prepared.graph, span)[1]
-    away = np.abs(cells) < (0.5 - CLAMP_REGION) * span
+    away = np.abs(run.cells) < (0.5 - CLAMP_REGION) * rest_length(run.member.scene)
     return float(np.max(last)) / pace, float(np.max(last[:, away])) / pace
 
 
@@ -463,9 +379,9 @@ def _strains(fields: dict[str, Floats], cell: int) -> LocalStrains:
     return LocalStrains(centreline, centreline + abs(curvature) * thickness / 2)
 
 
-def _read_run(told: dict[str, Any]) -> PhaseRun:
-    parts = {"place": Place(**told["place"])} | {name: LocalStrains(**told[name]) for name in ("clamp", "midspan")}
-    return PhaseRun(**{**told, **parts})
+def _read_run(record: dict[str, Any]) -> PhaseRun:
+    parts = {"place": Place(**record["place"])} | {name: LocalStrains(**record[name]) for name in ("clamp", "midspan")}
+    return PhaseRun(**{**record, **parts})
 
 
-_FORM = json_form(asdict, _read_run)
+_FORM = store.json_form(asdict, _read_run)

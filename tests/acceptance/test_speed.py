@@ -15,7 +15,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.scene.scene import groups_of
-from tests.oracle.rk4_filament import run as oracle
+from tests.common.rk4_filament import run as oracle
 
 from .table import show
 

@@ -13,7 +13,7 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.plotting.accuracy import best, knee_sentence, program_rows
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.studies.work_precision import LEVELS, Plan, WorkPrecision, study
-from tests.oracle.rk4_filament import run as paper_rk4
+from tests.common.rk4_filament import run as paper_rk4
 
 from .table import show
 

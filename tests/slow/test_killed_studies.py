@@ -47,8 +47,6 @@ def keeping(key, content):
     open(os.environ["COUNTED"], "a").write(key + "\\n")
     keep(key, content)
 store.keep = keeping
-import softcat_sym.studies.phase_runs
-softcat_sym.studies.phase_runs.keep = keeping
 sys.argv[0] = "softcat"
 main()
 """

@@ -1,0 +1,222 @@
+"""One drawn scene: read, written, run in a process of its own, and looked at for what must hold in every success."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+import time
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+import softcat_sym as sc
+from softcat_sym.errors import SoftcatError
+from softcat_sym.results.fields import min_energy
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene import scene as geometry
+from softcat_sym.scene.scene import Scene
+from tests.common.limited_process import Ask, limit_this_process
+
+REFUSED = "refused"
+_STORED = tuple(f"energy_{kind}" for kind in ("kinetic", "elastic", "potential", "dissipated", "gradient", "surface"))
+
+PLACE = 1e-6
+"""How far a support may be from its place, over the span: what algebraic constraints and steps leave open."""
+
+BACK = 1e-3
+"""How much of the largest energy dissipation may seem to lose between two frames, times the accuracy asked."""
+
+
+def messages(trajectory: Trajectory) -> list[str]:
+    """What does not hold; empty if all does."""
+    checks = (_times, _bounds, _supports, _energy, _dissipation, _symmetry)
+    scene = trajectory.scene
+    return [*_numbers(trajectory)] or [text for check in checks for text in check(scene, trajectory)]
+
+
+def is_balanced(scene: Scene, trajectory: Trajectory) -> bool:
+    """Whether energy is to be conserved: with the material closure, of a run that is carried through time.
+
+    Not by a list with finite stretch and without thinning: its section swells with the stretch, and stores energy that
+    no force knows (`test_properties.py` shows it).
+    """
+    effects = set(trajectory.summary["effects"])
+    carried = {"inertia", "viscous-flow", "viscous-stress"} & effects
+    swells = "finite-stretch" in effects and "thinning" not in effects
+    return scene.run.closure == "material" and scene.model == "filament" and bool(carried) and not swells
+
+
+def is_mirrored(scene: Scene) -> bool:
+    """Whether left and right must mirror each other: a motion that goes nowhere does not change that."""
+    idle = all(row[1:] == (0.0, 0.0) for row in scene.ends.motion)
+    return idle and geometry.is_symmetric(scene.replace({"ends.motion": "hold"}))
+
+
+def _numbers(trajectory: Trajectory) -> Iterator[str]:
+    for name, values in trajectory.data.variables.items():
+        if not np.all(np.isfinite(values)) and not str(name).startswith("core_"):
+            yield f"{name} is not finite"
+    for name in ("midpoint_final_m", "time_final_s", "energy_residual"):
+        if not np.isfinite(trajectory.summary[name]):
+            yield f"{name} in the summary is not finite"
+
+
+def _times(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+    asked = np.linspace(0, scene.run.duration, scene.run.frames)
+    time = trajectory.data["time"].values
+    if time.shape != asked.shape or not np.allclose(time, asked, rtol=1e-9, atol=1e-9 * scene.run.duration):
+        yield f"frames at {time} s"
+
+
+def _bounds(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+    data = trajectory.data
+    for name in ("stretch", "thickness"):
+        if float(data[name].min()) <= 0:
+            yield f"a {name} of {float(data[name].min()):.3g}"
+    for name in ("energy_kinetic", "energy_elastic"):
+        if float(data[name].min()) < -1e-9 * _largest_energy(data):
+            yield f"a negative {name}"
+    if "yielded_fraction" in data and not -1e-9 <= float(data["yielded_fraction"].min()) <= 1 + 1e-9:
+        yield "a yielded fraction outside 0 and 1"
+
+
+def _supports(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+    """Held ends are where they were put: the left one at (-L/2, 0), the right one on its path."""
+    data, span = trajectory.data, scene.filament.span
+    ends, time = scene.ends, trajectory.data["time"].values
+    rows = np.array(ends.motion or [(0.0, 0.0, 0.0)])
+    right = (
+        span / 2 + np.interp(time, rows[:, 0], rows[:, 1]),
+        -ends.drop + np.interp(time, rows[:, 0], rows[:, 2]),
+    )
+    held = {"left": (0, np.full(time.shape, -span / 2), np.zeros(time.shape)), "right": (-1, *right)}
+    for side, (node, x, y) in held.items():
+        if getattr(ends, side) == "free":
+            continue
+        off = np.hypot(data["x"].values[:, node] - x, data["y"].values[:, node] - y).max() / span
+        if off > PLACE:
+            yield f"the {side} support is off its place by {off:.2g} of the span"
+
+
+def _energy(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+    if not is_balanced(scene, trajectory):
+        return
+    data = trajectory.data
+    balance = sum(data[name].values for name in _STORED) - data["work_external"].values
+    off, scale = np.max(np.abs(balance - balance[0])), _largest_energy(data)
+    if off > scene.run.accuracy * max(scale, min_energy(scene)):
+        reported = trajectory.summary["energy_residual"]
+        yield f"an energy residual of {off / scale:.2g}, reported {reported:.2g}"
+
+
+def _dissipation(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+    if not is_balanced(scene, trajectory):
+        return
+    lost = -np.diff(trajectory.data["energy_dissipated"].values).min() / max(_largest_energy(trajectory.data), 1e-300)
+    if lost > BACK * scene.run.accuracy:
+        yield f"dissipation falls by {lost:.2g} of the largest energy"
+
+
+def _symmetry(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+    if not is_mirrored(scene):
+        return
+    x, y = trajectory.data["x"].values, trajectory.data["y"].values
+    off = max(np.abs(x + x[:, ::-1]).max(), np.abs(y - y[:, ::-1]).max()) / max(np.abs(y).max(), 1e-300)
+    if off > scene.run.accuracy:
+        yield f"left and right differ by {off:.2g} of the sag"
+
+
+def _largest_energy(data: xr.Dataset) -> float:
+    return max(float(np.abs(data[name].values).max()) for name in (*_STORED, "work_external"))
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One scene."""
+
+    scene: str
+    law: str
+    outcome: str
+    reason: str = ""
+    broken: tuple[str, ...] = ()
+    residual: float | None = None
+    seconds: float = 0.0
+
+
+def answer(table: dict[str, Any], folder: str) -> Answer:
+    """Run one scene, and look for what is broken; any exception but the package's own is."""
+    started = time.process_time()
+    known: dict[str, Any] = {"scene": json.dumps(table), "law": table["material"]["law"]}
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            warnings.simplefilter("ignore", sc.SoftcatWarning)  # what the package tells of a good answer
+            known |= _run(table, folder)
+    except SoftcatError as error:
+        known |= {"outcome": REFUSED, "reason": str(error)}
+    except Exception as error:  # noqa: BLE001  whatever comes out is what is looked for
+        known |= {"outcome": "", "broken": (f"{type(error).__name__}: {error}",)}
+    return Answer(**known, seconds=time.process_time() - started)
+
+
+def _run(table: dict[str, Any], folder: str) -> dict[str, Any]:
+    scene = Scene.model_validate(table)
+    broken = _there_and_back(scene, folder)
+    run = sc.simulate(scene)
+    balanced = is_balanced(scene, run)
+    found: dict[str, Any] = {"outcome": run.outcome.name, "reason": run.summary["message"]}
+    if run.outcome.is_success:
+        broken += messages(run)
+        found["residual"] = run.summary["energy_residual"] if balanced else None
+    return found | {"broken": tuple(broken)}
+
+
+def _there_and_back(scene: Scene, folder: str) -> list[str]:
+    """Scene to TOML to scene is the identity, and so is the text."""
+    text = scene.to_toml()
+    file = Path(folder) / "scene.toml"
+    file.write_text(text, encoding="utf-8")
+    again = sc.load_scene(file)
+    broken = [] if again == scene else ["scene to TOML to scene is not the identity"]
+    return broken + ([] if again.to_toml() == text else ["the scene is written differently the second time"])
+
+
+_LATE = "no answer within"
+
+
+def is_late(answer: Answer) -> bool:
+    """Whether a scene was ended for the time it took: no exception, no process that died of its own."""
+    return not answer.outcome and answer.broken[0].startswith(_LATE)
+
+
+def answer_within(ask: Ask, table: dict[str, Any], limit: float) -> Answer:
+    """Answer one scene within so many seconds of the processor; else its answer says that there was none."""
+    answers, died = ask((table, limit), (limit,))
+    if answers:
+        found: Answer = answers[0]
+        return found
+    why = died or f"{_LATE} {limit:g} s"
+    return Answer(json.dumps(table), table["material"]["law"], "", broken=(why,), seconds=limit)
+
+
+def serve(there: Connection) -> None:
+    """Answer scenes one after another."""
+    import softcat_sym.simulate  # noqa: F401  imported before the clock runs
+
+    there.send("ready")
+    with tempfile.TemporaryDirectory() as folder:
+        while True:
+            try:
+                table, limit = there.recv()
+            except EOFError:
+                return
+            limit_this_process(limit)
+            found = answer(table, folder)
+            limit_this_process(0)
+            there.send(found)

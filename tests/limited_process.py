@@ -1,3 +1,0 @@
-"""Moved to ``tests.common.limited_process``."""
-
-from tests.common.limited_process import *  # noqa: F403

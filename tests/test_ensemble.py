@@ -1,0 +1,370 @@
+"""Ensembles: tables become members, every member is what `simulate` makes of its row, and what fails is a row."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable
+from io import StringIO
+from typing import Any
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+import softcat_sym as sc
+from softcat_sym import progress
+from softcat_sym.discretization.assembly import Body, assemble
+from softcat_sym.discretization.graph import Discretisation, Graph
+from softcat_sym.discretization.grid import Grid
+from softcat_sym.ensemble.ensemble import Ensemble, MembersBar, Workshop, tolerances
+from softcat_sym.ensemble.members import Choosing, Row, constants_of, members_of, rows_of, written
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.scene.scene import groups_of
+from softcat_sym.solvers import compiled
+from softcat_sym.solvers.compiled import CModel
+from softcat_sym.solvers.settings import settings_for
+
+SHORT = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 11, "numerics.estimate": False}
+SCENE = sc.load_scene("arrested-overdamped", SHORT)
+TABLE = {"groups.G": [0.6, 0.3, 0.45, 0.5], "groups.V": [10.0, 30.0, 20.0, 25.0]}
+# Minutes of steps that may not be longer than a hair.
+LONG = sc.load_scene(
+    "arrested-underdamped",
+    {"run.effects": "paper", "numerics.cells": 20, "numerics.rtol": 1e-13, "run.frames": 4, "run.duration": "1000 s"},
+)
+COLUMNS = {"filament.span": [0.2, 0.3], "material.law": ["bingham", "elastic"]}
+ROWS = [{"filament.span": 0.2, "material.law": "bingham"}, {"filament.span": 0.3, "material.law": "elastic"}]
+
+
+class Frame:
+    """What a data frame and this table have in common."""
+
+    def keys(self) -> list[str]:
+        return list(COLUMNS)
+
+    def __getitem__(self, key: str) -> np.ndarray[Any, Any]:
+        return np.array(COLUMNS[key])
+
+
+class Listener:
+    """Notes its updates, and does something of its own."""
+
+    def __init__(self, do: Callable[[], object] = lambda: None) -> None:
+        self.updates: list[tuple[int, int, float]] = []
+        self._do = do
+
+    def update(self, done: int, members: int, left: float) -> None:
+        self.updates.append((done, members, left))
+        self._do()
+
+
+def fault_of(rows: list[Row], choosing: Choosing = "once", scene: sc.Scene = SCENE) -> str:
+    with pytest.raises(SceneError) as caught:
+        members_of(scene, rows, choosing)
+    return str(caught.value)
+
+
+def same_as_single_runs(ensemble: Ensemble) -> None:
+    for number, scene in enumerate(ensemble.scenes):
+        single = sc.simulate(scene)
+        row = ensemble.data.isel(member=number)
+        reached = single.data.sizes["time"]
+        np.testing.assert_array_equal(row.midpoint.values[:reached], single.data.midpoint.values)
+        assert np.all(np.isnan(row.midpoint.values[reached:]))
+        assert float(row.midpoint_final) == single.summary["midpoint_final_m"]
+        assert float(row.time_final) == single.summary["time_final_s"]
+        assert str(row.outcome.values) == single.outcome.name == ensemble.outcomes[number].name
+        assert str(row.message.values) == single.summary["message"]
+        assert int(row.steps) == single.summary["steps"]
+        assert str(row.effects.values).split(", ") == list(single.summary["effects"])
+        # The largest energy of two frames is no larger than that of all.
+        assert float(row.energy_residual) <= 1.1 * single.summary["energy_residual"] + 1e-15
+
+
+def test_every_form_of_a_table_gives_the_same_rows_of_plain_values() -> None:
+    structured = np.array([(0.2, "bingham"), (0.3, "elastic")], [("filament.span", float), ("material.law", "U9")])
+    for table in (COLUMNS, ROWS, tuple(ROWS), structured, Frame()):
+        rows = rows_of(table)
+        assert rows == ROWS
+        assert {type(value) for row in rows for value in row.values()} == {float, str}
+
+
+def test_what_is_no_table_is_refused() -> None:
+    for table, message in (
+        ({"filament.span": [1, 2], "load.gravity": [1]}, "unequal lengths: filament.span has 2, load.gravity has 1"),
+        ({}, "without rows"),
+        ([], "without rows"),
+        ({"filament.span": []}, "without rows"),
+        ({"filament.span": "20 cm"}, "filament.span: '20 cm' is not a column"),
+        ({"filament.span": 0.2}, "filament.span: 0.2 is not a column"),
+        ({"filament.span": np.array(0.2)}, "is not a column"),
+        ("arrested", "'arrested' is no table"),
+        (3, "3 is no table"),
+        ([{"filament.span": 0.2}, 3], "row 1: 3 is not a mapping"),
+        ([{"filament.span": 0.2}, {"filament.spam": 0.2}], "row 1: its keys differ from those of row 0"),
+        ({"run.frames": [3, 4]}, "run.frames: given in the table, but members share"),
+    ):
+        with pytest.raises(SceneError, match=message):
+            rows_of(table)
+
+
+def test_plain_numbers_get_the_unit_of_their_key() -> None:
+    row: Row = {"filament.span": 0.25, "ends.drop": 1, "material.viscosity": 3.0, "material.index": 0.5}
+    row |= {"numerics.cells": 8, "load.gravity": "9 m/s^2"}
+    units = {"filament.span": "0.25 m", "ends.drop": "1.0 m", "material.viscosity": "3.0 Pa*s^0.5"}
+    assert written(sc.load_scene("oobleck"), row) == row | units
+    scene = sc.load_scene("transient-gel")
+    for parameter in scene.material.parameters:
+        key, value = f"material.parameters.{parameter.name}", parameter.value
+        assert scene.replace(written(scene, {key: 2 * value})).replace(written(scene, {key: value})) == scene
+
+
+def test_groups_give_the_scene_that_a_file_with_them_gives() -> None:
+    rows: tuple[Row, ...] = (
+        {"groups.G": 0.55},
+        {"groups.V": 13.0},
+        {"groups.G": 0.35, "groups.V": 31.0},
+        {"groups.delta": 0.04},
+    )
+    for name in ("arrested-overdamped", "continual-descent"):
+        scene = sc.load_scene(name)
+        for row in rows:
+            assert scene.replace(constants_of(scene, row)) == sc.load_scene(name, row), (name, row)
+    scene = sc.load_scene("arrested-overdamped")
+    found = groups_of(
+        scene.replace(constants_of(scene, {"groups.E_star": 900, "groups.eps_Y": 4e-3, "groups.tau": 0.02}))
+    )
+    assert (found.E_star, found.eps_Y, found.tau_star) == pytest.approx((900.0, 0.004, 0.02), rel=1e-14)
+    # Alone, a ratio to Young's modulus leaves that as it is; what comes out as it is is not set again.
+    assert list(constants_of(scene, {"groups.eps_Y": 0.004})) == ["material.yield_stress"]
+    both = constants_of(scene, {"groups.G": 0.5, "groups.eps_Y": 0.004})
+    assert list(both) == ["material.yield_stress", "material.youngs_modulus"]
+    assert groups_of(scene.replace(constants_of(scene, {"groups.B": 0.25}))).V == pytest.approx(2.0, rel=1e-14)
+    assert constants_of(scene, {"groups.G": 0.4, "groups.V": 26}) == {}
+    # Groups are measured with the span of their row.
+    member = members_of(SCENE, [{"filament.span": 0.4, "groups.G": 0.5}], "once")[0]
+    asked = sc.load_scene("arrested-overdamped", {"groups.G": 0.5, "filament.span": "0.4 m"})
+    assert asked.material.yield_stress == member.scene.material.yield_stress
+
+
+def test_groups_that_make_no_sense_are_refused() -> None:
+    scene, maxwell = sc.load_scene("arrested-overdamped"), sc.load_scene("maxwell-slow")
+    cases: tuple[tuple[sc.Scene, Row, str], ...] = (
+        (scene, {"groups.Gee": 1.0}, "groups.Gee: no group that a table can change; accepted: delta, G, "),
+        (scene, {"groups.duration": 3}, "accepted: .*times as run.duration"),
+        (scene, {"groups.G": "5"}, "groups.G: '5' is no positive number"),
+        (scene, {"groups.G": -1.0}, "groups.G: -1.0 is no positive number"),
+        (scene, {"groups.G": float("nan")}, "groups.G: nan is no positive number"),
+        (scene, {"groups.V": 1.0, "groups.B": 0.5}, "given twice: V and B"),
+        (scene, {"groups.G": 1.0, "material.yield_stress": "5 kPa"}, "given twice: G and material.yield_stress"),
+        (scene, {"groups.G": 1.0, "material.shear_yield_stress": "5 kPa"}, "given twice"),
+        (maxwell, {"groups.G": 1.0}, "groups.G: given, but the law 'maxwell' has no yield stress"),
+        (maxwell.replace({"load.gravity": "0 m/s^2"}), {"groups.V": 1.0}, "load.gravity: zero, but the groups"),
+    )
+    for base, row, message in cases:
+        with pytest.raises(SceneError, match=message):
+            constants_of(base, row)
+
+
+def test_each_row_is_the_scene_with_its_values_replaced() -> None:
+    table = {"material.yield_stress": ["5 kPa", 6e3], "filament.span": ["25 cm", 0.3], "ends.right": ["pinned"] * 2}
+    asked = [
+        {"material.yield_stress": f"{k} kPa", "filament.span": f"{s} m", "ends.right": "pinned"}
+        for k, s in ((5, 0.25), (6, 0.3))
+    ]
+    assert [member.scene for member in members_of(SCENE, rows_of(table), "once")] == [
+        SCENE.replace(changes) for changes in asked
+    ]
+
+
+def test_faults_name_row_and_key_and_those_that_rows_share_are_listed_once() -> None:
+    message = fault_of([{"material.yield_stress": value} for value in (5e3, -1.0, "5 kg", 4e3, float("inf"))])
+    assert "3 faults" in message
+    assert "row 1: material.yield_stress: '-1.0 Pa' is negative" in message
+    assert "row 2: material.yield_stress: 'kg' is" in message
+    assert "row 4: material.yield_stress: 'inf Pa' is not finite" in message
+    message = fault_of([{"material.yeild_stress": 1.0 * k} for k in range(9)])
+    assert "1 fault" in message and "rows 0, 1, 2, 3 and 5 more: material.yeild_stress: unknown key" in message
+    assert "row 1: groups.G: -0.4 is no positive number" in fault_of([{"groups.G": 0.4}, {"groups.G": -0.4}])
+    assert "row 0" in fault_of([{"filament": 3}])
+    message = fault_of([{"material.yield_stress": -1.0 - k} for k in range(100)])
+    assert message.count("row ") == 20 and "and 80 more faults" in message
+    named = SCENE.replace({"run.effects": ["inertia", "bending", "extensibility", "yielding", "viscous-flow"]})
+    laws: list[Row] = [
+        {"material.law": "bingham", "material.yield_stress": 5e3},
+        {"material.law": "maxwell", "material.yield_stress": None},
+    ]
+    assert "row 1: run.effects: 'yielding' cannot be had" in fault_of(laws, scene=named)
+    for choosing in ("once", "each"):
+        message = fault_of([{"run.effects": "paper"}, {"run.effects": ["inertial"]}], choosing)
+        assert "row 1: run.effects: unknown effect 'inertial'" in message
+
+
+def test_once_chooses_for_the_base_and_anew_only_where_equations_differ() -> None:
+    rows: list[Row] = [{"filament.thickness": thickness} for thickness in (6e-3, 5e-5)]
+    auto = sc.load_scene("no-yield")
+    once, each = ([member.effects.names for member in members_of(auto, rows, how)] for how in ("once", "each"))
+    assert once[0] == once[1] == each[0]
+    assert "shear" in each[0] and "shear" not in each[1]
+    # A ramp that vanishes, a curvature that appears: other equations.
+    rows = [{"load.ramp": ramp, "filament.curvature": bent} for ramp, bent in ((1.0, 0.0), (0.0, 0.0), (0.0, 1.0))]
+    members = members_of(SCENE, rows, "once")
+    assert ["gravity-ramp" in member.effects.names for member in members] == [True, False, False]
+    assert [member.effects.bare.curved for member in members] == [False, False, True]
+    assert len({member.pattern for member in members}) == 3
+
+
+def test_tolerances_are_those_of_a_single_run() -> None:
+    for name in sc.bundled_names():
+        scene = sc.load_scene(name, {"run.frames": 41})
+        member = members_of(scene, [{"title": name}], "each")[0]
+        assert tolerances(member) == settings_for(scene, member.effects, compiled=member.backend.compiled), name
+
+
+def test_equations_are_assembled_once_for_each_structure_and_grid(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[int] = []
+
+    def counting(
+        equations: FilamentEquations, grid: Grid, effects: tuple[str, ...], theory: Discretisation, body: Body
+    ) -> Graph:
+        made.append(grid.cells)
+        return assemble(equations, grid, effects, theory, body)
+
+    monkeypatch.setattr("softcat_sym.solvers.run.assemble", counting)
+    scene = sc.load_scene("arrested-overdamped", {"run.effects": "paper", "numerics.cells": 6})
+    workshop = Workshop()
+    for member in members_of(scene, [{"filament.span": 0.2 + 0.01 * number} for number in range(5)], "once"):
+        workshop.prepare(member)
+    assert made == [6]
+    rows: list[Row] = [{"ends.right": end, "numerics.cells": n} for end in ("clamped", "pinned") for n in (6, 8)]
+    for member in members_of(scene, rows, "once"):
+        workshop.prepare(member)
+    # Clamped at both ends, half a span is enough.
+    assert made == [6, 6, 8, 12, 16]
+
+
+def test_members_are_single_runs_to_the_last_bit_whatever_the_workers() -> None:
+    listener = Listener()
+    single = sc.simulate_many(SCENE, TABLE, workers=1)
+    double = sc.simulate_many(SCENE, TABLE, workers=2, progress=listener)
+    assert single.data.drop_vars("wall_s").identical(double.data.drop_vars("wall_s").assign_attrs(single.data.attrs))
+    assert len(double) == 4 and double.data["groups.G"].values.tolist() == TABLE["groups.G"]
+    assert [float(scene.material.viscosity or 0) for scene in double.scenes] == pytest.approx(
+        [value * 1900 * np.sqrt(9.81 * 0.2**3) for value in TABLE["groups.V"]]
+    )
+    same_as_single_runs(double)
+    final = double.data.midpoint_final.values
+    assert len(set(final.tolist())) == 4
+    assert final.argmin() == 0  # the heaviest and least viscous hangs lowest
+    assert double.trajectory(1).data.midpoint.values[-1] == final[1]
+    with pytest.raises(IndexError):
+        double.trajectory(4)
+    assert [update[:2] for update in listener.updates] == [(done, 4) for done in (1, 2, 3, 4)]
+    assert listener.updates[-1][2] == 0.0 < listener.updates[0][2]
+
+
+def test_other_grids_starts_laws_and_durations_in_one_table() -> None:
+    changes = {"numerics.cells": 6, "run.frames": 6, "run.duration": "0.2 s", "numerics.estimate": False}
+    scene = sc.load_scene("slack-taffy", changes)
+    span = scene.filament.span
+    rows: list[Row] = [
+        {"filament.span": span, "numerics.cells": 6, "run.duration": 0.1},
+        {"filament.span": 0.98 * span, "numerics.cells": 6, "run.duration": 0.2},
+        {"filament.span": span, "numerics.cells": 8, "run.duration": "50 ms"},
+    ]
+    ensemble = sc.simulate_many(scene, rows)
+    same_as_single_runs(ensemble)
+    assert ensemble.data.time.attrs["units"] == "1"
+    assert ensemble.data.duration.values.tolist() == [0.1, 0.2, 0.05]
+    assert ensemble.data["run.duration"].values.tolist() == [0.1, 0.2, 0.05]
+    laws: list[Row] = [
+        {"material.law": "bingham", "material.yield_stress": 4e3},
+        {"material.law": "maxwell", "material.yield_stress": None},
+    ]
+    ensemble = sc.simulate_many(SCENE, laws)
+    same_as_single_runs(ensemble)
+    assert ensemble.data["material.law"].values.tolist() == ["bingham", "maxwell"]
+    np.testing.assert_array_equal(ensemble.data["material.yield_stress"].values, [4e3, np.nan])
+    assert ensemble.data.time.attrs["units"] == "s"
+
+
+def test_rows_of_other_kinds_of_filament() -> None:
+    """A shearing whole span with effects for each row, equilibria, a string without a start."""
+    brief = {"numerics.cells": 6, "run.frames": 4, "numerics.estimate": False}
+    slime = sc.load_scene("slime-slope", brief | {"run.duration": "0.02 s"})
+    same_as_single_runs(sc.simulate_many(slime, {"filament.density": [1000.0, 1200.0]}, effects="each"))
+    resting = sc.load_scene("no-yield", brief | {"run.effects": ["bending", "gravity-ramp"]})
+    same_as_single_runs(sc.simulate_many(resting, {"load.ramp": [1.0, 0.5]}))
+    string = sc.load_scene("no-yield", brief | {"run.effects": ["extensibility"]}).replace({"load.ramp": "0 s"})
+    same_as_single_runs(sc.simulate_many(string, {"load.gravity": [9.81, 0.0]}))
+
+
+def test_without_a_compiler_members_run_one_by_one() -> None:
+    scene = SCENE.replace({"numerics.backend": "interpreted", "run.duration": "0.1 s"})
+    ensemble = sc.simulate_many(scene, {"groups.G": [0.5, 0.4]}, workers=2)
+    assert ensemble.data.attrs["workers"] == "1" and ensemble.data.attrs["backend"].startswith("interpreted")
+    same_as_single_runs(ensemble)
+
+
+def test_failures_are_rows_and_the_others_continue(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = sc.load_scene("continual-descent", SHORT)
+    rupture = {"groups.G": [0.4, 4.0], "groups.V": [30.0, 1.0], "run.duration": [0.1, 1.0]}
+    ensemble = sc.simulate_many(scene, rupture)
+    assert [outcome.name for outcome in ensemble.outcomes] == ["solved", "localised"]
+    monkeypatch.setattr(compiled, "_MAX_STEPS", 1)
+    monkeypatch.setattr(compiled, "_STEPS_PER_FRAME", 20)
+    table = {"groups.G": [0.4, 8.0, 0.4], "groups.V": [30.0, 0.3, 20.0], "run.duration": [0.05, 0.4, 0.06]}
+    ensemble = sc.simulate_many(scene, table)
+    assert [outcome.is_success for outcome in ensemble.outcomes] == [True, False, True]
+    lost = np.isnan(ensemble.data.midpoint.values)
+    assert lost[1].any() and not lost[1].all() and not lost[[0, 2]].any()
+    assert np.isfinite(ensemble.data.midpoint_final.values).all()
+    same_as_single_runs(ensemble)
+
+
+def test_refusals_come_before_any_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(CModel, "integrate", lambda *_: pytest.fail("something ran"))
+    with pytest.raises(SceneError, match=r"row 1: groups.G"):
+        sc.simulate_many(SCENE, {"groups.G": [0.5, -0.5]})
+    with pytest.raises(SceneError, match=r"'once' or 'each'"):
+        sc.simulate_many(SCENE, TABLE, effects="twice")  # type: ignore[arg-type]
+    for workers in (0, -1, 1.5, True):
+        with pytest.raises(SoftcatError, match="whole number of threads"):
+            sc.simulate_many(SCENE, TABLE, workers=workers)  # type: ignore[arg-type]
+    no_flow = dict.fromkeys(("material.viscosity", "material.yield_stress"))
+    elastic = SCENE.replace({"run.effects": ["bending", "extensibility"], "material.law": "elastic"} | no_flow)
+    with pytest.raises(SceneError, match=r"row 1: numerics.backend: 'compiled', but without inertia"):
+        sc.simulate_many(elastic, {"numerics.backend": ["auto", "compiled"]})
+
+
+def test_the_bar_draws_at_once_on_a_terminal_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(progress, "_DELAY", 0.0)
+    drawn, plain = StringIO(), StringIO()
+    for stream, options in ((drawn, {"force_terminal": True, "width": 100}), (plain, {})):
+        with MembersBar("arrested", console=Console(file=stream, **options)) as bar:  # type: ignore[arg-type]
+            bar.update(4, 4, 0.0)
+            bar.tick()
+    assert "arrested" in drawn.getvalue() and "4 of 4" in drawn.getvalue()
+    assert not plain.getvalue(), "plain lines come after two seconds"
+
+
+def test_ctrl_c_between_members_and_within_one() -> None:
+    before = threading.active_count()
+    listener = Listener(lambda: os.kill(os.getpid(), signal.SIGINT))
+    sc.simulate_many(LONG, {"run.duration": ["1 ms"]})
+    press = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    for durations, progress_listener in ((["1 ms", *["1000 s"] * 20], listener), (["1000 s"] * 20, None)):
+        if progress_listener is None:
+            press.start()
+        begun = time.monotonic()
+        with pytest.raises(KeyboardInterrupt):
+            sc.simulate_many(LONG, {"run.duration": durations}, workers=2, progress=progress_listener)
+        assert time.monotonic() - begun < 5
+    press.join()
+    assert threading.active_count() == before
+    # And the next one runs as if nothing had been.
+    assert sc.simulate_many(LONG, {"run.duration": ["1 ms"] * 3}).outcomes == (sc.Outcome.solved,) * 3

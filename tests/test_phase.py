@@ -1,0 +1,279 @@
+"""Phase diagrams: lines against their limits, refinement, runs against `simulate`, files and refusals."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym import store
+from softcat_sym.effects.forecast import overshoot, rebound
+from softcat_sym.ensemble.executor import Executor, executor
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.studies.phase import SETTINGS, PhaseLine, crossings, descent_run, distances, phase_diagram, phase_lines
+from softcat_sym.studies.phase_runs import (
+    CLAMPS_ONLY,
+    PASSED,
+    PLANES,
+    Node,
+    Place,
+    coarse_width,
+    duration_at,
+    place_at,
+    refined,
+    row_of,
+    run_places,
+)
+from tests.cli.in_process import Softcat
+
+LAPLACE = 0.6627434193491816
+"""Laplace limit constant, max of u/cosh u; no catenary carries itself beyond G = 2 of it."""
+SCENE = sc.load_scene("arrested-overdamped", list(SETTINGS))
+MODULUS = 4e6 / (1900 * 9.81 * 0.2)
+Rule = Callable[[int, int], str]
+
+
+def lines_of(scene: sc.Scene, plane: str = "G-delta") -> dict[str, PhaseLine]:
+    return {line.name: line for line in phase_lines(scene, PLANES[plane], 9)}
+
+
+def test_papers_lines_and_the_exact_threshold() -> None:
+    lines = lines_of(SCENE)
+    np.testing.assert_allclose(lines["first yield of a beam"].G, 2 * lines["first yield of a beam"].other)
+    np.testing.assert_allclose(lines["arrest of a shallow catenary"].G, np.sqrt(2))
+    np.testing.assert_allclose(lines["arrest of the exact catenary"].G, 2 * LAPLACE, rtol=1e-12)
+    np.testing.assert_allclose(lines["sudden load, undamped beam"].G, lines["sudden load, undamped beam"].other)
+
+
+def test_tension_matters_for_thin_and_soft_filaments_only() -> None:
+    slow = "slow load, bending and tension"
+    soft, stiff = (lines_of(SCENE.replace({"material.youngs_modulus": E}))[slow] for E in ("4 MPa", "4e5 MPa"))
+    # A stiff filament yields before it sags: the linear beam's 2 delta.
+    np.testing.assert_allclose(stiff.G[stiff.other > 0.02], 2 * stiff.other[stiff.other > 0.02], rtol=0.02)
+    assert soft.G[0] > 1.5 * 2 * soft.other[0]
+    # A taut string with sharply bent ends: G ~ eps_Y^(1/2) and eps_Y = 1/(G E*), so G ~ E*^(-1/3), whatever delta.
+    thin = {"filament.thickness": "0.2 mm"}
+    softer = lines_of(SCENE.replace({"material.youngs_modulus": "4 MPa"} | thin), "G-V")[slow]
+    # Stress over rho g L of that string, (E*/24)^(1/3), and of its bent end, sqrt(3 E*/tension)/2, by hand.
+    tension = (MODULUS / 24) ** (1 / 3)
+    assert softer.G[0] == pytest.approx(1 / (tension + np.sqrt(3 * MODULUS / tension) / 2), rel=0.02)
+    softest = lines_of(SCENE.replace({"material.youngs_modulus": "0.5 MPa"} | thin), "G-V")
+    assert softest[slow].G[0] / softer.G[0] == pytest.approx(2.0, rel=0.02)
+
+
+def test_estimates_have_their_limits() -> None:
+    """A ramp lies between sudden and slow; spring-back is the share that counts as underdamped."""
+    sudden, slow = (lines_of(SCENE.replace({"load.ramp": f"{ramp} s"}), "G-V") for ramp in (1e-6, 1e3))
+    ramped = "this ramp, first mode"
+    assert sudden[ramped].G[0] == pytest.approx(0.03, rel=1e-3)
+    assert slow[ramped].G[0] == pytest.approx(slow["slow load, bending and tension"].G[0], rel=1e-3)
+    line, ramp = lines_of(SCENE, "G-V")["spring-back of 5 %"], SCENE.load.ramp * np.sqrt(9.81 / 0.2)
+    for V, G in zip(line.other, line.G, strict=True):
+        past = overshoot(float(G), float(V), float(ramp))
+        assert rebound(float(G), 1 / (MODULUS * float(G)), past) == pytest.approx(0.05, rel=0.01)
+
+
+def test_crossings_and_distances_of_a_known_lattice() -> None:
+    G, V = np.geomspace(0.01, 3, 41), np.geomspace(0.1, 100, 5)
+    marks = np.empty((41, 5), dtype="<U24")
+    for i, value in enumerate(G):
+        below = "arrested-underdamped" if value < 0.3 else "arrested-overdamped"
+        marks[i, :] = "no-yield" if value < 0.06 else below if value < 1 else "descending-at-clamps"
+    marks[G > 2, :] = "descending"
+    marks[(G > 0.9) & (G < 1.3), 0] = "localised"
+    found = crossings(G, V, marks)
+    kinds = ("first yield", "overdamping", "arrest", "arrest of the span")
+    rows = {kind: [crossing for crossing in found if crossing.kind == kind] for kind in kinds}
+    assert [len(rows[kind]) for kind in kinds] == [5, 5, 4, 5]  # none beside a run that is no answer
+    for kind, G_there in (("first yield", 0.06), ("arrest", 1), ("arrest of the span", 2)):
+        assert all(crossing.G_low < G_there <= crossing.G_high for crossing in rows[kind])
+    line = PhaseLine("half as much", "first yield", "paper", "", V, np.full(5, 0.03))
+    [distance] = distances([line], found)
+    assert distance.rows == 5
+    assert distance.median == pytest.approx(rows["first yield"][0].G / 0.03 - 1)
+
+
+def wedge(i: int, j: int) -> str:
+    """Three regimes that meet in a point, as no yield, arrest and descent do."""
+    return "c" if i >= 27 else "a" if i < 0.6 * j + 3 else "b"
+
+
+def disc(i: int, j: int) -> str:
+    return "in" if (i - 17) ** 2 + (j - 21) ** 2 < 81 else "out"
+
+
+def bump(i: int, j: int) -> str:
+    """Reaches a coarse edge between its corners: the finer neighbour's nodes show it."""
+    return "b" if i >= 20 or (i >= 15 and 20 < j < 24) else "a"
+
+
+def test_refinement_labels_as_without_it_each_node_once() -> None:
+    for rule in (wedge, disc, bump):
+        nodes: list[Node] = []
+
+        def label(missing: Sequence[Node], rule: Rule = rule, nodes: list[Node] = nodes) -> list[str]:
+            nodes.extend(missing)
+            return [rule(*node) for node in missing]
+
+        lattice = refined(40, label)
+        assert len(nodes) == len(set(nodes)) == len(lattice.known)
+        np.testing.assert_array_equal(lattice.labels(), [[rule(i, j) for j in range(41)] for i in range(41)])
+        assert lattice.saved == 41**2 - len(nodes)
+        # Ten squares to begin with are 121 nodes; a boundary of 40 to 80 steps takes a few nodes a step.
+        assert len(nodes) < 0.45 * 41**2
+        assert sum(square.width**2 for square in lattice.squares) == 40**2
+        edges = [square for square in lattice.squares if len({rule(*corner) for corner in square.corners()}) > 1]
+        assert all(square.width == 1 for square in edges)
+    for cells, width in ((40, 4), (20, 2), (80, 8), (16, 2), (37, 1), (4, 1)):
+        assert coarse_width(cells) == width
+        assert refined(cells, lambda nodes: ["same"] * len(nodes)).labels().shape == (cells + 1, cells + 1)
+
+
+@pytest.fixture(scope="module")
+def pool() -> Iterator[Executor]:
+    with executor(2) as threads:
+        yield threads
+
+
+def by_hand(place: Place, duration: float) -> sc.Scene:
+    """The filament of these groups, its constants worked out from their definitions (3.9), (3.10)."""
+    span, density, gravity = 0.2, 1900.0, 9.81
+    return SCENE.replace(
+        {
+            "filament.thickness": f"{place.delta * span!r} m",
+            "material.yield_stress": f"{density * gravity * span / place.G!r} Pa",
+            "material.viscosity": f"{place.V * density * math.sqrt(gravity * span**3)!r} Pa*s",
+            "run.duration": f"{duration!r} s",
+            "numerics.estimate": False,
+        }
+    )
+
+
+def test_runs_are_those_of_simulate(pool: Executor) -> None:
+    answers = (
+        (Place(0.02, 26.0, 0.03), "no-yield"),
+        (Place(0.1, 3.0, 0.03), "arrested-underdamped"),
+        (Place(0.5, 26.0, 0.05), "arrested-overdamped"),
+        (Place(2.5, 26.0, 0.03), "descending"),
+    )
+    runs = run_places(SCENE, [place for place, _ in answers], pool)
+    for run, (place, regime) in zip(runs, answers, strict=True):
+        single = sc.simulate(by_hand(place, duration_at(SCENE, place)))
+        assert run.regime == single.summary["regime"] == regime
+        assert run.sag == pytest.approx(-single.summary["midpoint_final_m"] / 0.2, rel=2e-3, abs=1e-4)
+        last = single.data.isel(time=-1)
+        for found, cell in ((run.clamp, 0), (run.midspan, last.sizes["cell"] // 2)):
+            at = last.isel(cell=cell)
+            bending = abs(float(at.curvature)) * float(at.thickness) / 2
+            assert found.centreline == pytest.approx(np.log(float(at.stretch)), rel=5e-3, abs=1e-4)
+            assert found.largest == pytest.approx(np.log(float(at.stretch)) + bending, rel=5e-3, abs=1e-4)
+
+
+def test_a_run_that_is_no_answer_has_no_regime(pool: Executor) -> None:
+    """The paper's ringing filament at G = 0.4, whose clamps are drawn out; and one that falls as a whole before."""
+    places = [Place(0.4, 0.3, 0.03), Place(3.0, 1.0, 0.03), Place(1.0, 26.0, 0.03)]
+    necked, fallen, creeping = run_places(SCENE, places, pool)
+    assert (necked.regime, necked.mark, necked.runs) == (None, "localised", 2)
+    assert necked.message
+    assert (fallen.regime, fallen.runs) == ("descending", 2)
+    assert fallen.drawn_out == duration_at(SCENE, fallen.place) > fallen.duration
+    assert fallen.sag == pytest.approx(PASSED, abs=0.05)
+    assert (creeping.regime, creeping.mark, creeping.runs) == ("descending", CLAMPS_ONLY, 1)
+    assert creeping.rate > 0.5 > creeping.span_rate
+
+
+def test_papers_continual_descent(pool: Executor) -> None:
+    run = descent_run(SCENE, pool)
+    assert run.regime == "descending"
+    assert run.sag == pytest.approx(0.245, abs=0.005)  # "about a quarter of its original length"
+    assert run.clamp.largest > run.clamp.centreline > 0.23  # "local strains over 23 % near the clamp"
+    assert run.midspan.largest < 0.23
+
+
+def test_rows_give_the_groups_back() -> None:
+    place = place_at(SCENE, PLANES["G-V"], 0.7, 2.0)
+    assert (place.G, place.V) == (0.7, 2.0)
+    assert place.delta == pytest.approx(0.03)
+    row = {"groups.delta": 0.05, "groups.G": 0.7, "groups.V": 2.0, "run.duration": 1.5}
+    assert row_of(SCENE, Place(0.7, 2.0, 0.05), 1.5) == row
+
+
+class Listener:
+    """Notes the members done; after so many it stops."""
+
+    def __init__(self, stop: int = 10**9) -> None:
+        self.done, self._stop = list[int](), stop
+
+    def update(self, done: int, members: int, left: float) -> None:
+        self.done.append(done)
+        if done >= self._stop:
+            raise KeyboardInterrupt
+
+
+def test_a_phase_diagram_resumes_from_its_finished_runs(results_of_studies: Path) -> None:
+    scene = sc.load_scene("arrested-overdamped", [*SETTINGS, "numerics.cells=10", "run.frames=41"])
+    with pytest.raises(KeyboardInterrupt):
+        phase_diagram(scene, ["G-V"], 4, workers=1, progress=Listener(20))
+    assert len(list(results_of_studies.iterdir())) == 19
+    listener = Listener()
+    resumed = phase_diagram(scene.replace({"title": "the same"}), ["G-V"], 4, workers=1, progress=listener)
+    assert listener.done[0] == 20
+    with store.fresh():
+        fresh = phase_diagram(scene, ["G-V"], 4, workers=1)
+    assert {(point.i, point.j): point for point in resumed.sheets[0].points} == {
+        (point.i, point.j): point for point in fresh.sheets[0].points
+    }
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    monkeypatch.setenv("COLUMNS", "160")
+    return Softcat(monkeypatch, capsys)
+
+
+def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    files = {"phase.json", "scene.toml", "phase_runs.csv", "phase_boundaries.csv", "phase_lines.csv"}
+    pictures = {"phase_G-V.png", "phase_G-V_strain.png"}
+    done = softcat("phase", "-o", str(out), "--plane", "G-V", "--resolution", "4")
+    assert done.status == 0, done.err
+    assert {path.name for path in out.iterdir()} == files | pictures
+    plane = json.loads((out / "phase.json").read_text())["planes"]["G-V"]
+    assert plane["nodes"] == plane["nodes_run"] + plane["nodes_saved"] == 25
+    with (out / "phase_runs.csv").open() as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == plane["nodes_run"]
+    assert Counter(row["mark"] for row in rows) == plane["marks"]
+    assert sum(int(row["runs"]) for row in rows) == plane["runs"]
+    for row in rows:
+        assert bool(row["regime"]) is (row["outcome"] == "solved")
+        assert row["regime"] or row["message"]
+    assert {"localised", "no-yield", "descending"} <= set(plane["marks"])
+    assert "were saved" in plane["caption"]
+    assert "refinement saved" in done.out and '"over 23 %"' in done.out
+    assert sc.load_scene(str(out / "scene.toml")).run.effects == "paper"
+    assert all((out / name).read_bytes().startswith(b"\x89PNG") for name in pictures)
+
+
+def test_refusals_write_nothing(softcat: Softcat, tmp_path: Path) -> None:
+    for arguments, message in (
+        (("--plane", "G-tau"), "G-delta, G-V"),
+        (("--resolution", "2"), "4 to 640"),
+        (("maxwell-slow",), "material.law"),
+        (("--workers", "0"), "workers"),
+    ):
+        done = softcat("phase", *arguments, "-o", str(tmp_path / "out"))
+        assert done.status == 2
+        assert message in done.err
+        assert not (tmp_path / "out").exists()
+    with pytest.raises(SceneError, match="level supports"):
+        phase_diagram(SCENE.replace({"ends.drop": "1 cm"}))
+    with pytest.raises(SoftcatError, match="4 to 640"):
+        phase_diagram(SCENE, resolution=641)

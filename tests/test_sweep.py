@@ -1,0 +1,398 @@
+"""Sweeps: axes and tables, rows that are single runs, failures as rows, files, and finished members never run again."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import softcat_sym as sc
+from softcat_sym import store
+from softcat_sym.ensemble.executor import Threads
+from softcat_sym.ensemble.members import Member
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.solvers.compiled import CModel
+from softcat_sym.studies import sweep as work
+from softcat_sym.studies.sweep_table import SweepPlan, plan_sweep
+from tests.cli.in_process import Softcat, sets
+
+QUICK = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 21, "numerics.estimate": False}
+SCENE = sc.load_scene("arrested-overdamped", QUICK)
+OPTIONS = sets(*(f"{key}={str(value).lower()}" for key, value in QUICK.items()))
+FILES = {"sweep.nc", "sweep.csv", "sweep.json", "scene.toml", "sweep.png"}
+
+
+class Listener:
+    """Notes its updates; after so many members it stops the sweep."""
+
+    def __init__(self, stop: int = 10**9) -> None:
+        self.updates: list[tuple[int, int, float]] = []
+        self._stop = stop
+
+    def update(self, done: int, members: int, left: float) -> None:
+        self.updates.append((done, members, left))
+        if done >= self._stop:
+            raise KeyboardInterrupt
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    monkeypatch.setenv("COLUMNS", "120")
+    return Softcat(monkeypatch, capsys)
+
+
+def plan(*texts: str, mode: str = "grid", samples: int | None = None, seed: int = 0) -> SweepPlan:
+    return plan_sweep(SCENE, texts, mode, samples=samples, seed=seed)
+
+
+def varied(*texts: str) -> list[str]:
+    return [word for text in texts for word in ("--vary", text)]
+
+
+def stored(directory: Path) -> xr.Dataset:
+    """What is in the store, but for the time that it took."""
+    return xr.load_dataset(directory / "sweep.nc", engine="h5netcdf").drop_vars("wall_s")
+
+
+def test_values_of_an_axis() -> None:
+    for text, values in (
+        ("groups.G=0.01:1:3:log", (0.01, 0.1, 1.0)),
+        ("groups.G=1:2:3", (1.0, 1.5, 2.0)),
+        ("material.yield_stress=5:20 kPa:4", (5e3, 1e4, 1.5e4, 2e4)),
+        ('material.yield_stress="5 kPa":"20000 Pa":4', (5e3, 1e4, 1.5e4, 2e4)),
+        ("numerics.cells=10:40:4", (10, 20, 30, 40)),
+        ("material.yield_stress=5 kPa,200 Pa", ("5 kPa", "200 Pa")),
+        ('material.yield_stress="5 kPa", "200 Pa"', ("5 kPa", "200 Pa")),
+        ("filament.span=4,5,6 mm", ("4 mm", "5 mm", "6 mm")),
+        ("material.law=bingham,maxwell", ("bingham", "maxwell")),
+        ('run.effects=["inertia"],["inertia", "bending"]', (["inertia"], ["inertia", "bending"])),
+    ):
+        (axis,) = plan(text).axes
+        assert axis.values == values, text
+        assert axis.scale == ("log" if text.endswith("log") else "lin")
+
+
+def test_modes_order_their_members() -> None:
+    assert [plan("groups.G=1,2", "groups.V=4,5").row(k) for k in range(4)] == [
+        {"groups.G": G, "groups.V": V} for G in (1, 2) for V in (4, 5)
+    ]
+    assert plan("groups.G=1,2", "groups.V=4,5", mode="zip").row(1) == {"groups.G": 2, "groups.V": 5}
+
+
+def test_a_latin_hypercube_has_one_sample_in_each_part_of_each_axis() -> None:
+    texts = ("groups.G=0.01:1:log", "filament.span=4:12 mm", "numerics.cells=10,20")
+    found, other = (plan(*texts, mode="lhs", samples=50, seed=seed) for seed in (3, 4))
+    rows = [found.row(member) for member in range(found.members)]
+    G, span = (np.array([float(str(row[key])) for row in rows]) for key in ("groups.G", "filament.span"))
+    np.testing.assert_array_equal(np.sort(np.floor(50 * np.log(G / 0.01) / np.log(100))), np.arange(50))
+    np.testing.assert_array_equal(np.sort(np.floor(50 * (span - 4e-3) / 8e-3)), np.arange(50))
+    assert sorted(row["numerics.cells"] for row in rows) == [10] * 25 + [20] * 25  # type: ignore[type-var]
+    assert abs(float(np.corrcoef(np.log(G), span)[0, 1])) < 0.5
+    assert other.row(0) != found.row(0) and other.digest != found.digest
+
+
+def test_a_table_and_its_faults(tmp_path: Path) -> None:
+    file = tmp_path / "members.csv"
+    file.write_text("# of mine\ngroups.G, filament.span [mm], material.law\n0.5, 4, bingham\n1, 5, bingham\n")
+    found = plan_sweep(SCENE, file)
+    assert (found.mode, found.members) == ("table", 2)
+    assert found.row(0) == {"groups.G": 0.5, "filament.span": "4 mm", "material.law": "bingham"}
+    for text, message in (
+        ("", "empty"),
+        ("groups.G,groups.V\n", "no rows"),
+        ("0.5,26\n0.6,27\n", "'0.5' is no dotted key"),
+        ("groups.G,groups.G\n1,2\n", "groups.G stands there twice"),
+        ("groups.G,groups.V\n1\n", "line 2: 1 values, but the header has 2 keys"),
+        ("groups.G,groups.V\n1,\n", "line 2, groups.V: an empty cell"),
+        ("groups.G\nNaN\n", "is not finite"),
+        ("filament.span [bananas]\n4\n", "line 1, filament.span: unknown unit 'bananas'"),
+        ("filament.span\n4\n", "'4' has no unit.*filament.span"),
+    ):
+        file.write_text(text)
+        with pytest.raises(SoftcatError, match=message):
+            plan_sweep(SCENE, file)
+    with pytest.raises(SoftcatError, match="no such file"):
+        plan_sweep(SCENE, tmp_path / "none.csv")
+
+
+def test_bad_input_is_one_message_and_leaves_nothing(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(CModel, "integrate", lambda *_: pytest.fail("something ran"))
+    pair = varied("groups.G=1,2")
+    for arguments, message in (
+        ([], "say what varies"),
+        ([*pair, "--from-csv", "x.csv"], "and not by both"),
+        (["--from-csv", "none.csv"], "no such file"),
+        (varied("groups.G"), "'groups.G' varies nothing"),
+        (varied("groups.G="), "varies nothing"),
+        (varied("groups.G=1:2:1"), "at least 2 values"),
+        (varied("groups.G=1:2:2.5"), "is no range"),
+        (varied("groups.G=0:2:5:log"), "logarithmic, and not positive"),
+        (varied("groups.G=1:1:5"), "are the same"),
+        (varied("groups.G=1:2:5:cubic"), "is no range"),
+        (varied("groups.G=1:2"), "is no range"),
+        (varied("groups.G=1:nan:5"), "is not finite"),
+        (varied("groups.G=a:b:5"), "no plain numbers"),
+        (varied("groups.G=1,,2"), "an empty value"),
+        (varied("groups.G=1,1"), "1 is named twice"),
+        (varied("groups.G=1:2:5", "groups.G=3,4"), "varied twice"),
+        (varied("groups.G=1:2:9999", "groups.V=1:2:9999"), "accepted: up to 10000000"),
+        (varied("groups.Q=1,2"), "every one of the 2 members is refused"),
+        (varied("nonsense.G=1,2"), "unknown"),
+        (varied("material.yeild_stress=1 kPa,2 kPa"), "did you mean 'yield_stress'"),
+        (varied("material.yield_stress=1,2"), "has no unit"),
+        (varied("material.yield_stress=5:20:3"), "has no unit"),
+        (varied("material.yield_stress=1:2 furlongs:3"), "not a stress"),
+        (varied("material.yield_stress=5:20 parsnips:3"), "unknown unit 'parsnips'"),
+        (varied("filament.span=1 mm,2 kg"), "'kg' is a mass"),
+        (varied("filament.span=-1 m,-2 m"), "every one of the 2 members is refused"),
+        (varied("numerics.cells=10:12:7"), "does not give 7 whole numbers"),
+        (varied("run.frames=11,21"), "members share their frames"),
+        ([*varied("groups.G=1,2,3", "groups.V=4,5"), "--mode", "zip"], "groups.G has 3, groups.V has 2"),
+        ([*pair, "--mode", "spiral"], "grid, zip, lhs"),
+        ([*pair, "--mode", "lhs"], "needs a number"),
+        ([*pair, "--mode", "lhs", "--samples", "1"], "needs a number"),
+        ([*pair, "--samples", "10"], "samples are for a Latin hypercube"),
+        ([*pair, "--local-cluster", "0"], "1 or more"),
+        ([*pair, "--local-cluster", "2", "--scheduler", "tcp://a:1"], "not both"),
+        ([*pair, "--local-cluster", "2", "--workers", "2"], "threads is for runs in this process"),
+        ([*pair, "--workers", "0"], "1 or more"),
+        ([*pair, "--scheduler", "here"], "no address of a Dask scheduler"),
+    ):
+        done = softcat("sweep", "arrested-overdamped", *arguments, "-o", "out")
+        assert (done.status, done.out) == (2, ""), arguments
+        assert message in done.err, arguments
+        assert not any(tmp_path.iterdir())
+    Path("taken").write_text("a file")
+    done = softcat("sweep", "arrested-overdamped", *pair, "-o", "taken")
+    assert (done.status, done.out) == (2, "") and "taken is not a directory" in done.err
+    assert Path("taken").read_text() == "a file"
+
+
+def test_rows_are_those_of_simulate(tmp_path: Path) -> None:
+    vary = {"groups.G": [0.02, 0.4, 1.9], "material.viscosity": ["9 kPa*s", 14e3]}
+    done = sc.sweep(SCENE, vary, tmp_path, shapes=True)
+    data = done.data
+    assert (len(done), data.sizes["member"], done.path) == (6, 6, tmp_path / "sweep.nc")
+    assert data["groups.G"].values.tolist() == [0.02, 0.02, 0.4, 0.4, 1.9, 1.9]
+    assert data["material.viscosity"].values.tolist() == [9e3, 14e3] * 3
+    assert data["material.viscosity"].attrs == {"varied": 1, "scale": "lin", "units": "Pa*s"}
+    stress = SCENE.filament.density * SCENE.load.gravity * SCENE.filament.span
+    for member in range(6):
+        row = data.isel(member=member)
+        changes = {
+            "material.yield_stress": f"{stress / float(row['groups.G'])!r} Pa",
+            "material.viscosity": f"{float(row['material.viscosity'])!r} Pa*s",
+        }
+        single = sc.simulate(SCENE.replace(changes))
+        np.testing.assert_allclose(row.midpoint.values, single.data.midpoint.values, rtol=1e-12, atol=1e-15)
+        assert (str(row.outcome.values), str(row.regime.values)) == ("solved", single.summary["regime"])
+        assert float(row.midpoint_final) == pytest.approx(single.summary["midpoint_final_m"], rel=1e-12)
+        assert float(row.sag_over_span) == pytest.approx(-single.data.midpoint.values.min() / 0.2, rel=1e-12)
+        assert float(row.largest_stretch) == pytest.approx(single.data.stretch.values.max(), rel=1e-12)
+        assert float(row.energy_residual) == pytest.approx(single.summary["energy_residual"], rel=1e-9)
+        nodes = np.linspace(-0.1, 0.1, 41)
+        for name, at in (("x", single.data.X_node), ("y", single.data.X_node), ("stretch", single.data.X_cell)):
+            for frame in (-1, 10):
+                values = np.interp(nodes, at.values, single.data[name].values[frame])
+                np.testing.assert_allclose(row[name].values[frame], values, rtol=1e-6, atol=1e-7)
+
+
+def test_time_to_a_share_of_an_exponential() -> None:
+    """1 - exp(-t) reaches nine tenths at ln 10; between frames by a straight line."""
+    time = np.linspace(0, 20, 20001)
+    assert work.time_to_share(time, -np.expm1(-time)) == pytest.approx(math.log(10), rel=1e-5)
+    assert work.time_to_share(np.array([0.0, 1.0]), np.array([0.0, 5.0])) == pytest.approx(0.9)
+    assert math.isnan(work.time_to_share(time, np.zeros_like(time)))
+
+
+def test_members_of_which_a_single_run_does_more(tmp_path: Path) -> None:
+    """One whose error is estimated, one that is repeated with more effects."""
+    honey = sc.load_scene("cold-honey", {"numerics.cells": 6, "run.frames": 6, "run.duration": "0.1 s"})
+    honey = honey.replace({"run.accuracy": 0.1})
+    done = sc.sweep(honey, {"filament.density": [1400.0, -1.0]}, tmp_path, estimate=True)
+    single = sc.simulate(honey.replace({"filament.density": "1400 kg/m^3"}))
+    assert single.summary["error_estimate"] is not None
+    np.testing.assert_array_equal(done.data.midpoint.values[0], single.data.midpoint.values)
+    assert done.data.outcome.values.tolist() == [single.outcome.name, "refused"]
+    band = sc.load_scene("stretched-rubber-band", {"run.accuracy": 0.1, "run.frames": 21, "numerics.estimate": False})
+    found = sc.sweep(band, {"load.gravity": [5.0]}).data
+    single = sc.simulate(band.replace({"load.gravity": "5 m/s^2"}))
+    assert "shear" in single.summary["repeats"][0]
+    assert float(found["midpoint_final"][0]) == pytest.approx(single.summary["midpoint_final_m"], rel=1e-9)
+
+
+def test_failures_and_runs_that_are_no_answer_are_rows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    descent = sc.load_scene("continual-descent", QUICK)
+    vary = {"groups.G": [0.4, 4.0], "groups.V": [30.0, 1.0], "run.duration": [0.1, 1.0]}
+    data = sc.sweep(descent, vary, tmp_path, mode="zip", shapes=True).data
+    assert data.outcome.values.tolist() == ["solved", "localised"]
+    assert str(data.message.values[1]) and str(data.regime.values[1]) == ""
+    for name in ("midpoint", "sag_over_span", "midpoint_final", "largest_stretch", "x", "y", "stretch"):
+        assert np.isfinite(data[name].values[0]).all() and np.isnan(data[name].values[1]).all()
+    assert data.duration.values.tolist() == [0.1, 1.0] and data.span.values.tolist() == [0.2, 0.2]
+    judged = work.judged
+
+    def failing(member: Member, *others: object) -> object:
+        if member.scene.material.yield_stress == 5e3:
+            raise RuntimeError("a pipe\nhas burst")
+        return judged(member, *others)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(work, "judged", failing)
+    vary = {"material.yield_stress": [4e3, -1.0, 5e3], "run.duration": [0.5, 0.5, 0.5]}
+    done = sc.sweep(SCENE, vary, tmp_path, mode="zip")
+    assert done.data.outcome.values.tolist() == ["solved", "refused", "failed"]
+    assert done.data.message.values.tolist()[2] == "a pipe has burst"
+    assert "material.yield_stress: '-1.0 Pa' is negative" in str(done.data.message.values[1])
+    assert np.isnan(done.data.midpoint.values).all(axis=1).tolist() == [False, True, True]
+    assert dict(done.counts.outcomes) == {"solved": 1, "refused": 1, "failed": 1}
+
+
+def test_an_interrupted_sweep_resumes_where_it_was(
+    tmp_path: Path, results_of_studies: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    brief = SCENE.replace({"run.duration": "0.2 s"})
+    vary = {"groups.G": "0.05:0.5:35:log"}
+    whole, broken = tmp_path / "whole", tmp_path / "broken"
+    sc.sweep(brief, vary, whole, shapes=True)
+    store.clear()
+    with pytest.raises(KeyboardInterrupt):
+        sc.sweep(brief, vary, broken, shapes=True, workers=1, progress=Listener(25))
+    assert not broken.exists()
+    # Of the two blocks that were finished one is harmed.
+    harmed = max(results_of_studies.iterdir(), key=lambda path: path.stat().st_mtime_ns)
+    harmed.write_bytes(harmed.read_bytes()[:-7])
+    listener, ran = Listener(), list[object]()
+    integrate = CModel.integrate
+    monkeypatch.setattr(CModel, "integrate", lambda *given: ran.append(1) or integrate(*given))
+    done = sc.sweep(brief, vary, broken, shapes=True, progress=listener)
+    # The one block that was there and sound is not run again.
+    assert (len(ran), done.resumed) == (25, 10)
+    assert [update[0] for update in listener.updates] == list(range(11, 36))
+    assert listener.updates[-1][2] == 0.0 < listener.updates[0][2]
+    assert stored(broken).identical(stored(whole))
+    assert sorted(path.name for path in broken.iterdir()) == ["sweep.csv", "sweep.nc"]
+    ran.clear()
+    again = sc.sweep(brief, vary, broken, shapes=True)
+    assert (len(ran), again.resumed, again.counts) == (0, 35, done.counts)
+
+
+def test_without_a_directory_the_data_stay_in_memory() -> None:
+    done = sc.sweep(SCENE, ["material.law=bingham,maxwell"])
+    assert not done.path.exists()
+    assert done.data["material.law"].values.tolist() == ["bingham", "maxwell"]
+    assert done.data.outcome.values.tolist() == ["solved", "refused"]
+    with pytest.raises(SceneError, match="unknown key"):
+        sc.sweep(SCENE, {"material.yeild_stress": ["1 kPa", "2 kPa"]})
+
+
+def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
+    output = tmp_path / "deep" / "out"
+    values = varied("material.yield_stress=4:40 kPa:3:log", "groups.V=20,-1")
+    done = softcat("sweep", "arrested-overdamped", "-o", str(output), *values, *OPTIONS, "--shapes", "--workers", "1")
+    assert (done.status, done.err) == (0, "")
+    assert {path.name for path in output.iterdir()} == FILES | {"sliders.html"}
+    assert all(word in done.out for word in ("3 x 2 grid", "refused", "3 (50%)", "1 thread", "peak memory", "sweep.nc"))
+    assert (output / "sweep.png").read_bytes().startswith(b"\x89PNG")
+    assert sc.load_scene(output / "scene.toml") == sc.load_scene("arrested-overdamped", OPTIONS[1::2])
+    data = xr.load_dataset(output / "sweep.nc", engine="h5netcdf")
+    assert dict(data.sizes) == {"member": 6, "frame": 21, "shape_frame": 21, "shape_node": 41}
+    assert data["material.yield_stress"].attrs == {"varied": 1, "scale": "log", "units": "Pa"}
+    assert data["material.yield_stress"].values == pytest.approx([4e3, 4e3, 12649.1106407, 12649.1106407, 4e4, 4e4])
+    found = json.loads((output / "sweep.json").read_text())
+    assert found["outcomes"] == {"refused": 3, "solved": 3}
+    assert (found["plan"]["members"], found["plan"]["mode"], found["place"]) == (6, "grid", "embedded, 1 thread")
+    assert found["peak_memory_MB"] > 1 and found["versions"]["softcat_sym"]
+    with (output / "sweep.csv").open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [row["outcome"] for row in rows] == data.outcome.values.tolist()
+    assert [row["regime"] for row in rows] == data.regime.values.tolist()
+    assert float(rows[2]["sag_largest [m]"]) == float(data.sag_largest[2])
+    assert rows[1]["sag_largest [m]"] == "" and "no positive number" in rows[1]["message"]
+    assert "<script" in (output / "sliders.html").read_text()
+
+
+def test_a_picture_of_each_sort(softcat: Softcat, tmp_path: Path) -> None:
+    cube = varied("groups.G=0.3:0.5", "groups.V=10:30", "filament.density=1000:2000 kg/m^3")
+    for k, arguments in enumerate(
+        (
+            varied("groups.G=0.02:2:4:log"),
+            [*cube, "--mode=lhs", "--samples=4"],
+            varied("material.law=bingham,maxwell"),
+            [*varied("groups.G=0.3,0.4", "groups.V=20,30"), "--mode=zip"],
+            varied("groups.G=0.4,0.400001"),
+        )
+    ):
+        output = tmp_path / str(k)
+        done = softcat("sweep", "arrested-overdamped", "-q", "-o", str(output), *arguments, *OPTIONS)
+        assert (done.status, done.out, done.err) == (0, "", ""), arguments
+        assert {path.name for path in output.iterdir()} == FILES
+
+
+def test_how_a_sweep_without_answers_or_interrupted_ends(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = ("sweep", "arrested-overdamped", "-q", "-o", str(tmp_path / "out"), *OPTIONS, "--workers", "1")
+    many = [*varied("groups.G=0.1:0.5:25"), "--set", "run.duration=0.2 s"]
+    judged, ran = work.judged, list[object]()
+
+    def stopping(*given: object) -> object:
+        ran.append(1)
+        if len(ran) == 15:
+            raise KeyboardInterrupt
+        return judged(*given)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(work, "judged", stopping)
+    done = softcat(*asked, *many)
+    assert (done.status, done.out) == (130, "")
+    assert "the same command goes on from what was finished" in done.err
+    assert not (tmp_path / "out").exists()
+    ran.extend([1] * 100)
+    for options, runs in (((), 15), ((), 0), (("--fresh",), 25)):
+        before = len(ran)
+        assert softcat(*asked, *many, *options).status == 0
+        assert len(ran) == before + runs
+        assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
+
+    def failing(*_: object) -> None:
+        raise RuntimeError("burst")
+
+    monkeypatch.setattr(work, "judged", failing)
+    done = softcat(*asked, *varied("groups.G=0.3,0.4"))
+    assert (done.status, done.out) == (1, "") and "no member is an answer" in done.err
+    assert {path.name for path in (tmp_path / "out").iterdir()} == FILES
+    monkeypatch.setattr(Threads, "map_members", lambda *_: signal.raise_signal(signal.SIGINT))
+    done = softcat("sweep", "arrested-overdamped", "-o", str(tmp_path / "none"), *varied("groups.G=0.3,0.41"), *OPTIONS)
+    assert (done.status, done.out) == (130, "")
+    assert not (tmp_path / "none").exists()
+
+
+PEAKS = """
+import subprocess, sys
+if len(sys.argv) == 1:
+    large = b"x" * 800_000_000
+    del large
+    sys.exit(subprocess.run([sys.executable, "-c", sys.orig_argv[2], "child"]).returncode)
+from softcat_sym.studies.sweep import peak_memory
+before = peak_memory()
+large = b"x" * 200_000_000
+del large
+print(before, peak_memory())
+"""
+
+
+def test_peak_memory_is_that_of_the_process_not_of_the_one_that_started_it() -> None:
+    done = subprocess.run([sys.executable, "-c", PEAKS], capture_output=True, text=True, check=True)
+    before, after = map(float, done.stdout.split())
+    assert 1 < before < 700
+    assert after > before + 100
