@@ -1,4 +1,4 @@
-"""The undamped clamped rod, here and in PyElastica: as its manual sets it up, with clamps of second order, and in our material.
+"""The undamped clamped rod here, and in PyElastica: by its manual, with clamps of second order, in our material.
 
 PyElastica (Gazzola, Dudte, McCormick & Mahadevan, R. Soc. Open Sci. 5, 171628 (2018); Tekinalp et al., version 1.0.0)
 integrates Cosserat rods by position Verlet. Its forces follow from n = S (sigma - sigma_0)/e and M = B kappa/e^3 with
