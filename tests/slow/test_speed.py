@@ -17,7 +17,7 @@ import softcat_sym as sc
 from softcat_sym.scene.scene import groups_of
 from tests.oracle.rk4_filament import run as oracle
 
-from .table import show
+from tests.acceptance.table import show
 
 REPEATS = 9
 
