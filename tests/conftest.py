@@ -41,17 +41,15 @@ COMPILING = (
     "acceptance/test_slenderness.py",
     "acceptance/test_necking.py",
     "acceptance/test_calculix.py",
-    "acceptance/test_figures.py",
+    "test_paper_figures.py",
     "acceptance/test_phase_diagram.py",
-    "acceptance/test_where_theory_ends.py",
+    "slow/test_paper_figures.py",
     "cli/test_compare_calculix.py",
     "cli/test_compare_vary.py",
-    "cli/test_figures.py",
-    "report/test_figure_elements.py",
-    "report/test_figure_phase.py",
     "report/test_vtk.py",
     "study/test_phase_",
-    "study/test_theory_end.py",
+    "test_theory_end.py",
+    "slow/test_theory_end.py",
 )
 
 

@@ -52,9 +52,9 @@ def printed(name: str, figure: Figure) -> dict[str, bytes]:
         return style.printed(name, figure, DPI)
 
 
-def table(rows: Sequence[Mapping[str, object]], digits: int = 8) -> bytes:
-    """Write a CSV file of rows by column."""
-    return pd.DataFrame(rows).to_csv(index=False, float_format=f"%.{digits}g").encode()
+def table(rows: Sequence[Mapping[str, object]]) -> bytes:
+    """Write a CSV file, numbers to eight digits."""
+    return pd.DataFrame(rows).to_csv(index=False, float_format="%.8g").encode()
 
 
 def _figure(height: float, caption: str) -> tuple[Figure, SubFigure]:
