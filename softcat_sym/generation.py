@@ -95,7 +95,7 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
     }
     if not straight:
         files[START] = start_text(described, graph.grid.nodes, _start(scene, exported))
-    return files | rhs_source(graph).files if rhs else files
+    return {**files, **(rhs_source(graph).files if rhs else {})}
 
 
 def export(scene: Scene) -> Exported:

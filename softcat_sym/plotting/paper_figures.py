@@ -54,7 +54,8 @@ def printed(name: str, figure: Figure) -> dict[str, bytes]:
 
 def table(rows: Sequence[Mapping[str, object]]) -> bytes:
     """Write a CSV file, numbers to eight digits."""
-    return pd.DataFrame(rows).to_csv(index=False, float_format="%.8g").encode()
+    text: str = pd.DataFrame(rows).to_csv(index=False, float_format="%.8g")
+    return text.encode()
 
 
 def _figure(height: float, caption: str) -> tuple[Figure, SubFigure]:
@@ -360,8 +361,10 @@ def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
             axes.set_xlim(0, MOMENTS[-1])
             axes.grid(True)
             style.lighten(axes)
-        body.supxlabel("t~ = (t/L) √(E/ρ)", fontsize=9)
-        body.supylabel("y / L of the midpoint", fontsize=9)
+        for axes in panels[-1]:
+            axes.set_xlabel("t~ = (t/L) √(E/ρ)")
+        for axes in panels[:, 0]:
+            axes.set_ylabel("y / L of the midpoint")
         legend(body, handles=panels[0, 1].get_legend_handles_labels()[0], ncols=4)
     return figure
 

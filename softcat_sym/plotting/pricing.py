@@ -61,7 +61,7 @@ def pricing_figure(pricing: Pricing) -> Figure:
             height=1.4 + 0.22 * len(shown), notes=notes,
         )  # fmt: skip
         panels = body.subplots(1, 4, sharey=True, width_ratios=[3, 2, 2, 2])
-        columns = {
+        columns: dict[str, list[Any]] = {
             "change of the midpoint": [max(row.share or 0.0, _SMALLEST * accuracy) for row in shown],
             "solve time": [row.time_ratio for row in shown],
             "unknowns": [row.states_ratio for row in shown],

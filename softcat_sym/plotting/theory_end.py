@@ -140,7 +140,7 @@ def tables(end: TheoryEnd) -> list[tuple[str, tuple[str, ...], list[tuple[str, .
     limits: list[tuple[str, ...]] = []
     for name, row in end.limits.items():
         limits += [
-            (_short(name), "limit", *(percent(limit and limit.intercept) for limit in row)),
+            (_short(name), "limit", *(percent(limit.intercept if limit else None) for limit in row)),
             ("", "±", *(f"{100 * limit.uncertainty:.2f}" if limit else "–" for limit in row)),
             ("", "order", *(f"{limit.order:.2f}" if limit and math.isfinite(limit.order) else "–" for limit in row)),
         ]

@@ -450,7 +450,8 @@ def _compared(
     estimate: Estimate | None,
     base: PricedRun,
 ) -> PricingRow:
-    variant, final = (None, None) if isinstance(result, str) else (result, None)
+    variant = None if isinstance(result, str) else result
+    final: float | None = None
     if variant is not None and len(variant.time) == len(base.time) and base.reach > 0:
         final = _finite(float(variant.midpoint[-1] - base.midpoint[-1]) / base.reach)
     return PricingRow(

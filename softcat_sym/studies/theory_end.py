@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,6 +22,7 @@ from softcat_sym.reference.elements import ElementRun, run_elements
 from softcat_sym.reference.material_point import point_code
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
+from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.studies.compare import Comparison, FilamentRow, Listening, aligned, compare, late, moments
 
 if TYPE_CHECKING:
@@ -444,17 +446,15 @@ def _measure(
     def checkpoint(grid: Mesh) -> Path:
         return folder / f"{fingerprint(problem, grid, clamp, 1.0, sources)}.npz"
 
-    def named(what: str) -> Any:
-        return listening(f"{mesh.along} x {mesh.through} {what}" if what == "elements" else what) if listening else None
+    def named(what: str) -> AbstractContextManager[Progress]:
+        if listening is None:
+            return nullcontext(Silence())
+        return listening(f"{mesh.along} x {mesh.through} {what}" if what == "elements" else what)
 
-    comparison = compare(scene, mesh, clamp=clamp, checkpoint=checkpoint(mesh), progress=named if listening else None)
+    comparison = compare(scene, mesh, clamp=clamp, checkpoint=checkpoint(mesh), progress=named)
     fine, half = comparison.elements, coarser(mesh)
-    run = {"clamp": clamp, "checkpoint": checkpoint(half)}
-    if listening is None:
-        coarse = run_elements(scene, half, **run)
-    else:
-        with listening(f"{half.along} x {half.through} elements") as listener:
-            coarse = run_elements(scene, half, **run, progress=listener)
+    with named(f"{half.along} x {half.through} elements") as listener:
+        coarse = run_elements(scene, half, clamp=clamp, checkpoint=checkpoint(half), progress=listener)
     error = relative_error(fine.time, coarse.midpoint, fine.midpoint)
     return Measured(text, value, comparison, coarse, error, tuple(_theory(row, fine) for row in comparison.filaments))
 
