@@ -100,6 +100,7 @@ def test_what_takes_too_long_is_ended_and_the_next_begins_anew(monkeypatch: pyte
     worker.process.kill()
     assert worker.measure(quick).message.startswith(DIED)
     assert not worker.measure(quick).message
+    monkeypatch.undo()
     worker.limit = 1e-4
     assert worker.measure(quick).message.startswith("stopped: it took")
     worker.close()
