@@ -28,8 +28,7 @@ if TYPE_CHECKING:
     from softcat_sym.scene.reading import load_scene
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.outcome import Outcome
-    from softcat_sym.studies.card import card
-    from softcat_sym.studies.card_rules import Card
+    from softcat_sym.studies.card import Card, card
     from softcat_sym.studies.explanation import Explanation, explain
     from softcat_sym.studies.pricing import Pricing, price_effects
     from softcat_sym.studies.sweep import Sweep, sweep
@@ -37,7 +36,7 @@ if TYPE_CHECKING:
     __version__: str
 
 _HOMES = {
-    "Card": "studies.card_rules",
+    "Card": "studies.card",
     "Ensemble": "ensemble.ensemble",
     "Explanation": "studies.explanation",
     "Fit": "fitting.fit",

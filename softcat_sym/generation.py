@@ -8,13 +8,33 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from softcat_sym.codegen.export import (
+    START,
+    check_name,
+    model_files,
+    parameter_text,
+    program_files,
+    runtime_files,
+    start_text,
+)
+from softcat_sym.codegen.interface import Description, describe, rendered
+from softcat_sym.codegen.loops import sites_of
+from softcat_sym.codegen.model import model_for
+from softcat_sym.codegen.right_hand_side import rhs_source
+from softcat_sym.discretization.graph import parameter_values
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.files import write_all, written_together
+from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.reading import as_scene, load_scene
+from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
+from softcat_sym.solvers.initial_state import is_straight, starting_state
+from softcat_sym.solvers.run import Assembled, assembled
+from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, compiled_settings, integrates
+
 if TYPE_CHECKING:
-    from softcat_sym.codegen.interface import Description
-    from softcat_sym.discretization.graph import Graph
-    from softcat_sym.discretization.grid import Floats
     from softcat_sym.scene.reading import SceneLike
-    from softcat_sym.scene.scene import Scene
-    from softcat_sym.solvers.run import Assembled
 
 COMMAND = "softcat generate scene.toml -o ."
 
@@ -49,43 +69,23 @@ def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: s
     OSError
         If the directory cannot be written. Nothing is written of a scene that is refused.
     """
-    from softcat_sym.codegen.export import check_name
-    from softcat_sym.files import write_all
-    from softcat_sym.scene.reading import as_scene
-
     contents = contents_of(as_scene(scene), check_name(name), rhs=rhs)
     return write_all(directory, {file: text.encode() for file, text in contents.items()})
 
 
 @dataclass(frozen=True)
 class Exported:
-    """A described filament with its graph."""
+    """A filament described for C, and as CasADi has it."""
 
-    description: Description  # What C is told
-    filament: Assembled  # The same as CasADi has it
-
-    @property
-    def graph(self) -> Graph:
-        """The graph of the filament."""
-        return self.filament.graph
+    description: Description
+    filament: Assembled
 
 
 def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
     """All files of a scene's solver, by name."""
-    from softcat_sym.codegen.export import (
-        START,
-        model_files,
-        parameter_text,
-        program_files,
-        runtime_files,
-        start_text,
-    )
-    from softcat_sym.codegen.right_hand_side import rhs_source
-    from softcat_sym.solvers.initial_state import is_straight
-
     exported = export(scene)
-    described, command = exported.description, COMMAND if name == "filament" else f"{COMMAND} --name {name}"
-    straight = is_straight(scene)
+    described, graph = exported.description, exported.filament.graph
+    command, straight = COMMAND if name == "filament" else f"{COMMAND} --name {name}", is_straight(scene)
     files = {
         **model_files(described, name, command),
         **runtime_files(),
@@ -94,60 +94,36 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
         "scene.toml": scene.to_toml(),
     }
     if not straight:
-        files[START] = start_text(described, exported.graph.grid.nodes, _start(scene, exported))
-    if rhs:
-        files |= rhs_source(exported.graph).files
-    return files
+        files[START] = start_text(described, graph.grid.nodes, _start(scene, exported))
+    return {**files, **(rhs_source(graph).files if rhs else {})}
 
 
 def export(scene: Scene) -> Exported:
-    """A scene's filament, described for C."""
-    from softcat_sym.codegen.interface import describe
-    from softcat_sym.codegen.model import model_for
-    from softcat_sym.effects.choosing import choose_effects
-    from softcat_sym.solvers.run import assembled
-    from softcat_sym.solvers.settings import compiled_settings
-
+    """A scene's filament, described for C; one without compiled form is refused."""
     effects = choose_effects(scene)
-    _refuse(scene, effects.names)
+    refuse_settled(scene, "a generated program runs to the end of its duration")
+    if scene.model == "small-deflection":
+        raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
+    if not integrates(effects.names):
+        raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
     filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
     structure, tolerances = filament.structure(), (settings.rtol, settings.atol)
     return Exported(describe(scene, effects, filament.graph, structure, model_for(structure), tolerances), filament)
 
 
-def _refuse(scene: Scene, effects: tuple[str, ...]) -> None:
-    """Refuse what has no compiled form."""
-    from softcat_sym.errors import Fault, SceneError
-    from softcat_sym.scene.scene import refuse_settled
-    from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, integrates
-
-    refuse_settled(scene, "a generated program runs to the end of its duration")
-    if scene.model == "small-deflection":
-        raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
-    if not integrates(effects):
-        raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
-
-
 def _start(scene: Scene, exported: Exported) -> Floats:
     """Unknowns at t = 0 in rows of sites, what the ends hold filled in."""
-    from softcat_sym.codegen.loops import sites_of
-    from softcat_sym.discretization.graph import parameter_values
-    from softcat_sym.errors import SoftcatError
-    from softcat_sym.scene.scene import rest_length
-    from softcat_sym.solvers.initial_state import starting_state
-
-    graph, described = exported.graph, exported.description
+    graph, described = exported.filament.graph, exported.description
     p = graph.vector(parameter_values(scene))
     start = starting_state(scene, graph, p, exported.filament.at_rest)
     if start is None:
         raise SoftcatError("at t = 0 s: no shape in balance was found to begin from")
     state = sites_of(graph, described.model.slots).state(start.x, start.z)
-    seen = graph.observables(time=0.0, state=start.x, algebraic=start.z, parameters=p)
+    observed = graph.observables(time=0.0, state=start.x, algebraic=start.z, parameters=p)
     names, ends, length = [slot.name for slot in described.model.slots], scene.ends, rest_length(scene)
-    for kind in ("x", "y"):
-        if kind in names:
-            slot, places = names.index(kind), seen[kind]
-            state[0, slot], state[-1, slot] = float(places[0]) / length, float(places[-1]) / length
+    for kind in {"x", "y"} & set(names):
+        places = observed[kind]
+        state[[0, -1], names.index(kind)] = float(places[0]) / length, float(places[-1]) / length
     if "psi" in names:
         slot, (first, last) = names.index("psi"), described.structure.ends
         if first.holds_angle:
@@ -161,23 +137,17 @@ PRODUCTS_COMMAND = "softcat generate --bundled -o generated"
 NAME = "filament"
 
 
-def bundled(told: Callable[[str], None] = lambda _: None) -> dict[str, Description]:
+def bundled(on_progress: Callable[[str], None] = lambda _: None) -> dict[str, Description]:
     """Each bundled scene, described for C."""
-    from softcat_sym.scene.bundled import bundled_names
-    from softcat_sym.scene.reading import load_scene
-
     described = {}
     for name in bundled_names():
-        told(name)
+        on_progress(name)
         described[name] = export(load_scene(name)).description
     return described
 
 
 def contents(described: dict[str, Description]) -> dict[str, str]:
     """The runtime, and each structure in a folder named after the first scene that has it, by path."""
-    from softcat_sym.codegen.export import model_files, runtime_files
-    from softcat_sym.codegen.interface import rendered
-
     templates = resources.files("softcat_sym.codegen") / "templates"
     files = {f"runtime/{file}": text for file, text in runtime_files().items()}
     files["runtime/main.c"] = (templates / "main.c").read_text(encoding="utf-8")
@@ -195,14 +165,11 @@ def contents(described: dict[str, Description]) -> dict[str, str]:
     return files
 
 
-def write(directory: str | Path, told: Callable[[str], None] = lambda _: None) -> list[Path]:
+def write(directory: str | Path, on_progress: Callable[[str], None] = lambda _: None) -> list[Path]:
     """Write the products, all or none; folders of structures that are no longer among them are left alone."""
-    from softcat_sym.files import write_all, written_together
-
-    root, files = Path(directory), contents(bundled(told))
-    written: list[Path] = []
+    folders: dict[Path, dict[str, bytes]] = {}
+    for path, text in contents(bundled(on_progress)).items():
+        place = Path(directory) / path
+        folders.setdefault(place.parent, {})[place.name] = text.encode()
     with written_together():
-        for folder in sorted({Path(path).parent for path in files}):
-            inside = {Path(path).name: text.encode() for path, text in files.items() if Path(path).parent == folder}
-            written += write_all(root / folder, inside)
-    return written
+        return [path for folder in sorted(folders) for path in write_all(folder, folders[folder])]

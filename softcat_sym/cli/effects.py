@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -23,12 +24,7 @@ from softcat_sym.cli.application import (
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from contextlib import AbstractContextManager
-    from pathlib import Path
-
     from softcat_sym.scene.scene import Scene
-    from softcat_sym.solvers.solution import Progress
 
 
 @app.command(rich_help_panel=VALIDATION)
@@ -50,20 +46,16 @@ def effects(
         raise typer.BadParameter("name one scene, or ask for --bundled, not both", param_hint="SCENE")
     if scene is None:
         _all(output, changes or [], fresh=fresh, quiet=quiet)
-    else:
-        _one(scene, *scene_and_directory(scene, changes, output, "effects"), fresh=fresh, quiet=quiet)
-
-
-def _one(name: str, asked: Scene, output: Path, *, fresh: bool, quiet: bool) -> None:
+        return
+    asked, output = scene_and_directory(scene, changes, output, "effects")
     from softcat_sym.plotting.pricing import print_pricing, write_pricing
-    from softcat_sym.plotting.terminal import FitProgressBar
+    from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.studies.pricing import price_effects
 
-    with study(output, fresh=fresh):
-        pricing = price_effects(asked, _listening(asked, "", quiet=quiet), name)
-        with FitProgressBar(quiet=quiet) as progress:
-            progress.stage("drawing", 0, 1)
-            written = write_pricing(pricing, output)
+    with study(output, fresh=fresh), IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+        pricing = price_effects(asked, progress, scene)
+        progress.stage("drawing")
+        written = write_pricing(pricing, output)
     if not quiet:
         print_pricing(pricing)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
@@ -71,37 +63,26 @@ def _one(name: str, asked: Scene, output: Path, *, fresh: bool, quiet: bool) -> 
 
 
 def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -> None:
+    from softcat_sym.effects.choosing import choose_effects
     from softcat_sym.plotting.pricing import write_pricings
+    from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.scene.bundled import bundled_names
     from softcat_sym.studies.pricing import price_bundled
 
-    refused = [error for name in bundled_names() if (error := _refusal(name, changes)) is not None]
-    if len(refused) == len(bundled_names()):
+    names, refused = bundled_names(), []
+    for name in names:
+        try:
+            choose_effects(scene_of(name, changes))
+        except SoftcatError as error:
+            refused.append(error)
+    if len(refused) == len(names):
         raise refused[0]
     output = output_directory(output, "effects")
 
-    def listening(name: str, asked: Scene) -> Callable[[str], AbstractContextManager[Progress]]:
-        names = bundled_names()
-        return _listening(asked, f"{names.index(name) + 1} of {len(names)}, {name}, ", quiet=quiet)
+    def progress(asked: Scene) -> IntegrationProgress:
+        return IntegrationProgress(asked.run.duration, quiet=quiet)
 
     with study(output, fresh=fresh):
-        written = write_pricings(price_bundled(bundled_names(), listening, changes), output)
+        written = write_pricings(price_bundled(names, progress, changes), output)
     if not quiet:
         typer.echo(f"wrote {len(written)} files to {output}, among them {written[-1].name}")
-
-
-def _refusal(name: str, changes: list[str]) -> SoftcatError | None:
-    """What is wrong with the changes of a scene, if anything is."""
-    from softcat_sym.effects.choosing import choose_effects
-
-    try:
-        choose_effects(scene_of(name, changes))
-    except SoftcatError as error:
-        return error
-    return None
-
-
-def _listening(asked: Scene, before: str, *, quiet: bool) -> Callable[[str], AbstractContextManager[Progress]]:
-    from softcat_sym.plotting.terminal import IntegrationProgress
-
-    return lambda what: IntegrationProgress(asked.run.duration, f"{before}{what}", quiet=quiet)

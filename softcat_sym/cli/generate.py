@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -18,11 +18,6 @@ from softcat_sym.cli.application import (
     print_error,
     scene_and_directory,
 )
-
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    from softcat_sym.scene.scene import Scene
 
 
 @app.command(rich_help_panel=DEVELOPER)
@@ -52,10 +47,17 @@ def generate(
     try:
         if scene is None:
             output = output_directory(output, "generate")
-            written = _all(output, quiet=quiet)
+            from softcat_sym import generation
+            from softcat_sym.plotting.terminal import StepProgress
+            from softcat_sym.scene.bundled import bundled_names
+
+            with StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
+                written = generation.write(output, progress.step)
         else:
             asked, output = scene_and_directory(scene, changes, output, "generate")
-            written = _one(asked, output, name, rhs=rhs)
+            from softcat_sym import generation
+
+            written = generation.generate(asked, output, rhs, name)
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written; C texts that were made by then are kept in the cache")
         raise typer.Exit(INTERRUPTED) from None
@@ -64,18 +66,3 @@ def generate(
         typer.echo(f"wrote {len(written)} files, {size / 1000:.0f} kB, to {output}")
         if not bundled:
             typer.echo(f"next: make -C {output} && {output}/{name} {output}/parameters.txt -o midpoint.csv")
-
-
-def _one(asked: Scene, output: Path, name: str, *, rhs: bool) -> list[Path]:
-    from softcat_sym import generation
-
-    return generation.generate(asked, output, rhs, name)
-
-
-def _all(output: Path, *, quiet: bool) -> list[Path]:
-    from softcat_sym import generation
-    from softcat_sym.plotting.terminal import StepProgress
-    from softcat_sym.scene.bundled import bundled_names
-
-    with StepProgress(len(bundled_names()), "bundled scenes", quiet=quiet) as progress:
-        return generation.write(output, progress.step)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap, Normalize
@@ -17,7 +18,7 @@ from matplotlib.ticker import MaxNLocator
 
 from softcat_sym.physics.regimes import arrest_threshold_exact
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import Quoted, csv_bytes, json_bytes
+from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.section import Section, elastic_core, quads_outside, section_at
 from softcat_sym.plotting.style import legend
 from softcat_sym.scene.scene import elastic_time, groups_of
@@ -51,12 +52,15 @@ def printed(name: str, figure: Figure) -> dict[str, bytes]:
         return style.printed(name, figure, DPI)
 
 
-def table(columns: Iterable[str], rows: Iterable[Iterable[object]]) -> bytes:
-    """Write a CSV file: names first, numbers to eight digits."""
-    return csv_bytes(columns, rows, "{:.8g}".format)
+def table(rows: Sequence[Mapping[str, object]]) -> bytes:
+    """Write a CSV file, numbers to eight digits."""
+    text: str = pd.DataFrame(rows).to_csv(index=False, float_format="%.8g")
+    return text.encode()
 
 
-_WIDTH, _COLUMNS = 9.6, 158
+def _figure(height: float, caption: str) -> tuple[Figure, SubFigure]:
+    """A figure as wide as a page with its caption below."""
+    return style.sheet("", height=height, notes=caption, width=9.6, columns=158)
 
 
 _MAXWELL_LINES: dict[str, Any] = {
@@ -92,45 +96,42 @@ def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
     """Draw the panels, two a row, with the caption below."""
     rows = (len(panels) + 1) // 2
     with style.styled():
-        figure, body = style.sheet(
-            "", height=3.7 * rows + 0.5, notes=maxwell_caption(panels), width=_WIDTH, columns=_COLUMNS
-        )
-        each = body.subplots(rows, 2, squeeze=False)
-        for k, panel in enumerate(panels):
-            _maxwell_draw(each.flat[k], panel)
-            each.flat[k].label_outer()
+        figure, body = _figure(3.7 * rows + 0.5, maxwell_caption(panels))
+        each = body.subplots(rows, 2, squeeze=False, sharex=True)
+        for axes, panel in zip(each.flat, panels, strict=False):
+            for curve in panel.curves:
+                shown = (curve.sag > 0) & (curve.time > 0)
+                look = _MAXWELL_LINES[curve.name]
+                axes.loglog(curve.time[shown], curve.sag[shown], label=curve.name, **look)
+            axes.set_xlim(0.02, 20)
+            axes.set_ylim(1.5e-4, 2.2 * max(float(np.max(curve.sag)) for curve in panel.curves[:2]))
+            for time, name, side in ((panel.t_low, "t_low ", "right"), (panel.t_high, " t_high", "left")):
+                axes.axvline(time, color=style.GREY, linewidth=0.8)
+                axes.text(time, 1.8e-4, name, ha=side, fontsize=7.5, color=style.GREY)
+            axes.set_title(f"tau* = {panel.tau_star:g}, delta = {panel.delta:g}", fontsize=9)
+            axes.grid(True)
+            style.lighten(axes)
+            for axis in (axes.xaxis, axes.yaxis):
+                style.plain_log(axis)
+        for axes in each[-1]:
+            axes.set_xlabel("t* = t sqrt(g/L)")
+        for axes in each[:, 0]:
+            axes.set_ylabel("sag / L")
         legend(body, handles=each.flat[0].get_legend_handles_labels()[0], ncols=4)
     return figure
 
 
-def _maxwell_draw(axes: Axes, panel: Panel) -> None:
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    for curve in panel.curves:
-        shown = (curve.sag > 0) & (curve.time > 0)
-        axes.plot(curve.time[shown], curve.sag[shown], label=curve.name, **_MAXWELL_LINES[curve.name])
-    deepest = max(float(np.max(curve.sag)) for curve in panel.curves[:2])
-    axes.set_xlim(0.02, 20)
-    axes.set_ylim(1.5e-4, 2.2 * deepest)
-    for time, name, side in ((panel.t_low, "t_low", "right"), (panel.t_high, "t_high", "left")):
-        axes.axvline(time, color=style.GREY, linewidth=0.8)
-        axes.text(time * (0.95 if side == "right" else 1.06), 1.8e-4, name, ha=side, fontsize=7.5, color=style.GREY)
-    axes.set_title(f"tau* = {panel.tau_star:g}, delta = {panel.delta:g}", fontsize=9)
-    axes.grid(True)
-    style.lighten(axes)
-    axes.set_xlabel("t* = t sqrt(g/L)")
-    axes.set_ylabel("sag / L")
-
-
 def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
     """Picture, data and facts of figure 2, by file name."""
-    rows = [
-        (panel.delta, panel.tau_star, Quoted(curve.name), time, sag)
+    curves = [
+        pd.DataFrame(
+            {"delta": panel.delta, "tau_star": panel.tau_star, "curve": curve.name, "time_star": curve.time,
+             "sag_over_span": curve.sag}
+        )
         for panel in panels
         for curve in panel.curves
-        for time, sag in zip(curve.time.tolist(), curve.sag.tolist(), strict=True)
-    ]
-    told = [
+    ]  # fmt: skip
+    facts = [
         {
             "delta": panel.delta,
             "tau_star": panel.tau_star,
@@ -143,8 +144,8 @@ def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
     ]
     return {
         **printed("figure2", maxwell_descent_figure(panels)),
-        "figure2.csv": csv_bytes(("delta", "tau_star", "curve", "time_star", "sag_over_span"), rows),
-        "figure2.json": json_bytes({"caption": maxwell_caption(panels), "panels": told}),
+        "figure2.csv": pd.concat(curves).to_csv(index=False).encode(),
+        "figure2.json": json_bytes({"caption": maxwell_caption(panels), "panels": facts}),
     }
 
 
@@ -210,16 +211,16 @@ def phase_caption(diagram: PhaseDiagram) -> str:
 
 def _median(sheet: PhaseSheet, kind: str) -> float:
     """Median distance of a simulated boundary from the paper's line, as a share of it."""
-    of = (each for each in sheet.distances if each.kind == kind and each.line.source == "paper")
-    return next((each.median for each in of), float("nan"))
+    medians = (each.median for each in sheet.distances if each.kind == kind and each.line.source == "paper")
+    return next(medians, float("nan"))
 
 
 def phase_figure(diagram: PhaseDiagram) -> Figure:
     """Draw the planes beside each other."""
     with style.styled():
-        figure, body = style.sheet("", height=4.6, notes=phase_caption(diagram), width=_WIDTH, columns=_COLUMNS)
+        figure, body = _figure(4.6, phase_caption(diagram))
         for axes, sheet in zip(body.subplots(1, len(diagram.sheets), squeeze=False).flat, diagram.sheets, strict=True):
-            _phase_draw(axes, diagram, sheet)
+            _draw_phases(axes, diagram, sheet)
         kinds = (*_REGIMES.values(), _NONE)
         patches = [Patch(facecolor=c, edgecolor=style.GREY, linewidth=0.4, label=name) for name, c in kinds]
         lines = [Line2D([], [], label=_NAMES[source], **line) for source, line in _PHASE_LINES.items()]
@@ -228,30 +229,27 @@ def phase_figure(diagram: PhaseDiagram) -> Figure:
     return figure
 
 
-def _phase_draw(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
-    marks = list(_REGIMES)
+def _draw_phases(axes: Axes, diagram: PhaseDiagram, sheet: PhaseSheet) -> None:
+    marks, groups, upwards = list(_REGIMES), groups_of(diagram.scene), sheet.plane.y.key
     numbers = np.vectorize(lambda mark: marks.index(mark) if mark in marks else len(marks))(sheet.labels)
     colours = ListedColormap([colour for _, colour in (*_REGIMES.values(), _NONE)])
     edges = (_edges(sheet.x), _edges(sheet.y))
     axes.pcolormesh(*edges, numbers.T, cmap=colours, vmin=-0.5, vmax=len(marks) + 0.5, rasterized=True)
-    run = np.array([(sheet.x[point.i], sheet.y[point.j]) for point in sheet.points])
-    axes.plot(*run.T, ".", color=style.BLACK, markersize=1.6, alpha=0.35, markeredgewidth=0)
+    runs = np.array([(sheet.x[point.i], sheet.y[point.j]) for point in sheet.points])
+    axes.loglog(*runs.T, ".", color=style.BLACK, markersize=1.6, alpha=0.35, markeredgewidth=0)
     for line in sheet.lines:
         axes.plot(line.G, line.other, **_PHASE_LINES[line.source])
     for G, V in _PAPER:
-        other = V if sheet.plane.y.key == "V" else groups_of(diagram.scene).delta
-        if sheet.plane.y.key == "V" or np.isclose(V, groups_of(diagram.scene).V or np.nan):
+        if upwards == "V" or np.isclose(V, groups.V or np.nan):
+            other = V if upwards == "V" else groups.delta
             axes.plot(G, other, "x", color=style.BLACK, markersize=6, markeredgewidth=1.4, clip_on=False)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
     axes.set_xlim(sheet.x[0], sheet.x[-1])
     axes.set_ylim(sheet.y[0], sheet.y[-1])
     axes.set_xlabel(_AXES[sheet.plane.x.key])
-    axes.set_ylabel(_AXES[sheet.plane.y.key])
+    axes.set_ylabel(_AXES[upwards])
     for axis in (axes.xaxis, axes.yaxis):
         style.plain_log(axis)
-    held = ("δ", groups_of(diagram.scene).delta) if sheet.plane.y.key == "V" else ("V", groups_of(diagram.scene).V)
-    axes.set_title(f"{held[0]} = {held[1]:.3g}", fontsize=9)
+    axes.set_title(f"δ = {groups.delta:.3g}" if upwards == "V" else f"V = {groups.V:.3g}", fontsize=9)
     style.lighten(axes)
 
 
@@ -264,53 +262,31 @@ def _edges(values: Floats) -> Floats:
 
 def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
     """Picture, data and facts of figure 3(a), by file name."""
-    names = ("plane", "G", "V", "delta", "regime", "outcome", "sag_over_L", "largest_rate_over_sY_by_eta")
+    runs, lines, planes = [], [], []
+    for sheet in diagram.sheets:
+        name = sheet.plane.name
+        for run in (point.run for point in sheet.points):
+            runs.append(
+                {"plane": name, "G": run.place.G, "V": run.place.V, "delta": run.place.delta,
+                 "regime": run.regime or "none", "outcome": run.outcome, "sag_over_L": run.sag,
+                 "largest_rate_over_sY_by_eta": run.rate}
+            )  # fmt: skip
+        for line in sheet.lines:
+            texts = {"plane": name, "line": line.name, "source": line.source, "equation": line.equation}
+            texts = {key: text.replace(",", " with") for key, text in texts.items()}
+            lines += [{**texts, "other": other, "G": G} for other, G in zip(line.other, line.G, strict=True)]
+        boundaries = [
+            {"boundary": each.kind, "line": each.line.name, "source": each.line.source, "rows": each.rows,
+             "median": 1 + each.median, "least": 1 + each.least, "most": 1 + each.most}
+            for each in sheet.distances
+        ]  # fmt: skip
+        nodes = {"runs": sheet.runs, "lattice_nodes": sheet.nodes, "nodes_never_run": sheet.saved}
+        planes.append({"plane": name, **nodes, "regimes": sheet.counts, "boundary_over_formula": boundaries})
     return {
         **printed("figure3a", phase_figure(diagram)),
-        "figure3a-runs.csv": table(names, _runs(diagram)),
-        "figure3a-lines.csv": table(("plane", "line", "source", "equation", "other", "G"), _lines(diagram)),
-        "figure3a.json": json_bytes(
-            {"caption": phase_caption(diagram), "planes": [_phase_facts(sheet) for sheet in diagram.sheets]}
-        ),
-    }
-
-
-def _runs(diagram: PhaseDiagram) -> Iterator[tuple[object, ...]]:
-    for sheet in diagram.sheets:
-        for point in sheet.points:
-            run = point.run
-            place = (run.place.G, run.place.V, run.place.delta)
-            yield (sheet.plane.name, *place, run.regime or "none", run.outcome, run.sag, run.rate)
-
-
-def _lines(diagram: PhaseDiagram) -> Iterator[tuple[object, ...]]:
-    for sheet in diagram.sheets:
-        for line in sheet.lines:
-            about = (text.replace(",", " with") for text in (line.name, line.source, line.equation))
-            about_line = tuple(about)
-            for other, G in zip(line.other.tolist(), line.G.tolist(), strict=True):
-                yield (sheet.plane.name, *about_line, other, G)
-
-
-def _phase_facts(sheet: PhaseSheet) -> dict[str, Any]:
-    return {
-        "plane": sheet.plane.name,
-        "runs": sheet.runs,
-        "lattice_nodes": sheet.nodes,
-        "nodes_never_run": sheet.saved,
-        "regimes": sheet.counts,
-        "boundary_over_formula": [
-            {
-                "boundary": each.kind,
-                "line": each.line.name,
-                "source": each.line.source,
-                "rows": each.rows,
-                "median": 1 + each.median,
-                "least": 1 + each.least,
-                "most": 1 + each.most,
-            }
-            for each in sheet.distances
-        ],
+        "figure3a-runs.csv": table(runs),
+        "figure3a-lines.csv": table(lines),
+        "figure3a.json": json_bytes({"caption": phase_caption(diagram), "planes": planes}),
     }
 
 
@@ -366,9 +342,9 @@ def midpoints_caption(facts_of: Mapping[str, Mapping[str, Any]]) -> str:
     )
 
 
-def _misses(of: Mapping[str, Any], moment: str) -> list[float]:
+def _misses(facts: Mapping[str, Any], moment: str) -> list[float]:
     """Per cent by which the filaments sag more than the elements: the paper's physics, the program's choice."""
-    heights = of["midpoint_over_L"]
+    heights = facts["midpoint_over_L"]
     return [100 * ((heights[name][moment] or np.nan) / heights["elements"][moment] - 1) for name in (PAPER, OWN)]
 
 
@@ -376,49 +352,42 @@ def midpoints_figure(scenes: Sequence[FilmedScene]) -> Figure:
     """Draw the paper's axes with all scenes, then each scene by itself."""
     known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
     with style.styled():
-        figure, body = style.sheet("", height=5.6, notes=midpoints_caption(known), width=_WIDTH, columns=_COLUMNS)
-        panels = body.subplots(2, 3)
-        for k, (axes, filmed) in enumerate(zip(panels.flat, (None, *scenes), strict=True)):
-            if filmed is None:
-                _together(axes, scenes)
-            else:
-                _alone(axes, filmed, known[filmed.of.name]["stopping_depth_over_L"]["paper"])
+        figure, body = _figure(5.6, midpoints_caption(known))
+        panels = body.subplots(2, 3, sharex=True)
+        _draw_together(panels[0, 0], scenes)
+        for axes, filmed in zip(panels.flat[1:], scenes, strict=True):
+            _draw_alone(axes, filmed, known[filmed.of.name]["stopping_depth_over_L"]["paper"])
+        for axes in panels.flat:
             axes.set_xlim(0, MOMENTS[-1])
             axes.grid(True)
             style.lighten(axes)
-            if k >= 3:
-                axes.set_xlabel("t~ = (t/L) √(E/ρ)")
-            if k % 3 == 0:
-                axes.set_ylabel("y / L of the midpoint")
-        legend(body, handles=panels.flat[1].get_legend_handles_labels()[0], ncols=4)
+        for axes in panels[-1]:
+            axes.set_xlabel("t~ = (t/L) √(E/ρ)")
+        for axes in panels[:, 0]:
+            axes.set_ylabel("y / L of the midpoint")
+        legend(body, handles=panels[0, 1].get_legend_handles_labels()[0], ncols=4)
     return figure
 
 
-def _together(axes: Axes, scenes: Sequence[FilmedScene]) -> None:
+def _draw_together(axes: Axes, scenes: Sequence[FilmedScene]) -> None:
     chosen = [filmed for filmed in scenes if filmed.of.name != _LEFT_OUT]
     for filmed, colour in zip(chosen, _COLOURS, strict=False):
-        axes.plot(*filmed.elements, color=colour, linewidth=2.6, alpha=0.4)
+        title = "arrested, underdamped" if filmed.of.name == _MIDPOINTS_EDGE else filmed.of.title
+        axes.plot(*filmed.elements, color=colour, linewidth=2.6, alpha=0.4, label=title)
         if filmed.filaments[PAPER].outcome.is_success:
             axes.plot(*filmed.filament(PAPER), color=colour, linewidth=0.9)
-        time, height = filmed.elements
-        # Named where there is room: beside the end of its curve, at its usual height.
-        level = float(np.min(height[time > time[-1] / 2]))
-        title = "arrested, underdamped" if filmed.of.name == _MIDPOINTS_EDGE else filmed.of.title
-        axes.text(455, level - 0.004, title, ha="right", va="top", fontsize=6.8, color=colour)
     axes.set_ylim(-0.27, 0.005)
     axes.set_title("the paper's parameters", fontsize=9)
+    axes.legend(fontsize=6.8, loc="lower left")
 
 
-def _alone(axes: Axes, filmed: FilmedScene, stop: float | None) -> None:
+def _draw_alone(axes: Axes, filmed: FilmedScene, stop: float | None) -> None:
     time, height = filmed.elements
     deepest = float(-height.min())
     axes.plot(time, height, label="elements", **_ELEMENTS)
-    refused = []
     for name in THEORIES:
-        when, where = filmed.filament(name)
-        axes.plot(when, where, label=name, **_MIDPOINTS_LINES[name])
-        if not filmed.filaments[name].outcome.is_success:
-            refused.append(name)
+        axes.plot(*filmed.filament(name), label=name, **_MIDPOINTS_LINES[name])
+    refused = [name for name in THEORIES if not filmed.filaments[name].outcome.is_success]
     top = -_SHOWN * deepest if filmed.of.name == _LEVEL else 0.03 * deepest
     axes.set_ylim(-(1.45 if refused else 1.05) * deepest, top)
     if stop is not None and filmed.of.name != "no-yield":
@@ -427,7 +396,7 @@ def _alone(axes: Axes, filmed: FilmedScene, stop: float | None) -> None:
     if refused:
         which = "all filaments" if len(refused) == len(THEORIES) else "paper's physics"
         label = f"{which}: refused, localised"
-        axes.text(455, -1.42 * deepest, label, fontsize=7, ha="right", va="bottom", color=style.GREY)
+        axes.text(0.98, 0.02, label, fontsize=7, ha="right", color=style.GREY, transform=axes.transAxes)
     axes.set_title(f"{filmed.of.title}: {filmed.of.parameters}", fontsize=8.3)
     axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     axes.yaxis.set_major_formatter("{x:.3g}")
@@ -436,20 +405,17 @@ def _alone(axes: Axes, filmed: FilmedScene, stop: float | None) -> None:
 def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
     """Picture, data and facts of figure 3(b), by file name."""
     known = {filmed.of.name: scene_facts(filmed) for filmed in scenes}
-    rows = (row for filmed in scenes for row in _rows(filmed))
+    curves = []
+    for filmed in scenes:
+        named = {"elements": filmed.elements, **{name: filmed.filament(name) for name in THEORIES}}
+        for name, (time, height) in named.items():
+            keys = {"scene": filmed.of.name, "curve": name.replace(",", " with")}
+            curves += [{**keys, "t_tilde": t, "midpoint_over_L": y} for t, y in zip(time, height, strict=True)]
     return {
         **printed("figure3b", midpoints_figure(scenes)),
-        "figure3b.csv": table(("scene", "curve", "t_tilde", "midpoint_over_L"), rows),
+        "figure3b.csv": table(curves),
         "figure3b.json": json_bytes({"caption": midpoints_caption(known), "scenes": list(known.values())}),
     }
-
-
-def _rows(filmed: FilmedScene) -> Iterator[tuple[object, ...]]:
-    curves: dict[str, tuple[Floats, Floats]] = {"elements": filmed.elements}
-    curves |= {name.replace(",", " with"): filmed.filament(name) for name in THEORIES}
-    for name, (time, height) in curves.items():
-        for t, y in zip(time.tolist(), height.tolist(), strict=True):
-            yield filmed.of.name, name, t, y
 
 
 BLACK_RATE = 4.4e-4
@@ -609,65 +575,61 @@ def snapshots_figure(filmed: Sequence[FilmedScene]) -> Figure:
     rows, last = [4.3 * sum(depth) for depth in depths], 6.2 * sum(final)
     with style.styled():
         height = sum(rows) + last + 0.34 * (len(rows) + 1) + 1.6
-        figure, body = style.sheet("", height=height, notes=snapshots_caption(scenes), width=_WIDTH, columns=_COLUMNS)
+        figure, body = _figure(height, snapshots_caption(scenes))
         parts: Any = body.subfigures(2, 1, height_ratios=[sum(rows) + 0.34 * len(rows) + 0.9, last + 1.0])
         upper, lower = parts
         panels = upper.subplots(len(rows), 2, height_ratios=rows, sharex=True)
         for (row, column), axes in np.ndenumerate(panels):
-            of, instant = scenes[SNAPSHOTS[row // 2]], 2 * (row % 2) + column
-            bar = draw_elements(axes, of.film.at(INSTANTS[instant]), of.film.run.mesh.through)
-            draw_filament(axes, strip_at(of, INSTANTS[instant]))
+            scene, instant = scenes[SNAPSHOTS[row // 2]], 2 * (row % 2) + column
+            bar = draw_elements(axes, scene.film.at(INSTANTS[instant]), scene.film.run.mesh.through)
+            draw_filament(axes, strip_at(scene, INSTANTS[instant]))
+            axes.axvline(0.0, color=style.GREY, linewidth=0.5, linestyle=":")
             _frame(axes, depths[row])
-            name = f"({_LETTERS[row // 2]}) {of.of.title}, " if instant == 0 else ""
+            name = f"({_LETTERS[row // 2]}) {scene.of.title}, " if instant == 0 else ""
             axes.set_title(f"{name}t~ = {_SHARES[instant]}", loc="left", fontsize=8.5, pad=2.5)
         for axes in panels[-1]:
             axes.set_xlabel("x / L", labelpad=1.0)
-        ticks = [0, 1.1e-4, 2.2e-4, 3.3e-4, BLACK_RATE]
-        colours = upper.colorbar(bar, ax=panels, location="bottom", extend="max", ticks=ticks, aspect=60, fraction=0.03)
-        colours.set_ticklabels(["0", "1.1e−4", "2.2e−4", "3.3e−4", "4.4e−4"], fontsize=7)
+        colours = upper.colorbar(bar, ax=panels, location="bottom", extend="max", aspect=60, fraction=0.03)
+        colours.set_ticks([0, 1.1e-4, 2.2e-4, 3.3e-4, BLACK_RATE], labels=["0", "1.1e−4", "2.2e−4", "3.3e−4", "4.4e−4"])
+        colours.ax.tick_params(labelsize=7)
         colours.set_label("|Lp| L √(ρ/E), elements", fontsize=7.5)
-        _last(lower, scenes[SNAPSHOTS[-1]], final)
+        _draw_last(lower, scenes[SNAPSHOTS[-1]], final)
     return figure
 
 
-def _depth(of: FilmedScene, instants: Sequence[float]) -> tuple[float, float]:
+def _depth(filmed: FilmedScene, instants: Sequence[float]) -> tuple[float, float]:
     """How far the strips reach above and below the supports, over the span."""
-    heights = [of.film.at(instant).outline[..., 1] for instant in instants]
-    return max(float(h.max()) for h in heights) + _MARGIN, _MARGIN - min(float(h.min()) for h in heights)
+    heights = np.concatenate([filmed.film.at(instant).outline[..., 1].ravel() for instant in instants])
+    return float(heights.max()) + _MARGIN, _MARGIN - float(heights.min())
 
 
 def _frame(axes: Axes, depth: tuple[float, float]) -> None:
     axes.set_xlim(-0.515, 0.515)
     axes.set_ylim(-depth[1], depth[0])
     axes.set_aspect("equal")
-    axes.axvline(0.0, color=style.GREY, linewidth=0.5, linestyle=":")
-    axes.set_yticks([-step for step in (0.0, 0.05, 0.1, 0.15) if step < depth[1]])
+    axes.set_yticks([-step for step in (0.0, 0.05, 0.1, 0.15, 0.2, 0.25) if step < depth[1]])
     axes.set_xticks([-0.5, -0.25, 0.0, 0.25, 0.5])
     axes.tick_params(labelsize=7)
     style.lighten(axes)
 
 
-def _last(part: SubFigure, of: FilmedScene, depth: tuple[float, float]) -> None:
+def _draw_last(part: SubFigure, filmed: FilmedScene, depth: tuple[float, float]) -> None:
     """Panel (d), and its clamp enlarged."""
     axes, close = part.subplots(1, 2, width_ratios=[3, 1])
-    shot = of.film.at(INSTANTS[-1])
+    shot = filmed.film.at(INSTANTS[-1])
     for each in (axes, close):
         draw_mesh(each, shot)
         for theory, line in _OUTLINES.items():
-            section = strip_at(of, INSTANTS[-1], theory).section
+            section = strip_at(filmed, INSTANTS[-1], theory).section
             for zeta in (-1.0, 1.0):
                 each.plot(*section.at(zeta).T, **line)
-        style.lighten(each)
-        each.tick_params(labelsize=7)
         each.set_xlabel("x / L", labelpad=1.0)
-    axes.set_xlim(-0.515, 0.515)
-    axes.set_ylim(-depth[1], depth[0])
-    axes.set_aspect("equal")
-    thickness = of.scene.filament.thickness / of.scene.filament.span
-    close.set_xlim(0.5 + 0.25 * thickness - _ZOOM * thickness, 0.5 + 0.25 * thickness, auto=True)
-    close.set_ylim(0.75 * thickness - 1.5 * _ZOOM * thickness, 0.75 * thickness, auto=True)
-    close.set_aspect("equal", adjustable="datalim", anchor="N")
-    axes.set_title(f"(d) {of.of.title}, t~ = 10α = 460", loc="left", fontsize=8.5, pad=2.5)
+        _frame(each, depth)
+    thickness = filmed.scene.filament.thickness / filmed.scene.filament.span
+    close.set_xlim(0.5 + 0.25 * thickness - _ZOOM * thickness, 0.5 + 0.25 * thickness)
+    close.set_ylim(0.75 * thickness - 1.5 * _ZOOM * thickness, 0.75 * thickness)
+    close.set_xticks([0.45, 0.5])
+    axes.set_title(f"(d) {filmed.of.title}, t~ = 10α = 460", loc="left", fontsize=8.5, pad=2.5)
     close.set_title("at the clamp", loc="left", fontsize=8.5, pad=2.5)
     handles = [
         Patch(facecolor=YIELDED, label="yielded, filament"),
@@ -680,64 +642,50 @@ def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
     """Picture, data and facts of figure 4, by file name."""
     scenes = {each.of.name: each for each in filmed if each.of.name in SNAPSHOTS}
     last = scenes[SNAPSHOTS[-1]]
+    points, cells, facts = [], [], []
+    panels = [
+        (letter, t, scenes[name]) for letter, name in zip(_LETTERS, SNAPSHOTS, strict=True) for t in INSTANTS[:-1]
+    ]
+    for letter, instant, scene in (*panels, ("d", INSTANTS[-1], last)):
+        shot, strip = scene.film.at(instant), strip_at(scene, instant)
+        named = {"panel": letter, "t_tilde": instant}
+        points += _rows(
+            named, ("X_over_L", "Y_over_L", "x_over_L", "y_over_L", "plastic_shear_rate"),
+            scene.film.point, shot.place, shot.rate,
+        )  # fmt: skip
+        thickness = (strip.section.thickness[1:] + strip.section.thickness[:-1]) / 2
+        cells += _rows(
+            named, ("X_over_L", "x_over_L", "y_over_L", "thickness_over_L", "core_low", "core_high"),
+            strip.X, strip.place, thickness, strip.low, strip.high,
+        )  # fmt: skip
+        sags = {"elements": -float(np.interp(instant, *scene.elements)), "filament": -float(strip.section.y.min())}
+        facts.append(
+            {
+                "panel": letter,
+                "scene": scene.of.name,
+                "t_tilde": shot.time,
+                "largest_rate": float(shot.rate.max()),
+                "flowing_share_of_elements": float(np.mean(shot.rate > 0)),
+                "yielded_share_of_filament": strip.yielded_share,
+                "sag_over_L": sags,
+            }
+        )
     outline = last.film.at(INSTANTS[-1]).outline
-    corners = ((e, k, *map(float, outline[e, k])) for e in range(len(outline)) for k in range(8))
+    corners = [
+        {"element": element, "corner": corner, "x_over_L": float(x), "y_over_L": float(y)}
+        for element, place in enumerate(outline)
+        for corner, (x, y) in enumerate(place)
+    ]
     return {
         **printed("figure4", snapshots_figure(filmed)),
-        "figure4-elements.csv": table(
-            ("panel", "t_tilde", "X_over_L", "Y_over_L", "x_over_L", "y_over_L", "plastic_shear_rate"),
-            (row for panel in _panels(scenes) for row in _points(*panel)),
-        ),
-        "figure4-filament.csv": table(
-            ("panel", "t_tilde", "X_over_L", "x_over_L", "y_over_L", "thickness_over_L", "core_low", "core_high"),
-            (row for panel in _panels(scenes) for row in _cells(*panel)),
-        ),
-        "figure4-mesh.csv": table(("element", "corner", "x_over_L", "y_over_L"), corners),
-        "figure4.json": json_bytes(
-            {"caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": _snapshots_facts(scenes)}
-        ),
+        "figure4-elements.csv": table(points),
+        "figure4-filament.csv": table(cells),
+        "figure4-mesh.csv": table(corners),
+        "figure4.json": json_bytes({"caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": facts}),
     }
 
 
-def _panels(scenes: Mapping[str, FilmedScene]) -> Iterator[tuple[str, float, FilmedScene]]:
-    for letter, name in zip(_LETTERS, SNAPSHOTS, strict=True):
-        for instant in INSTANTS[:-1]:
-            yield letter, instant, scenes[name]
-    yield "d", INSTANTS[-1], scenes[SNAPSHOTS[-1]]
-
-
-def _points(letter: str, instant: float, of: FilmedScene) -> Iterator[tuple[object, ...]]:
-    shot = of.film.at(instant)
-    for reference, place, rate in zip(of.film.point.tolist(), shot.place.tolist(), shot.rate.tolist(), strict=True):
-        yield letter, instant, *reference, *place, rate
-
-
-def _cells(letter: str, instant: float, of: FilmedScene) -> Iterator[tuple[object, ...]]:
-    strip = strip_at(of, instant)
-    thickness = (strip.section.thickness[1:] + strip.section.thickness[:-1]) / 2
-    columns = np.column_stack([strip.X, strip.place, thickness, strip.low, strip.high])
-    for row in columns.tolist():
-        yield letter, instant, *row
-
-
-def _snapshots_facts(scenes: Mapping[str, FilmedScene]) -> list[dict[str, Any]]:
-    found = []
-    for letter, instant, of in _panels(scenes):
-        shot, strip = of.film.at(instant), strip_at(of, instant)
-        flowing = float(np.mean(shot.rate > 0))
-        found.append(
-            {
-                "panel": letter,
-                "scene": of.of.name,
-                "t_tilde": shot.time,
-                "largest_rate": float(shot.rate.max()),
-                "flowing_share_of_elements": flowing,
-                "yielded_share_of_filament": strip.yielded_share,
-                "sag_over_L": {"elements": _lowest(of, instant), "filament": -float(strip.section.y.min())},
-            }
-        )
-    return found
-
-
-def _lowest(of: FilmedScene, instant: float) -> float:
-    return -float(np.interp(instant, *of.elements))
+def _rows(named: Mapping[str, object], columns: Sequence[str], *arrays: Floats) -> list[dict[str, object]]:
+    """Rows of arrays side by side under the names of their columns."""
+    rows = np.column_stack(arrays).tolist()
+    return [{**named, **dict(zip(columns, row, strict=True))} for row in rows]

@@ -2,42 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
 
+import pandas as pd
+
+from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span, read_limit
 from softcat_sym.effects.scaling_estimates import effective_viscosity_at, weight_stress, yield_stress_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.fitting.flow_curve import fit_flow_curve
+from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.scene.material import CONSTANTS
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene, gravity_time
+from softcat_sym.scene.toml import read_overrides
+from softcat_sym.scene.units import NotAQuantity
 from softcat_sym.simulate import recalled
 from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.studies.card_rules import (
-    MEASURES,
     RULES,
-    Card,
+    Certificate,
+    Descent,
     Rule,
-    RuleOfTheField,
-    Solver,
-    Told,
+    Variants,
+    applied_to,
     blamed,
     certificate_of,
     descent_of,
-    unusual,
 )
 
 if TYPE_CHECKING:
-    from softcat_sym.design.critical_span import CriticalSpan
-    from softcat_sym.fitting.flow_curve import FlowCurveFit
-    from softcat_sym.results.trajectory import Trajectory
+    from matplotlib.figure import Figure
+
     from softcat_sym.scene.reading import SceneLike
 
-TITLE = "Filament"
-GEOMETRY = {"density": "filament.density", "span": "filament.span", "diameter": "filament.thickness"}
-"""Flags that every filament needs, and where they go."""
-
-MATERIAL = {
+_GEOMETRY = {"density": "filament.density", "span": "filament.span", "diameter": "filament.thickness"}
+_MATERIAL = {
     "law": "material.law",
     "youngs-modulus": "material.youngs_modulus",
     "viscosity": "material.viscosity",
@@ -47,10 +48,8 @@ MATERIAL = {
     "shear-consistency": "material.shear_consistency",
     "shear-yield-stress": "material.shear_yield_stress",
 }
-"""Flags of the material, and where they go."""
-
-OTHERS = {"ends": "", "duration": "run.duration", "flow-curve": ""}
-"""What may be said beside."""
+FLAGS = (*_GEOMETRY, *_MATERIAL, "ends", "duration", "flow-curve")
+"""What a scene is made of."""
 
 _EXAMPLES = {
     "density": '"1900 kg/m^3"',
@@ -61,94 +60,68 @@ _EXAMPLES = {
 }
 _SWINGS, _FLOWS = 20.0, 5.0
 _ACCURACY = 0.02
-_RAMP = 1.0
 
 
 def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = ()) -> tuple[Scene, tuple[str, ...]]:
     """Make a scene of a round filament that is let go within sqrt(L/g)."""
     given = {name: text for name, text in flags.items() if text is not None}
-    curve = given.get("flow-curve")
-    _refuse(given, curve)
-    notes: list[str] = []
-    table: dict[str, dict[str, object]] = {"filament": {"section": "circle"}, "material": {}, "run": {}}
-    for name, path in {**GEOMETRY, **MATERIAL}.items():
+    curve, ends, notes = given.get("flow-curve"), given.get("ends", "clamped"), []
+    _check_flags(given)
+    run = {"duration": given.get("duration", "1 s"), "accuracy": _ACCURACY}
+    scene: dict[str, Any] = {
+        "title": f"{given.get('law') or 'ink'}, {given['diameter']} across {given['span']}",
+        "filament": {"section": "circle"}, "material": {}, "ends": {"left": ends, "right": ends}, "run": run,
+    }  # fmt: skip
+    for name, path in {**_GEOMETRY, **_MATERIAL}.items():
         if name in given and not (curve and name == "law"):
-            part, key = path.split(".")
-            table[part][key] = _number(given[name]) if name == "index" else given[name]
-    if curve is not None:
-        fitted, told = _from_curve(curve, given.get("law"))
-        table["material"] |= fitted
-        notes.append(told)
-    kind = given.get("ends", "clamped")
-    table["ends"] = {"left": kind, "right": kind}
-    table["run"] = {"duration": given.get("duration", "1 s"), "accuracy": _ACCURACY}
-    scene = Scene.model_validate({"title": _title(given), **table})
-    if changes:
-        scene = _changed(scene, changes)
-    return _timed(scene, given, changes, notes)
-
-
-def _refuse(given: Mapping[str, str], curve: str | None) -> None:
-    needed = [*GEOMETRY, *(["youngs-modulus"] if curve else ["law"])]
-    faults = []
-    for name in needed:
-        if name not in given:
-            why = "missing" if name != "youngs-modulus" else "missing: a flow curve says nothing about the modulus"
-            faults.append(Fault(f"--{name}", why, _EXAMPLES[name]))
+            part, _, key = path.partition(".")
+            scene[part][key] = _number(given[name]) if name == "index" else given[name]
     if curve:
-        own = [name for name in MATERIAL if name in given and name not in ("law", "youngs-modulus")]
-        faults += [Fault(f"--{name}", "given twice, here and by --flow-curve", "one of the two") for name in own]
-    elif "law" in given and given["law"] in CONSTANTS:
-        has = {name.removeprefix("shear-").replace("consistency", "viscosity").replace("-", "_") for name in given}
-        lacking = [name for name in CONSTANTS[given["law"]] if name not in has]
-        flagged = {name: name.replace("_", "-") for name in lacking}
-        faults += [
-            Fault(f"--{flag}", f"missing: the law '{given['law']}' needs it", "a value with its unit")
-            for name, flag in flagged.items()
-            if flag in MATERIAL
-        ]
+        law = given.get("law")
+        fit = fit_flow_curve(curve)
+        scene["material"] |= {path.removeprefix("material."): value for path, value in fit.overrides(law).items()}
+        best = fit.candidate(law)
+        error = f"{100 * best.relative_rms:.2g} % rms"
+        notes.append(f"{best.law} fitted to {curve}, {error}; shear data are converted to tension")
+    overrides, faults = read_overrides(changes)
+    made = Scene.model_validate(scene)
     if faults:
         raise SceneError(faults)
-
-
-def _from_curve(curve: str, law: str | None) -> tuple[dict[str, object], str]:
-    from softcat_sym.fitting.flow_curve import fit_flow_curve
-
-    fit: FlowCurveFit = fit_flow_curve(curve)
-    fitted: dict[str, object] = {path.removeprefix("material."): value for path, value in fit.overrides(law).items()}
-    best = fit.candidate(law)
-    told = f"{best.law} fitted to {curve}, {100 * best.relative_rms:.2g} % rms; shear data are converted to tension"
-    return fitted, told
-
-
-def _changed(scene: Scene, changes: Sequence[str]) -> Scene:
-    from softcat_sym.scene.toml import read_overrides
-
-    read, faults = read_overrides(changes)
-    if faults:
-        raise SceneError(faults)
-    return scene.replace({change.path: change.value for change in read})
-
-
-def _timed(
-    scene: Scene, given: Mapping[str, str], changes: Sequence[str], notes: list[str]
-) -> tuple[Scene, tuple[str, ...]]:
-    """Duration and ramp, where neither is given."""
-    own = {change.split("=")[0].strip() for change in changes}
-    swing, late = gravity_time(scene), {}
-    if not swing > 0:
-        return scene, tuple(notes)
-    if "load.ramp" not in own:
-        late["load.ramp"] = f"{_RAMP * swing!r} s"
-    if "duration" not in given and "run.duration" not in own:
-        weight = weight_stress(scene)
-        stress = yield_stress_of(scene) or weight
-        viscosity = effective_viscosity_at(scene, stress) or 0.0
-        slow = (_FLOWS if yield_stress_of(scene) else 1.0) * viscosity / stress
+    own = {change.path: change.value for change in overrides}
+    made = made.replace(own) if own else made
+    swing, late = gravity_time(made), dict[str, object]()
+    if swing > 0 and "load.ramp" not in own:
+        late["load.ramp"] = f"{swing!r} s"
+    if swing > 0 and "duration" not in given and "run.duration" not in own:
+        limit = yield_stress_of(made)
+        stress = limit or weight_stress(made)
+        slow = (_FLOWS if limit else 1.0) * (effective_viscosity_at(made, stress) or 0.0) / stress
         duration = float(f"{_SWINGS * swing + slow:.3g}")
         late["run.duration"] = f"{duration!r} s"
         notes.append(f"duration {duration:g} s: 20 sqrt(L/g) and the time of flow; --duration gives another")
-    return scene.replace(late), tuple(notes)
+    return (made.replace(late) if late else made), tuple(notes)
+
+
+def _check_flags(given: Mapping[str, str]) -> None:
+    """Refuse flags that make no filament."""
+    curve, law = "flow-curve" in given, given.get("law")
+    needed = [*_GEOMETRY, "youngs-modulus" if curve else "law"]
+    missing = "missing: a flow curve says nothing about the modulus"
+    faults = [
+        Fault(f"--{name}", missing if name == "youngs-modulus" else "missing", _EXAMPLES[name])
+        for name in needed
+        if name not in given
+    ]
+    if curve:
+        twice = [name for name in _MATERIAL if name in given and name not in ("law", "youngs-modulus")]
+        faults += [Fault(f"--{name}", "given twice, here and by --flow-curve", "one of the two") for name in twice]
+    elif law in CONSTANTS:
+        known = {name.removeprefix("shear-").replace("consistency", "viscosity") for name in given}
+        for flag in (name.replace("_", "-") for name in CONSTANTS[law]):
+            if flag in _MATERIAL and flag not in known:
+                faults.append(Fault(f"--{flag}", f"missing: the law '{law}' needs it", "a value with its unit"))
+    if faults:
+        raise SceneError(faults)
 
 
 def _number(text: str) -> object:
@@ -158,9 +131,109 @@ def _number(text: str) -> object:
         return text
 
 
-def _title(given: Mapping[str, str]) -> str:
-    what = given.get("law") or "ink"
-    return f"{what}, {given['diameter']} across {given['span']}"
+@dataclass(frozen=True, eq=False)
+class Card:
+    """All that one page says about a spanning filament.
+
+    Attributes
+    ----------
+    name : str
+        What was asked for: the name of a scene, or empty.
+    scene : Scene
+        The filament.
+    run : Trajectory
+        Its run, with an error estimate.
+    descent : Descent or None
+        None if the run has no frame to show.
+    certificate : Certificate or None
+        Likewise.
+    rules : tuple of Rule
+        The field's.
+    limit : str
+        What the filament may sag, as it was given.
+    span : CriticalSpan or None
+        The longest span that sags less, and its exponents; None where none was found.
+    span_text : str
+        Why not; empty otherwise.
+    notes : tuple of str
+        What was assumed or converted.
+    """
+
+    name: str
+    scene: Scene
+    run: Trajectory
+    descent: Descent | None
+    certificate: Certificate | None
+    rules: tuple[Rule, ...]
+    limit: str
+    span: CriticalSpan | None
+    span_text: str
+    notes: tuple[str, ...]
+
+    @property
+    def summary(self) -> Mapping[str, Any]:
+        """Of the run."""
+        return self.run.summary
+
+    @property
+    def error_estimate(self) -> float | None:
+        """Of the midpoint over the largest midpoint; None where nothing has estimated it."""
+        total = (self.summary.get("error_estimate") or {}).get("total")
+        return None if total is None else float(total)
+
+    @property
+    def regime(self) -> str:
+        """As the run shows it; empty where the run is not to be trusted."""
+        return str(self.summary.get("regime") or "")
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``card.json`` holds, in SI."""
+        span, summary = self.span, self.summary
+        return {
+            "name": self.name,
+            "title": self.scene.title,
+            "outcome": self.run.outcome.name,
+            "message": summary.get("message") or "",
+            "regime": self.regime or None,
+            "error_estimate": self.error_estimate,
+            "descent": None if self.descent is None else asdict(self.descent),
+            "certificate": None if self.certificate is None else asdict(self.certificate),
+            "rules": [{**asdict(rule), "error": rule.error, "holds": rule.holds} for rule in self.rules],
+            "longest_span": {
+                "limit": self.limit,
+                "span_m": None if span is None else span.span,
+                "sag_m": None if span is None else span.sag,
+                "exponents": {} if span is None else dict(span.gradient),
+                "notes": [self.span_text] if span is None else list(span.notes),
+            },
+            "effects": list(summary.get("effects") or ()),
+            "notes": list(self.notes),
+            "warnings": list(summary.get("warnings") or ()),
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a rule, in SI; what does not apply is missing."""
+        frame = pd.DataFrame([{**asdict(rule), "error": rule.error} for rule in self.rules])
+        names = {"name": "rule", "bare": "error_bare", "text": "what_makes_it_fail"}
+        columns = ["rule", "source", "quantity", "unit", "predicted", "solver", "error", "error_bare"]
+        return frame.rename(columns=names).reindex(columns=[*columns, "what_makes_it_fail"])
+
+    def figures(self) -> dict[str, Figure]:
+        """The final shape, the descent with the rules beside it, the exponents; none if the run has no frame."""
+        from softcat_sym.plotting.card import card_figure
+
+        return {} if self.descent is None else {"card": card_figure(self)}
+
+    def plot(self) -> Figure:
+        """Draw the final shape, the descent and the rules beside it."""
+        from softcat_sym.plotting.card import card_figure
+
+        return card_figure(self)
+
+    def _repr_html_(self) -> str:
+        from softcat_sym.plotting.notebook import html
+
+        return html(f"Card {self.name}, longest span {self.span_text or 'not asked'}\n{self.run!r}", self.plot())
 
 
 LIMIT = "5 %"
@@ -169,16 +242,13 @@ LIMIT = "5 %"
 _NEAR, _FAR = 3.0, 30.0
 """Factors of the span between which the longest one is sought: first near, then far."""
 
-Listening = Callable[[str], AbstractContextManager[Progress]]
-
 
 def card(
     scene: SceneLike,
     sag: object = None,
     *,
     name: str = "",
-    listening: Listening | None = None,
-    told: Told | None = None,
+    progress: Progress | None = None,
     span: bool = True,
     notes: tuple[str, ...] = (),
 ) -> Card:
@@ -186,7 +256,7 @@ def card(
 
     The filament is run with an error estimate. Each rule of the field is laid beside the run; where it is off by more
     than 5 %, the run is repeated without what the rule leaves out, one effect after another, and what brings the two
-    together is named. Then the longest span that sags less than a limit is sought.
+    together is named. Then the longest span that sags less than a limit is sought. Finished runs come from the store.
 
     Parameters
     ----------
@@ -196,8 +266,8 @@ def card(
         What the filament may sag: a length with its unit, or a fraction of the span such as ``"5 %"``, the default.
     name, notes : str, tuple of str
         Of the scene, and what was assumed, for the page.
-    listening, told : callable, optional
-        Called before the run, returns a context whose value is told how far it is; told which short run begins.
+    progress : Progress, optional
+        Listens to the runs; each begins a stage.
     span : bool
         Whether to seek the longest span, which takes a good part of the time.
 
@@ -210,60 +280,38 @@ def card(
     KeyboardInterrupt
         On Ctrl-C.
     """
-    scene = as_scene(scene)
+    scene, progress = as_scene(scene), progress or Silence()
     limit = LIMIT if sag is None else sag
-    _check_limit(limit)
-    with (listening or _nobody)("the filament itself") as listener:
-        run = recalled(scene, listener)
-    descent = descent_of(run)
-    longest, why = _longest_span(scene, limit, told, given=sag is not None) if span else (None, "not sought")
-    certificate = None if descent is None else certificate_of(run, descent)
-    rules = _rules(run, told) if descent is not None else ()
-    notes = (*notes, *scene.notes)
-    return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, notes)
-
-
-def _rules(run: Trajectory, told: Told | None) -> tuple[Rule, ...]:
-    """Every rule; causes only of a run that may be trusted."""
-    solver = Solver(run, told)
-    applied = [(own, applied_to(run, own)) for own in RULES]
-    if not run.outcome.is_success:
-        return tuple(rule for _, rule in applied)
-    return tuple(blamed(rule, own, solver) for own, rule in applied)
-
-
-def applied_to(run: Trajectory, own: RuleOfTheField) -> Rule:
-    """Lay a rule beside a run."""
-    predicted = unusual(run.scene) or own.predict(run.scene, run)
-    says, why = (None, f"does not apply: {predicted}") if isinstance(predicted, str) else (predicted, "")
-    return Rule(own.key, own.name, own.source, own.quantity, own.unit, says, MEASURES[own.quantity](run), text=why)
-
-
-def _check_limit(limit: object) -> None:
-    """Refuse a limit that is none before anything is run."""
-    from softcat_sym.design.critical_span import LIMITS, read_limit
-    from softcat_sym.scene.units import NotAQuantity
-
     try:
         read_limit(limit)
-    except NotAQuantity as found:
-        raise SceneError([Fault("sag", str(found), LIMITS)]) from None
+    except NotAQuantity as error:
+        raise SceneError([Fault("sag", str(error), LIMITS)]) from None
+    progress.stage("the filament itself")
+    run = recalled(scene, progress)
+    descent = descent_of(run)
+    longest, why = _longest_span(scene, limit, progress, given=sag is not None) if span else (None, "not sought")
+    rules: tuple[Rule, ...] = ()
+    if descent is not None:
+        rules = tuple(applied_to(run, field) for field in RULES)
+        if run.outcome.is_success:
+            variants = Variants(run, progress)
+            rules = tuple(blamed(rule, field, variants) for rule, field in zip(rules, RULES, strict=True))
+    certificate = None if descent is None else certificate_of(run, descent)
+    return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, (*notes, *scene.notes))
 
 
-def _longest_span(scene: Scene, limit: object, told: Told | None, *, given: bool) -> tuple[CriticalSpan | None, str]:
+def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool) -> tuple[CriticalSpan | None, str]:
     """The critical span near the scene's own, or farther away; why there is none, if a default limit has none."""
-    from softcat_sym.design.critical_span import critical_span
-
-    def heard(span: float, _: float) -> None:
-        if told is not None:
-            told(f"sag of a span of {span:.3g} m")
-
-    if told is not None:
-        told("the longest span")
     own = scene.filament.span
+    progress.stage("the longest span")
     for factor in (_NEAR, _FAR):
         try:
-            return critical_span(scene, limit, within=(own / factor, own * factor), told=heard), ""
+            return critical_span(
+                scene,
+                limit,
+                within=(own / factor, own * factor),
+                told=lambda span, _: progress.doing(f"sag of a span of {span:.3g} m"),
+            ), ""
         except SoftcatError as error:
             # Other spans may make no sense at all: of a moving support, say.
             if factor == _FAR or isinstance(error, SceneError):
@@ -271,8 +319,3 @@ def _longest_span(scene: Scene, limit: object, told: Told | None, *, given: bool
                     raise
                 return None, str(error)
     return None, ""
-
-
-def _nobody(what: str) -> AbstractContextManager[Progress]:
-    del what
-    return nullcontext(Silence())

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Callable
-from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -90,16 +89,13 @@ def film_elements(
     supports = half_span_supports(strip, Clamp.THINNING)
     loop = ElementLoop(strip, supports, code, dict(problem.material), gravity=problem.gravity, ramp=problem.ramp)
     camera = _Camera(March(problem, loop, 1.0), loop, frames)
-    wall = camera.finish(folder / f"elements-{name}-{_short(key)}.npz", key, progress, elastic_time(scene))
+    path = folder / f"elements-{name}-{hashlib.sha256(key.encode()).hexdigest()[:8]}.npz"
+    wall = camera.finish(path, key, progress, elastic_time(scene))
     dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
     run = run_of(scene, strip, Clamp.THINNING, camera.march.records, dofs=dofs, wall=wall)
     times = np.linspace(0.0, problem.duration, problem.frames)[frames]
-    shots = (_snapshot(strip, *of) for of in zip(times.tolist(), camera.displacement, camera.rate, strict=True))
+    shots = (_snapshot(strip, *shot) for shot in zip(times.tolist(), camera.displacement, camera.rate, strict=True))
     return ElementFilm(run, strip.points.reshape(-1, 2), tuple(shots))
-
-
-def _short(key: str) -> str:
-    return hashlib.sha256(key.encode()).hexdigest()[:8]
 
 
 class _Camera:
@@ -113,7 +109,11 @@ class _Camera:
 
     def finish(self, path: Path, key: str, progress: Progress, second: float) -> float:
         """Advance to the last output time, from where the file left it; `second` is the elastic time [s]."""
-        before, began = self._restore(path, key), time.perf_counter()
+        state = read_checkpoint(path, key)
+        if state is not None:
+            self.march.restore(state)
+            self.displacement[...], self.rate[...] = state["shot_displacement"], state["shot_rate"]
+        before, began = 0.0 if state is None else float(state["wall"].item()), time.perf_counter()
         saved = began
         with deferred() as interrupt:
             while not self.march.finished:
@@ -123,20 +123,11 @@ class _Camera:
                 now = time.perf_counter()
                 if interrupt.pending or self.march.finished or now - saved > _EVERY:
                     shots = {"shot_displacement": self.displacement, "shot_rate": self.rate}
-                    wall = np.array(before + now - began)
-                    write_checkpoint(path, key, {**self.march.state(), **shots, "wall": wall})
+                    write_checkpoint(path, key, {**self.march.state(), **shots, "wall": np.array(before + now - began)})
                     saved = now
                 if interrupt.pending:
                     raise KeyboardInterrupt
         return before + time.perf_counter() - began
-
-    def _restore(self, path: Path, key: str) -> float:
-        state = read_checkpoint(path, key)
-        if state is None:
-            return 0.0
-        self.march.restore(state)
-        self.displacement[...], self.rate[...] = state["shot_displacement"], state["shot_rate"]
-        return float(state["wall"].item())
 
     def _look(self) -> None:
         """Take what stands at this frame: a march stops at each, and goes on only when it is told to."""
@@ -152,7 +143,8 @@ def _snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) 
         """Where points of the parent square are; shape (elements, points, 2)."""
         return np.asarray(np.einsum("pa,eai->epi", shape_values(local), corners))
 
-    quarters = np.array([_quarter(point) for point in np.sign(POINTS)])
+    # The quarter of the parent square in the direction of each point, around it.
+    quarters = np.array([[[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]] for x, y in np.sign(POINTS)])
     return Snapshot(
         time=instant,
         outline=placed(np.array(_OUTLINE, dtype=np.float64)),
@@ -160,12 +152,6 @@ def _snapshot(strip: Strip, instant: float, displacement: Floats, rate: Floats) 
         place=placed(POINTS).reshape(-1, 2),
         rate=np.sqrt(3) * rate.ravel(),
     )
-
-
-def _quarter(sign: Floats) -> Floats:
-    """The quarter of the parent square in one direction, around it."""
-    x, y = sign
-    return np.array([[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]])
 
 
 ALPHA = 46.0
@@ -185,9 +171,6 @@ THEORIES: dict[str, dict[str, object]] = {
 
 # What the elements assume of the width, and enough frames for what rings.
 _CHANGES: dict[str, object] = {"filament.width": "0.06 mm", "run.frames": 801}
-
-Listening = Callable[[str, float], AbstractContextManager[Progress]]
-"""Given what is about to run and how long [s] it is, a context whose value is told how far it is."""
 
 
 @dataclass(frozen=True)
@@ -231,15 +214,15 @@ class FilmedScene:
         return data["time"].values / elastic_time(self.scene), data["midpoint"].values / self.scene.filament.span
 
 
-def film_scene(of: FigureScene, folder: Path, listening: Listening, mesh: Mesh = MESH) -> FilmedScene:
+def film_scene(of: FigureScene, folder: Path, progress: Progress, mesh: Mesh = MESH) -> FilmedScene:
     """Run a scene as elements and as filaments."""
     scene = load_scene(of.name, _CHANGES)
-    with listening(f"{of.name}: elements", scene.run.duration) as listener:
-        film = film_elements(scene, mesh, INSTANTS, folder, of.name, listener)
+    progress.stage(f"{of.name}: elements")
+    film = film_elements(scene, mesh, INSTANTS, folder, of.name, progress)
     filaments = {}
     for theory, changes in THEORIES.items():
-        with listening(f"{of.name}: {theory}", scene.run.duration) as listener:
-            filaments[theory] = recalled(load_scene(of.name, {**_CHANGES, **changes}), listener)
+        progress.stage(f"{of.name}: {theory}")
+        filaments[theory] = recalled(load_scene(of.name, {**_CHANGES, **changes}), progress)
     return FilmedScene(of, scene, film, filaments)
 
 
@@ -252,12 +235,12 @@ RINGING_SINCE = 60.0
 
 def stopping_depth(gravity_number: float) -> dict[str, float | None]:
     """H_stop/L of (3.13) and of the exact catenary; None where there is none."""
-    stops = gravity_number < float(regimes.ARREST_THRESHOLD)
-    held = gravity_number < float(regimes.arrest_threshold_exact())
-    return {
-        "paper": float(evaluate(regimes.STOPPING_DEPTH.right, {regimes.G: gravity_number})[0]) if stops else None,
-        "exact": float(regimes.stopping_depth_exact(gravity_number)) if held else None,
-    }
+    depths: dict[str, float | None] = {"paper": None, "exact": None}
+    if gravity_number < float(regimes.ARREST_THRESHOLD):
+        depths["paper"] = float(evaluate(regimes.STOPPING_DEPTH.right, {regimes.G: gravity_number})[0])
+    if gravity_number < float(regimes.arrest_threshold_exact()):
+        depths["exact"] = float(regimes.stopping_depth_exact(gravity_number))
+    return depths
 
 
 def scene_facts(filmed: FilmedScene) -> dict[str, Any]:
@@ -331,15 +314,15 @@ class Panel:
     outcomes: dict[str, str]  # Verdicts of the two runs
 
 
-def maxwell_descents(told: Callable[[str], None]) -> tuple[Panel, ...]:
+def maxwell_descents(on_progress: Callable[[str], None]) -> tuple[Panel, ...]:
     """Run the figure's filaments, both models, at both slendernesses."""
-    return tuple(_panel(delta, tau_star, told) for delta in SLENDERNESS for tau_star in RELAXATION)
+    return tuple(_panel(delta, tau_star, on_progress) for delta in SLENDERNESS for tau_star in RELAXATION)
 
 
-def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
+def _panel(delta: float, tau_star: float, on_progress: Callable[[str], None]) -> Panel:
     runs = {}
     for model in ("filament", "small-deflection"):
-        told(f"tau* = {tau_star:g}, delta = {delta:g}, {model}")
+        on_progress(f"tau* = {tau_star:g}, delta = {delta:g}, {model}")
         changes: dict[str, object] = {
             "groups.delta": delta,
             "groups.tau": tau_star,
@@ -358,19 +341,23 @@ def _panel(delta: float, tau_star: float, told: Callable[[str], None]) -> Panel:
         for name, model in (("full model", "filament"), ("reduced model (2.18)", "small-deflection"))
     )
     known = {B: LOAD_OVER_VISCOSITY, tau: tau_star, alpha: float(closed_forms.TOLERANCE)}
-    low = _end_of_free_fall(known)
-    high = float(evaluate(closed_forms.T_HIGH, known)[0])
-    sag_high = -float(evaluate(closed_forms.THIRD_LAW, {**known, t_star: high})[0])
-    formulas = (*_outer(known, high, full.time), *_ringing(known, high, full))
-    outcomes = {model: run.outcome.name for model, run in runs.items()}
-    share = float(
-        evaluate(
-            closed_forms.TENSION_TO_BENDING,
-            {closed_forms.phi: 4 * sag_high, slenderness: groups_of(scene).delta, K_I: 1 / 12},
-        )[0]
+    high = _number(closed_forms.T_HIGH, known)
+    sag_high = -_number(closed_forms.THIRD_LAW, {**known, t_star: high})
+    slender = {closed_forms.phi: 4 * sag_high, slenderness: groups_of(scene).delta, K_I: 1 / 12}
+    curves = (full, reduced, *_outer(known, high, full.time), *_ringing(known, high, full))
+    return Panel(
+        delta,
+        tau_star,
+        tuple(map(_thinned, curves)),
+        t_low=_end_of_free_fall(known),
+        t_high=high,
+        tension_over_bending=_number(closed_forms.TENSION_TO_BENDING, slender),
+        outcomes={model: run.outcome.name for model, run in runs.items()},
     )
-    curves = tuple(_thinned(curve) for curve in (full, reduced, *formulas))
-    return Panel(delta, tau_star, curves, low, high, share, outcomes)
+
+
+def _number(expression: Any, values: dict[Any, Any]) -> float:
+    return float(evaluate(expression, values)[0])
 
 
 def _thinned(curve: Curve) -> Curve:
@@ -383,7 +370,7 @@ def _thinned(curve: Curve) -> Curve:
 
 def _end_of_free_fall(known: dict[object, float]) -> float:
     """Time at which tension reaches alpha of inertia on the falling parabola, for any ratio of t_low to tau."""
-    limits = [float(evaluate(limit, known)[0]) for limit in (closed_forms.T_LOW_LONG, closed_forms.T_LOW_SHORT)]
+    limits = [_number(limit, known) for limit in (closed_forms.T_LOW_LONG, closed_forms.T_LOW_SHORT)]
     time = np.geomspace(min(limits) / 2, 4 * max(limits), 4000)
     ratio = evaluate(closed_forms.EARLY_RATIO, {**known, t_star: time})
     return float(np.interp(known[alpha], ratio, time))
@@ -393,8 +380,8 @@ def _outer(known: dict[object, float], high: float, time: Floats) -> tuple[Curve
     """Free fall, (2.20) from rest and as printed, and the 1/3 law."""
     early = time[(time > 0) & (time < 3 * high)]
     fall = Curve("free fall", early, -evaluate(closed_forms.FREE_FALL, {**known, t_star: early}))
-    first = float(evaluate(closed_forms.ELASTIC_START, known)[0])
-    last = float(evaluate(closed_forms.THIRD_LAW_FACTOR, {**known, t_star: time[-1]})[0])
+    first = _number(closed_forms.ELASTIC_START, known)
+    last = _number(closed_forms.THIRD_LAW_FACTOR, {**known, t_star: time[-1]})
     phi = np.geomspace(first * 1.0001, last * 1.1, 400)
     outer = []
     for name, law in (
@@ -414,20 +401,20 @@ def _ringing(known: dict[object, float], high: float, full: Curve) -> tuple[Curv
     def law(at: Floats) -> Floats:
         return -evaluate(closed_forms.THIRD_LAW, {**known, t_star: at})
 
-    frequency = float(evaluate(closed_forms.FREQUENCY, {**known, t_high: high})[0])
+    frequency = _number(closed_forms.FREQUENCY, {**known, t_high: high})
     if not np.isfinite(frequency):
         return ()
     period = 2 * np.pi / frequency
     window = (full.time >= high) & (full.time <= high + _SHOWN_PERIODS * period)
     time = full.time[window]
     fitted = time <= high + _FITTED_PERIODS * period
-    wanted = (full.sag[window] - law(time))[fitted]
+    rest = (full.sag[window] - law(time))[fitted]
     shift = time - high
-    damped = np.exp(-float(evaluate(closed_forms.DECAY_RATE, known)[0]) * shift)
+    damped = np.exp(-_number(closed_forms.DECAY_RATE, known) * shift)
     closed = np.array([np.ones_like(time), damped * np.cos(frequency * shift), damped * np.sin(frequency * shift)])
     coefficients = tuple(c.subs(known) for c in closed_forms.OSCILLATION)
     numeric = fundamental_solutions(coefficients, t_star, time)
     return tuple(
-        Curve(name, time, law(time) + basis.T @ np.linalg.lstsq(basis.T[fitted], wanted, rcond=None)[0])
+        Curve(name, time, law(time) + basis.T @ np.linalg.lstsq(basis.T[fitted], rest, rcond=None)[0])
         for name, basis in (("(2.21) integrated", numeric), ("(2.22)", closed))
     )

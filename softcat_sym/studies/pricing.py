@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import math
 import time
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pandas as pd
 
 from softcat_sym.discretization.grid import Floats, choose_grading
 from softcat_sym.effects.choosing import Decision, choose_effects, why_not
@@ -21,18 +21,20 @@ from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError, SoftcatError
+from softcat_sym.results.files import trajectory_form
+from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled
 from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate
 from softcat_sym.single_run import build
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence, watched
-from softcat_sym.store import json_form, key_of, stored
+from softcat_sym.store import key_of, stored
 
 if TYPE_CHECKING:
-    from softcat_sym.results.trajectory import Trajectory
+    from matplotlib.figure import Figure
+
     from softcat_sym.scene.reading import SceneLike
-    from softcat_sym.solvers.run import Prepared
 
 Names = tuple[str, ...]
 
@@ -56,19 +58,20 @@ def requirements(name: str, names: Collection[str], scene: Scene) -> Names:
 
     Flow brings the yield stress of a law that has one: without it the filament would be another material, a liquid.
     """
-    known = {effect.name: effect for effect in REGISTRY}
-    wanted = {name}
-    while more := {need for one in wanted for need in known[one].needs} - wanted:
-        wanted |= more
-    if VISCOUS_FLOW.name in wanted - set(names) and YIELDING.applies(scene):
-        wanted.add(YIELDING.name)
-    return ordered(wanted - {name, *names})
+    effects = {effect.name: effect for effect in REGISTRY}
+    needed = {name}
+    while more := {need for other in needed for need in effects[other].needs} - needed:
+        needed |= more
+    if VISCOUS_FLOW.name in needed - set(names) and YIELDING.applies(scene):
+        needed.add(YIELDING.name)
+    return ordered(needed - {name, *names})
 
 
 def everything(scene: Scene, names: Collection[str]) -> Names:
     """All that the scene can have; rotary inertia, which adds a wave of its own, only if it is among the names."""
-    every = {effect.name for effect in REGISTRY if effect.applies(scene) and effect != ROTARY_INERTIA}
-    return ordered(every | set(names))
+    return ordered(
+        {effect.name for effect in REGISTRY if effect.applies(scene) and effect != ROTARY_INERTIA} | set(names)
+    )
 
 
 def with_effects(scene: Scene, names: Names) -> Scene:
@@ -87,16 +90,15 @@ def obstacle(effect: Effect, scene: Scene, names: Collection[str]) -> str:
         return f"cannot be had: {why_not(effect, scene)}"
     if effect.name not in names:
         return ""
-    for one in (effect, *(other for other in REGISTRY if other.name in dependants(effect.name, names))):
-        if why := one.indispensable(scene):
-            return f"cannot be left out: {why}" if one is effect else f"{one.name} would go with it, but {why}"
-    return ""
+    if why := effect.indispensable(scene):
+        return f"cannot be left out: {why}"
+    gone = dependants(effect.name, names)
+    others = ((other.name, other.indispensable(scene)) for other in REGISTRY if other.name in gone)
+    return next((f"{name} would go with it, but {why}" for name, why in others if why), "")
 
 
-_SHORT = 1.0
-"""Runs below this many seconds are repeated: what else the machine does would show."""
-
-_REPEATS = 3
+_SHORT, _REPEATS = 1.0, 3
+"""Runs below so many seconds are repeated so often: what else the machine does would show."""
 
 
 @dataclass(frozen=True)
@@ -104,101 +106,71 @@ class PricedRun:
     """A run of one list of effects."""
 
     effects: tuple[str, ...]  # Names in force
-    # shape (frames,); Output times [s] and height of the midpoint [m]; fewer frames where the run ended early.
-    time: Floats
-    midpoint: Floats
+    time: Floats  # shape (frames,); output times [s], fewer where the run ended early
+    midpoint: Floats  # shape (frames,); its height [m]
     states: int  # Differential and algebraic unknowns
     algebraic: int
     instructions: int  # Elementary operations in one evaluation of the right-hand side
     solve: float  # Wall time of the integration [s], the median of three where it is short
     solver: str  # The integrator that these effects call for
-    outcome: Outcome  # Verdict
+    outcome: Outcome
     message: str  # Why it is not a success
 
     @property
     def reach(self) -> float:
         """Largest |midpoint| [m]."""
-        heights = np.abs(self.midpoint[np.isfinite(self.midpoint)])
-        return float(heights.max()) if heights.size else 0.0
+        return float(np.abs(self.midpoint[np.isfinite(self.midpoint)]).max(initial=0.0))
+
+    def cost(self) -> dict[str, Any]:
+        """Sizes, time and verdict as plain values."""
+        return {
+            "states": self.states,
+            "algebraic": self.algebraic,
+            "instructions": self.instructions,
+            "solve_s": self.solve,
+            "solver": self.solver,
+            "outcome": self.outcome.name,
+            "message": self.message,
+        }
 
 
-def _plain(run: PricedRun) -> dict[str, Any]:
-    """A run as lists, text and numbers; not its time, which is measured anew."""
-    told = {"time": run.time.tolist(), "midpoint": run.midpoint.tolist(), "outcome": run.outcome.name}
-    return asdict(run) | told | {"solve": math.nan}
+def priced_run(scene: Scene, progress: Progress, run: Trajectory | None = None) -> PricedRun:
+    """Run a scene with a list of effects, unless it was run before, and measure what it costs.
 
+    The answer may come from the store; a time is worth something only beside others of the same command.
+    """
+    seconds: list[float] = []
 
-def _read(told: dict[str, Any]) -> PricedRun:
-    arrays = {name: np.array(told[name], dtype=float) for name in ("time", "midpoint")}
-    return PricedRun(**{**told, **arrays, "effects": tuple(told["effects"]), "outcome": Outcome[told["outcome"]]})
+    def solve() -> Trajectory:
+        found = simulated(once, progress)
+        seconds.append(float(found.summary["wall_s"]["solve"]))
+        return found
 
-
-_FORM = json_form(_plain, _read)
-
-
-def priced_run(scene: Scene, progress: Progress, first: Trajectory | None = None) -> PricedRun:
-    """Run a scene with a list of effects and take down what it cost."""
     with watched() as interrupts:
         try:
-            run = stored(
-                key_of("priced run", identity_of(scene), first is None), lambda: _priced(scene, progress, first), _FORM
-            )
-            if math.isnan(run.solve):
-                # The answer is from the store; a time is worth something only beside others of the same command.
-                prepared = build(scene, choose_effects(scene))
-                run = replace(run, solve=median(_times(prepared, progress, [])))
-            return run
+            once = without_estimate(scene)
+            run = run or stored(key_of("run", identity_of(once)), solve, trajectory_form(once))
+            prepared = build(scene, choose_effects(scene))
+            while not seconds or (seconds[0] < _SHORT and len(seconds) < _REPEATS):
+                start = time.perf_counter()
+                prepared.solve(progress)
+                seconds.append(time.perf_counter() - start)
         finally:
             interrupts.check()
-
-
-def _priced(scene: Scene, progress: Progress, first: Trajectory | None) -> PricedRun:
-    run = first or simulated(without_estimate(scene), progress)
-    prepared = build(scene, choose_effects(scene))
-    graph = prepared.graph
-    # What was given may come from the store: its time is not of this command.
-    known = [] if first else [float(run.summary["wall_s"]["solve"])]
+    graph, summary = prepared.graph, run.summary
     return PricedRun(
-        effects=tuple(run.summary["effects"]),
+        effects=tuple(summary["effects"]),
         time=run.data["time"].values,
         midpoint=run.data["midpoint"].values,
         states=int(graph.x.numel()),
         algebraic=int(graph.z.numel()),
         instructions=graph.instructions,
-        solve=median(_times(prepared, progress, known)),
-        solver=run.summary["solver"],
+        solve=median(seconds),
+        solver=summary["solver"],
         outcome=run.outcome,
-        message=run.summary["message"],
+        message=summary["message"],
     )
 
-
-def _times(prepared: Prepared, progress: Progress, known: list[float]) -> list[float]:
-    """Wall times of the integration [s], those that are known among them; several where it is short."""
-    found = [*known]
-    while not found or (found[0] < _SHORT and len(found) < _REPEATS):
-        start = time.perf_counter()
-        prepared.solve(progress)
-        found.append(time.perf_counter() - start)
-    return found
-
-
-def base_run(scene: Scene, listener: Progress) -> tuple[int, float, PricedRun]:
-    """Run a scene as it is: its cells, their grading, and the run."""
-    first = recalled(scene, listener)
-    names, cells = tuple(first.summary["effects"]), int(first.summary["cells"])
-    listed = on_grid(scene, names, cells)
-    # Theories grade their grids differently: on one grid only physics differs.
-    grading = scene.numerics.grading or choose_grading(listed, cells)
-    return cells, grading, priced_run(listed.replace({"numerics.grading": grading}), listener, first)
-
-
-def on_grid(scene: Scene, names: Names, cells: int) -> Scene:
-    """The scene with these effects, and so many cells per half span."""
-    return with_effects(scene.replace({"numerics.cells": cells}), names)
-
-
-Listening = Callable[[str], AbstractContextManager[Progress]]
-"""Given what is about to run, a context whose value is told how far it is."""
 
 EVERYTHING = "everything"
 """Name of the row that holds all that the scene can have, rotary inertia aside."""
@@ -214,7 +186,7 @@ DEFINITION = (
 class PricingRow:
     """One effect, put in or left out."""
 
-    effect: str  # Its name
+    effect: str
     in_force: bool  # Whether the base holds it: then it was left out, otherwise put in
     also: Names  # Effects that went with it, since they need it or it needs them; empty without a run
     variant: PricedRun | None  # The run without it, or with it; None where there is none
@@ -222,8 +194,7 @@ class PricingRow:
     # measured. None without a variant.
     reference: PricedRun | None
     scale: float  # Largest ``|midpoint|`` of the base [m]
-    # Of the midpoint against the base, relative to `scale`; None where there is nothing to compare.
-    change: float | None
+    change: float | None  # Of the midpoint against the base, over `scale`; None where there is nothing to compare
     change_final: float | None
     estimate: float | None  # Change that the program expected; None where the scene cannot have the effect
     meaning: str  # What the estimate is
@@ -237,17 +208,17 @@ class PricingRow:
     @property
     def own_change(self) -> float | None:
         """Change that the effect makes by itself, relative to `scale`; None where a run fails."""
-        if self.variant is None or self.reference is None:
+        if self.variant is None or self.reference is None or self.fails:
             return None
         # With nothing that went along the reference is the base, which is what it is.
-        sound = self.variant.outcome.is_success and (self.reference.outcome.is_success or not self.also)
+        sound = self.reference.outcome.is_success or not self.also
         return _change(self.variant, self.reference, self.scale) if sound else None
 
     @property
     def share(self) -> float | None:
         """What the effect is credited with: no more than its removal changes, nor than it changes by itself."""
-        known = [value for value in (self.change, self.own_change) if value is not None]
-        return min(known) if known and not self.fails else None
+        changes = [value for value in (self.change, self.own_change) if value is not None]
+        return min(changes) if changes and not self.fails else None
 
     @property
     def states_ratio(self) -> float | None:
@@ -269,6 +240,25 @@ class PricingRow:
             return None
         having, lacking = (self.reference, self.variant) if self.in_force else (self.variant, self.reference)
         return size(having) / size(lacking) if size(lacking) > 0 else None
+
+    def to_dict(self) -> dict[str, Any]:
+        """The effect with its run."""
+        return {
+            "effect": self.effect,
+            "in_force": self.in_force,
+            "also": list(self.also),
+            "change": self.change,
+            "change_final": self.change_final,
+            "own_change": self.own_change,
+            "share": self.share,
+            "estimate": self.estimate,
+            "estimate_is": self.meaning,
+            "states_ratio": self.states_ratio,
+            "instructions_ratio": self.instructions_ratio,
+            "time_ratio": self.time_ratio,
+            "run": None if self.variant is None else self.variant.cost(),
+            "reason": self.reason,
+        }
 
 
 @dataclass(frozen=True)
@@ -306,9 +296,55 @@ class Pricing:
         """Largest ``|midpoint|`` of the base [m]."""
         return self.base.reach
 
+    @property
+    def reading(self) -> str:
+        """Effects that move the midpoint by more than the accuracy asked, the largest first."""
+        parts = []
+        for word, in_force in (("in force", True), ("left out", False)):
+            shares = [(row.share or 0.0, row.effect) for row in self.rows if row.in_force is in_force]
+            large = sorted((pair for pair in shares if pair[0] > self.scene.run.accuracy), reverse=True)
+            parts.append(f"{word}: {', '.join(f'{effect} {percent(share)}' for share, effect in large) or 'none'}")
+        trusted = "" if self.base.outcome.is_success else f"not to be trusted ({self.base.outcome.name}); "
+        return f"{trusted}beyond the accuracy asked, {'; '.join(parts)}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``effects.json`` holds."""
+        base = {"effects": list(self.base.effects), "midpoint_largest_m": self.scale, **self.base.cost()}
+        return {
+            "scene": self.name,
+            "title": self.scene.title,
+            "accuracy": self.scene.run.accuracy,
+            "reading": self.reading,
+            "definition": DEFINITION,
+            "cells": self.cells,
+            "grading": self.grading,
+            "base": base,
+            "effects": [row.to_dict() for row in self.rows],
+            "everything": self.everything.to_dict(),
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """A row for each effect, and one for everything at once; what is not there is missing."""
+        rows = [row.to_dict() for row in (*self.rows, self.everything)]
+        flat = [{**row, "also": " ".join(row["also"]), **(row.pop("run") or {})} for row in rows]
+        return pd.DataFrame(flat, columns=[*rows[0], *self.base.cost()], dtype=object)
+
+    def figures(self) -> dict[str, Figure]:
+        """Change of the midpoint and ratios of cost, effect by effect."""
+        from softcat_sym.plotting.pricing import pricing_figure
+
+        return {"effects": pricing_figure(self)}
+
+
+def percent(value: float) -> str:
+    """A share as per cent with two digits; beyond tenfold as a factor."""
+    if value >= 10:
+        return f"× {float(f'{value:.2g}'):g}"
+    return f"{float(f'{100 * value:.2g}'):g} %" if value >= 1e-6 or value == 0 else "< 1e-4 %"
+
 
 def price_effects(
-    scene: SceneLike, listening: Listening | None = None, name: str = "", only: Collection[str] | None = None
+    scene: SceneLike, progress: Progress | None = None, name: str = "", only: Collection[str] | None = None
 ) -> Pricing:
     """Run a scene as it is, then with each effect put in or left out in turn, all on the same grid.
 
@@ -316,8 +352,8 @@ def price_effects(
     ----------
     scene : Scene, str, path or dict
         The base is the choice of ``auto``, the paper's list, or the scene's own.
-    listening : callable, optional
-        Called with what is about to run; returns a context whose value is told how far it is.
+    progress : Progress, optional
+        Listens to the runs; each begins a stage.
     name : str
         Of the scene, for tables.
     only : collection of str, optional
@@ -335,22 +371,31 @@ def price_effects(
     KeyboardInterrupt
         On Ctrl-C.
     """
-    scene = as_scene(scene)
+    scene, progress = as_scene(scene), progress or Silence()
     refuse_settled(scene, "variants are compared frame by frame")
     known = [effect.name for effect in REGISTRY]
-    wanted = known if only is None else only
-    if unknown := [one for one in wanted if one not in known]:
-        raise SceneError([Fault("", f"no effect {one!r} to price", f"one of {', '.join(known)}") for one in unknown])
-    told = listening or _nobody
-    with told("the scene itself") as listener:
-        once = without_estimate(scene)
-        cells, grading, base = base_run(once, listener)
-    names = base.effects
-    listed = on_grid(once, names, cells).replace({"numerics.grading": grading})
-    runs = _Runs(listed, told, {names: base})
-    decisions = [one for one in choose_effects(listed).decisions if one.effect.name in wanted]
-    rows = tuple(_row(one, names, runs) for one in decisions)
-    return Pricing(name, scene, base, cells, grading, rows, _everything(names, runs))
+    requested = known if only is None else only
+    if unknown := [effect for effect in requested if effect not in known]:
+        accepted = f"one of {', '.join(known)}"
+        raise SceneError([Fault("", f"no effect {effect!r} to price", accepted) for effect in unknown])
+    stage = f"{name}, " if name else ""
+    progress.stage(f"{stage}the scene itself")
+    once = without_estimate(scene)
+    first = recalled(once, progress)
+    names, cells = tuple(first.summary["effects"]), int(first.summary["cells"])
+    listed = with_effects(once.replace({"numerics.cells": cells}), names)
+    # Theories grade their grids differently: on one grid only physics differs.
+    grading = scene.numerics.grading or choose_grading(listed, cells)
+    listed = listed.replace({"numerics.grading": grading})
+    base = priced_run(listed, progress, first)
+    runs = _Runs(listed, base, progress, stage, {names: base})
+    rows = tuple(_row(each, names, runs) for each in choose_effects(listed).decisions if each.effect.name in requested)
+    whole = everything(listed, names)
+    variant = runs.run(whole, EVERYTHING)
+    also = ordered(set(whole) - set(names))
+    return Pricing(
+        name, scene, base, cells, grading, rows, _compared(EVERYTHING, False, also, variant, base, None, base)
+    )
 
 
 @dataclass
@@ -358,30 +403,28 @@ class _Runs:
     """Runs of one scene, each list of effects once."""
 
     scene: Scene
-    listening: Listening
-    made: dict[Names, PricedRun] = field(default_factory=dict)
+    base: PricedRun
+    progress: Progress
+    stage: str  # What the names of stages begin with
+    finished: dict[Names, PricedRun] = field(default_factory=dict)
 
-    @property
-    def base(self) -> PricedRun:
-        return next(iter(self.made.values()))
-
-    def of(self, names: Names, what: str) -> PricedRun | str:
+    def run(self, names: Names, stage: str) -> PricedRun | str:
         """The run of a list of effects, or why there is none."""
-        if names in self.made:
-            return self.made[names]
+        if names in self.finished:
+            return self.finished[names]
         try:
             scene = with_effects(self.scene, names)
             chosen = choose_effects(scene)
-            if unwanted := [name for name in chosen.names if name not in names]:
-                return f"cannot be left out: {unwanted[0]} comes back, {chosen.reasons[unwanted[0]]}"
-            with self.listening(what) as listener:
-                self.made[names] = priced_run(scene, listener)
+            if back := [name for name in chosen.names if name not in names]:
+                return f"cannot be left out: {back[0]} comes back, {chosen.reasons[back[0]]}"
+            self.progress.stage(f"{self.stage}{stage}")
+            self.finished[names] = priced_run(scene, self.progress)
         except SoftcatError as error:
             return " ".join(str(error).split())
         # CasADi's own: an integrator that cannot even begin.
         except RuntimeError as error:
             return f"the solver refused: {str(error).splitlines()[0] if str(error) else type(error).__name__}"
-        return self.made[names]
+        return self.finished[names]
 
 
 def _row(decision: Decision, names: Names, runs: _Runs) -> PricingRow:
@@ -389,56 +432,50 @@ def _row(decision: Decision, names: Names, runs: _Runs) -> PricingRow:
     also = dependants(effect.name, names) if inside else requirements(effect.name, names, runs.scene)
     # What goes with it is changed in both: the effect's own share is the difference of the two.
     others = ordered(set(names) - set(also) if inside else {*names, *also})
-    wanted = ordered(set(others) - {effect.name} if inside else {*others, effect.name})
-    what = f"{'without' if inside else 'with'} {effect.name}"
-    variant = obstacle(effect, runs.scene, names) or runs.of(wanted, what)
-    reference = variant if isinstance(variant, str) else runs.of(others, f"{what}, its own share")
+    changed = ordered(set(others) - {effect.name} if inside else {*others, effect.name})
+    stage = f"{'without' if inside else 'with'} {effect.name}"
+    variant = obstacle(effect, runs.scene, names) or runs.run(changed, stage)
+    reference = None if isinstance(variant, str) else runs.run(others, f"{stage}, its own share")
     # Where they cannot be had without it, all that was changed is its share.
-    if isinstance(reference, str) and not isinstance(variant, str):
-        reference = runs.base
-    return _compared(effect.name, inside, also, (variant, reference), decision.estimate, runs)
-
-
-def _everything(names: Names, runs: _Runs) -> PricingRow:
-    wanted = everything(runs.scene, names)
-    variant = runs.of(wanted, EVERYTHING)
-    return _compared(EVERYTHING, False, ordered(set(wanted) - set(names)), (variant, runs.base), None, runs)
+    own = runs.base if isinstance(reference, str) else reference
+    return _compared(effect.name, inside, also, variant, own, decision.estimate, runs.base)
 
 
 def _compared(
     name: str,
     inside: bool,
     also: Names,
-    pair: tuple[PricedRun | str, PricedRun | str],
+    result: PricedRun | str,
+    reference: PricedRun | None,
     estimate: Estimate | None,
-    runs: _Runs,
+    base: PricedRun,
 ) -> PricingRow:
-    variant, reference = (None if isinstance(one, str) else one for one in pair)
-    final = None
-    if variant is not None and len(variant.time) == len(runs.base.time) and runs.base.reach > 0:
-        final = _finite(float(variant.midpoint[-1] - runs.base.midpoint[-1]) / runs.base.reach)
+    variant = None if isinstance(result, str) else result
+    final: float | None = None
+    if variant is not None and len(variant.time) == len(base.time) and base.reach > 0:
+        final = _finite(float(variant.midpoint[-1] - base.midpoint[-1]) / base.reach)
     return PricingRow(
         effect=name,
         in_force=inside,
         also=() if variant is None else also,
         variant=variant,
-        reference=reference,
-        scale=runs.base.reach,
-        change=None if variant is None else _change(variant, runs.base, runs.base.reach),
+        reference=None if variant is None else reference,
+        scale=base.reach,
+        change=None if variant is None else _change(variant, base, base.reach),
         change_final=final,
         estimate=None if estimate is None else estimate.value,
         meaning="" if estimate is None else estimate.meaning,
-        reason=pair[0] if isinstance(pair[0], str) else "",
+        reason=result if isinstance(result, str) else "",
     )
 
 
-def _change(one: PricedRun, other: PricedRun, scale: float) -> float | None:
+def _change(run: PricedRun, other: PricedRun, scale: float) -> float | None:
     """Largest distance of two midpoints over the frames that both reached, relative to `scale`."""
-    frames = min(len(one.midpoint), len(other.midpoint))
+    frames = min(len(run.midpoint), len(other.midpoint))
     # The first frame is the start, which says nothing of a run that came no further.
     if frames < 2:
         return None
-    apart = np.abs(one.midpoint[:frames] - other.midpoint[:frames])
+    apart = np.abs(run.midpoint[:frames] - other.midpoint[:frames])
     apart = apart[np.isfinite(apart)]
     return _finite(float(apart.max()) / scale) if apart.size and scale > 0 else None
 
@@ -447,114 +484,28 @@ def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
 
 
-def _nobody(what: str) -> AbstractContextManager[Progress]:
-    del what
-    return nullcontext(Silence())
-
-
-_NAMED = 4
-"""So many effects are named with their change; the rest are counted."""
-
-_DEAR = 1.5
-"""Cost in time from which it is worth a word."""
-
-
-_NAMELESS, _SMALLEST = 0.99e-6, "0.0001 %"
-"""Changes below this are told as below this."""
-
-
-def reading(pricing: Pricing) -> str:
-    """Say what the table says: what moves the answer, what fails, what goes unnoticed, what was left out.
-
-    "Unnoticed" is a change below the accuracy asked. Each effect speaks for its own share.
-    """
-    accuracy = pricing.scene.run.accuracy
-    inside, outside = ([row for row in pricing.rows if row.in_force is side] for side in (True, False))
-    parts = [_movers(_beyond(inside, accuracy), "moves the midpoint"), *_failures(inside, "without")]
-    quiet = [row.effect for row in inside if (share := row.share) is not None and share <= accuracy]
-    if quiet:
-        parts.append(f"{listed(quiet)} {'goes' if len(quiet) == 1 else 'go'} unnoticed")
-    missed = _beyond(outside, accuracy)
-    if missed:
-        parts.append(f"left out, {_movers(missed, 'would move it')}")
-    else:
-        harmless = [share for row in outside if (share := row.share) is not None]
-        if harmless:
-            largest = max(harmless)
-            bound = f"as much as {_SMALLEST}" if 0 < largest < _NAMELESS else f"more than {percent(largest)}"
-            parts.append(f"nothing that was left out would move it by {bound}")
-    parts += _failures(outside, "with")
-    said = "; ".join(part for part in parts if part) or "no effect can be put in or left out"
-    if pricing.base.outcome.is_success:
-        return said
-    return f"not to be trusted, since the run itself ends as {pricing.base.outcome.name}: {said}"
-
-
-def percent(value: float) -> str:
-    """A share as per cent with two digits; beyond tenfold as a factor."""
-    if value >= 10:
-        return f"{float(f'{value:.2g}'):.6g} times its largest value"
-    share = 100 * value
-    return f"{float(f'{share:.2g}'):g} %" if value >= _NAMELESS or value == 0 else f"less than {_SMALLEST}"
-
-
-def listed(names: Sequence[str], word: str = "and") -> str:
-    """``a, b and c``; beyond four the rest are counted."""
-    if len(names) > _NAMED:
-        return f"{', '.join(names[:_NAMED])} {word} {len(names) - _NAMED} more"
-    return f" {word} ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
-
-
-def _beyond(rows: Sequence[PricingRow], accuracy: float) -> list[tuple[float, PricingRow]]:
-    """Rows that change the answer by more than was asked for, the largest first."""
-    changes = [(share, row) for row in rows if (share := row.share) is not None and share > accuracy]
-    return sorted(changes, key=lambda pair: -pair[0])
-
-
-def _movers(found: Sequence[tuple[float, PricingRow]], verb: str) -> str:
-    """``inertia moves the midpoint by 12 %, shear by 1.4 % for 5 times the time``."""
-    if not found:
-        return ""
-    (largest, first), *others = found[:_NAMED]
-    shown = [f"{first.effect} {verb} by {percent(largest)}{_dear(first)}"]
-    shown += [f"{row.effect} by {percent(share)}{_dear(row)}" for share, row in others]
-    rest = len(found) - len(shown)
-    if rest:
-        shown.append(f"{rest} more by {percent(found[_NAMED][0])} or less")
-    return ", ".join(shown)
-
-
-def _dear(row: PricingRow) -> str:
-    ratio = row.time_ratio
-    return f" for {float(f'{ratio:.2g}'):g} times the time" if ratio is not None and ratio >= _DEAR else ""
-
-
-def _failures(rows: Sequence[PricingRow], word: str) -> list[str]:
-    """``without bending and yielding the run ends as no_convergence``, a part for each outcome."""
-    ends: dict[str, list[str]] = {}
-    for row in rows:
-        if row.variant is not None and row.fails:
-            ends.setdefault(row.variant.outcome.name, []).append(row.effect)
-    return [f"{word} {listed(names, 'or')} the run ends as {outcome}" for outcome, names in ends.items()]
-
-
 @dataclass(frozen=True)
 class Unpriced:
     """A scene whose own run could not be made."""
 
-    name: str  # Of the scene
-    reason: str  # Why
+    name: str
+    reason: str
 
 
 def price_bundled(
-    names: Iterable[str], listening: Callable[[str, Scene], Listening] | None = None, changes: Iterable[str] = ()
+    names: Iterable[str],
+    progress: Callable[[Scene], AbstractContextManager[Progress]] | None = None,
+    changes: Iterable[str] = (),
 ) -> Iterator[Pricing | Unpriced]:
     """Price scenes by name, one at a time, so that each can be written before the next begins."""
     overrides = list(changes)
     for name in names:
         try:
             scene = load_scene(name, overrides)
-            yield price_effects(scene, listening and listening(name, scene), name)
+            with progress(scene) if progress else nullcontext(Silence()) as listener:
+                pricing = price_effects(scene, listener, name)
         # RuntimeError is CasADi's own: an integrator that cannot even begin.
         except (SoftcatError, RuntimeError) as error:
             yield Unpriced(name, " ".join(str(error).split()))
+        else:
+            yield pricing

@@ -2,33 +2,44 @@
 
 from __future__ import annotations
 
-import contextlib
 import functools
-import json
 import os
-import queue
-import subprocess
-import sys
+import signal
 import tempfile
-import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
-from math import isfinite
-from pathlib import Path
-from types import TracebackType
-from typing import Any, Self
+from contextlib import closing, suppress
+from dataclasses import dataclass, field, replace
+from math import inf, isfinite, log10, nan
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pandas as pd
 
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import DEFAULT_FIBRES, choose_grid
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.fibres import FIBRES
-from softcat_sym.errors import SoftcatError
+from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene
-from softcat_sym.studies.work_precision_programs import PROGRAMS, STEPPED, Measured, Program, Task
+from softcat_sym.studies.work_precision_programs import (
+    EXPECTED,
+    PROGRAMS,
+    STEPPED,
+    Bench,
+    Measured,
+    Program,
+    Task,
+    integrate,
+    message_of,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _GRIDS = (40, 80, 160)
 _MIDDLE = 1
@@ -47,7 +58,7 @@ class Reference:
     midpoint: Floats  # shape (frames,); In rest lengths
     space: float  # How much the answer may still change with the grid, of its largest
     time: float  # How far the two families are apart on one grid, of the largest; NaN if the second gave no answer
-    families: tuple[str, str]  # Of the two
+    families: tuple[str, str]
     note: str  # What was run
 
     @property
@@ -55,141 +66,128 @@ class Reference:
         """The error below which nothing can be read off."""
         return max(self.space, self.time if np.isfinite(self.time) else 0.0)
 
-    def error_of(self, midpoint: tuple[float, ...]) -> float:
+    def error(self, midpoint: Sequence[float]) -> float:
         """Largest difference from it over the largest it has; infinite where the midpoint is not finite."""
         if len(midpoint) != len(self.midpoint):
-            return np.inf
-        difference = np.max(np.abs(np.array(midpoint) - self.midpoint))
-        return float(difference / self.scale) if np.isfinite(difference) else np.inf
-
-    @property
-    def scale(self) -> float:
-        """Largest distance of the midpoint from the chord."""
-        return float(np.max(np.abs(self.midpoint)))
+            return inf
+        difference = np.max(np.abs(np.array(midpoint) - self.midpoint)) / np.max(np.abs(self.midpoint))
+        return float(difference) if np.isfinite(difference) else inf
 
 
-def reference_of(measure: Measure, grading: float, section: int, *, compiled: bool) -> Reference:
-    """Measure the reference."""
-    first = "compiled-rodas5p" if compiled else "rosenbrock"
-    found = [_solved(measure, Task(first, n, grading, section * n // _GRIDS[0], rtol=_TIGHT)) for n in _GRIDS]
-    scale = float(np.max(np.abs(found[-1])))
+def measure_reference(measure: Measure, grading: float, section: int, *, compiled: bool) -> Reference:
+    """Rosenbrock on three grids, extrapolated; BDF on the middle one as a second family."""
+    program = "compiled-rodas5p" if compiled else "rosenbrock"
+
+    def midpoint(cells: int, fibres: int) -> Floats:
+        task = Task(program, cells, grading, fibres, rtol=_TIGHT)
+        found = measure(task)
+        if found.message:
+            raise SoftcatError(f"no reference: {program}, {task.text}: {found.message}")
+        return np.array(found.midpoint)
+
+    coarse, middle, fine = (midpoint(cells, section * cells // _GRIDS[0]) for cells in _GRIDS)
+    scale = float(np.max(np.abs(fine)))
     if scale == 0:
         raise SoftcatError("the midpoint does not move: there is no error to measure")
-    finer, coarser = (b + (b - a) / 3 for a, b in ((found[1], found[2]), (found[0], found[1])))
+    finer, coarser = fine + (fine - middle) / 3, middle + (middle - coarse) / 3
     space = float(np.max(np.abs(finer - coarser)) / _REMAINDER / scale)
-    time, second = _of_time(measure, Task(first, _GRIDS[_MIDDLE], grading, section, rtol=_TIGHT), scale)
-    grids = ", ".join(map(str, _GRIDS))
-    note = f"{first} at rtol {_TIGHT:.0e} on {grids} cells, extrapolated; {second} on {_GRIDS[_MIDDLE]} cells"
-    return Reference(finer, space, time, ("Rosenbrock", "BDF"), note)
-
-
-def _of_time(measure: Measure, task: Task, scale: float) -> tuple[float, str]:
-    """How far BDF is from a tight answer on one grid, and what it was run with."""
-    own = _solved(measure, task)
+    own, apart, second = midpoint(_GRIDS[_MIDDLE], section), nan, ""
     for rtol in _BDF_TOLERANCES:
-        other = measure(Task("idas", task.cells, task.grading, task.section, rtol=rtol))
+        other = measure(Task("idas", _GRIDS[_MIDDLE], grading, section, rtol=rtol))
+        second = f"IDAS gave no answer ({other.message})"
         if not other.message:
-            return float(np.max(np.abs(np.array(other.midpoint) - own)) / scale), f"IDAS at rtol {rtol:.0e}"
-    return float("nan"), f"IDAS gave no answer ({other.message})"
-
-
-def _solved(measure: Measure, task: Task) -> Floats:
-    found = measure(task)
-    if found.message:
-        raise SoftcatError(f"no reference: {task.program}, {task.text}: {found.message}")
-    return np.array(found.midpoint)
+            apart = float(np.max(np.abs(np.array(other.midpoint) - own)) / scale)
+            second = f"IDAS at rtol {rtol:.0e}"
+            break
+    grids = ", ".join(map(str, _GRIDS))
+    note = f"{program} at rtol {_TIGHT:.0e} on {grids} cells, extrapolated; {second} on {_GRIDS[_MIDDLE]} cells"
+    return Reference(finer, space, apart, ("Rosenbrock", "BDF"), note)
 
 
 _BUILDING = 600.0  # s; compiling a large filament takes seconds
 _GRACE = 3.0  # s that repeated runs may take beyond the limit of one
-_MODULE = "softcat_sym.studies.work_precision_programs"
+_PROCESSES = get_context("spawn")
 DIED = "its process died"
 
 
+@dataclass
 class Worker:
     """One process at a time that measures tasks; started when it is first needed, and again after it was ended."""
 
-    def __init__(self, scene: Path, limit: float, variables: Mapping[str, str] | None = None) -> None:
-        self._command = [sys.executable, "-m", _MODULE, str(scene), repr(limit)]
-        self._limit, self._variables = limit, dict(variables or {})
-        self._child: subprocess.Popen[str] | None = None
-        self._lines: queue.SimpleQueue[str] = queue.SimpleQueue()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.end()
+    scene: Scene
+    limit: float
+    variables: Mapping[str, str] = field(default_factory=dict)
+    process: BaseProcess | None = None
+    _pipe: Connection | None = None
 
     def measure(self, task: Task) -> Measured:
         """Have a task measured; what is not done in time, or dies, comes back as a failure."""
-        child = self._running()
+        if self.process is None or self._pipe is None:
+            self._pipe, other = _PROCESSES.Pipe()
+            self.process = _PROCESSES.Process(
+                target=_serve, args=(other, self.scene, self.limit, dict(self.variables)), daemon=True
+            )
+            self.process.start()
+            other.close()
         began = time.perf_counter()
-        with contextlib.suppress(BrokenPipeError):
-            child.stdin.write(json.dumps(asdict(task)) + "\n")  # type: ignore[union-attr]
-            child.stdin.flush()  # type: ignore[union-attr]
-        build: Any = self._answer(_BUILDING)
+        with suppress(OSError):
+            self._pipe.send(task)
+        build = self._answer(self._pipe, _BUILDING)
         if not isinstance(build, float):
             return self._lost(build, time.perf_counter() - began, "building")
-        found: Any = self._answer(self._limit + _GRACE)
-        if not isinstance(found, dict):
-            return replace(self._lost(found, self._limit, "integrating"), build=build)
-        measured = Measured.from_document(found)
-        if measured.first > self._limit:
-            return replace(measured, midpoint=(), message=f"stopped: it took {measured.first:.3g} s")
-        return measured
+        found = self._answer(self._pipe, self.limit + _GRACE)
+        if not isinstance(found, Measured):
+            return replace(self._lost(found, self.limit, "integrating"), build=build)
+        if found.first > self.limit:
+            return replace(found, midpoint=(), message=f"stopped: it took {found.first:.3g} s", stopped=True)
+        return found
 
-    def end(self) -> None:
+    def close(self) -> None:
         """End the process, at once."""
-        child, self._child = self._child, None
-        if child is None:
-            return
-        child.kill()
-        child.wait()
-        for stream in (child.stdin, child.stdout):
-            with contextlib.suppress(BrokenPipeError):
-                stream.close()  # type: ignore[union-attr]
+        if self.process is not None and self._pipe is not None:
+            self.process.kill()
+            self.process.join()
+            self._pipe.close()
+            self.process = self._pipe = None
 
-    def _running(self) -> subprocess.Popen[str]:
-        if self._child is None:
-            self._lines = queue.SimpleQueue()
-            self._child = subprocess.Popen(
-                self._command,
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-                text=True,
-                env={**os.environ, **self._variables},
-                # Ctrl-C is ours to hear: the process is then ended, in whatever call it is.
-                start_new_session=True,
-            )
-            threading.Thread(target=_read, args=(self._child, self._lines), daemon=True).start()
-        return self._child
-
-    def _answer(self, seconds: float) -> object:
+    @staticmethod
+    def _answer(pipe: Connection, seconds: float) -> object:
         """What the process says next: None if it is silent for too long, an empty text if it is gone."""
         try:
-            line = self._lines.get(timeout=seconds)
-        except queue.Empty:
-            return None
-        return json.loads(line) if line else ""
+            return pipe.recv() if pipe.poll(seconds) else None
+        except (EOFError, OSError):
+            return ""
 
     def _lost(self, answer: object, seconds: float, doing: str) -> Measured:
-        gone = answer == ""
-        code = self._child.wait() if gone and self._child is not None else None
-        self.end()
-        text = f"{DIED} while {doing} (status {code})" if gone else f"stopped after {seconds:.3g} s, {doing}"
-        return Measured(seconds, message=text)
+        text, died = f"stopped after {seconds:.3g} s, {doing}", answer == ""
+        if died and self.process is not None:
+            self.process.join()
+            text = f"{DIED} while {doing} (status {self.process.exitcode})"
+        self.close()
+        return Measured(seconds, message=text, stopped=not died)
 
 
-def _read(child: subprocess.Popen[str], lines: queue.SimpleQueue[str]) -> None:
-    """Pass on what a process says, and an empty text at its end."""
-    with contextlib.suppress(ValueError):
-        for line in child.stdout:  # type: ignore[union-attr]
-            lines.put(line)
-    lines.put("")
+def _serve(pipe: Connection, scene: Scene, limit: float, variables: Mapping[str, str]) -> None:
+    """What the process does: answer each task with the seconds of building, and with what was measured."""
+    # Ctrl-C is for the command, which ends this process in whatever call it is; SUNDIALS and Fortran print at will.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    silent = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silent, 1)
+    os.dup2(silent, 2)
+    os.environ.update(variables)
+    bench = Bench(scene, limit)
+    with suppress(EOFError):
+        while True:
+            task, began = pipe.recv(), time.perf_counter()
+            try:
+                solve = bench.ready(task)
+            except EXPECTED as error:
+                pipe.send(time.perf_counter() - began)
+                pipe.send(Measured(0.0, message=message_of(error), hopeless=isinstance(error, SceneError)))
+                continue
+            build = time.perf_counter() - began
+            pipe.send(build)
+            pipe.send(integrate(solve, build))
 
 
 CELLS = (10, 20, 40, 60, 100, 200)
@@ -201,9 +199,6 @@ _GRADINGS = (1.0, 4.0)  # of RK4, whose step the shortest cell rules
 _STEPS = (0.95,)  # of the stable step: the time error of RK4 there is far below that of any grid
 _GAIN = 0.8
 _TWICE = 2
-_HOPELESS = ("cannot", "scene", "SciPy is")
-"""How a complaint begins that no other grid or tolerance would mend."""
-
 _REFERENCE_LIMIT = 120.0  # s for each run that the reference needs
 
 
@@ -214,6 +209,25 @@ class Row:
     task: Task
     measured: Measured
     error: float
+
+    def to_dict(self) -> dict[str, Any]:
+        """Settings, error and cost as plain values."""
+        task, run = self.task, self.measured
+        return {
+            "cells": task.cells,
+            "grading": task.grading,
+            "fibres": task.section if task.section and not task.by_order else None,
+            "order": task.section if task.by_order else None,
+            "tolerance": task.rtol,
+            "seconds": run.seconds,
+            "error": self.error if isfinite(self.error) else None,
+            "steps": run.steps or None,
+            "evaluations": run.evaluations or None,
+            "us_per_step": run.microseconds,
+            "repeats": run.repeats,
+            "build_s": run.build,
+            "message": run.message or None,
+        }
 
 
 @dataclass(frozen=True)
@@ -228,6 +242,22 @@ class Curve:
     def refusal(self) -> str:
         """Why it has no answer at all; empty if it has one."""
         return "" if any(isfinite(row.error) for row in self.rows) else self.rows[0].measured.message
+
+    def best(self, error: float) -> Row | None:
+        """The quickest run with at most this error."""
+        return min((row for row in self.rows if row.error <= error), key=lambda row: row.measured.seconds, default=None)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The program and its runs as plain values."""
+        cold = None if self.cold is None else {"build_s": self.cold.build, "first_solve_s": self.cold.first}
+        return {
+            "key": self.program.key,
+            "name": self.program.name,
+            "kind": self.program.kind,
+            "refusal": self.refusal or None,
+            "cold": cold,
+            "runs": [row.to_dict() for row in self.rows],
+        }
 
 
 @dataclass(frozen=True)
@@ -244,8 +274,73 @@ class WorkPrecision:
 
     def knee(self, error: float, kinds: Sequence[str] = ("own", "rival")) -> tuple[Program, Row] | None:
         """The quickest run with at most this error; None if there is none."""
-        rows = [(c.program, r) for c in self.curves if c.program.kind in kinds for r in c.rows if r.error <= error]
-        return min(rows, key=lambda pair: pair[1].measured.seconds, default=None)
+        pairs = [(curve.program, curve.best(error)) for curve in self.curves if curve.program.kind in kinds]
+        found = [(program, row) for program, row in pairs if row is not None]
+        return min(found, key=lambda pair: pair[1].measured.seconds, default=None)
+
+    @property
+    def sentence(self) -> str:
+        """What each accuracy costs: ``1e-3 costs 4 ms, 1e-5 costs 30 ms``; what no program reached is said."""
+        parts = []
+        for level in LEVELS:
+            best, name = self.knee(level), f"1e-{round(-log10(level))}"
+            if level < self.reference.floor:
+                parts.append(f"{name} is below what the reference can tell")
+            elif best is None:
+                parts.append(f"{name} was not reached")
+            else:
+                parts.append(f"{name} costs {seconds_text(best[1].measured.seconds)}")
+        return ", ".join(parts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``accuracy.json`` holds."""
+        reference, knees = self.reference, []
+        for level in LEVELS:
+            pairs = {"best": self.knee(level), "best_rival": self.knee(level, ("rival",))}
+            named = {key: pair and {"program": pair[0].name, **pair[1].to_dict()} for key, pair in pairs.items()}
+            knees.append({"error": level, **named})
+        return {
+            "scene": self.name,
+            "title": self.scene.title,
+            "effects": list(self.effects),
+            "error": "largest difference of the midpoint from the reference over the largest midpoint",
+            "reference": {
+                "what": reference.note,
+                "families": list(reference.families),
+                "space_error": reference.space,
+                "families_disagree_by": reference.time if isfinite(reference.time) else None,
+                "floor": reference.floor,
+                "midpoint_rest_lengths": reference.midpoint.tolist(),
+            },
+            "grading": self.grading,
+            "limit_s": self.limit,
+            "knee": self.sentence,
+            "knees": knees,
+            "programs": [curve.to_dict() for curve in self.curves],
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a run, failures included."""
+        rows = [
+            {"program": curve.program.name, "kind": curve.program.kind, **row.to_dict()}
+            for curve in self.curves
+            for row in curve.rows
+        ]
+        return pd.DataFrame(rows, dtype=object)
+
+    def figures(self) -> dict[str, Figure]:
+        """Error against time, one line a program."""
+        from softcat_sym.plotting.accuracy import accuracy_figure
+
+        return {"accuracy": accuracy_figure(self)}
+
+
+def seconds_text(seconds: float) -> str:
+    """A time as people read it: ``4.2 ms``, ``1.3 s``."""
+    for size, unit in ((1.0, "s"), (1e-3, "ms")):
+        if seconds >= size:
+            return f"{seconds / size:.2g} {unit}" if seconds < 100 * size else f"{seconds / size:.0f} {unit}"
+    return f"{1e6 * seconds:.0f} us"
 
 
 @dataclass(frozen=True)
@@ -265,38 +360,39 @@ class Plan:
         return 1 + len(self.programs) * (len(self.cells) * len(self.tolerances) + self.cold)
 
 
-def study(name: str, asked: Scene, plan: Plan, tell: Callable[[str], None] = lambda what: None) -> WorkPrecision:
-    """Measure a scene with every program; times are worth something side by side only, and nothing of it is kept."""
+def study(name: str, asked: Scene, plan: Plan, on_progress: Callable[[str], None] = lambda what: None) -> WorkPrecision:
+    """Measure a scene with every program; times are worth something side by side only, and nothing of it is stored."""
     effects = choose_effects(asked)
     lengths = choose_grid(asked.replace({"numerics.cells": _GRADED}), effects).cell_length
     grading = float(lengths[0] / lengths[-1])
     section = DEFAULT_FIBRES if FIBRES.name in effects.names else 0
     scene = asked.replace({"run.effects": list(effects.names), "numerics.estimate": False})
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "scene.toml"
-        path.write_text(scene.to_toml(), encoding="utf-8")
-        with Worker(path, _REFERENCE_LIMIT) as worker:
-            tell("the reference")
-            measure = functools.cache(worker.measure)
-            reference = reference_of(measure, grading, section, compiled=find_compiler() is not None)
-        curves = []
-        with Worker(path, plan.limit) as worker:
-            measure = functools.cache(worker.measure)
-            for program in PROGRAMS:
-                if program.key in plan.programs:
-                    rows = tuple(_rows(program, plan, (grading, section), reference, measure, tell))
-                    cold = _cold(program, rows, path, plan, tell) if plan.cold else None
-                    curves.append(Curve(program, rows, cold))
+    with closing(Worker(scene, _REFERENCE_LIMIT)) as worker:
+        on_progress("the reference")
+        measure = functools.cache(worker.measure)
+        reference = measure_reference(measure, grading, section, compiled=find_compiler() is not None)
+    curves = []
+    with closing(Worker(scene, plan.limit)) as worker:
+        measure = functools.cache(worker.measure)
+        for program in PROGRAMS:
+            if program.key in plan.programs:
+                rows = tuple(measured_rows(program, plan, (grading, section), reference, measure, on_progress))
+                cold, enough = None, min(_GRADED, *plan.cells)
+                sound = (row.task for row in rows if isfinite(row.error) and row.task.cells >= enough)
+                if plan.cold and (task := next(sound, None)) is not None:
+                    on_progress(f"{program.name}: cold")
+                    cold = _cold(scene, plan.limit, task)
+                curves.append(Curve(program, rows, cold))
     return WorkPrecision(name, asked, effects.names, grading, plan.limit, reference, tuple(curves))
 
 
-def _rows(
+def measured_rows(
     program: Program,
     plan: Plan,
     grid: tuple[float, int],
     reference: Reference,
-    measure: Callable[[Task], Measured],
-    tell: Callable[[str], None],
+    measure: Measure,
+    on_progress: Callable[[str], None],
 ) -> Iterator[Row]:
     """All that is measured of one program: on each grid and section tolerances until they gain nothing.
 
@@ -304,15 +400,15 @@ def _rows(
     too.
     """
     for ladder in _ladders(program, plan, *grid):
-        best, stopped = float("inf"), 0
+        best, stopped = inf, 0
         for task in ladder:
-            tell(f"{program.name}: {task.text}")
+            on_progress(f"{program.name}: {task.text}")
             measured = measure(task)
-            error = float("inf") if measured.message else reference.error_of(measured.midpoint)
+            error = inf if measured.message else reference.error(measured.midpoint)
             yield Row(task, measured, error)
-            if measured.message.startswith(_HOPELESS):
+            if measured.hopeless:
                 return
-            stopped = stopped + 1 if measured.message.startswith("stopped") else 0
+            stopped = stopped + 1 if measured.stopped else 0
             gains_nothing = error > _GAIN * best and isfinite(error) and task.rtol < min(1e-3, best)
             if stopped == _TWICE or gains_nothing:
                 break
@@ -329,31 +425,20 @@ def _ladders(program: Program, plan: Plan, grading: float, section: int) -> Iter
                 yield [Task(program.key, n, g, section, rtol=share) for share in _STEPS]
         return
     for n in plan.cells:
-        for fibres in _fibres(n, section):
+        # The errors of cells and of fibres fall as the square, so that both are doubled together.
+        matched = max(4, section * n // _GRADED)
+        every = (matched,) if n < _GRADED else tuple(dict.fromkeys((section, matched)))
+        for fibres in every if section else (0,):
             yield [Task(program.key, n, grading, fibres, rtol=rtol) for rtol in plan.tolerances]
     if section and program.key == PROGRAMS[0].key:
         for k in plan.orders:
             yield [Task(program.key, _GRADED, grading, k, by_order=True, rtol=rtol) for rtol in plan.tolerances[1:4]]
 
 
-def _fibres(cells: int, section: int) -> tuple[int, ...]:
-    """Fibres that go with so many cells: both errors fall as the square, so that both are doubled together."""
-    if not section:
-        return (0,)
-    matched = max(4, section * cells // _GRADED)
-    return (matched,) if cells < _GRADED else (section, matched) if matched != section else (section,)
-
-
-def _cold(
-    program: Program, rows: Sequence[Row], scene: Path, plan: Plan, tell: Callable[[str], None]
-) -> Measured | None:
-    """The first sound run again in a new process that has compiled nothing yet; None if there is none."""
-    task = next((row.task for row in rows if isfinite(row.error) and row.task.cells >= min(_GRADED, *plan.cells)), None)
-    if task is None:
-        return None
-    tell(f"{program.name}: cold")
+def _cold(scene: Scene, limit: float, task: Task) -> Measured:
+    """A run in a new process that has compiled nothing yet."""
     with (
         tempfile.TemporaryDirectory() as cache,
-        Worker(scene, plan.limit, {"SOFTCAT_CACHE": cache}) as worker,
+        closing(Worker(scene, limit, {"SOFTCAT_CACHE": cache})) as worker,
     ):
         return worker.measure(task)

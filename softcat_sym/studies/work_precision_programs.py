@@ -3,27 +3,24 @@
 from __future__ import annotations
 
 import ctypes as ct
-import json
 import math
-import os
-import sys
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
 from importlib import resources
 from statistics import median
-from typing import Any, Literal, TextIO
+from typing import Any, Literal
 
 import numpy as np
-import numpy.typing as npt
+from scipy.integrate import solve_ivp
+from scipy.sparse import csc_matrix
 
 from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.errors import SoftcatError
+from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.fields import midpoint_heights
-from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.compiled import (
     Answer,
@@ -76,29 +73,22 @@ class Measured:
 
     seconds: float  # Median wall time of the integration of several warm runs [s]; of what failed, how long it took to
     build: float = 0.0  # Wall time of everything before, the first time in a process, libraries found in the cache [s]
-    steps: int = 0  # Steps, and right-hand sides without those of Jacobians; 0 where nobody counts
-    evaluations: int = 0
+    steps: int = 0  # Steps; 0 where nobody counts
+    evaluations: int = 0  # Right-hand sides without those of Jacobians; 0 where nobody counts
     repeats: int = 0  # Runs of which `seconds` is the median
     midpoint: tuple[float, ...] = ()  # Height of midspan at the output times, in rest lengths; empty if it failed
     message: str = ""  # Why it failed, else empty
     first: float = 0.0  # Wall time of the first integration, before anything is warm [s]
+    stopped: bool = False  # Whether it took longer than the limit
+    hopeless: bool = False  # Whether no other grid or tolerance would mend it
 
     @property
     def microseconds(self) -> float | None:
         """Of one step; None where nobody counts them."""
         return 1e6 * self.seconds / self.steps if self.steps else None
 
-    def document(self) -> dict[str, Any]:
-        """Plain values."""
-        return asdict(self)
 
-    @classmethod
-    def from_document(cls, values: dict[str, Any]) -> Measured:
-        """From plain values."""
-        return cls(**{**values, "midpoint": tuple(values["midpoint"])})
-
-
-_HEADER, _SOURCE = "softcat_model.h", "work_precision_explicit.c"
+_HEADER = "softcat_model.h"
 _ON_THE_LIMIT = 1 + 1e-9
 _REACH = 2.83
 """RK4 is stable up to 2.83 on the imaginary axis and 2.79 on the real one."""
@@ -121,50 +111,52 @@ _JACOBIAN = ct.CFUNCTYPE(ct.c_int, ct.POINTER(Filament), ct.c_double, Doubles, D
 
 
 class CompiledRates:
-    """Rates and Jacobian of a compiled filament that has no algebraic unknowns."""
+    """Rates and Jacobian of a compiled filament that has no algebraic unknowns; the state has a place for each slot."""
 
     def __init__(self, prepared: Prepared) -> None:
         whole = prepared.integration
         if not isinstance(whole, CompiledIntegration) or prepared.start is None:
             raise SoftcatError("an explicit method needs a compiled right-hand side and a shape to begin from")
         if prepared.graph.is_dae:
-            raise SoftcatError(f"cannot: {prepared.graph.z.numel()} algebraic unknowns")
-        compiled = whole.filament.model
-        library = _library("filament.c", compiled.model.text)
-        self._keep = library, np.ascontiguousarray(prepared.p), whole.filament.places
-        self._model = _Model.in_dll(library, "softcat_filament_model")
-        text = (resources.files("softcat_sym.studies") / _SOURCE).read_text(encoding="utf-8")
-        self._c = _library(_SOURCE, text)
+            found = f"{prepared.graph.z.numel()} algebraic unknowns"
+            raise SceneError([Fault("run.effects", found, "effects without algebraic unknowns")])
+        filament, source = whole.filament, "work_precision_explicit.c"
+        library = _library("filament.c", filament.model.model.text)
+        self._c = _library(source, (resources.files("softcat_sym.studies") / source).read_text(encoding="utf-8"))
         self._c.explicit_rates.restype = self._c.explicit_rk4.restype = ct.c_int
-        self._sites = whole.filament.sites
+        model = _Model.in_dll(library, "softcat_filament_model")
+        self._jacobian = _JACOBIAN(model.jacobian)
+        self._sites = filament.sites
         sites, slots = self._sites.shape
         self.size = sites * slots
-        self._filament = Filament(sites, _pointer(self._keep[1]), _pointer(self._keep[2]))
+        self.start = self._sites.state(prepared.start.x, prepared.start.z).ravel()
         live = np.zeros(self.size, dtype=bool)
         live[self._sites.x] = True
-        self._held = np.flatnonzero(~live).astype(np.int32)
-        self._start = self._sites.state(prepared.start.x, prepared.start.z).ravel()
-        scratch = sites * self._model.scratch
-        self._scratch, self._room = np.zeros(scratch + 1), np.zeros(3 * self.size + scratch)
-        self._entries = np.zeros(sites * self._model.entries)
-        self._call = _JACOBIAN(self._model.jacobian)
-        self._rows, self._columns, self._taken = self._pattern(live)
-        self.band = int(np.max(np.abs(self._rows - self._columns), initial=0))
         # Memory of its own, and pointers made once: a call then costs little more than its arithmetic.
-        self._state, self._found = np.zeros(self.size), np.zeros(self.size)
-        self._head = (
-            ct.byref(self._model),
-            ct.byref(self._filament),
-            self._held.ctypes.data_as(Integers),
-            ct.c_int(len(self._held)),
+        parameters, places = np.ascontiguousarray(prepared.p), filament.places
+        held = np.flatnonzero(~live).astype(np.int32)
+        self._state, self._rates, self._scratch = (
+            np.zeros(n) for n in (self.size, self.size, sites * model.scratch + 1)
         )
-        self._memory = _pointer(self._state), _pointer(self._found), _pointer(self._scratch)
-        self._for_entries = self._memory[0], _pointer(self._entries), self._memory[2]
-        self._order, self._starts = self._by_columns()
-
-    def start(self) -> Floats:
-        """The state at t = 0, shape (size,)."""
-        return self._start.copy()
+        self._entries, self._room = np.zeros(sites * model.entries), np.zeros(3 * self.size + sites * model.scratch)
+        self._filament = ct.byref(Filament(sites, _pointer(parameters), _pointer(places)))
+        self._head = ct.byref(model), self._filament, held.ctypes.data_as(Integers), ct.c_int(len(held))
+        self._for_rates = tuple(map(_pointer, (self._state, self._rates, self._scratch)))
+        self._for_entries = tuple(map(_pointer, (self._state, self._entries, self._scratch)))
+        self._keep = library, parameters, places, held, model
+        # Row, column and place among the entries of each that counts; then in the order of columns.
+        row, offset, column = (
+            np.array(part[: model.entries], dtype=np.int64) for part in (model.row, model.offset, model.column)
+        )
+        site = np.arange(sites)[:, None]
+        rows, columns = np.broadcast_to(site * slots + row, (sites, model.entries)), (site + offset) * slots + column
+        inside = (site + offset >= 0) & (site + offset < sites)
+        inside[inside] = live[rows[inside]] & live[columns[inside]]
+        order = np.lexsort((rows[inside], columns[inside]))
+        self._rows, self._columns = rows[inside][order], columns[inside][order]
+        self._taken = np.flatnonzero(inside.ravel())[order]
+        self._starts = np.concatenate([[0], np.cumsum(np.bincount(self._columns, minlength=self.size))])
+        self.band = int(np.max(np.abs(self._rows - self._columns), initial=0))
 
     def unknowns(self, states: Floats) -> tuple[Floats, Floats]:
         """What :class:`softcat_sym.solvers.Solution` holds as x and z, of states (frames, size)."""
@@ -173,66 +165,34 @@ class CompiledRates:
     def rates(self, t: float, state: Floats) -> Floats:
         """Rates of a state, shape (size,), zero of what is held."""
         self._state[:] = state
-        self._c.explicit_rates(*self._head, ct.c_double(t), *self._memory)
-        return self._found.copy()
+        self._c.explicit_rates(*self._head, ct.c_double(t), *self._for_rates)
+        return self._rates.copy()
 
-    def values(self, t: float, state: Floats) -> Floats:
-        """Entries of the Jacobian that can differ from zero, in the order of the pattern."""
+    def entries(self, t: float, state: Floats) -> Floats:
+        """Entries of the Jacobian that can differ from zero, column by column."""
         self._state[:] = state
-        self._call(self._head[1], t, *self._for_entries)
+        self._jacobian(self._filament, t, *self._for_entries)
         return self._entries[self._taken]
 
     def sparse(self, t: float, state: Floats) -> Any:
         """The Jacobian as a ``scipy.sparse.csc_matrix``, shape (size, size)."""
-        from scipy.sparse import csc_matrix
-
-        values = self.values(t, state)[self._order]
-        return csc_matrix((values, self._rows[self._order], self._starts), shape=(self.size, self.size))
+        return csc_matrix((self.entries(t, state), self._rows, self._starts), shape=(self.size, self.size))
 
     def banded(self, t: float, state: Floats) -> Floats:
         """The Jacobian by diagonals, shape (2 band + 1, size), as LAPACK and LSODA have it."""
         packed = np.zeros((2 * self.band + 1, self.size))
-        packed[self._rows - self._columns + self.band, self._columns] = self.values(t, state)
+        packed[self._rows - self._columns + self.band, self._columns] = self.entries(t, state)
         return packed
 
     def dense(self, t: float, state: Floats) -> Floats:
         """The Jacobian of what is not held, shape (nx, nx)."""
-        whole = np.zeros((self.size, self.size))
-        whole[self._rows, self._columns] = self.values(t, state)
         live = np.sort(self._sites.x)
-        return whole[np.ix_(live, live)]
+        return np.asarray(self.sparse(t, state).toarray()[np.ix_(live, live)])
 
     def advance(self, state: Floats, begin: float, end: float, steps: int) -> bool:
         """Carry a state through equal steps of RK4, in place; whether it is still finite."""
-        code = self._c.explicit_rk4(
-            *self._head,
-            ct.c_double(begin),
-            ct.c_double(end),
-            ct.c_long(steps),
-            _pointer(state),
-            _pointer(self._room),
-        )
-        return code == 0 and bool(np.isfinite(state).all())
-
-    def _pattern(self, live: npt.NDArray[np.bool_]) -> tuple[npt.NDArray[np.int64], ...]:
-        """Row, column and place among the entries of each that counts."""
-        sites, slots = self._sites.shape
-        count = self._model.entries
-        row, offset, column = (
-            np.array(part[:count], dtype=np.int64) for part in (self._model.row, self._model.offset, self._model.column)
-        )
-        site = np.arange(sites)[:, None]
-        other = site + offset
-        rows, columns = site * slots + row, other * slots + column
-        inside = (other >= 0) & (other < sites)
-        inside[inside] = live[rows[inside]] & live[columns[inside]]
-        return rows[inside], columns[inside], np.flatnonzero(inside.ravel())
-
-    def _by_columns(self) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
-        """Order of the entries column by column, and where each column begins."""
-        order = np.lexsort((self._rows, self._columns))
-        counts = np.bincount(self._columns, minlength=self.size)
-        return order, np.concatenate([[0], np.cumsum(counts)])
+        ends, room = (ct.c_double(begin), ct.c_double(end), ct.c_long(steps)), (_pointer(state), _pointer(self._room))
+        return self._c.explicit_rk4(*self._head, *ends, *room) == 0 and bool(np.isfinite(state).all())
 
 
 def stable_step(jacobian: Floats) -> float:
@@ -267,7 +227,6 @@ Kind = Literal["own", "rival"]
 _RODAS4 = 1
 _FIFTH = 5
 _TRIAL_STEPS = 50
-_MISSING = "SciPy is missing: pip install 'softcat_sym[peers]'"
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,13 +263,7 @@ PROGRAMS: tuple[Program, ...] = (
     Program("scipy-bdf", "SciPy BDF", "rival", "compiled", "rosenbrock"),
     Program("scipy-lsoda", "SciPy LSODA", "rival", "compiled", "rosenbrock"),
 )
-_BY_KEY = {program.key: program for program in PROGRAMS}
 _SCIPY = {"scipy-radau": "Radau", "scipy-bdf": "BDF", "scipy-lsoda": "LSODA"}
-
-
-def program_of(key: str) -> Program:
-    """The program with this key."""
-    return _BY_KEY[key]
 
 
 class _FifthOrder(Settings):
@@ -349,7 +302,7 @@ class Bench:
         return lambda: _own(prepared)
 
     def _prepare(self, task: Task) -> Prepared:
-        program = program_of(task.program)
+        program = next(each for each in PROGRAMS if each.key == task.program)
         scene = scene_of(self._scene, task, program)
         effects = choose_effects(scene)
         backend = choose_backend(scene, effects)
@@ -376,15 +329,15 @@ class Bench:
         rates = CompiledRates(prepared)
         step = task.rtol * _stable(prepared, rates)
         counts = [max(1, math.ceil(span / step)) if step > 0 else 1 for span in np.diff(prepared.times).tolist()]
-        advance = rates.advance if task.program == "compiled-rk4" else _InNumpy(rates).advance
-        trial, began = rates.start(), time.perf_counter()
+        advance = rates.advance if task.program == "compiled-rk4" else partial(_advance_in_numpy, rates)
+        trial, began = rates.start.copy(), time.perf_counter()
         advance(trial, 0.0, _TRIAL_STEPS * min(step, float(prepared.times[1])), _TRIAL_STEPS)
         expected = (time.perf_counter() - began) / _TRIAL_STEPS * sum(counts)
         if expected > self._limit:
             raise SoftcatError(f"{sum(counts)} steps would take {expected:.3g} s")
 
         def solve() -> Solved:
-            state = rates.start()
+            state = rates.start.copy()
             states = np.empty((len(prepared.times), rates.size))
             states[0] = state
             for k, count in enumerate(counts):
@@ -413,33 +366,24 @@ def scene_of(scene: Scene, task: Task, program: Program) -> Scene:
     )
 
 
-class _InNumpy:
-    """RK4 with the sums of a step in NumPy, in arrays that are made once."""
-
-    def __init__(self, rates: CompiledRates) -> None:
-        self._rates = rates.rates
-        self._stage, self._sum = np.empty(rates.size), np.empty(rates.size)
-
-    def advance(self, state: Floats, begin: float, end: float, steps: int) -> bool:
-        """Carry a state through equal steps, in place; whether it is still finite."""
-        rates, stage, total = self._rates, self._stage, self._sum
-        dt = (end - begin) / steps
-        for k in range(steps):
-            t = begin + k * dt
-            np.multiply(rates(t, state), dt / 6, out=total)
-            np.multiply(total, 3.0, out=stage)
-            for ahead in (0.5, 1.0):
-                np.add(stage, state, out=stage)
-                slope = rates(t + 0.5 * dt, stage)
-                np.multiply(slope, ahead * dt, out=stage)
-                slope *= dt / 3
-                total += slope
+def _advance_in_numpy(rates: CompiledRates, state: Floats, begin: float, end: float, steps: int) -> bool:
+    """Carry a state through equal steps of RK4, in place and in arrays that are made once; whether it is finite."""
+    stage, total, dt = np.empty(rates.size), np.empty(rates.size), (end - begin) / steps
+    for t in begin + dt * np.arange(steps):
+        np.multiply(rates.rates(t, state), dt / 6, out=total)
+        np.multiply(total, 3.0, out=stage)
+        for ahead in (0.5, 1.0):
             np.add(stage, state, out=stage)
-            slope = rates(t + dt, stage)
-            slope *= dt / 6
+            slope = rates.rates(t + 0.5 * dt, stage)
+            np.multiply(slope, ahead * dt, out=stage)
+            slope *= dt / 3
             total += slope
-            state += total
-        return bool(np.isfinite(state).all())
+        np.add(stage, state, out=stage)
+        slope = rates.rates(t + dt, stage)
+        slope *= dt / 6
+        total += slope
+        state += total
+    return bool(np.isfinite(state).all())
 
 
 def _own(prepared: Prepared) -> Solved:
@@ -451,17 +395,13 @@ def _own(prepared: Prepared) -> Solved:
 
 def _scipy(prepared: Prepared, method: str) -> Callable[[], Solved]:
     """One of SciPy's integrators with an exact Jacobian, banded for LSODA, sparse for the others."""
-    try:
-        from scipy.integrate import solve_ivp
-    except ImportError:
-        raise SoftcatError(_MISSING) from None
     rates, times = CompiledRates(prepared), prepared.times
     band = {"jac": rates.banded, "lband": rates.band, "uband": rates.band}
     options: dict[str, Any] = band if method == "LSODA" else {"jac": rates.sparse}
     options |= {"rtol": prepared.settings.rtol, "atol": prepared.settings.atol}
 
     def solve() -> Solved:
-        found = solve_ivp(rates.rates, (0.0, times[-1]), rates.start(), method=method, t_eval=times, **options)
+        found = solve_ivp(rates.rates, (0.0, times[-1]), rates.start.copy(), method=method, t_eval=times, **options)
         if not found.success:
             raise SoftcatError(str(found.message))
         return Solved(_midpoint(prepared, rates, found.y.T.copy()), 0, int(found.nfev))
@@ -490,33 +430,17 @@ def _midpoint(prepared: Prepared, rates: CompiledRates, states: Floats) -> Float
 
 _REPEATS = 7
 _LONG = 1.5  # s; what takes longer altogether is not repeated again
-_EXPECTED = (SoftcatError, RuntimeError, ArithmeticError, ValueError, MemoryError)
+EXPECTED = (SoftcatError, RuntimeError, ArithmeticError, ValueError, MemoryError)
 """What integrators of others raise when they cannot go on, beside our own refusals."""
 
 
-def serve(scene: str, limit: float, asked: TextIO, answers: TextIO) -> None:
-    """Answer tasks until there are no more."""
-    bench = Bench(load_scene(scene), limit)
-    for line in asked:
-        began = time.perf_counter()
-        try:
-            solve = bench.ready(Task(**json.loads(line)))
-        except _EXPECTED as error:
-            _tell(answers, time.perf_counter() - began)
-            _tell(answers, asdict(Measured(0.0, message=_words(error))))
-            continue
-        build = time.perf_counter() - began
-        _tell(answers, build)
-        _tell(answers, asdict(measure(solve, build)))
-
-
-def measure(solve: Callable[[], Solved], build: float) -> Measured:
+def integrate(solve: Callable[[], Solved], build: float) -> Measured:
     """Integrate once to warm up, then several times; what takes long is integrated once."""
     began = time.perf_counter()
     try:
         found = solve()
-    except _EXPECTED as error:
-        return Measured(time.perf_counter() - began, build, message=_words(error))
+    except EXPECTED as error:
+        return Measured(time.perf_counter() - began, build, message=message_of(error))
     first = spent = time.perf_counter() - began
     seconds: list[float] = []
     while len(seconds) < _REPEATS and spent < _LONG:
@@ -529,23 +453,6 @@ def measure(solve: Callable[[], Solved], build: float) -> Measured:
     return Measured(median(seconds), build, found.steps, found.evaluations, len(seconds), midpoint, first=first)
 
 
-def _words(error: BaseException) -> str:
+def message_of(error: BaseException) -> str:
+    """An error in one line."""
     return " ".join(str(error).split())[:300] or type(error).__name__
-
-
-def _tell(answers: TextIO, what: object) -> None:
-    answers.write(json.dumps(what) + "\n")
-    answers.flush()
-
-
-def _main() -> None:
-    # SUNDIALS and SciPy's Fortran print where they like: answers go another way.
-    answers = os.fdopen(os.dup(1), "w")
-    silent = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(silent, 1)
-    os.dup2(silent, 2)
-    serve(sys.argv[1], float(sys.argv[2]), sys.stdin, answers)
-
-
-if __name__ == "__main__":
-    _main()

@@ -15,12 +15,13 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import cache_folder
 from softcat_sym.plotting.style import png
-from softcat_sym.plotting.theory_end import cost_table, error_table, limit_table, remarks, theory_end_figure
+from softcat_sym.plotting.theory_end import remarks, tables, theory_end_figure
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.theory_end import TheoryEnd, TheoryError, Variation, where_theory_ends
+from tests.acceptance.elements import PLANE_STRESS
+from tests.acceptance.table import show
 
-from .elements import PLANE_STRESS
-from .table import show
+pytestmark = pytest.mark.slow
 
 NAME = "continual-descent"
 PUBLISHED = "published, material closure"
@@ -44,8 +45,7 @@ def study(group: str) -> TheoryEnd:
 
     variation = Variation(f"groups.{group}", VARIED[group])
     end = where_theory_ends(scene_with(), variation, scene_with, cache_folder() / "elements")
-    tables = [error_table(end), *([limit_table(end)] if end.limits else []), cost_table(end)]
-    for title, header, rows in tables:
+    for title, header, rows in tables(end):
         show(title, header, rows)
     print("\n".join(remarks(end)))
     if place := os.environ.get("SOFTCAT_PICTURES"):
@@ -69,7 +69,6 @@ def check_judges(end: TheoryEnd) -> None:
         assert theory.grid < 0.1 * abs(theory.error.largest)
 
 
-@pytest.mark.slow
 def test_slenderness() -> None:
     """Without thickness both theories are exact, within a tenth of a percent; the printed closure is not."""
     end = study("delta")
@@ -90,7 +89,6 @@ def test_slenderness() -> None:
     assert np.all(own[:, 3] < 0.65 * published[:, 3])
 
 
-@pytest.mark.slow
 def test_weight() -> None:
     end = study("G")
     # Light filaments hang from a hinge at the clamp, which half as many elements do not resolve.
@@ -101,7 +99,6 @@ def test_weight() -> None:
     assert np.all(np.abs(at(theories(end, OWN))[-2:, :3]) < 0.003)
 
 
-@pytest.mark.slow
 def test_viscosity() -> None:
     """The less viscous, the farther it falls in the same time and the more it necks, until it tears."""
     end = study("V")
@@ -113,7 +110,6 @@ def test_viscosity() -> None:
     assert np.all(np.abs(at(own)[2:]) < 0.004)
 
 
-@pytest.mark.slow
 def test_what_it_costs() -> None:
     """Cheap elements, which judge better than any filament theory, take tens of times as long; fine ones hundreds."""
     for group in VARIED:

@@ -5,17 +5,32 @@ The elements are kept in the user's cache: a second run of these checks is immed
 
 from __future__ import annotations
 
-from contextlib import nullcontext
+import csv
+import io
+import json
+import os
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import cache_folder
-from softcat_sym.plotting.paper_figures import BLACK_RATE, midpoints_figure, snapshots_figure, strip_at
+from softcat_sym.plotting.paper_figures import (
+    BLACK_RATE,
+    midpoints_figure,
+    phase_caption,
+    phase_figure,
+    phase_files,
+    snapshots_figure,
+    strip_at,
+)
+from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.results.motion import turned_back
 from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies import paper_figures
 from softcat_sym.studies.compare import filament_clamp_strain
 from softcat_sym.studies.paper_figures import (
     ALPHA,
@@ -25,14 +40,16 @@ from softcat_sym.studies.paper_figures import (
     PAPER,
     PRINTED,
     SCENES,
+    SNAPSHOTS,
     FilmedScene,
     film_scene,
     scene_facts,
     stopping_depth,
 )
-
-from .elements import PUBLISHED
-from .table import show
+from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, phase_diagram
+from tests.acceptance.elements import PUBLISHED
+from tests.acceptance.table import show
+from tests.cli.in_process import Softcat
 
 pytestmark = pytest.mark.slow
 
@@ -40,12 +57,17 @@ pytestmark = pytest.mark.slow
 READABLE = 0.02
 
 
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    return Softcat(monkeypatch, capsys)
+
+
 @cache
 def filmed(name: str) -> FilmedScene:
     folder = cache_folder() / "elements"
     folder.mkdir(parents=True, exist_ok=True)
     of = next(each for each in SCENES if each.name == name)
-    return film_scene(of, folder, lambda what, duration: nullcontext(Silence()))
+    return film_scene(of, folder, Silence())
 
 
 def final(name: str, curve: str = "elements") -> float:
@@ -178,14 +200,110 @@ def test_snapshots_flow_where_and_as_fast_as_the_caption_says() -> None:
     assert BLACK_RATE < np.median(shot.rate) < 5 * BLACK_RATE
 
 
+def within_page(figure: Figure) -> bool:
+    figure.canvas.draw()
+    boxes = [thing.get_window_extent() for thing in (*figure.texts, *figure.legends)]
+    page = figure.bbox
+    return all(b.x0 >= 0 and b.y0 >= 0 and b.x1 <= page.width and b.y1 <= page.height for b in boxes)
+
+
 def test_pictures_fit_their_pages_and_captions_have_every_number() -> None:
     scenes = [filmed(each.name) for each in SCENES]
-    for figure in (midpoints_figure(scenes), snapshots_figure(scenes)):
-        figure.canvas.draw()
-        for thing in (*figure.texts, *figure.legends):
-            box = thing.get_window_extent()
-            assert box.x0 >= 0
-            assert box.y0 >= 0
-            assert box.x1 <= figure.bbox.width
-            assert box.y1 <= figure.bbox.height
-        assert "nan" not in figure.texts[-1].get_text()
+    for name, figure in (("3b", midpoints_figure(scenes)), ("4", snapshots_figure(scenes))):
+        assert within_page(figure)
+        assert not any("nan" in text.get_text() for text in figure.texts)
+        if place := os.environ.get("SOFTCAT_PICTURES"):
+            figure.savefig(Path(place) / f"figure{name}.png")
+
+
+@pytest.fixture(scope="module")
+def diagram() -> PhaseDiagram:
+    return phase_diagram(sc.load_scene("arrested-overdamped", list(SETTINGS)), resolution=8)
+
+
+def test_phase_diagram_and_its_tables(diagram: PhaseDiagram) -> None:
+    assert "nan" not in phase_caption(diagram)
+    figure = phase_figure(diagram)
+    assert within_page(figure)
+    files = phase_files(diagram)
+    runs = list(csv.DictReader(io.StringIO(files["figure3a-runs.csv"].decode())))
+    assert len(runs) == sum(len(sheet.points) for sheet in diagram.sheets)
+    lightest = [row for row in runs if row["plane"] == "G-V" and float(row["G"]) == pytest.approx(0.01)]
+    assert {row["regime"] for row in lightest} == {"no-yield"}
+    lines = list(csv.DictReader(io.StringIO(files["figure3a-lines.csv"].decode())))
+    first = [row for row in lines if row["plane"] == "G-delta" and row["equation"] == "(3.11)"]
+    assert [float(row["G"]) for row in first] == pytest.approx([2 * float(row["other"]) for row in first])
+    facts = json.loads(files["figure3a.json"])
+    for plane, sheet in zip(facts["planes"], diagram.sheets, strict=True):
+        assert plane["nodes_never_run"] + len(sheet.points) == plane["lattice_nodes"] == 81
+        assert {each["source"] for each in plane["boundary_over_formula"]} >= {"paper", "exact"}
+
+
+def test_papers_parameter_sets_lie_where_the_paper_puts_them(diagram: PhaseDiagram) -> None:
+    """Its underdamped set excepted: there the published physics has no answer."""
+    sheet = next(sheet for sheet in diagram.sheets if sheet.plane.name == "G-V")
+
+    def mark(G: float, V: float) -> str:
+        i, j = (int(np.argmin(np.abs(np.log(axis / value)))) for axis, value in ((sheet.x, G), (sheet.y, V)))
+        return str(sheet.labels[i, j])
+
+    assert mark(0.01, 26.0) == "no-yield"
+    assert mark(0.4, 26.0) in ("arrested-overdamped", "arrested-underdamped")
+    assert mark(1.9, 26.0).startswith("descending")
+    assert mark(0.4, 0.4) == "localised"
+
+
+def test_figure_2_holds_every_curve_with_its_data(softcat: Softcat, tmp_path: Path) -> None:
+    assert softcat("figures", "--only", "2", "-o", str(tmp_path), "-q").status == 0
+    assert {path.name for path in tmp_path.iterdir()} == {f"figure2.{kind}" for kind in ("png", "pdf", "csv", "json")}
+    facts = json.loads((tmp_path / "figure2.json").read_text())
+    assert len(facts["panels"]) == 4
+    assert all(set(panel["outcomes"].values()) == {"solved"} for panel in facts["panels"])
+    slender, thick = facts["panels"][0], facts["panels"][-1]
+    assert slender["tension_over_bending_at_t_high"] > 9
+    assert thick["tension_over_bending_at_t_high"] == pytest.approx(0.09, abs=0.005)
+    assert "delta = 0.025" in facts["caption"]
+    with (tmp_path / "figure2.csv").open(newline="") as stream:
+        names = {row["curve"] for row in csv.DictReader(stream)}
+    assert names == {
+        "full model",
+        "reduced model (2.18)",
+        "free fall",
+        "(2.20) from rest",
+        "(2.20) as printed",
+        "1/3 law",
+        "(2.21) integrated",
+        "(2.22)",
+    }
+
+
+def test_figures_3b_and_4_share_their_runs_and_keep_their_data(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = paper_figures.film_scene
+    monkeypatch.setattr(paper_figures, "film_scene", lambda *given: whole(*given, mesh=Mesh(12, 2)))
+    done = softcat("figures", "--only", "4", "--only", "3b", "-o", str(tmp_path))
+    assert done.status == 0, done.err
+    assert "Figure 3(b)." in done.out
+    assert "Figure 4." in done.out
+    kept = {path: path.stat().st_mtime_ns for path in tmp_path.glob("elements-*.npz")}
+    assert len(kept) == len(SCENES)
+    facts = json.loads((tmp_path / "figure3b.json").read_text())
+    assert [scene["scene"] for scene in facts["scenes"]] == [of.name for of in SCENES]
+    with (tmp_path / "figure3b.csv").open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len({(row["scene"], row["curve"]) for row in rows}) == 4 * len(SCENES)
+    last = facts["scenes"][-1]["midpoint_over_L"]["elements"]["460"]
+    drawn = [row for row in rows if (row["scene"], row["curve"]) == (SCENES[-1].name, "elements")]
+    assert float(drawn[-1]["midpoint_over_L"]) == pytest.approx(last, rel=1e-7)
+    assert float(drawn[-1]["t_tilde"]) == pytest.approx(460)
+    with (tmp_path / "figure4-elements.csv").open(newline="") as stream:
+        points = list(csv.DictReader(stream))
+    # Four points an element, four instants of three scenes, and the last of one.
+    assert len(points) == 4 * 12 * 2 * (len(SNAPSHOTS) * (len(INSTANTS) - 1) + 1)
+    assert all(float(row["plastic_shear_rate"]) == 0 for row in points if row["panel"] == "a")
+    deepest = min(float(row["y_over_L"]) for row in points if row["panel"] == "d")
+    assert deepest == pytest.approx(last, abs=0.5 * 0.03)
+
+    assert softcat("figures", "--only", "4", "-o", str(tmp_path), "-q").status == 0
+    assert all(path.stat().st_mtime_ns == before for path, before in kept.items())

@@ -1,0 +1,70 @@
+"""The rivals are what they are said to be: the same scheme as the graph of the package."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
+from tests.rivals import scenes
+from tests.rivals.kirchhoff_c import HandWritten, places_of
+from tests.rivals.radau import RadauRival
+
+pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+NAMES = ("continual-descent", "arrested-overdamped")
+
+
+def admissible_states(prepared: Prepared, number: int) -> list[tuple[float, Floats]]:
+    """Times and states of a run with noise on top: a fiftieth of the shortest cell, a twentieth of the rest."""
+    rng, graph = np.random.default_rng(7), prepared.graph
+    kinds, states = np.array(graph.x_kinds), prepared.solve(Silence()).x
+    noise = np.full(states.shape[0], 0.02 * graph.grid.cell_length.min())
+    found = []
+    for frame in rng.integers(1, states.shape[1], number):
+        state = states[:, frame]
+        for kind in ("u", "v", "a_0", "a_1"):
+            noise[kinds == kind] = 0.05 * np.abs(state[kinds == kind]).max()
+        found.append((float(rng.uniform(0, 0.5)), state + rng.uniform(-1, 1, len(state)) * noise))
+    return found
+
+
+def worst(prepared: Prepared, rates: list[Floats], exact: list[Floats]) -> float:
+    """Largest difference, over the largest rate of its kind."""
+    kinds = np.array(prepared.graph.x_kinds)
+    return max(
+        float(np.max(np.abs(found - wanted)[kinds == kind]) / np.max(np.abs(wanted[kinds == kind])))
+        for found, wanted in zip(rates, exact, strict=True)
+        for kind in set(prepared.graph.x_kinds)
+    )
+
+
+def test_right_hand_sides_and_the_jacobian_are_those_of_the_graph() -> None:
+    for name in NAMES:
+        prepared = scenes.prepare(name, frames=41)
+        graph, states = prepared.graph, admissible_states(prepared, 20)
+        interpreted = ca.Function("rates", [graph.t, graph.x, graph.p], [graph.ode])
+        exact = [np.asarray(interpreted(t, x, prepared.p)).ravel() for t, x in states]
+        kinds = np.array(graph.x_kinds)
+        assert all(0 < np.count_nonzero(rate[kinds == "a_1"]) for rate in exact), "some sections yield"
+        hand, rival = HandWritten(graph, prepared.p), RadauRival(prepared)
+        places = rival.filament.places(places_of(graph))
+        full = np.tile(rival.start, (len(states), 1))
+        full[:, places] = [x for _, x in states]
+        vectorised = [rival.filament.rates(t, state)[places] for (t, _), state in zip(states, full, strict=True)]
+        errors = {
+            "hand-written C": worst(prepared, [hand.rates(t, x) for t, x in states], exact),
+            "vectorised NumPy": worst(prepared, vectorised, exact),
+        }
+        print(name, {label: f"{error:.1e}" for label, error in errors.items()})
+        assert all(error < 1e-12 for error in errors.values()), name
+        jacobian = ca.Function("jacobian", [graph.t, graph.x, graph.p], [ca.jacobian(graph.ode, graph.x)])
+        for (t, x), state in list(zip(states, full, strict=True))[:3]:
+            found = rival.jacobian(t, state).toarray()[np.ix_(places, places)]
+            exact_slopes = np.asarray(jacobian(t, x, prepared.p))
+            for kind in set(graph.x_kinds):
+                scale = np.abs(exact_slopes[kinds == kind]).max()
+                assert np.abs(found - exact_slopes)[kinds == kind].max() < 1e-2 * scale, (name, kind)

@@ -1,0 +1,208 @@
+"""What accuracy costs: the right-hand side that rivals are given, the reference, the knee, ``softcat accuracy``."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.codegen.compiler import find_compiler
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.plotting.accuracy import front, work_precision_figure
+from softcat_sym.single_run import build
+from softcat_sym.solvers.run import Prepared
+from softcat_sym.solvers.solution import Silence
+from softcat_sym.studies.work_precision import (
+    Curve,
+    Plan,
+    Reference,
+    Row,
+    WorkPrecision,
+    measure_reference,
+    measured_rows,
+)
+from softcat_sym.studies.work_precision_programs import (
+    PROGRAMS,
+    Bench,
+    CompiledRates,
+    Measured,
+    Task,
+    scene_of,
+    stable_step,
+)
+from tests.cli.in_process import Softcat
+
+compiled = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+SHORT = {"run.effects": "paper", "run.duration": "0.05 s", "run.frames": 6, "numerics.estimate": False}
+REFERENCE = Reference(np.array([0.0, -1.0, -2.0]), 1e-6, 2e-6, ("Rosenbrock", "BDF"), "made up")
+
+
+@pytest.fixture(scope="module")
+def short() -> sc.Scene:
+    scene = sc.load_scene("continual-descent", SHORT)
+    return scene.replace({"run.effects": list(choose_effects(scene).names)})
+
+
+@pytest.fixture(scope="module")
+def prepared(short: sc.Scene) -> Prepared:
+    scene = scene_of(short, Task("compiled-rodas5p", 12, 1.0, rtol=1e-9), PROGRAMS[0])
+    return build(scene, choose_effects(scene))
+
+
+@compiled
+def test_jacobian_is_that_of_differences_and_what_is_held_does_not_move(prepared: Prepared) -> None:
+    rates, solution = CompiledRates(prepared), prepared.solve(Silence())
+    sites = prepared.integration.filament.sites  # type: ignore[union-attr]
+    state, step, t = sites.state(solution.x[:, -1], solution.z[:, -1]).ravel(), 1e-7, float(prepared.times[-1])
+    moved = [rates.rates(t, state + step * unit) - rates.rates(t, state - step * unit) for unit in np.eye(rates.size)]
+    expected, sparse = np.array(moved).T / (2 * step), rates.sparse(t, state).toarray()
+    live = np.abs(sparse).sum(axis=1) > 0
+    scale = {"rtol": 1e-5, "atol": 1e-6 * np.abs(expected).max()}
+    np.testing.assert_allclose(sparse[np.ix_(live, live)], expected[np.ix_(live, live)], **scale)
+    np.testing.assert_allclose(sparse, np.where(sparse != 0, expected, 0), **scale)
+    rows, across = np.nonzero(sparse)
+    packed = rates.banded(t, state)
+    np.testing.assert_array_equal(packed[rows - across + rates.band, across], sparse[rows, across])
+    assert np.count_nonzero(packed) == len(rows)
+    held = rates.size - prepared.graph.x.numel()
+    assert held <= np.count_nonzero(rates.rates(0.0, state) == 0)
+
+
+def test_stable_step_of_a_spring_and_of_a_decay() -> None:
+    """The ends of RK4's region of stability: 2 sqrt 2 on the imaginary axis, 2.7853 on the real one."""
+    assert stable_step(np.array([[0.0, 1.0], [-25.0, 0.0]])) == pytest.approx(8**0.5 / 5, rel=1e-4)
+    assert stable_step(np.array([[-4.0]])) == pytest.approx(2.785293563405282 / 4, rel=1e-4)
+    assert stable_step(np.zeros((2, 2))) == np.inf
+
+
+@compiled
+def test_rk4_agrees_below_its_limit_and_is_lost_above_it(short: sc.Scene) -> None:
+    bench = Bench(short, 60.0)
+    exact = bench.ready(Task("compiled-rodas5p", 12, 1.0, rtol=1e-9))().midpoint
+    for program in ("compiled-rk4", "numpy-rk4"):
+        found = bench.ready(Task(program, 12, 1.0, rtol=0.95))().midpoint
+        assert np.abs(found - exact).max() < 1e-6 * np.abs(exact).max(), program
+        # Beyond it the shortest wave grows, until large rotations bound it or nothing is finite any more.
+        try:
+            lost = bench.ready(Task(program, 12, 1.0, rtol=1.3))().midpoint
+        except SoftcatError as error:
+            assert "not finite" in str(error)
+        else:
+            assert np.abs(lost - exact).max() > 1e-4 * np.abs(exact).max(), program
+    with pytest.raises(SoftcatError, match="steps would take"):
+        Bench(short, 1e-4).ready(Task("compiled-rk4", 40, 4.0, rtol=0.95))
+
+
+@compiled
+def test_programs_solve_the_same_equations(short: sc.Scene) -> None:
+    bench = Bench(short, 60.0)
+    exact = bench.ready(Task("compiled-rodas5p", 12, 4.0, rtol=1e-9))().midpoint
+    for program in ("compiled-rodas4", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvodes-5"):
+        found = bench.ready(Task(program, 12, 4.0, rtol=1e-6))().midpoint
+        assert np.abs(found - exact).max() < 1e-4 * np.abs(exact).max(), program
+    sheared = Bench(short.replace({"run.effects": [*short.run.effects, "shear"]}), 60.0)
+    for program in ("compiled-rk4", "scipy-radau"):
+        with pytest.raises(SceneError, match="algebraic unknowns"):
+            sheared.ready(Task(program, 12, 1.0, section=2))
+
+
+def test_error_is_the_largest_of_the_largest() -> None:
+    assert REFERENCE.error((0.0, -1.1, -2.0)) == pytest.approx(0.05)
+    assert REFERENCE.error((0.0, -1.0)) == REFERENCE.error((0.0, math.nan, -2.0)) == math.inf
+    assert REFERENCE.floor == 2e-6
+
+
+def test_reference_of_a_known_order_is_extrapolated_to_the_limit() -> None:
+    """Errors of 3 h^2 + 30 h^4: Richardson's rule leaves those of h^4, and the stated uncertainty covers them."""
+
+    def measure(task: Task) -> Measured:
+        h, shift = 1 / task.cells, 1e-5 if task.program == "idas" else 0.0
+        return Measured(1.0, midpoint=(0.0, -2.0 * (1 + 3 * h**2 + 30 * h**4) + shift))
+
+    found = measure_reference(measure, 1.0, 8, compiled=True)
+    assert 0 < abs(found.midpoint[-1] + 2.0) / 2.0 <= found.space < 1e-5
+    assert found.time == pytest.approx(5e-6, rel=1e-3)
+
+    def without_bdf(task: Task) -> Measured:
+        return Measured(1.0, message="gave up") if task.program == "idas" else Measured(1.0, midpoint=(0.0, -1.0))
+
+    found = measure_reference(without_bdf, 1.0, 0, compiled=True)
+    assert math.isnan(found.time) and "gave no answer (gave up)" in found.note
+    with pytest.raises(SoftcatError, match="no reference"):
+        measure_reference(lambda task: Measured(1.0, message="bad"), 1.0, 0, compiled=True)
+    with pytest.raises(SoftcatError, match="does not move"):
+        measure_reference(lambda task: Measured(1.0, midpoint=(0.0, 0.0)), 1.0, 0, compiled=True)
+
+
+def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
+    """Stopped at a loose tolerance it is tried at the next; stopped there too it gets no finer grid."""
+    plan = Plan(cells=(10, 20), tolerances=(1e-2, 1e-3, 1e-4, 1e-5))
+
+    def rows(errors: dict[float, float]) -> list[tuple[int, float]]:
+        def measure(task: Task) -> Measured:
+            if task.rtol not in errors:
+                return Measured(10.0, message="stopped", stopped=True)
+            return Measured(1.0, midpoint=(0.0, -1.0, -2.0 * (1 + errors[task.rtol])))
+
+        program = next(program for program in PROGRAMS if program.key == "cvodes")
+        found = measured_rows(program, plan, (1.0, 0), REFERENCE, measure, lambda what: None)
+        return [(row.task.cells, row.task.rtol) for row in found]
+
+    assert rows({}) == [(10, 1e-2), (10, 1e-3)]
+    assert rows({1e-3: 1e-3, 1e-4: 1e-5}) == [(n, rtol) for n in (10, 20) for rtol in plan.tolerances]
+    # 3e-4 cannot get better on this grid: one tolerance more shows it, and is the last.
+    assert rows(dict.fromkeys(plan.tolerances, 3e-4)) == [(n, rtol) for n in (10, 20) for rtol in (1e-2, 1e-3, 1e-4)]
+
+
+def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> None:
+    own, rival = (next(program for program in PROGRAMS if program.kind == kind) for kind in ("own", "rival"))
+    task, pairs = Task("cvodes", 40, 1.0), ((1.0, 1e-2), (2.0, 1e-4), (0.1, math.inf), (3.0, 1e-4))
+    rows = tuple(Row(task, Measured(seconds), error) for seconds, error in pairs)
+    curves = (Curve(own, rows, None), Curve(rival, (Row(task, Measured(5.0), 1e-5),), None))
+    found = WorkPrecision("x", sc.load_scene("cold-honey"), (), 1.0, 10.0, REFERENCE, curves)
+    best, other = found.knee(1e-4), found.knee(1e-4, ("rival",))
+    assert best is not None and (best[0], best[1].measured.seconds) == (own, 2.0)
+    assert other is not None and (other[0], other[1].measured.seconds) == (rival, 5.0)
+    assert found.knee(1e-6) is None
+    frame = found.to_frame()
+    assert len(frame) == 5 and frame["error"].isna().sum() == 1
+    best_line = found.figures()["accuracy"].axes[0].lines[1]
+    np.testing.assert_array_equal(best_line.get_xdata(), [1.0, 2.0])
+    np.testing.assert_array_equal(best_line.get_ydata(), [1e-2, 1e-4])
+
+
+def test_front_is_every_run_that_no_other_beats() -> None:
+    values = 10 ** np.random.default_rng(5).uniform([-3, -6], [1, -1], (60, 2))
+    runs = pd.DataFrame([*values.tolist(), [0.1, math.nan], values[0].tolist()], columns=["seconds", "error"])
+    kept = front(runs)
+    pairs = {tuple(pair) for pair in values if not any((other < pair).all() for other in values)}
+    assert set(map(tuple, kept.to_numpy())) == pairs and len(kept) == len(pairs)
+    with pytest.raises(ValueError, match="no run with an error to draw"):
+        work_precision_figure(pd.DataFrame({"seconds": [1.0], "error": [math.nan]}), "Rods")
+
+
+def test_faults_are_said_and_nothing_is_written(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setenv("COLUMNS", "200")
+    softcat = Softcat(monkeypatch, capsys)
+    for options, named in (
+        (("--cells", "ten"), "--cells"),
+        (("--cells", "10.5"), "whole numbers"),
+        (("--cells", "2"), "from 4 to 2000"),
+        (("--rtol", "1e-3,2"), "--rtol"),
+        (("--program", "euler"), "compiled-rodas5p"),
+        (("--limit", "0"), "--limit"),
+        (("--set", "material.colour=red"), "material.colour"),
+    ):
+        done = softcat("accuracy", "continual-descent", "-o", str(tmp_path / "out"), *options)
+        assert done.status == 2 and named in done.err, (options, done.err)
+        assert not (tmp_path / "out").exists()
+    (tmp_path / "file").write_text("")
+    done = softcat("accuracy", "continual-descent", "-o", str(tmp_path / "file" / "out"))
+    assert done.status == 2 and "not a directory" in done.err
