@@ -133,7 +133,9 @@ _GAIN, _NOISY_GAIN = 1e-12, 1e-6
 # Of the residuals' variance for a step of one in q: directions that matter less hardly move.
 _DAMPING = 1e-3
 # Half-width of the box within which derivatives are trusted, in q.
-_FIRST_RADIUS, _LEAST_RADIUS = 1.0, 1e-7
+_FIRST_RADIUS, _LEAST_RADIUS = 1.0, 1e-5
+# So many steps of little gain that fall short of it, and the noise of the model hides the optimum.
+_LITTLE, _PATIENCE = 1e-2, 4
 # Of the first value: less is rounding.
 _ROUNDING = 1e-18
 
@@ -241,7 +243,7 @@ def minimise(
     model = _Model(problem, loss, start)
     if method == "ipopt":
         return _by_ipopt(model, max_evaluations)
-    point, radius, iterations, failed = model.first, _FIRST_RADIUS, 0, False
+    point, radius, iterations, disappointments, failed = model.first, _FIRST_RADIUS, 0, 0, False
     while True:
         variance = model.variance(point)
         step, fall = _step(model, point, variance, radius)
@@ -253,16 +255,16 @@ def minimise(
             np.clip(point.q + step, problem.lower, problem.upper), unless_above=point.value if failed else math.inf
         )
         length, failed = float(np.abs(step).max()), not ahead.value < point.value
-        if failed and (fall < _NOISY_GAIN * variance or length < _LEAST_RADIUS):
-            return model.optimum(point, iterations, NOISE)
-        if failed:
-            radius = 0.25 * length
-            continue
-        agreement = 2 * (point.value - ahead.value) / fall
+        agreement = 0.0 if failed else 2 * (point.value - ahead.value) / fall
+        disappointments += agreement < 0.25 and fall < _LITTLE * variance
+        if (failed and (fall < _NOISY_GAIN * variance or length < _LEAST_RADIUS)) or disappointments == _PATIENCE:
+            return model.optimum(point if failed else ahead, iterations, NOISE)
         if agreement < 0.25:
-            radius = 0.5 * length
+            radius = (0.25 if failed else 0.5) * length
         elif agreement > 0.75:
             radius = max(radius, 3 * length)
+        if failed:
+            continue
         point, iterations = ahead, iterations + 1
 
 
@@ -403,6 +405,8 @@ SAME_FIT = 0.1
 _SAME_OPTIMUM = 1e-6
 # Of a drawn start: what has not come to rest by then is a corner of the box that no filament would survive.
 _MAX_OF_DRAWN = 40
+# Share of the residuals' variance that an unknown changes the sum of squares by, where it does nothing.
+_FLAT, _HALVINGS = 1e-3, 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -452,12 +456,14 @@ def multi_start(
     ended, sizes = [], []
     for number, start in enumerate(starts):
         on_progress(number, len(starts))
-        residuals = problem.residuals(start)
-        if not (np.isfinite(residuals).all() and np.isfinite(problem.linearised(start)[1]).all()):
+        is_drawn = number >= len(given)
+        begin = _off_plateau(problem, start) if is_drawn else start
+        residuals = problem.residuals(begin)
+        if not (np.isfinite(residuals).all() and np.isfinite(problem.linearised(begin)[1]).all()):
             continue
         sizes.append(float(np.linalg.norm(residuals)))
-        most = 300 if number < len(given) else _MAX_OF_DRAWN
-        ended.append((start, minimise(problem, start, loss=loss, method=method, max_evaluations=most)))
+        most = _MAX_OF_DRAWN if is_drawn else 300
+        ended.append((start, minimise(problem, begin, loss=loss, method=method, max_evaluations=most)))
     if not ended:
         remedy = "bounds or starting values for which it can be solved"
         raise SoftcatError(f"the model has no answer at any of {len(starts)} starts; accepted: {remedy}")
@@ -472,3 +478,16 @@ def multi_start(
             leaders.append(optimum.residuals)
         results.append(StartResult(start, optimum, cluster))
     return MultiStartResult(tuple(results), len(starts) - len(ended))
+
+
+def _off_plateau(problem: LeastSquares, start: Floats) -> Floats:
+    """Half-way to the middle of the box, once or more, from where some unknown does nothing."""
+    middle = 0.5 * (problem.lower + problem.upper)
+    for _ in range(_HALVINGS):
+        if not np.isfinite(problem.residuals(start)).all():
+            break
+        residuals, jacobian = problem.linearised(start)
+        if not np.isfinite(jacobian).all() or np.all(np.sum(jacobian**2, axis=0) > _FLAT * np.mean(residuals**2)):
+            break
+        start = 0.5 * (start + middle)
+    return start
