@@ -131,10 +131,11 @@ _CUT_SHORT, _STUCK = "Maximum_Evaluations_Exceeded", "Search_Direction_Becomes_T
 # that, where it fails, fails by the noise of the model's own arithmetic.
 _GAIN, _NOISY_GAIN = 1e-12, 1e-6
 # Of the residuals' variance for a step of one in q: directions that matter less hardly move.
-_DAMPING = 1e-3
+_DAMPING = 1e-6
 # Half-width of the box within which derivatives are trusted, in q.
 _FIRST_RADIUS, _LEAST_RADIUS = 1.0, 1e-5
-# So many steps of little gain that fall short of it, and the noise of the model hides the optimum.
+# So many steps of little gain that fall short of it, and the noise of the model hides the optimum; so many of next to
+# no gain in a row, and they lead through a valley of what is not determined.
 _LITTLE, _PATIENCE = 1e-2, 4
 # Of the first value: less is rounding.
 _ROUNDING = 1e-18
@@ -153,9 +154,9 @@ class Optimum:
     status: str  # How it ended
     converged: bool  # Whether that is success, and `offset` is small
     at_bound: NDArray[np.bool_]  # shape (k,); Which unknowns lie on a bound
-    # Norm of that part of the residuals that a step of the unknowns inside the box would remove to first order, over
-    # the root mean square residual (Bates and Watts 1981): the distance from the optimum in standard errors. Means
-    # nothing where the data are met to rounding.
+    # Norm of that part of the residuals that a step of at most one inside the box would remove to first order, over the
+    # root mean square residual (Bates and Watts 1981): the distance from the optimum in standard errors. Means nothing
+    # where the data are met to rounding.
     offset: float
 
 
@@ -204,11 +205,8 @@ class _Model:
 
     def optimum(self, point: _Point, iterations: int, status: str) -> Optimum:
         """Say where it ended."""
-        (columns, values), free = self.system(point), ~on_bound(self.problem, point.q)
-        size, offset = math.sqrt(float(np.mean(point.residuals**2))), 0.0
-        if size > 0 and free.any():
-            columns = columns[:, free]
-            offset = float(np.linalg.norm(columns @ np.linalg.lstsq(columns, values, rcond=1e-8)[0])) / size
+        variance = self.variance(point)
+        offset = math.sqrt(max(_step(self, point, variance, _FIRST_RADIUS)[1], 0.0) / variance)
         met = offset < REACHED or point.value <= 1e4 * _ROUNDING * self.first.value
         return Optimum(
             q=point.q,
@@ -219,7 +217,7 @@ class _Model:
             evaluations=self.evaluations,
             status=_STUCK if status in (SOLVED, NOISE) and not met else status,
             converged=status in (SOLVED, NOISE) and met,
-            at_bound=~free,
+            at_bound=on_bound(self.problem, point.q),
             offset=offset,
         )
 
@@ -243,11 +241,13 @@ def minimise(
     model = _Model(problem, loss, start)
     if method == "ipopt":
         return _by_ipopt(model, max_evaluations)
-    point, radius, iterations, disappointments, failed = model.first, _FIRST_RADIUS, 0, 0, False
+    point, radius, failed = model.first, _FIRST_RADIUS, False
+    iterations = disappointments = small = 0
     while True:
         variance = model.variance(point)
         step, fall = _step(model, point, variance, radius)
-        if fall <= (_GAIN * variance if gain is None else gain):
+        small = small + 1 if fall <= _NOISY_GAIN * variance else 0
+        if fall <= (_GAIN * variance if gain is None else gain) or small > _PATIENCE:
             return model.optimum(point, iterations, SOLVED)
         if model.evaluations >= max_evaluations:
             return model.optimum(point, iterations, _CUT_SHORT)
