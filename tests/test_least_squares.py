@@ -161,17 +161,21 @@ def test_steps_are_shortened_where_the_model_has_no_answer() -> None:
         minimise(p, np.array([0.0, 1.0]))
 
 
+def raising(p: Problem, when: int, error: BaseException):
+    def model(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        if len(p.asked) == when:
+            raise error
+        return decay(q)
+
+    return model
+
+
 @pytest.mark.parametrize("method", ["gauss-newton", "ipopt"])
 def test_what_the_model_raises_reaches_the_caller(method: str) -> None:
     for error in (ValueError, KeyboardInterrupt, SystemExit):
         for when in (1, 2, 5):
-
-            def failing(q: np.ndarray, error=error, when: int = when) -> tuple[np.ndarray, np.ndarray]:
-                if len(p.asked) == when:
-                    raise error("deep inside")
-                return decay(q)
-
-            p = replaced(failing)
+            p = replaced(decay)
+            p.model = raising(p, when, error("deep inside"))
             with pytest.raises(error, match="deep inside"):
                 minimise(p, np.array([-2.0, -4.0]), method=method)
             assert len(p.asked) == when

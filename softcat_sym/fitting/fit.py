@@ -413,6 +413,12 @@ class Fit:
         return [f"{film.name}: {note}" if several else note for film, series in pairs for note in series.notes]
 
     @property
+    def squares(self) -> float:
+        """Sum of the squared residuals in units of the problem."""
+        residuals = self.starts.best.residuals
+        return float(residuals @ residuals)
+
+    @property
     def residual_std(self) -> float:
         """Root mean square of model less measurement over all readings [m]."""
         left = np.concatenate([film.model - film.measured for film in self.films])

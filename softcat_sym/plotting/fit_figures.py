@@ -305,7 +305,7 @@ def starts_figure(fit: Fit) -> Figure:
                 continue
             if k == 0:
                 ends = shares
-                _number_axis(axes, float(ends.min()), float(ends.max()), logarithmic=bool(ends.max() > 3 * least > 0))
+                _number_axis(axes, float(ends.min()), float(ends.max()), logarithmic=bool(least > 0 and ends.max() > 3))
                 axes.set_xlabel("misfit / least misfit" if least > 0 else "misfit", fontsize=8)
             else:
                 free = fit.problem.free[k - 1]
