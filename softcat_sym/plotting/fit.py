@@ -35,8 +35,8 @@ def print_laws(found: LawComparison, console: Console | None = None) -> None:
     screen = console or Console()
     rows = [law_texts(found, row) for row in found.choice.table]
     styles = ["" if row.law.name in found.choice.close else "dim" for row in found.choice.table]
-    title, looks = f"Which law: {found.sentence}", {"styles": styles, "padding": (0, 1, 0, 0)}
-    screen.print(text_table(LAW_HEADINGS, rows, title=title, right=_LAW_NUMBERS, **looks))  # type: ignore[arg-type]
+    title, numbers = f"Which law: {found.sentence}", _LAW_NUMBERS
+    screen.print(text_table(LAW_HEADINGS, rows, title=title, right=numbers, styles=styles, padding=(0, 1, 0, 0)))
     for text in law_remarks(found):
         screen.print(Padding(Text(text), (0, 0, 0, 1)))
     screen.print()
@@ -46,8 +46,8 @@ def print_fit(fit: Fit, console: Console | None = None) -> None:
     """Print parameters, outcome and what they rest on."""
     screen, parameters = console or Console(), list(fit.parameters.values())
     texts, title = [parameter_texts(one) for one in parameters], fit.scene.title or "Filament"
-    looks = {"styles": ["" if one.verdict == "identified" else "yellow" for one in parameters]}
-    screen.print(text_table(HEADINGS, texts, title=title, right=_NUMBERS, padding=(0, 1, 0, 0), **looks))
+    styles = ["" if one.verdict == "identified" else "yellow" for one in parameters]
+    screen.print(text_table(HEADINGS, texts, title=title, right=_NUMBERS, styles=styles, padding=(0, 1, 0, 0)))
     rows = [("outcome", f"{fit.outcome.word}: {fit.outcome.value}")]
     rows += [(one.name, one.reason) for one in parameters if one.reason]
     rows += [("identified", text) for text in fit.combinations]
@@ -59,9 +59,9 @@ def print_fit(fit: Fit, console: Console | None = None) -> None:
     below = Table(box=None, show_header=False, padding=(0, 1, 0, 0))
     below.add_column(style="dim", overflow="fold")
     below.add_column(overflow="fold")
-    styles = {"outcome": "bold", "warning": "yellow"}
+    colours = {"outcome": "bold", "warning": "yellow"}
     for name, text in rows:
-        below.add_row(Text(name), Text(text, style=styles.get(name, "")))
+        below.add_row(Text(name), Text(text, style=colours.get(name, "")))
     screen.print(below)
 
 
