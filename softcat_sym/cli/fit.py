@@ -5,7 +5,7 @@ from __future__ import annotations
 import shlex
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypedDict
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -26,11 +26,7 @@ from softcat_sym.cli.completing import complete_scene
 from softcat_sym.fitting.defaults import STARTS
 
 if TYPE_CHECKING:
-    from softcat_sym.fitting.fit import Fit, FitProgress
     from softcat_sym.fitting.least_squares import Loss
-    from softcat_sym.fitting.measurements import Measurements
-    from softcat_sym.fitting.model_selection import LawComparison
-    from softcat_sym.scene.scene import Scene
 
 _FORM = "write a name, two values and a unit, such as viscosity=1:1e4 Pa*s"
 
@@ -102,57 +98,33 @@ def fit(
     status 0 if an optimum was found. What the data do not tell is said, not answered. After Ctrl-C the same command
     goes on from what was evaluated, to the same numbers.
     """
-    names, several = free or [], law or []
-    if not names and not several:
+    if not free and not law:
         raise typer.BadParameter("name what is not known, or the material's law with --law", param_hint="--free")
-    limits, charged = _bounds(bounds or []), _loss(loss, scale)
-    asked, output = scene_and_directory(scene, changes, output, "fit")
+    limits, robust = _bounds(bounds or []), _loss(loss, scale)
+    known, output = scene_and_directory(scene, changes, output, "fit")
+    from softcat_sym.fitting.fit import fit as fit_filament
     from softcat_sym.fitting.measurements import read_measurements
-    from softcat_sym.plotting.fit import write_fit
+    from softcat_sym.fitting.model_selection import fit_law, fit_laws
+    from softcat_sym.plotting.fit import print_fit, print_laws, write_fit
     from softcat_sym.plotting.terminal import FitProgressBar
 
-    how = _How(bounds=limits, loss=charged, starts=starts, profiles=not no_profiles, seed=seed)
-    films = read_measurements(data)
+    films, also, compared = read_measurements(data), free or [], None
     with study(output, fresh=fresh), FitProgressBar(quiet=quiet) as progress:
-        found, compared = _found(films, asked, names, several, how, progress)
+        how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
+        how["profiles"] = not no_profiles
+        if not law:
+            found = fit_filament(films, known, also, **how)
+        elif len(law) == 1:
+            found = fit_law(films, known, law[0], also_free=also, **how)
+        else:
+            compared = fit_laws(films, known, law, also_free=also, **how)
+            found = compared.best
         progress.stage("drawing", 0, 1)
         command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
         written = write_fit(found, output, command, compared)
-    _tell(found, compared, written, output, quiet=quiet)
-
-
-class _How(TypedDict):
-    """What all kinds of fits take."""
-
-    bounds: dict[str, tuple[object, object]]
-    loss: Loss
-    starts: int
-    profiles: bool
-    seed: int
-
-
-def _found(
-    films: Measurements, scene: Scene, free: list[str], laws: list[str], how: _How, progress: FitProgress
-) -> tuple[Fit, LawComparison | None]:
-    """Fit what is free, all constants of a law, or those of several laws, of which the best comes first."""
-    from softcat_sym.fitting.fit import fit as fit_filament
-    from softcat_sym.fitting.model_selection import fit_law, fit_laws
-
-    if not laws:
-        return fit_filament(films, scene, free, **how, progress=progress), None
-    if len(laws) == 1:
-        return fit_law(films, scene, laws[0], also_free=free, **how, progress=progress), None
-    compared = fit_laws(films, scene, laws, also_free=free, **how, progress=progress)
-    return compared.best, compared
-
-
-def _tell(found: Fit, laws: LawComparison | None, written: list[Path], output: Path, *, quiet: bool) -> None:
-    """Print, and exit with 1 if there is no optimum."""
     if not quiet:
-        from softcat_sym.plotting.fit import print_fit, print_laws
-
-        if laws is not None:
-            print_laws(laws)
+        if compared is not None:
+            print_laws(compared)
         print_fit(found)
         typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
     if not found.outcome.converged:

@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 
 from softcat_sym.effects.choosing import choose_effects
@@ -22,7 +23,7 @@ from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import TIME_OFFSET, FreeParameter, Unknowns, free_parameters, with_values
 from softcat_sym.fitting.identifiability import Combination, Information, ResidualChecks, check_residuals
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, Word, infer
-from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss, Optimum, Waterfall, multi_start
+from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss, Method, MultiStartResult, multi_start
 from softcat_sym.fitting.measurements import Measurements, Series
 from softcat_sym.fitting.plausibility import Films, own_scene, taken
 from softcat_sym.scene.reading import SceneLike, as_scene
@@ -45,6 +46,11 @@ class Filmed:
     place: Floats  # shape (n,); Distance of a point of a shape from halfway between the supports [m]; NaN of a midpoint
     data: Floats  # shape (n,); Heights [m]
     std: Floats  # shape (n,); By which residuals are divided [m]
+
+    @property
+    def name(self) -> str:
+        """Its file; empty if it has none."""
+        return self.series.path.name if self.series.path else ""
 
     def heights(self, q: Floats) -> Floats:
         """What the model says at every reading [m], shape (n,), of the unknowns of the whole problem."""
@@ -81,50 +87,51 @@ class FilamentProblem(Unknowns):
         backend: str = "auto",
         rtol: float | None = None,
     ) -> None:
-        common = free_parameters(scene, names, bounds)
-        series = measurements.series
-        _refuse_what_is_set(common, series)
+        common, series = free_parameters(scene, names, bounds), measurements.series
+        # A film that has a free parameter's value of its own leaves nothing to fit there.
+        faults = [
+            Fault(f"free {free.name}", f"set by {film.path or 'a series'} itself", "free it, or set it, not both")
+            for free in common
+            for film in series
+            if free.path in film.overrides
+        ]
+        if faults:
+            raise SceneError(faults)
         self.free, columns = _unknowns(common, len(series))
-        readings = [_readings(one) for one in series]
+        readings = [_readings(film) for film in series]
         self.noise_known = all(std is not None for *_, std in readings)
         unit = max(float(np.max(np.abs(data))) for *_, data, _ in readings)
         self.films = tuple(
             Filmed(
-                series=one,
-                model=ForwardModel(own_scene(one, scene), common, one.time, backend, rtol),
+                series=film,
+                model=ForwardModel(own_scene(film, scene), common, film.time, backend, rtol),
                 columns=places,
                 time=time,
                 place=place,
                 data=data,
                 std=std if self.noise_known and std is not None else np.full(data.size, unit),
             )
-            for one, places, (time, place, data, std) in zip(series, columns, readings, strict=True)
+            for film, places, (time, place, data, std) in zip(series, columns, readings, strict=True)
         )
 
     @property
     def logarithmic(self) -> tuple[bool, ...]:
         """Which unknowns are logarithms."""
-        return tuple(one.logarithmic for one in self.free)
+        return tuple(free.logarithmic for free in self.free)
 
     @property
     def unit(self) -> float:
         """What a residual of one is [m]; where the errors are known they differ, and it is their mean."""
         return float(np.mean(np.concatenate([film.std for film in self.films])))
 
-    @property
-    def message(self) -> str:
-        """Why the last evaluation has no answer; empty if it has."""
-        return "; ".join(film.model.message for film in self.films if film.model.message)
-
-    def residuals(self, q: Floats) -> Floats:
-        """(model - datum)/standard error of all films, shape (m,); NaN where the model has no answer."""
-        return np.concatenate(
-            [(found - film.data) / film.std for film, found in zip(self.films, self.curves(q), strict=True)]
-        )
-
     def curves(self, q: Floats) -> list[Floats]:
         """What the model says at the readings of each film [m]."""
         return [film.heights(q) for film in self.films]
+
+    def residuals(self, q: Floats) -> Floats:
+        """(model - datum)/standard error of all films, shape (m,); NaN where the model has no answer."""
+        pairs = zip(self.films, self.curves(q), strict=True)
+        return np.concatenate([(found - film.data) / film.std for film, found in pairs])
 
     def linearised(self, q: Floats) -> tuple[Floats, Floats]:
         """Residuals, shape (m,), and their derivatives, shape (m, k)."""
@@ -140,6 +147,10 @@ class FilamentProblem(Unknowns):
         ends = np.cumsum([film.data.size for film in self.films])[:-1]
         return [np.asarray(part) for part in np.split(values, ends)]
 
+    def values(self, q: Floats) -> dict[str, float]:
+        """The unknowns in SI."""
+        return {free.name: free.value(float(x)) for free, x in zip(self.free, q, strict=True)}
+
 
 def _readings(series: Series) -> tuple[Floats, Floats, Floats, Floats | None]:
     """Times [s], places [m], heights [m] and, where all are stated, standard errors [m]: midpoints, then shapes."""
@@ -154,27 +165,15 @@ def _readings(series: Series) -> tuple[Floats, Floats, Floats, Floats | None]:
     return time, place, data, known
 
 
-def _refuse_what_is_set(free: Sequence[FreeParameter], series: Sequence[Series]) -> None:
-    """A film that has a free parameter's value of its own leaves nothing to fit there."""
-    faults = [
-        Fault(f"free {one.name}", f"set by {film.path or 'a series'} itself", "free it, or set it, not both")
-        for one in free
-        for film in series
-        if one.path in film.overrides
-    ]
-    if faults:
-        raise SceneError(faults)
-
-
 def _unknowns(common: tuple[FreeParameter, ...], films: int) -> tuple[tuple[FreeParameter, ...], list[tuple[int, ...]]]:
     """All unknowns, and for each film the numbers of its own."""
     unknowns: list[FreeParameter] = []
     columns: list[list[int]] = [[] for _ in range(films)]
-    for one in common:
+    for free in common:
         for k in range(films):
-            if k == 0 or one.of_measurement:
-                alone = films == 1 or not one.of_measurement
-                unknowns.append(one if alone else replace(one, name=f"{one.name}_{k + 1}"))
+            if k == 0 or free.of_measurement:
+                alone = films == 1 or not free.of_measurement
+                unknowns.append(free if alone else replace(free, name=f"{free.name}_{k + 1}"))
             columns[k].append(len(unknowns) - 1)
     return tuple(unknowns), [tuple(numbers) for numbers in columns]
 
@@ -184,35 +183,23 @@ def judged_runs(problem: FilamentProblem, q: Floats) -> tuple[Outcome, str]:
 
     Residuals show neither a neck that the grid decides nor lost energy.
     """
-    worst, told = Outcome.solved, []
+    worst, messages = Outcome.solved, []
     for number, film in enumerate(problem.films, start=1):
-        outcome, message = _judged(film, _run_scene(problem, film, q))
-        if outcome.is_success:
+        begin = sum(problem.free[k].value(float(q[k])) for k in film.columns if problem.free[k].path == TIME_OFFSET)
+        duration = float(film.time.max()) - begin
+        if not duration > 0:
             continue
-        name = film.series.path.name if film.series.path else f"film {number}"
-        told.append(f"{name}: {message}" if len(problem.films) > 1 else message)
-        worst = worst if worst is Outcome.localised else outcome
-    return worst, "; ".join(told)
-
-
-def _judged(film: Filmed, scene: Scene | None) -> tuple[Outcome, str]:
-    if scene is None:
-        return Outcome.solved, ""
-    try:
-        run = recalled(without_estimate(scene))
-    except SceneError as refusal:
-        return Outcome.no_equilibrium, str(refusal)
-    return run.outcome, str(run.summary["message"])
-
-
-def _run_scene(problem: FilamentProblem, film: Filmed, q: Floats) -> Scene | None:
-    """The film's own scene with the fitted values and the effects of the fit; None if nothing moves while it lasts."""
-    begin = sum(problem.free[k].value(float(q[k])) for k in film.columns if problem.free[k].path == TIME_OFFSET)
-    duration = float(film.time.max()) - begin
-    if not duration > 0:
-        return None
-    scene = film.model.scene(q[list(film.columns)])
-    return scene.replace({"run.effects": list(film.model.effects), "run.duration": f"{duration!r} s"})
+        scene = film.model.scene(q[list(film.columns)])
+        scene = scene.replace({"run.effects": list(film.model.effects), "run.duration": f"{duration!r} s"})
+        try:
+            run = recalled(without_estimate(scene))
+            outcome, message = run.outcome, str(run.summary["message"])
+        except SceneError as refusal:
+            outcome, message = Outcome.no_equilibrium, str(refusal)
+        if not outcome.is_success:
+            messages.append(f"{film.name or f'film {number}'}: {message}" if len(problem.films) > 1 else message)
+            worst = worst if worst is Outcome.localised else outcome
+    return worst, "; ".join(messages)
 
 
 class FitOutcome(Enum):
@@ -288,22 +275,10 @@ class FittedParameter:
     typical: float
     bounds: tuple[float, float]
 
-
-def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict) -> FittedParameter:
-    """Turn a verdict on q into one on the parameter."""
-    low, high = (None if q is None else free.value(q) for q in (verdict.lower, verdict.upper))
-    return FittedParameter(
-        name=free.name,
-        unit=free.unit,
-        value=None if verdict.value is None else free.value(verdict.value),
-        best=free.value(verdict.best),
-        std=None if verdict.standard_error is None else abs(free.slope(verdict.best)) * verdict.standard_error,
-        ci95=(low, high),
-        verdict=verdict.word,
-        reason=verdict.reason,
-        typical=free.typical,
-        bounds=free.bounds,
-    )
+    def to_dict(self) -> dict[str, Any]:
+        """Its entry in ``fit.json``."""
+        keys = ("value", "std", "ci95", "verdict", "reason", "unit", "best", "typical", "bounds")
+        return {key: getattr(self, key) for key in keys}
 
 
 @dataclass(frozen=True, eq=False)
@@ -321,9 +296,8 @@ class FittedFilm:
 
     def part(self, chosen: NDArray[np.bool_]) -> FittedFilm:
         """Some of its readings."""
-        picked = (getattr(self, key)[chosen] for key in ("time", "place", "measured", "model", "residuals"))
-        time, place, measured, model, residuals = picked
-        return FittedFilm(time, place, measured, model, residuals, self.features, self.name)
+        keys = ("time", "place", "measured", "model", "residuals")
+        return replace(self, **{key: getattr(self, key)[chosen] for key in keys})
 
     @property
     def of_midpoint(self) -> NDArray[np.bool_]:
@@ -359,10 +333,10 @@ class Fit:
         Data, model and residuals.
     checks : ResidualChecks
         Whether the residuals are white.
-    starts : Waterfall
+    starts : MultiStartResult
         Where every start ended.
     profiles : tuple of Profile
-        Of every parameter in its order; empty if they were not asked for.
+        Of every parameter in its order; empty if they were not requested.
     information : Information
         Fisher's, at the optimum.
     problem : FilamentProblem
@@ -390,7 +364,7 @@ class Fit:
     outcome: FitOutcome
     films: tuple[FittedFilm, ...]
     checks: ResidualChecks
-    starts: Waterfall
+    starts: MultiStartResult
     profiles: tuple[Profile, ...]
     information: Information
     problem: FilamentProblem
@@ -432,9 +406,11 @@ class Fit:
         return html(repr(self), self.plot())
 
     @property
-    def notes(self) -> tuple[str, ...]:
-        """Corrections that were made to the measurements."""
-        return tuple(note for one in self.measurements.series for note in one.notes)
+    def notes(self) -> list[str]:
+        """Corrections that were made to the measurements, film by film where there are several."""
+        several = len(self.films) > 1
+        pairs = zip(self.films, self.measurements.series, strict=True)
+        return [f"{film.name}: {note}" if several else note for film, series in pairs for note in series.notes]
 
     @property
     def squares(self) -> float:
@@ -442,15 +418,135 @@ class Fit:
         residuals = self.starts.best.residuals
         return float(residuals @ residuals)
 
+    @property
+    def residual_std(self) -> float:
+        """Root mean square of model less measurement over all readings [m]."""
+        left = np.concatenate([film.model - film.measured for film in self.films])
+        return float(np.sqrt(np.mean(left**2)))
 
-def told(combination: Combination, problem: FilamentProblem) -> str:
+    @property
+    def evaluations(self) -> int:
+        """Of the model, from all starts."""
+        return sum(result.optimum.evaluations for result in self.starts.results)
+
+    @property
+    def warnings(self) -> list[str]:
+        """What a reader has to know before using the numbers, besides the outcome."""
+        found, size, starts = [], self.checks.size, self.starts
+        if size is not None and size.p_value < _SMALL:
+            found.append(
+                f"the residuals are larger than the stated errors (chi-square {size.value:.0f} for "
+                f"{sum(film.time.size for film in self.films)} readings, p = {size.p_value:.2g}): the intervals are "
+                "too narrow"
+            )
+        if starts.reached_best == 1 and len(starts.results) > 2:
+            found.append("only one start reached the best fit: there may be a better one, ask for more starts")
+        for one in self.profiles:
+            if one.unconverged:
+                found.append(f"profile of {one.name}: {one.unconverged} of {one.q.size} points are uncertain")
+            if one.better is not None:
+                found.append(f"profile of {one.name}: it met a still better optimum; start nearer to it")
+        return found
+
+    def to_dict(self) -> dict[str, Any]:
+        """Content of ``fit.json``: plain SI."""
+        checks, problem, series = self.checks, self.problem, self.measurements.series
+        starts = [
+            {
+                "start": problem.values(result.start),
+                "end": problem.values(result.optimum.q),
+                "cluster": result.cluster,
+                **{key: getattr(result.optimum, key) for key in _OF_A_START},
+            }
+            for result in self.starts.results
+        ]
+        return {
+            "outcome": self.outcome.word,
+            "advice": self.outcome.value,
+            "parameters": {name: one.to_dict() for name, one in self.parameters.items()},
+            "correlation": self.correlation.tolist(),
+            "combinations": list(self.combinations),
+            "noise_m": self.noise,
+            "noise_known": self.noise_known,
+            "residuals": {
+                "verdict": checks.verdict,
+                "tests": [vars(test) for test in checks.tests],
+                "autocorrelation": checks.autocorrelation,
+                "chi_square": None if checks.size is None else vars(checks.size),
+            },
+            "features": [{"film": film.name, **_features_dict(film.features)} for film in self.films],
+            "films": [
+                {"name": film.name, "path": None if one.path is None else str(one.path), "readings": film.time.size}
+                for film, one in zip(self.films, series, strict=True)
+            ],
+            "starts": {
+                "count": len(starts),
+                "reached_best": self.starts.reached_best,
+                "no_answer": self.starts.rejected,
+                "falls": starts,
+            },
+            "profiles": {one.name: self._profile(one) for one in self.profiles},
+            "effects": list(self.effects),
+            "backend": self.backend,
+            "notes": self.notes,
+            "warnings": self.warnings,
+            "repeats": list(self.repeats),
+            "seconds": self.seconds,
+            "evaluations": self.evaluations,
+        }
+
+    def _profile(self, one: Profile) -> dict[str, Any]:
+        free = next(free for free in self.problem.free if free.name == one.name)
+        return {
+            "value": [free.value(q) for q in one.q.tolist()],
+            "increase": one.increase.tolist(),
+            "threshold": one.threshold,
+            "ends": {"lower": one.lower.flag, "upper": one.upper.flag},
+            "held_back": {"lower": list(one.lower.held_back), "upper": list(one.upper.held_back)},
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """Content of ``fit.csv``: data, model [m] and residuals of all films; of a midpoint without a place."""
+        columns = {"time_s": "time", "x_m": "place", "measured_m": "measured", "model_m": "model"}
+        columns |= {"residual": "residuals", "film": "name"}
+        rows = [
+            pd.DataFrame({column: getattr(film, key) for column, key in columns.items()}, range(film.time.size))
+            for film in self.films
+        ]
+        frame = pd.concat(rows, ignore_index=True)
+        return frame.drop(columns="x_m") if frame["x_m"].isna().all() else frame
+
+
+FEATURES = {
+    "t_low": ("end of free fall t_low", "s"),
+    "t_high": ("start of the 1/3 law t_high", "s"),
+    "frequency": ("frequency R", "rad_s"),
+    "decay": ("decay rate d", "1_s"),
+    "sag": ("sag H while it rings", "m"),
+    "prefactor": ("prefactor B of the 1/3 law", ""),
+}
+"""What a film shows without a model: attributes of its features, what they are called, units in names of keys."""
+
+_OF_A_START = ("value", "converged", "status", "iterations", "evaluations")
+# p-value from which on a test is worth a warning.
+_SMALL = 0.01
+
+
+def _features_dict(features: Features | None) -> dict[str, Any]:
+    readings = {} if features is None else {name: getattr(features, name) for name in FEATURES}
+    return {
+        "_".join(filter(None, (name, FEATURES[name][1]))): {"value": one.value, "std": one.error, "reason": one.reason}
+        for name, one in readings.items()
+    }
+
+
+def combination_text(combination: Combination, problem: FilamentProblem) -> str:
     """One sentence on a combination, with value and 95 % interval in SI where it is a product."""
-    free = {one.name: one for one in problem.free}
-    parts = [free[name] for name in combination.names]
-    if not all(one.logarithmic for one in parts):
+    parts = [free for name in combination.names for free in problem.free if free.name == name]
+    if not all(free.logarithmic for free in parts):
         low, high = combination.interval
         return f"{combination.text} = {combination.value:.4g} ({low:.4g} to {high:.4g}) in scaled unknowns"
-    value, low, high = combination.product([one.typical for one in parts])
+    value, low, high = combination.product([free.typical for free in parts])
     if not np.isfinite(value):
         return f"{combination.text}: known to {combination.standard_error:.1%}"
     return f"{combination.text} = {value:.4g} ({low:.4g} to {high:.4g}), SI"
@@ -458,9 +554,6 @@ def told(combination: Combination, problem: FilamentProblem) -> str:
 
 ASIDE = "rotary-inertia"
 """What "everything" leaves aside: followed through hinges it takes many times as long."""
-
-# Of a normal distribution, over the median of magnitudes; the floor is for data that are met exactly.
-_MEDIAN_TO_DEVIATION, _MIN_NOISE = 1.4826, 1e-9
 
 _RESTARTED = "a profile met a better optimum on the way, and the fit began again from there"
 
@@ -472,15 +565,13 @@ class FitProgress(Protocol):
         """Hear of a stage."""
 
 
-class NoProgress:
-    """Nobody."""
-
+class _Silence:
     def stage(self, name: str, done: int, total: int) -> None:
         """Say nothing."""
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _Request:
     """How a fit is to be done."""
 
     free: tuple[str, ...]
@@ -491,7 +582,22 @@ class _Asked:
     backend: str
     rtol: float | None
     seed: int
+    method: Method
     progress: FitProgress
+
+    def problem(self, scene: Scene, films: Measurements) -> FilamentProblem:
+        """The problem; with all physics that applies where a parameter needs more than the scene's values call for."""
+        try:
+            return FilamentProblem(scene, films, self.free, self.bounds, self.backend, self.rtol)
+        except SceneError as refusal:
+            if scene.run.effects != "auto":
+                raise
+            everything = [effect.name for effect in REGISTRY if effect.applies(scene) and effect.name != ASIDE]
+            try:
+                wider = _with_effects(scene, everything)
+                return FilamentProblem(wider, films, self.free, self.bounds, self.backend, self.rtol)
+            except SceneError:
+                raise refusal from None
 
 
 def fit(
@@ -506,6 +612,7 @@ def fit(
     backend: str = "auto",
     rtol: float | None = None,
     seed: int = 0,
+    method: Method = "gauss-newton",
     progress: FitProgress | None = None,
 ) -> Fit:
     """Find the parameters with which a filament falls as it was filmed, by weighted least squares of its midpoint.
@@ -529,7 +636,9 @@ def fit(
     backend, rtol : str, float, optional
         ``"auto"``, ``"compiled"`` or ``"interpreted"``; the integrator's relative tolerance.
     profiles, progress : bool, FitProgress, optional
-        Whether intervals come from profile likelihoods, or from the curvature alone; told how far it is.
+        Whether intervals come from profile likelihoods, or from the curvature alone; hears how far it is.
+    method : str
+        ``"gauss-newton"``, or ``"ipopt"`` for IPOPT from every start.
 
     Returns
     -------
@@ -544,21 +653,16 @@ def fit(
     if not 0 <= starts <= MAX_STARTS:
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
     scene = as_scene(scene)
-    seen = taken(measurements, scene)
-    asked = _Asked(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, progress or NoProgress())
-    return _with_all_effects(scene, seen, asked)
-
-
-def _with_all_effects(scene: Scene, seen: Measurements, asked: _Asked) -> Fit:
-    """The fit, and once more where its values call for effects that it did not have."""
-    features = [_features(one, own_scene(one, scene)) for one in seen.series]
-    found = _fit(scene, scene, seen, features, asked)
+    films = taken(measurements, scene)
+    request = _Request(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, method, progress or _Silence())
+    features = [_features(film, own_scene(film, scene)) for film in films.series]
+    found = _fit(scene, scene, films, features, request)
     more = _called_for(found) if scene.run.effects == "auto" else []
     if more:
         wider = _with_effects(scene, sorted({*found.effects, *more}))
-        again = _fit(wider, scene, seen, features, asked)
+        again = _fit(wider, scene, films, features, request)
         found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
-    asked.progress.stage("the run of what fits best", 0, 1)
+    request.progress.stage("the run of what fits best", 0, 1)
     return _trusted(found)
 
 
@@ -576,34 +680,43 @@ def _trusted(found: Fit) -> Fit:
     return replace(found, outcome=outcome, message=f"{ended.name.replace('_', ' ')}: {message or ended.value}")
 
 
-def _fit(scene: Scene, given: Scene, seen: Measurements, features: Sequence[Features | None], asked: _Asked) -> Fit:
+def _fit(
+    scene: Scene, given: Scene, films: Measurements, features: Sequence[Features | None], request: _Request
+) -> Fit:
     """One fit with the effects that the scene's own values call for."""
-    problem = _problem(scene, seen, asked)
+    problem = request.problem(scene, films)
     begin = time.perf_counter()
     first = _first(problem, scene, features)
-    loss = _scaled(asked.loss, problem, first)
-    of_starts, of_profiles = (partial(asked.progress.stage, name) for name in ("starts", "profiles"))
-    falls = multi_start(problem, first, count=asked.starts, seed=asked.seed, loss=loss, told=of_starts)
-    inferred = infer(problem, falls, loss, profiles=asked.profiles, told=of_profiles)
+    loss = _scaled(request.loss, problem, first, request.method)
+    of_starts, of_profiles = (partial(request.progress.stage, name) for name in ("starts", "profiles"))
+    how: dict[str, Any] = {"loss": loss, "method": request.method}
+    starts = multi_start(problem, first, count=request.starts, seed=request.seed, on_progress=of_starts, **how)
+    inferred = infer(problem, starts, profiles=request.profiles, on_progress=of_profiles, **how)
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
     parts = [part / reading if reading > 0 else part for part in problem.by_film(best.residuals)]
     checks = check_residuals(parts, len(problem.names), noise_known=problem.noise_known)
-    films = _films(problem, best, parts, features)
+    fitted = []
+    for number, curve in enumerate(problem.curves(best.q)):
+        film = problem.films[number]
+        own = film.time, film.place, film.data, curve, parts[number], features[number]
+        fitted.append(FittedFilm(*own, name=film.name or f"film {number + 1}"))
     spent = time.perf_counter() - begin
-    asked.progress.stage("done", 1, 1)
-    values = [one.value(float(q)) for one, q in zip(problem.free, best.q, strict=True)]
+    request.progress.stage("done", 1, 1)
     return Fit(
         scene=given,
-        fitted_scene=with_values(given, problem.free, values),
-        measurements=seen,
-        parameters={one.name: fitted_parameter(one, v) for one, v in zip(problem.free, inferred.verdicts, strict=True)},
+        fitted_scene=with_values(given, problem.free, list(problem.values(best.q).values())),
+        measurements=films,
+        parameters={
+            free.name: fitted_parameter(free, verdict)
+            for free, verdict in zip(problem.free, inferred.verdicts, strict=True)
+        },
         correlation=known.correlation,
-        combinations=tuple(told(one, problem) for one in known.combinations),
+        combinations=tuple(combination_text(one, problem) for one in known.combinations),
         noise=reading * problem.unit,
         noise_known=problem.noise_known,
-        outcome=_outcome(best, inferred.verdicts, checks),
-        films=films,
+        outcome=_outcome({one.word for one in inferred.verdicts}, checks, converged=best.converged),
+        films=tuple(fitted),
         checks=checks,
         starts=inferred.starts,
         profiles=inferred.profiles,
@@ -616,15 +729,31 @@ def _fit(scene: Scene, given: Scene, seen: Measurements, features: Sequence[Feat
     )
 
 
-def _problem(scene: Scene, seen: Measurements, asked: _Asked) -> FilamentProblem:
-    """The problem; with all physics that applies where the scene's own values leave out what a parameter belongs to."""
-    try:
-        return FilamentProblem(scene, seen, asked.free, asked.bounds, asked.backend, asked.rtol)
-    except SceneError as refusal:
-        if scene.run.effects != "auto" or "makes no difference" not in str(refusal):
-            raise
-    everything = [effect.name for effect in REGISTRY if effect.applies(scene) and effect.name != ASIDE]
-    return FilamentProblem(_with_effects(scene, everything), seen, asked.free, asked.bounds, asked.backend, asked.rtol)
+def fitted_parameter(free: FreeParameter, verdict: ParameterVerdict) -> FittedParameter:
+    """Turn a verdict on q into one on the parameter."""
+    low, high = (None if q is None else free.value(q) for q in (verdict.lower, verdict.upper))
+    return FittedParameter(
+        name=free.name,
+        unit=free.unit,
+        value=None if verdict.value is None else free.value(verdict.value),
+        best=free.value(verdict.best),
+        std=None if verdict.standard_error is None else abs(free.slope(verdict.best)) * verdict.standard_error,
+        ci95=(low, high),
+        verdict=verdict.word,
+        reason=verdict.reason,
+        typical=free.typical,
+        bounds=free.bounds,
+    )
+
+
+def _outcome(words: set[Word], checks: ResidualChecks, *, converged: bool) -> FitOutcome:
+    if not converged:
+        return FitOutcome.not_converged
+    if checks.verdict == "not white":
+        return FitOutcome.model_error
+    if "at a bound" in words:
+        return FitOutcome.at_a_bound
+    return FitOutcome.solved if words == {"identified"} else FitOutcome.not_identified
 
 
 def _with_effects(scene: Scene, names: Sequence[str]) -> Scene:
@@ -634,23 +763,27 @@ def _with_effects(scene: Scene, names: Sequence[str]) -> Scene:
 def _called_for(found: Fit) -> list[str]:
     """Effects that the fitted values call for and the fit did not have."""
     try:
-        wanted = choose_effects(found.fitted_scene).names
+        names = choose_effects(found.fitted_scene).names
     except SceneError:
         return []
-    return [name for name in wanted if name not in found.effects and name != ASIDE]
+    return [name for name in names if name not in found.effects and name != ASIDE]
 
 
-def _scaled(loss: Loss, problem: FilamentProblem, given: Sequence[Floats]) -> Loss:
+def noise_scale(residuals: Floats) -> float:
+    """Standard deviation of residuals by the median of their magnitudes, which outliers hardly move."""
+    return max(1.4826 * float(np.median(np.abs(residuals))), 1e-9)
+
+
+def _scaled(loss: Loss, problem: FilamentProblem, given: Sequence[Floats], method: Method) -> Loss:
     """The loss with its scale in the problem's unit of residuals, where that is not their standard error."""
     if loss.kind == "linear" or problem.noise_known:
         return loss
-    wanted, at = LINEAR, given
+    scaled, at = LINEAR, given
     # Least squares follow outliers, the median of what they leave hardly; the second round is robust itself.
     for _ in range(2):
-        best = multi_start(problem, at, loss=wanted).best
-        deviation = _MEDIAN_TO_DEVIATION * float(np.median(np.abs(best.residuals)))
-        wanted, at = Loss(loss.kind, loss.scale * max(deviation, _MIN_NOISE)), [best.q]
-    return wanted
+        best = multi_start(problem, at, loss=scaled, method=method).best
+        scaled, at = Loss(loss.kind, loss.scale * noise_scale(best.residuals)), [best.q]
+    return scaled
 
 
 def _features(series: Series, scene: Scene) -> Features | None:
@@ -669,41 +802,9 @@ def _first(problem: FilamentProblem, scene: Scene, features: Sequence[Features |
         guess = closed_form(one, scene.filament.density).first_guess
         if guess is None:
             continue
-        known = {"youngs_modulus": guess.youngs_modulus, "viscosity": guess.viscosity}
         q = starts[0].copy()
         for k, free in enumerate(problem.free):
-            if free.name in known:
-                q[k] = np.clip(free.scaled(known[free.name]), problem.lower[k], problem.upper[k])
+            if free.name in ("youngs_modulus", "viscosity"):
+                q[k] = np.clip(free.scaled(getattr(guess, free.name)), problem.lower[k], problem.upper[k])
         starts.append(q)
     return starts
-
-
-def _films(
-    problem: FilamentProblem, best: Optimum, residuals: Sequence[Floats], features: Sequence[Features | None]
-) -> tuple[FittedFilm, ...]:
-    curves = problem.curves(best.q)
-    return tuple(
-        FittedFilm(
-            time=film.time,
-            place=film.place,
-            measured=film.data,
-            model=curve,
-            residuals=part,
-            features=seen,
-            name=film.series.path.name if film.series.path else f"film {number}",
-        )
-        for number, (film, curve, part, seen) in enumerate(
-            zip(problem.films, curves, residuals, features, strict=True), start=1
-        )
-    )
-
-
-def _outcome(best: Optimum, judged: Sequence[ParameterVerdict], checks: ResidualChecks) -> FitOutcome:
-    words = {one.word for one in judged}
-    if not best.converged:
-        return FitOutcome.not_converged
-    if checks.verdict == "not white":
-        return FitOutcome.model_error
-    if "at a bound" in words:
-        return FitOutcome.at_a_bound
-    return FitOutcome.solved if words == {"identified"} else FitOutcome.not_identified

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -11,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import stats
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.least_squares import LINEAR, Floats, Loss
@@ -61,27 +61,7 @@ def standard_errors(jacobian: NDArray[np.float64], squares: float) -> NDArray[np
 
 def student_quantile(freedom: int) -> float:
     """The number of standard errors within which Student's t lies with probability 95 %."""
-    low, high = 0.0, 13.0
-    # The interval is halved until the midpoint of two neighbouring floats is one of them.
-    while low < (middle := 0.5 * (low + high)) < high:
-        low, high = (middle, high) if _central_probability(middle, freedom) < LEVEL else (low, middle)
-    return high
-
-
-def _central_probability(t: float, freedom: int) -> float:
-    """Probability of |T| < t, the finite series of Abramowitz and Stegun (1964), 26.7.3 and 26.7.4."""
-    angle = math.atan(t / math.sqrt(freedom))
-    odd = freedom % 2
-    step = np.arange(1, max(freedom // 2, 1))
-    ratios = (2 * step - 1 + odd) / (2 * step + odd) * math.cos(angle) ** 2
-    series = 1.0 + float(np.cumprod(ratios).sum())
-    if not odd:
-        return math.sin(angle) * series
-    return 2 / math.pi * (angle + (math.sin(angle) * math.cos(angle) * series if freedom > 1 else 0.0))
-
-
-NORMAL_QUANTILE = statistics.NormalDist().inv_cdf(0.5 + 0.5 * LEVEL)
-"""The number of standard deviations within which a normal variable lies with probability 95 %."""
+    return float(stats.t.ppf(0.5 + 0.5 * LEVEL, freedom))
 
 
 def two_sided_quantile(freedom: int | None) -> float:
@@ -89,24 +69,7 @@ def two_sided_quantile(freedom: int | None) -> float:
 
     Its square is the 95 % quantile of F with one degree of freedom above `freedom`, or of chi^2 with one.
     """
-    return NORMAL_QUANTILE if freedom is None else student_quantile(freedom)
-
-
-def normal_tail(z: float) -> float:
-    """Probability that a normal variable lies further than |z| standard deviations from its mean, on either side."""
-    return math.erfc(abs(z) / math.sqrt(2))
-
-
-def chi_square_tail(x: float, freedom: int) -> float:
-    """Probability that chi^2 exceeds x: the finite series of Abramowitz and Stegun (1964), 26.4.4 and 26.4.5."""
-    if x <= 0:
-        return 1.0
-    half, odd = 0.5 * x, freedom % 2
-    orders = np.arange(0.5 * odd, 0.5 * freedom)
-    # Term j is exp(-x/2) (x/2)^j / Gamma(j + 1); by logarithms, for neither factor need be a number of the machine.
-    logs = orders * math.log(half) - half - np.array([math.lgamma(order + 1) for order in orders])
-    first = math.erfc(math.sqrt(half)) if odd else 0.0
-    return min(first + float(np.exp(logs).sum()), 1.0)
+    return float(stats.norm.ppf(0.5 + 0.5 * LEVEL)) if freedom is None else student_quantile(freedom)
 
 
 # To which the model is evaluated, relative to what a unit of q changes: less cannot be the noise of data.
@@ -190,12 +153,7 @@ class Combination:
 
 
 def combinations(
-    names: Sequence[str],
-    q: Floats,
-    root: Floats,
-    determined: Floats,
-    quantile: float,
-    logarithmic: Sequence[bool],
+    names: Sequence[str], q: Floats, root: Floats, determined: Floats, quantile: float, logarithmic: Sequence[bool]
 ) -> tuple[Combination, ...]:
     """Write the determined directions as combinations of few unknowns with simple exponents.
 
@@ -211,13 +169,10 @@ def combinations(
         if len(part) < 2 or error > _KNOWN:
             continue
         value, half = float(weights @ q), quantile * error
-        chosen = tuple(names[k] for k in part)
-        exponents = tuple(weights[part].tolist())
-        powers = all(logarithmic[k] for k in part)
-        text = (
-            _product_text(chosen, exponents) if powers else _sum_text(chosen, exponents, [logarithmic[k] for k in part])
-        )
-        found.append(Combination(chosen, exponents, text, value, error, (value - half, value + half)))
+        terms = [(names[k], float(weights[k]), logarithmic[k]) for k in part]
+        exponents = tuple(weight for _, weight, _ in terms)
+        interval = (value - half, value + half)
+        found.append(Combination(tuple(names[k] for k in part), exponents, _text(terms), value, error, interval))
     return tuple(sorted(found, key=lambda one: one.standard_error))
 
 
@@ -256,24 +211,21 @@ def _simplified(weights: Floats, root: Floats) -> Floats:
     return result
 
 
-def _number(weight: float) -> str:
-    fraction = Fraction(weight).limit_denominator(_DENOMINATORS[-1])
-    return str(fraction) if abs(float(fraction) - weight) < 1e-9 else f"{weight:.{_DIGITS}g}"
+def _text(terms: Sequence[tuple[str, float, bool]]) -> str:
+    """A product of powers, or a sum where an unknown is none of a logarithm."""
 
+    def number(weight: float) -> str:
+        fraction = Fraction(weight).limit_denominator(_DENOMINATORS[-1])
+        return str(fraction) if abs(float(fraction) - weight) < 1e-9 else f"{weight:.{_DIGITS}g}"
 
-def _product_text(names: Sequence[str], exponents: Sequence[float]) -> str:
-    written = (_number(exponent) for exponent in exponents)
-    return " * ".join(
-        f"{name}^({power})" if "/" in power else f"{name}^{power}" for name, power in zip(names, written, strict=True)
-    )
-
-
-def _sum_text(names: Sequence[str], exponents: Sequence[float], logarithmic: Sequence[bool]) -> str:
-    terms = [f"log({name})" if flag else name for name, flag in zip(names, logarithmic, strict=True)]
+    if all(logarithmic for *_, logarithmic in terms):
+        powers = [(name, number(weight)) for name, weight, _ in terms]
+        return " * ".join(f"{name}^({power})" if "/" in power else f"{name}^{power}" for name, power in powers)
     text = ""
-    for term, exponent in zip(terms, exponents, strict=True):
-        sign = " - " if exponent < 0 else " + "
-        text += f"{sign if text else sign.strip(' +')}{_number(abs(exponent))} * {term}"
+    for name, weight, logarithmic in terms:
+        sign = " - " if weight < 0 else " + "
+        term = f"log({name})" if logarithmic else name
+        text += f"{sign if text else sign.strip(' +')}{number(abs(weight))} * {term}"
     return text
 
 
@@ -288,9 +240,9 @@ DERIVATIVE_ACCURACY = 1e-6
 class Information:
     """What the curvature of the sum of squares at the optimum says.
 
-    A direction of the unknowns is determined if its standard error is less than `LARGEST_ERROR` and its singular value
-    is more than `DERIVATIVE_ACCURACY` of the largest. Along the others the linear theory has no meaning beyond the
-    bounds: their standard error is at most the half-length of the box.
+    A direction of the unknowns is determined if its standard error is less than `MAX_ERROR` and its singular value is
+    more than `DERIVATIVE_ACCURACY` of the largest. Along the others the linear theory has no meaning beyond the bounds:
+    their standard error is at most the half-length of the box.
     """
 
     names: tuple[str, ...]  # The k unknowns
@@ -322,7 +274,7 @@ class Information:
 
     @property
     def identified(self) -> NDArray[np.bool_]:
-        """Which single unknowns are determined, shape (k,): those with a standard error below `LARGEST_ERROR`."""
+        """Which single unknowns are determined, shape (k,): those with a standard error below `MAX_ERROR`."""
         below: NDArray[np.bool_] = self.standard_errors < MAX_ERROR
         return below
 
@@ -349,43 +301,29 @@ def information(
     loss: Loss = LINEAR,
 ) -> Information:
     """Judge an optimum by its Jacobian."""
-    spread = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss)
-    noise, freedom = spread.deviation, spread.freedom
-    directions, singular, errors, determined = _spectrum(jacobian / noise, box)
-    root, flags = directions * errors, logarithmic or (True,) * len(names)
-    standard = np.linalg.norm(root, axis=1)
-    found = combinations(names, q, root, directions[:, determined], two_sided_quantile(freedom), flags)
-    return Information(
-        names=names,
-        spread=spread,
-        matrix=jacobian.T @ jacobian / noise**2,
-        covariance=root @ root.T,
-        standard_errors=standard,
-        singular_values=singular,
-        directions=directions,
-        determined=determined,
-        combinations=() if determined.all() and np.all(standard < MAX_ERROR) else found,
-    )
-
-
-def _spectrum(scaled: Floats, box: tuple[Floats, Floats]) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
-    """Directions in columns, their singular values, their errors, at most as long as the box, and which are known."""
-    unknowns = scaled.shape[1]
+    spread, unknowns = noise_of(residuals, jacobian, noise_known=noise_known, loss=loss), len(names)
+    scaled = jacobian / spread.deviation
     # Rows of zeros, so that there are as many singular values as unknowns even for fewer data.
     _, singular, rows = np.linalg.svd(np.vstack([scaled, np.zeros((unknowns, unknowns))]), full_matrices=False)
     significant = singular > DERIVATIVE_ACCURACY * singular[0]
-    half_lengths = _half_lengths(rows.T, box)
-    raw = 1 / np.where(significant, singular, np.nan)
-    errors = np.where(significant, np.fmin(raw, half_lengths), half_lengths)
-    return rows.T, singular, errors, significant & (raw < MAX_ERROR)
-
-
-def _half_lengths(directions: Floats, box: tuple[Floats, Floats]) -> Floats:
-    """Half-length of the box along each direction, shape (k,), through its middle."""
-    width = (box[1] - box[0])[:, None]
     with np.errstate(divide="ignore"):
-        lengths: Floats = (0.5 * width / np.abs(directions)).min(axis=0)
-    return lengths
+        half_lengths = (0.5 * (box[1] - box[0])[:, None] / np.abs(rows.T)).min(axis=0)
+    raw = 1 / np.where(significant, singular, np.nan)
+    root = rows.T * np.where(significant, np.fmin(raw, half_lengths), half_lengths)
+    determined, standard = significant & (raw < MAX_ERROR), np.linalg.norm(root, axis=1)
+    quantile, flags = two_sided_quantile(spread.freedom), logarithmic or (True,) * unknowns
+    found = combinations(names, q, root, rows.T[:, determined], quantile, flags)
+    return Information(
+        names=names,
+        spread=spread,
+        matrix=jacobian.T @ jacobian / spread.deviation**2,
+        covariance=root @ root.T,
+        standard_errors=standard,
+        singular_values=singular,
+        directions=rows.T,
+        determined=determined,
+        combinations=() if determined.all() and np.all(standard < MAX_ERROR) else found,
+    )
 
 
 SIGNIFICANCE = 0.01
@@ -425,27 +363,38 @@ class ResidualChecks:
 
 def check_residuals(series: Sequence[Floats], unknowns: int, *, noise_known: bool) -> ResidualChecks:
     """Test the residuals of a fit."""
-    total = sum(one.size for one in series)
-    squares = float(sum(one @ one for one in series))
+    total = sum(row.size for row in series)
+    squares = float(sum(row @ row for row in series))
     size = None
     if noise_known and total > unknowns:
-        size = Statistic("chi-square", squares, chi_square_tail(squares, total - unknowns))
+        size = Statistic("chi-square", squares, float(stats.chi2.sf(squares, total - unknowns)))
     # Residuals that are all zero have no order.
-    long = [one for one in series if one.size >= FEWEST and np.any(one != 0)]
+    long = [row for row in series if row.size >= FEWEST and np.any(row != 0)]
     if not long:
         return ResidualChecks("cannot tell", (), None, size)
-    correlations = [_autocorrelations(one) for one in long]
-    tests = (_runs(long), _neighbours(long, correlations), _ljung_box(long, correlations))
+    runs, box, freedom = _runs(long), 0.0, 0
+    first, sizes = np.zeros(len(long)), np.array([row.size for row in long])
+    for k, row in enumerate(long):
+        lags = np.arange(1, min(_LAGS, row.size // 5) + 1)
+        # Without subtraction of a mean: that of residuals is to be zero.
+        correlations = np.array([float(row[lag:] @ row[:-lag]) for lag in lags]) / float(row @ row)
+        box += row.size * (row.size + 2) * float((correlations**2 / (row.size - lags)).sum())
+        first[k], freedom = correlations[0], freedom + lags.size
+    normal = float((np.sqrt(sizes) * first).sum()) / math.sqrt(len(long))
+    tests = (
+        Statistic("Wald-Wolfowitz runs", runs, 2 * float(stats.norm.sf(abs(runs)))),
+        Statistic("lag-one autocorrelation", normal, 2 * float(stats.norm.sf(abs(normal)))),
+        Statistic("Ljung-Box", box, float(stats.chi2.sf(box, freedom))),
+    )
     white = min(test.p_value for test in tests) >= SIGNIFICANCE / len(tests)
-    mean = float(np.mean([lags[0] for lags in correlations]))
-    return ResidualChecks("white" if white else "not white", tests, mean, size)
+    return ResidualChecks("white" if white else "not white", tests, float(first.mean()), size)
 
 
-def _runs(series: Sequence[Floats]) -> Statistic:
+def _runs(series: Sequence[Floats]) -> float:
     """Numbers of runs of one sign, against their mean and variance for random order, summed over the series."""
     excess, variance = 0.0, 0.0
-    for one in series:
-        signs = one[one != 0] > 0
+    for row in series:
+        signs = row[row != 0] > 0
         above, below = int(signs.sum()), int((~signs).sum())
         both, count = 2 * above * below, above + below
         if count > 1:
@@ -453,29 +402,6 @@ def _runs(series: Sequence[Floats]) -> Statistic:
             variance += both * (both - count) / (count**2 * (count - 1))
     if variance <= 0:
         # One sign only, throughout: the mean of the residuals is not zero.
-        return Statistic("Wald-Wolfowitz runs", -math.inf, 0.0)
+        return -math.inf
     # Half a run of continuity.
-    z = math.copysign(max(abs(excess) - 0.5, 0.0), excess) / math.sqrt(variance)
-    return Statistic("Wald-Wolfowitz runs", z, normal_tail(z))
-
-
-def _autocorrelations(one: Floats) -> Floats:
-    """Of the first lags, without subtraction of a mean: that of residuals is to be zero."""
-    lags = range(1, min(_LAGS, one.size // 5) + 1)
-    return np.array([float(one[lag:] @ one[:-lag]) for lag in lags]) / float(one @ one)
-
-
-def _neighbours(series: Sequence[Floats], correlations: Sequence[Floats]) -> Statistic:
-    sizes = np.array([one.size for one in series])
-    first = np.array([lags[0] for lags in correlations])
-    z = float((np.sqrt(sizes) * first).sum() / math.sqrt(len(sizes)))
-    return Statistic("lag-one autocorrelation", z, normal_tail(z))
-
-
-def _ljung_box(series: Sequence[Floats], correlations: Sequence[Floats]) -> Statistic:
-    statistic, freedom = 0.0, 0
-    for one, lags in zip(series, correlations, strict=True):
-        n = one.size
-        statistic += n * (n + 2) * float((lags**2 / (n - np.arange(1, lags.size + 1))).sum())
-        freedom += lags.size
-    return Statistic("Ljung-Box", statistic, chi_square_tail(statistic, freedom))
+    return math.copysign(max(abs(excess) - 0.5, 0.0), excess) / math.sqrt(variance)

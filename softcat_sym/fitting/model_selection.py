@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+import pandas as pd
 
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.defaults import STARTS
-from softcat_sym.fitting.fit import Fit, FitProgress, NoProgress, fit
+from softcat_sym.fitting.fit import Fit, FitProgress, fit, noise_scale
 from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
@@ -206,7 +207,7 @@ class _Limit:
 
 # By the wider, then by the narrower; an index begins at one. What only holds, the elastic law, is left out: whatever
 # flows needs a time to be told from it.
-_LIMITS: dict[str, dict[str, _Limit]] = {
+LIMITS: dict[str, dict[str, _Limit]] = {
     "maxwell": {"newtonian": _Limit({"youngs_modulus": _STIFF})},
     "kelvin-voigt": {"newtonian": _Limit({"youngs_modulus": _WEAK})},
     "standard-linear": {
@@ -227,15 +228,10 @@ _LIMITS: dict[str, dict[str, _Limit]] = {
 }
 
 
-def contained_in(law: str) -> tuple[str, ...]:
-    """Laws that are a limit of this one."""
-    return tuple(_LIMITS.get(law, {}))
-
-
 def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
     """Write a fitted filament in the constants of a law that contains its own."""
     narrower = fitted.material.law
-    limit = _LIMITS[law][narrower]
+    limit = LIMITS[law][narrower]
     scene, rough = scene_of_law(fitted, law, films), rough_constants(fitted, films, law)
     values = {name: factor * rough[name] for name, factor in limit.factors.items()}
     values |= {name: float(getattr(fitted.material, own)) for name, own in limit.renamed.items()}
@@ -243,10 +239,6 @@ def widened(fitted: Scene, law: str, films: Measurements) -> Scene:
     return scene.replace(
         {f"material.{name}": kind_of_constant(name, law, index).write(value) for name, value in values.items()}
     )
-
-
-# Of a normal distribution, over the median of magnitudes; the floor is for data that are met exactly.
-_MEDIAN_TO_DEVIATION, _MIN_NOISE = 1.4826, 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -274,12 +266,44 @@ class LawComparison:
             if not self.fits[name].outcome.converged:
                 doubt += ", though its fit did not reach its optimum"
             alone = "only {} could be fitted" if len(self.fits) == 1 else "the films speak for {}"
-            said = alone.format(name) + doubt
+            text = alone.format(name) + doubt
         elif any(math.isinf(row.aicc) for row in self.choice.table if not row.law.failure):
-            said = f"cannot tell: too few readings to weigh {', '.join(self.choice.close)} against each other"
+            text = f"cannot tell: too few readings to weigh {', '.join(self.choice.close)} against each other"
         else:
-            said = f"cannot tell: {', '.join(self.choice.close)} fit about equally well"
-        return said + (f"; no fit of {', '.join(self.failures)}" if self.failures else "")
+            text = f"cannot tell: {', '.join(self.choice.close)} fit about equally well"
+        return text + (f"; no fit of {', '.join(self.failures)}" if self.failures else "")
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``fit.json`` says of the laws, in SI; infinite where there are too few readings, or no fit."""
+        return {
+            "verdict": self.choice.verdict,
+            "sentence": self.sentence,
+            "criterion": self.choice.criterion,
+            "close": list(self.choice.close),
+            "restarted": dict(self.restarted),
+            "table": [self._row(row) for row in self.choice.table],
+        }
+
+    def _row(self, row: Ranked) -> dict[str, Any]:
+        one, law = self.fits.get(row.law.name), row.law
+        return {
+            "law": law.name,
+            "constants": law.unknowns,
+            "squares": None if one is None else law.squares,
+            **{key: getattr(row, key) for key in ("aic", "aicc", "bic", "difference", "weight")},
+            "residual_std_m": None if one is None else one.residual_std,
+            "residuals": None if one is None else one.checks.verdict,
+            "outcome": None if one is None else one.outcome.word,
+            "failure": " ".join(law.failure.split()),
+            "effects": [] if one is None else list(one.effects),
+            "parameters": {} if one is None else {name: each.to_dict() for name, each in one.parameters.items()},
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """Content of ``laws.csv``: the ranking, the best law first; what is not known is missing."""
+        frame = pd.DataFrame([self._row(row) for row in self.choice.table]).drop(columns=["effects", "parameters"])
+        frame.insert(0, "rank", range(1, len(frame) + 1))
+        return frame.replace([math.inf, -math.inf], math.nan)
 
 
 def compared(
@@ -299,22 +323,22 @@ def compared(
 def _ranked(
     laws: Sequence[str], fits: Mapping[str, Fit], failures: Mapping[str, str], loss: Loss, besides: int
 ) -> ModelChoice:
-    one, charged = next(iter(fits.values())), common_loss(loss, fits)
+    first, values = next(iter(fits.values())), loss_values(loss, fits)
     rows = [
-        FittedLaw(law, len(fits[law].problem.names), 2 * charged.value(fits[law].starts.best.residuals))
+        FittedLaw(law, len(fits[law].problem.names), 2 * values[law])
         if law in fits
         else FittedLaw(law, len(constants_of(law)) + besides, 0.0, failures[law])
         for law in laws
     ]
-    return choose_model(rows, one.starts.best.residuals.size, noise_known=one.noise_known)
+    return choose_model(rows, first.starts.best.residuals.size, noise_known=first.noise_known)
 
 
-def common_loss(loss: Loss, fits: Mapping[str, Fit]) -> Loss:
-    """One loss for all laws: a robust one has each fit's own estimate of the noise for its scale; the least is used."""
-    if loss.kind == "linear" or next(iter(fits.values())).noise_known:
-        return loss
-    medians = [float(np.median(np.abs(one.starts.best.residuals))) for one in fits.values()]
-    return Loss(loss.kind, loss.scale * max(_MEDIAN_TO_DEVIATION * min(medians), _MIN_NOISE))
+def loss_values(loss: Loss, fits: Mapping[str, Fit]) -> dict[str, float]:
+    """The same loss of every fit: a robust one has each fit's own estimate of the noise; here the least is used."""
+    residuals = {name: one.starts.best.residuals for name, one in fits.items()}
+    if loss.kind != "linear" and not next(iter(fits.values())).noise_known:
+        loss = Loss(loss.kind, loss.scale * min(noise_scale(left) for left in residuals.values()))
+    return {name: loss.value(left) for name, left in residuals.items()}
 
 
 # By which a wider law's sum of squares may exceed that of one it contains: the limit is never quite reached.
@@ -324,37 +348,22 @@ Bounds = Mapping[str, tuple[object, object]]
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _Request:
     """How every law is to be fitted."""
 
     films: Measurements
     also_free: tuple[str, ...]
     bounds: Bounds
-    loss: Loss
-    starts: int
-    backend: str
-    rtol: float | None
-    seed: int
+    how: Mapping[str, Any]  # Further arguments of a fit
 
     def fitted(self, scene: Scene, starts: int, *, profiles: bool = False, progress: FitProgress | None = None) -> Fit:
         """Fit all constants of the scene's own law."""
-        law = scene.material.law
-        names = [*constants_of(law), *self.also_free]
+        names = [*constants_of(scene.material.law), *self.also_free]
         leaves = {name.rpartition(".")[2] for name in names}
-        return fit(
-            # As they were read: a fit notes its own corrections.
-            self.films,
-            scene,
-            names,
-            bounds={name: pair for name, pair in self.bounds.items() if name.rpartition(".")[2] in leaves},
-            loss=self.loss,
-            starts=starts,
-            profiles=profiles,
-            backend=self.backend,
-            rtol=self.rtol,
-            seed=self.seed,
-            progress=progress,
-        )
+        bounds = {name: pair for name, pair in self.bounds.items() if name.rpartition(".")[2] in leaves}
+        # Films as they were read: a fit notes its own corrections.
+        how: dict[str, Any] = {"starts": starts, "profiles": profiles, "progress": progress, **self.how}
+        return fit(self.films, scene, names, bounds=bounds, **how)
 
 
 def fit_law(
@@ -373,8 +382,8 @@ def fit_law(
     """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`."""
     _refuse([law], also_free, bounds or {}, fewest=1)
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
-    asked = _Asked(read, tuple(also_free), bounds or {}, loss, starts, "auto", None, seed)
-    return asked.fitted(scene_of_law(scene, law, checked(read, scene)), starts, profiles=profiles, progress=progress)
+    request = _Request(read, tuple(also_free), bounds or {}, {"loss": loss, "seed": seed})
+    return request.fitted(scene_of_law(scene, law, checked(read, scene)), starts, profiles=profiles, progress=progress)
 
 
 def fit_laws(
@@ -420,72 +429,57 @@ def fit_laws(
     _refuse(laws, also_free, bounds or {})
     read = measurements if isinstance(measurements, Measurements) else read_measurements(measurements)
     seen = checked(read, scene)
-    told = progress or NoProgress()
-    asked = _Asked(read, tuple(also_free), bounds or {}, loss, starts, backend, rtol, seed)
-    found = _all_fitted(laws, scene, seen, asked, told)
-    return _with_profiles(found, asked, told) if profiles else found
-
-
-def _all_fitted(
-    laws: Sequence[str], scene: Scene, seen: Measurements, asked: _Asked, told: FitProgress
-) -> LawComparison:
+    how = {"loss": loss, "backend": backend, "rtol": rtol, "seed": seed}
+    request = _Request(read, tuple(also_free), bounds or {}, how)
     fits: dict[str, Fit] = {}
     failures: dict[str, str] = {}
     restarted: dict[str, str] = {}
-    for number, law in enumerate(_narrow_first(laws)):
-        told.stage(law, number, len(laws))
+    # Every law after those that it contains.
+    for number, law in enumerate(sorted(laws, key=lambda law: len(LIMITS.get(law, {})))):
+        if progress is not None:
+            progress.stage(law, number, len(laws))
         try:
-            fits[law] = asked.fitted(scene_of_law(scene, law, seen), asked.starts)
+            fits[law] = request.fitted(scene_of_law(scene, law, seen), starts)
         except SoftcatError as error:
             failures[law] = str(error)
-        narrower = _better_contained(law, fits, asked.loss)
-        if narrower and _restart(law, narrower, asked, seen, fits):
+        narrower = _better_contained(law, fits, loss)
+        if narrower and _restarted(law, narrower, request, seen, fits):
             failures.pop(law, None)
             restarted[law] = narrower
-    found = compared(laws, fits, failures, asked.loss, len(asked.also_free))
-    return replace(found, restarted={law: other for law, other in restarted.items() if law in found.fits})
-
-
-def _narrow_first(laws: Sequence[str]) -> list[str]:
-    """Every law after those that it contains, otherwise in the order given."""
-    return sorted(laws, key=lambda law: len(contained_in(law)))
+    found = compared(laws, fits, failures, loss, len(also_free))
+    found = replace(found, restarted={law: other for law, other in restarted.items() if law in found.fits})
+    if not profiles:
+        return found
+    # Once more, as thoroughly as a single fit is, from where its best fit began.
+    name = found.choice.table[0].law.name
+    again = request.fitted(found.best.scene, starts, profiles=True, progress=progress)
+    return replace(found, fits={**found.fits, name: again})
 
 
 def _better_contained(law: str, fits: Mapping[str, Fit], loss: Loss) -> str:
     """The best law that this one contains, if its own fit is none or worse; otherwise nothing."""
-    inside = {name: fits[name] for name in contained_in(law) if name in fits and fits[name].outcome.converged}
-    if not inside:
+    near = {name: fits[name] for name in (law, *LIMITS.get(law, {})) if name in fits and fits[name].outcome.converged}
+    if not near or set(near) == {law}:
         return ""
-    charged = common_loss(loss, {name: one for name, one in fits.items() if name in inside or name == law})
-    values = {name: charged.value(one.starts.best.residuals) for name, one in inside.items()}
+    values = loss_values(loss, near)
+    own = values.pop(law, math.inf)
     best = min(values, key=lambda name: values[name])
-    if law not in fits or not fits[law].outcome.converged:
-        return best
-    own = charged.value(fits[law].starts.best.residuals)
     return best if own > values[best] * (1 + _NO_WORSE) else ""
 
 
-def _restart(law: str, narrower: str, asked: _Asked, seen: Measurements, fits: dict[str, Fit]) -> bool:
+def _restarted(law: str, narrower: str, request: _Request, seen: Measurements, fits: dict[str, Fit]) -> bool:
     """Fit a law from the optimum of one that it contains; keep that fit if it is better, and say so."""
     try:
-        again = asked.fitted(widened(fits[narrower].fitted_scene, law, seen), 0)
+        again = request.fitted(widened(fits[narrower].fitted_scene, law, seen), 0)
     except SoftcatError:
         return False
     former = fits.get(law)
     if former is not None and former.outcome.converged:
-        charged = common_loss(asked.loss, {"former": former, "again": again})
-        before, after = (charged.value(one.starts.best.residuals) for one in (former, again))
-        if not (again.outcome.converged and after < before):
+        values = loss_values(request.how["loss"], {"former": former, "again": again})
+        if not (again.outcome.converged and values["again"] < values["former"]):
             return False
     fits[law] = again
     return True
-
-
-def _with_profiles(found: LawComparison, asked: _Asked, told: FitProgress) -> LawComparison:
-    """Fit the law that ranks first once more, as thoroughly as a single fit is, from where its best fit began."""
-    name = found.choice.table[0].law.name
-    again = asked.fitted(found.best.scene, asked.starts, profiles=True, progress=told)
-    return replace(found, fits={**found.fits, name: again})
 
 
 def _refuse(laws: Sequence[str], also_free: Sequence[str], bounds: Bounds, fewest: int = 2) -> None:

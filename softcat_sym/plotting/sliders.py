@@ -1,4 +1,4 @@
-"""A sweep as one page with parallel sliders: it needs no server, no network and no other file."""
+"""A sweep as one page with sliders: it needs no server, no network and no other file."""
 
 from __future__ import annotations
 
@@ -179,14 +179,14 @@ def _colours() -> list[list[int]]:
     return rounded
 
 
-_SCRIPTS = ("sliders_data.js", "sliders_axes.js", "sliders_filament.js", "sliders.js")
+_SCRIPTS = ("sliders_data.js", "sliders_filament.js", "sliders.js")
 """In the order in which they need one another."""
 
 
 def sliders_page(dataset: xr.Dataset, title: str) -> str:
-    """Write the page of a sweep: an axis for each varied parameter, with a handle, and one for each result.
+    """Write the page of a sweep: a slider for each varied parameter.
 
-    Dragging a handle chooses the member that is nearest; its filament, its midpoint and its numbers are shown below.
+    Dragging one chooses the member that is nearest; its filament, its midpoint and its numbers are shown below.
     """
     folder = resources.files("softcat_sym.plotting") / "templates"
 

@@ -1,4 +1,4 @@
-"""Fits of the same film by the compiled and by the interpreted solver, and IPOPT's checker of their derivatives.
+"""Fits of the same film by the compiled and by the interpreted solver, and their derivatives against differences.
 
 ``python -m pytest -m slow -s tests/acceptance/test_fit_agreement.py`` prints the tables.
 """
@@ -13,7 +13,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.fitting.fit import FilamentProblem
-from softcat_sym.fitting.least_squares import Optimum, check_derivatives, minimise
+from softcat_sym.fitting.least_squares import Optimum, minimise
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.scene.scene import Scene
 
@@ -25,8 +25,8 @@ pytestmark = pytest.mark.slow
 BACKENDS = ("compiled", "interpreted")
 AGREE = 1e-6
 
-# Of one-sided differences by IPOPT, relative to each derivative: where one constant moves little, rounding shows.
-STEP, CLEAN = 1e-5, 1e-3
+# Of two-sided differences, over the largest derivative of each unknown.
+STEP, CLEAN = 1e-4, 1e-3
 
 
 @dataclass(frozen=True)
@@ -81,34 +81,23 @@ def test_two_solvers_find_the_same_constants(name: str) -> None:
     assert np.all(apart < AGREE)
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("name", CASES)
-def test_derivative_checker_of_ipopt_finds_no_error(name: str, backend: str) -> None:
-    """One-sided differences against gradients, each to a thousandth."""
-    problem = _problem(name, backend)
-    check = check_derivatives(problem, problem.typical + 0.01, step=STEP, tolerance=CLEAN)
-    print(f"\n{name}, {backend}, rtol {CASES[name].rtol:g}\n{check.text}")
-    assert check.clean
+def test_derivatives_are_differences() -> None:
+    for name in CASES:
+        for backend in BACKENDS:
+            problem = _problem(name, backend)
+            q = problem.typical + 0.01
+            columns = problem.linearised(q)[1]
+            for k, step in enumerate(STEP * np.eye(q.size)):
+                difference = (problem.residuals(q + step) - problem.residuals(q - step)) / (2 * STEP)
+                off = np.abs(difference - columns[:, k]).max() / np.abs(columns[:, k]).max()
+                print(f"{name}, {backend}, {problem.names[k]}: {off:.0e}")
+                assert off < CLEAN
 
 
-def test_derivative_checker_finds_an_error() -> None:
-    """What it is worth: of derivatives by one unknown that are a hundredth too large it says so."""
-    problem = _problem("Maxwell", "compiled")
-    check = check_derivatives(_Wrong(problem), problem.typical + 0.01, step=STEP, tolerance=CLEAN)
-    assert not check.clean
-
-
-class _Wrong:
-    """A problem with derivatives that are wrong by a hundredth in the last unknown."""
-
-    def __init__(self, problem: FilamentProblem) -> None:
-        self._problem = problem
-        self.names, self.lower, self.upper = problem.names, problem.lower, problem.upper
-
-    def residuals(self, q: np.ndarray) -> np.ndarray:
-        return self._problem.residuals(q)
-
-    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        residuals, jacobian = self._problem.linearised(q)
-        jacobian[:, -1] *= 1.01
-        return residuals, jacobian
+def test_ipopt_finds_the_same_optimum() -> None:
+    for name in CASES:
+        problem = _problem(name, "compiled")
+        found = minimise(problem, problem.typical)
+        other = minimise(problem, problem.typical, method="ipopt")
+        assert found.converged and other.converged
+        np.testing.assert_allclose(found.q, other.q, atol=1e-5)

@@ -60,7 +60,7 @@ def test_three_constants_from_two_hundred_points() -> None:
             RadauFit(prepared, data.series[0], CONSTANTS)
         )
         found = {title: timed(side) for title, side in sides.items()}
-        least = 2 * minimise(tight, found["ours"][0][0], warm=True).value
+        least = 2 * minimise(tight, found["ours"][0][0]).value
         for title, ((q, count), time) in found.items():
             squares = float(np.sum(tight.residuals(q) ** 2))
             spent.setdefault(title, []).append([time.wall, time.processor, count, squares, squares - least])

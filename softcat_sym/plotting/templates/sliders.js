@@ -1,4 +1,5 @@
 // The page: which member is chosen, what is written about it, and the clock.
+const panel = document.getElementById("sliders");
 const time = document.getElementById("time"), play = document.getElementById("play");
 
 const chosen = {
@@ -10,24 +11,41 @@ const chosen = {
     varied.forEach((axis) => { axis.handle.value = axis.places[this.member]; });
     this.show(this.member);
   },
-  filtered() {
-    drawLines();
-    const count = [...Array(data.members).keys()].filter(isKept).length;
-    tell(count);
-    if (!isKept(this.member) && count) this.take(nearest(varied.map((axis) => axis.places[this.member])));
-    else this.show(this.member);
-  },
   show(member) {
     this.member = member;
-    drawChosen(member);
     write(member);
     drawAtTime();
   },
 };
 
-function tell(count) {
-  const all = `${data.members} filament${data.members === 1 ? "" : "s"}`;
-  document.getElementById("count").textContent = count < data.members ? `${count} of ${all} kept.` : `${all}.`;
+function element(tag, text = "", className = "") {
+  const made = document.createElement(tag);
+  made.textContent = text;
+  if (className) made.className = className;
+  return made;
+}
+
+function buildSliders() {
+  varied.forEach((axis, k) => {
+    const row = element("div"), name = element("label", axis.name);
+    const handle = document.createElement("input");
+    Object.assign(handle, { type: "range", min: 0, max: 1, step: 0.001, id: `axis-${k}` });
+    handle.dataset.key = axis.key;
+    name.htmlFor = handle.id;
+    name.append(element("small", [axis.unit, axis.scale === "log" ? "log" : ""].filter(Boolean).join(", ")));
+    handle.addEventListener("input", () => chosen.byHandles());
+    handle.addEventListener("change", () => chosen.settle());
+    handle.addEventListener("keydown", (event) => {
+      const direction = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
+      if (!direction) return;
+      event.preventDefault();
+      chosen.take(neighbour(chosen.member, axis, direction));
+    });
+    axis.handle = handle;
+    axis.output = element("output");
+    row.append(name, handle, axis.output);
+    panel.append(row);
+  });
 }
 
 function write(member) {
@@ -36,6 +54,10 @@ function write(member) {
   heading.textContent = name;
   heading.dataset.member = member;
   document.getElementById("shown").style.borderLeftColor = colourOf(member);
+  for (const axis of varied) {
+    axis.output.textContent = `${axis.text(axis.values[member])} ${axis.unit}`.trim();
+    axis.handle.setAttribute("aria-valuetext", axis.output.textContent);
+  }
   numbers.replaceChildren(...axes.map((axis) => {
     const row = element("div"), value = element("dd", `${axis.text(axis.values[member])} ${axis.values[member] === null ? "" : axis.unit}`.trim());
     value.dataset.key = axis.key;
@@ -98,16 +120,13 @@ function fromLink() {
 
 function layOut() {
   if (!panel.clientWidth) return; // no window yet, or none any more
-  placeAxes();
-  drawLines();
   if (shapes) drawRamp();
   chosen.show(chosen.member);
 }
 
-buildAxes(chosen);
-watchPointer(chosen);
+buildSliders();
 legend();
-tell(data.members);
+document.getElementById("count").textContent = `${data.members} filament${data.members === 1 ? "" : "s"}.`;
 if (!shapes) { document.getElementById("shape").hidden = true; document.getElementById("film").classList.add("bare"); }
 if (!midpoints) document.getElementById("curve").hidden = true;
 if (!shapes && !midpoints) document.getElementById("clock").hidden = true;

@@ -29,19 +29,15 @@ function significant(value, digits = 4) {
   return text.replace("-", "−");
 }
 
-// Each axis maps its values to 0 (bottom) .. 1 (top).
+// Each axis maps its values to 0 .. 1.
 const axes = data.axes.map((axis) => {
   const measure = axis.scale === "log" ? Math.log : (value) => value;
-  // What failed may lie anywhere: the scale of a result is that of sound answers, and what is beyond stands at its end.
-  const sound = axis.values.filter((value, member) => value !== null && (axis.varied || data.regime[member]));
-  const finite = sound.length ? sound : axis.values.filter((value) => value !== null);
+  const finite = axis.values.filter((value) => value !== null);
   const low = measure(finite.reduce((a, b) => Math.min(a, b)));
   const high = measure(finite.reduce((a, b) => Math.max(a, b)));
-  const within = (share) => (axis.varied ? share : Math.max(-0.03, Math.min(1.03, share)));
-  const place = (value) => (value === null ? NaN : high > low ? within((measure(value) - low) / (high - low)) : 0.5);
-  const back = (share) => (axis.scale === "log" ? Math.exp(low + share * (high - low)) : low + share * (high - low));
+  const place = (value) => (value === null ? NaN : high > low ? (measure(value) - low) / (high - low) : 0.5);
   const text = (value) => (axis.words && value !== null ? axis.words[Math.round(value)] : significant(value));
-  return { ...axis, place, back, text, places: axis.values.map(place), kept: null };
+  return { ...axis, place, text, places: axis.values.map(place) };
 });
 const varied = axes.filter((axis) => axis.varied);
 
@@ -54,38 +50,27 @@ function colourOf(member) {
   return known < 0 ? DASHED : COLOURS[known % COLOURS.length];
 }
 
-function isKept(member) {
-  return axes.every((axis) => !axis.kept || (axis.places[member] >= axis.kept[0] && axis.places[member] <= axis.kept[1]));
-}
-
-// The nearest member in scaled distance, of those kept; `beyond` asks for one farther along one axis.
+// The nearest member in scaled distance; `beyond` asks for one farther along one axis.
 function nearest(target, beyond = () => true) {
   let best = -1, least = Infinity;
-  for (const wanted of [isKept, () => true]) {
-    for (let member = 0; member < data.members; member++) {
-      if (!wanted(member) || !beyond(member)) continue;
-      let distance = 0;
-      varied.forEach((axis, k) => { distance += (axis.places[member] - target[k]) ** 2; });
-      if (distance < least) { least = distance; best = member; }
-    }
-    if (best >= 0) return best;
+  for (let member = 0; member < data.members; member++) {
+    if (!beyond(member)) continue;
+    let distance = 0;
+    varied.forEach((axis, k) => { distance += (axis.places[member] - target[k]) ** 2; });
+    if (distance < least) { least = distance; best = member; }
   }
   return best;
 }
 
 // A member next to this one along an axis: the smallest step first, then the least change of the others.
 function neighbour(member, axis, direction) {
-  const from = axis.places[member], target = varied.map((one) => one.places[member]);
-  let step = Infinity;
-  for (const place of axis.places) {
-    const ahead = direction * (place - from);
-    if (ahead > 1e-9 && ahead < step) step = ahead;
-  }
-  if (!Number.isFinite(step)) return member;
-  return nearest(target, (other) => direction * (axis.places[other] - from) > 1e-9 && isKeptOr(other, member));
+  const from = axis.places[member], target = varied.map((other) => other.places[member]);
+  const ahead = (other) => direction * (axis.places[other] - from);
+  const steps = [...Array(data.members).keys()].map(ahead).filter((step) => step > 1e-9);
+  if (!steps.length) return member;
+  const step = Math.min(...steps);
+  return nearest(target, (other) => ahead(other) > 1e-9 && ahead(other) < step + 1e-9);
 }
-function isKeptOr(other) { return isKept(other) || !anyKept(); }
-function anyKept() { for (let k = 0; k < data.members; k++) if (isKept(k)) return true; return false; }
 
 function styleOf(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
 

@@ -150,16 +150,16 @@ def test_a_handle_that_is_dragged_shows_the_numbers_of_its_member(tmp_path: Path
             find = f"document.querySelector('input[data-key=\"{key}\"]')"
             return chromium.ask(
                 f"(() => {{ const b = {find}.getBoundingClientRect();"
-                f"return {{x: b.x + b.width / 2, top: b.top, height: b.height, at: Number({find}.value)}} }})()"
+                f"return {{y: b.y + b.height / 2, left: b.left, width: b.width, at: Number({find}.value)}} }})()"
             )
 
         chromium.open(page, "#groups.G=1&groups.V=4")
         assert (G[shown()], V[shown()]) == pytest.approx((1.0, 4.0))
         before = chromium.ask("document.getElementById('filament').toDataURL()")
         slider = handle("groups.G")
-        middle = slider["top"] + (1 - slider["at"]) * slider["height"]
-        chromium.drag((slider["x"], middle), (slider["x"], slider["top"] + 0.03 * slider["height"]))
-        assert (G[shown()], V[shown()]) == pytest.approx((10.0, 4.0)), "dragged to the top of its axis"
+        middle = slider["left"] + slider["at"] * slider["width"]
+        chromium.drag((middle, slider["y"]), (slider["left"] + 0.99 * slider["width"], slider["y"]))
+        assert (G[shown()], V[shown()]) == pytest.approx((10.0, 4.0)), "dragged to its end"
         assert chromium.ask("document.getElementById('filament').toDataURL()") != before
         chromium.ask("document.querySelector('input[data-key=\"groups.V\"]').focus()")
         chromium.press("ArrowUp")

@@ -1,4 +1,4 @@
-"""The midpoint as a function of what is unknown: against whole runs, neighbouring values, and where there is none."""
+"""What a camera sees of a filament: values against runs, derivatives against differences, both solvers."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.scene.reading import load_scene
 
 BACKENDS = ("compiled", "interpreted")
 PAPER = {"run.effects": "paper", "numerics.cells": 8}
@@ -263,3 +264,17 @@ def test_shapes(name: str) -> None:
     np.testing.assert_allclose(derivatives / largest_slope, np.stack(found, axis=1) / largest_slope, atol=5e-4)
     beyond, _ = model.shapes(q, np.array([share]), np.array([scene.filament.span]))
     assert np.isnan(beyond).all()
+
+
+_FREE = ("thickness", "yield_stress")
+
+
+def test_derivatives_are_those_of_wide_differences() -> None:
+    """At the default tolerance: differences over 4 % see the slope, and none of the jumps."""
+    scene = load_scene("arrested-overdamped", {"filament.span": "210 mm"})
+    model = ForwardModel(scene, free_parameters(scene, _FREE), np.array([scene.run.duration]))
+    assert "fibres" in model.effects
+    q, step = model.typical, 0.02
+    found = model.with_derivatives(q)[1]
+    wide = [(model.midpoints(q + h) - model.midpoints(q - h)) / (2 * step) for h in step * np.eye(len(_FREE))]
+    np.testing.assert_allclose(found, np.stack(wide, axis=1), rtol=0.02)

@@ -1,4 +1,4 @@
-"""Giving a scene another law, and comparing several: every pair of laws, what is refused, what is said."""
+"""Which law: ranking by hand, rough constants, laws that contain others, fits of several."""
 
 from __future__ import annotations
 
@@ -18,14 +18,92 @@ from softcat_sym.fitting.least_squares import Loss
 from softcat_sym.fitting.measurements import Measurements, Series, Shapes
 from softcat_sym.fitting.model_selection import (
     FITTED,
+    LIMITS,
     FittedLaw,
     LawComparison,
     choose_model,
+    fit_law,
     fit_laws,
     rough_constants,
     scene_of_law,
+    widened,
 )
 from softcat_sym.scene.material import CONSTANTS
+
+
+def test_criteria_by_hand_with_known_noise() -> None:
+    choice = choose_model([FittedLaw("two", 2, 60.0), FittedLaw("three", 3, 50.0)], 50, noise_known=True)
+    best, other = choice.table
+    assert (best.law.name, other.law.name) == ("three", "two")
+    assert best.aic == 56.0
+    assert best.aicc == pytest.approx(56.0 + 24 / 46)
+    assert best.bic == pytest.approx(50 + 3 * math.log(50))
+    assert other.difference == pytest.approx(64 + 12 / 47 - best.aicc)
+    assert best.weight + other.weight == pytest.approx(1.0)
+    assert other.weight / best.weight == pytest.approx(math.exp(-0.5 * other.difference))
+    assert choice.verdict == "three"
+
+
+def test_estimated_noise_is_one_constant_more() -> None:
+    (one,) = choose_model([FittedLaw("law", 2, 0.5)], 50, noise_known=False).table
+    assert one.aic == pytest.approx(50 * math.log(0.01) + 6)
+    assert one.bic == pytest.approx(50 * math.log(0.01) + 3 * math.log(50))
+
+
+def test_close_laws_cannot_be_told_apart() -> None:
+    choice = choose_model([FittedLaw("a", 2, 50.0), FittedLaw("b", 2, 51.9)], 50, noise_known=True)
+    assert (choice.verdict, choice.close) == ("cannot tell", ("a", "b"))
+    choice = choose_model([FittedLaw("a", 2, 50.0), FittedLaw("b", 2, 52.1)], 50, noise_known=True)
+    assert (choice.verdict, choice.close) == ("a", ("a",))
+
+
+def test_failures_come_last_with_their_reason() -> None:
+    laws = [FittedLaw("broken", 1, math.nan, "no optimum was found"), FittedLaw("poor", 2, 1e6)]
+    choice = choose_model(laws, 50, noise_known=True)
+    assert [row.law.name for row in choice.table] == ["poor", "broken"]
+    assert choice.table[-1].law.failure == "no optimum was found"
+    assert choice.table[-1].weight == 0.0
+    assert choice.verdict == "poor"
+    none = choose_model(laws[:1], 50, noise_known=True)
+    assert (none.verdict, none.close) == ("cannot tell", ())
+    with pytest.raises(SoftcatError, match="one or more"):
+        choose_model([], 50, noise_known=True)
+
+
+def test_too_few_data_for_aicc_are_ranked_by_bic_and_cannot_tell() -> None:
+    """Five data: AICc of three constants and the noise is infinite, whatever their fit."""
+    laws = [FittedLaw("poor", 1, 300.0), FittedLaw("good", 3, 1.0)]
+    choice = choose_model(laws, 5, noise_known=False)
+    assert [row.law.name for row in choice.table] == ["good", "poor"]
+    assert math.isinf(choice.table[0].aicc) and math.isfinite(choice.table[1].aicc)
+    assert choice.table[1].difference == pytest.approx(5 * math.log(300) - 2 * math.log(5))
+    assert sum(row.weight for row in choice.table) == pytest.approx(1)
+    assert (choice.verdict, choice.criterion, choice.close) == ("cannot tell", "BIC", ("good", "poor"))
+    assert choice.reason.startswith("5 data are too few to weigh good by AICc")
+    enough = choose_model(laws, 50, noise_known=False)
+    assert (enough.verdict, enough.criterion, enough.reason) == ("good", "AICc", "")
+
+
+def test_exact_data_choose_the_fewest_constants() -> None:
+    choice = choose_model([FittedLaw("a", 3, 1e-30), FittedLaw("b", 2, 1e-28)], 50, noise_known=False)
+    assert choice.verdict == "b"
+
+
+def test_the_true_law_is_hardly_ever_ruled_out() -> None:
+    x = np.linspace(-1, 1, 60)
+    random = np.random.default_rng(7)
+    verdicts = []
+    for _ in range(300):
+        data = 1 + 2 * x + 0.1 * random.standard_normal(60)
+        laws = [
+            FittedLaw(f"degree {n}", n + 1, float(np.sum((np.polyval(np.polyfit(x, data, n), x) - data) ** 2)))
+            for n in (0, 1, 2)
+        ]
+        verdicts.append(choose_model(laws, 60, noise_known=False).verdict)
+    assert verdicts.count("degree 0") == 0
+    assert verdicts.count("degree 2") < 0.08 * 300
+    assert verdicts.count("degree 1") > 0.3 * 300
+
 
 PLAIN = {"run.effects": "paper", "numerics.cells": 6}
 TIME = np.linspace(0.05, 2.0, 40)
@@ -222,3 +300,59 @@ def test_corrections_are_noted_once() -> None:
     for one in found.fits.values():
         assert len(one.notes) == 1
         assert "Turned the sign" in one.notes[0]
+
+
+PAIRS = [(wider, narrower) for wider in FITTED for narrower in LIMITS.get(wider, {})]
+
+
+def _oil(law: str) -> sc.Scene:
+    """A filament that sags by a good tenth of its span and does not ring."""
+    own = {"youngs_modulus": "4 MPa", "second_modulus": "1 MPa", "viscosity": "60 kPa*s", "yield_stress": "2 kPa"}
+    changes: dict[str, object] = {f"material.{name}": None for name in own} | {"material.law": law}
+    changes |= {f"material.{name}": own[name] for name in CONSTANTS[law]}
+    if law in ("power-law", "herschel-bulkley"):
+        changes |= {"material.index": 0.8, "material.viscosity": "60 kPa*s^0.8"}
+    plain = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 41}
+    scene = sc.load_scene("continual-descent", plain).replace(changes)
+    return scene.replace({"run.effects": [name for name in choose_effects(scene).names if name != "inertia"]})
+
+
+def _film_of(scene: sc.Scene) -> tuple[np.ndarray, np.ndarray]:
+    data = sc.simulate(scene).data
+    return data.time.values[1:], data.midpoint.values[1:]
+
+
+@pytest.mark.parametrize(("wider", "narrower"), PAIRS)
+def test_the_wider_law_falls_as_the_one_inside(wider: str, narrower: str) -> None:
+    """Two percent of the sag: negligible constants are a hundredth of what would matter, not nothing."""
+    scene = _oil(narrower)
+    time, height = _film_of(scene)
+    inside = widened(scene, wider, Measurements.of(time, height))
+    assert inside.material.law == wider
+    after, found = _film_of(inside)
+    late = time > 0.2 * time[-1]
+    scale = float(np.abs(height).max())
+    assert np.abs(np.interp(time, after, found) - height)[late].max() < 0.02 * scale
+
+
+def test_a_wider_law_starts_again_from_the_one_inside() -> None:
+    """A solid's modulus that is far too large cannot be left behind by its own starts, whose bounds lie about it."""
+    scene = _oil("newtonian")
+    time, height = _film_of(scene)
+    film = Measurements.of(time, height + 1e-4 * np.random.default_rng(4).standard_normal(height.size))
+    stiff = scene.replace(
+        {"material.law": "kelvin-voigt", "material.youngs_modulus": "300 MPa", "run.effects": "paper"}
+    ).replace({"run.effects": [name for name in choose_effects(_oil("kelvin-voigt")).names if name != "inertia"]})
+    alone = fit_law(film, stiff, "kelvin-voigt", starts=0, profiles=False)
+    found = fit_laws(film, stiff, ["kelvin-voigt", "newtonian"], starts=0)
+    assert found.restarted == {"kelvin-voigt": "newtonian"}
+    assert alone.squares > 10 * found.fits["kelvin-voigt"].squares
+    # What has one constant more is no worse, but for how little its modulus may be made.
+    assert found.fits["kelvin-voigt"].squares < 1.01 * found.fits["newtonian"].squares
+    assert "newtonian" in found.choice.close
+
+
+def test_the_narrower_comes_first() -> None:
+    """Laws are fitted in the order of how many others they contain."""
+    for law in FITTED:
+        assert all(len(LIMITS.get(inside, {})) < len(LIMITS[law]) for inside in LIMITS.get(law, {}))

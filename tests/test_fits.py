@@ -1,0 +1,359 @@
+"""Fits of films whose truth is known: outcomes, effects, the run that is judged, pictures and words."""
+
+from __future__ import annotations
+
+import io
+import itertools
+import json
+import logging
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from html import escape
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from rich.console import Console
+
+import softcat_sym as sc
+from softcat_sym.errors import SceneError
+from softcat_sym.fitting.fit import Fit, FitOutcome, FittedParameter, fit
+from softcat_sym.fitting.flow_curve import fit_flow_curve, fitted_scene
+from softcat_sym.fitting.identifiability import Statistic
+from softcat_sym.fitting.least_squares import MultiStartResult
+from softcat_sym.fitting.measurements import Measurements
+from softcat_sym.plotting import style
+from softcat_sym.plotting.files import json_bytes
+from softcat_sym.plotting.fit import fit_page, fitted_toml, print_fit
+from softcat_sym.plotting.fit_figures import (
+    JOINT,
+    correlation_figure,
+    curves_figure,
+    model_bands,
+    profiles_figure,
+    smooth,
+    starts_figure,
+    unit_ellipse,
+)
+from softcat_sym.plotting.fit_words import (
+    display_unit,
+    parameter_texts,
+    rounded,
+    with_error,
+)
+from softcat_sym.plotting.style import png
+from softcat_sym.results import trajectory, verdict
+from tests.inverse.curves import curve_of
+from tests.inverse.filmed import film, scene
+
+NECK = "the cell at X/L = 0.49 carries 60%"
+
+
+def fitted(*free: str, wave: float = 0.0) -> Fit:
+    time, height = film()
+    height = height + wave * np.sin(40 * time / time[-1])
+    return fit(Measurements.of(time, height), scene(), free or ["viscosity"], starts=0, profiles=False)
+
+
+def test_a_run_that_is_solved_changes_nothing() -> None:
+    found = fitted()
+    assert (found.outcome, found.message) == (FitOutcome.solved, "")
+
+
+def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(verdict, "neck_that_the_grid_decides", lambda stretch, length, neck: NECK)
+    found = fitted()
+    assert found.parameters["viscosity"].verdict == "identified"
+    assert found.outcome is FitOutcome.localised
+    assert found.outcome.converged
+    assert "localised" in found.message and NECK in found.message
+
+
+def test_lost_energy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
+    found = fitted()
+    assert found.outcome is FitOutcome.run_in_doubt
+    assert "energy residual 0.5" in found.message
+    # A graver word stays; the complaint is told beside it.
+    other = fitted(wave=2e-3)
+    assert other.outcome is FitOutcome.model_error
+    assert "energy residual 0.5" in other.message
+
+
+def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the fitted value, the effects of the fit, and for as long as it was filmed."""
+    from softcat_sym.fitting import fit as fitted_run
+
+    asked: list[sc.Scene] = []
+
+    def simulate(one: sc.Scene) -> sc.Trajectory:
+        asked.append(one)
+        return sc.simulate(one)
+
+    monkeypatch.setattr(fitted_run, "recalled", simulate)
+    found = fitted("viscosity", "time_offset")
+    (one,) = asked
+    assert one.material.viscosity == pytest.approx(found.parameters["viscosity"].best)
+    assert tuple(one.run.effects) == found.effects
+    offset = found.parameters["time_offset"].best
+    assert offset != 0
+    assert one.run.duration == pytest.approx(float(film()[0].max()) - offset)
+
+
+def test_a_filament_that_cannot_begin(monkeypatch: pytest.MonkeyPatch) -> None:
+    from softcat_sym.fitting import fit as fitted_run
+
+    def refused(one: sc.Scene) -> sc.Trajectory:
+        raise sc.SceneError([])
+
+    monkeypatch.setattr(fitted_run, "recalled", refused)
+    assert fitted().outcome is FitOutcome.run_in_doubt
+
+
+FIT = fit_flow_curve(curve_of(12.0, 3.4, 0.43, noise=0.02, seed=5))
+
+
+@pytest.mark.parametrize("name", sc.bundled_names())
+@pytest.mark.parametrize("law", ["bingham", "power-law", "herschel-bulkley"])
+def test_every_scene_takes_every_law_and_reads_back(name: str, law: str) -> None:
+    base = sc.load_scene(name)
+    if base.model != "filament":
+        return
+    modulus = [] if base.material.youngs_modulus else ["material.youngs_modulus=1 kPa"]
+    scene = fitted_scene(FIT, name, law, modulus)
+    tensile = FIT.candidate(law).tensile
+    material = scene.material
+    assert material.law == law
+    assert material.yield_stress == (tensile.yield_stress and pytest.approx(tensile.yield_stress, rel=1e-9))
+    assert material.viscosity == pytest.approx(tensile.viscosity, rel=1e-9)
+    if tensile.index is not None:
+        assert material.index == pytest.approx(tensile.index, rel=1e-9)
+    if base.material.youngs_modulus:
+        assert material.youngs_modulus == base.material.youngs_modulus
+        assert fitted_scene(FIT, base, law) == scene
+    assert (scene.filament, scene.run) == (base.filament, base.run)
+    # The shear data are stated.
+    shear = [note for note in material.notes if "in shear" in note]
+    assert len(shear) == (1 if law == "power-law" else 2)
+    assert all(note in scene.to_toml() for note in material.notes)
+
+
+def test_what_is_set_wins_over_the_fit() -> None:
+    changes = ["material.youngs_modulus=40 kPa", "material.shear_yield_stress=7 Pa"]
+    scene = fitted_scene(FIT, "no-yield", "bingham", changes)
+    assert scene.material.youngs_modulus == 40e3
+    assert scene.material.yield_stress == pytest.approx(7 * math.sqrt(3))
+    # Given in tension, it takes the place of the fitted one in shear.
+    scene = fitted_scene(FIT, "no-yield", "bingham", ["material.yield_stress=7 Pa"])
+    assert scene.material.yield_stress == 7
+    # What is not of the material is set before the scene is read, its groups included.
+    scene = fitted_scene(FIT, "no-yield", "power-law", ["groups.duration=10"])
+    assert scene.run == sc.load_scene("no-yield", ["groups.duration=10"]).run
+    with pytest.raises(SceneError, match="sets nothing"):
+        fitted_scene(FIT, "no-yield", "bingham", ["material.yield_stress"])
+
+
+FIGURES: dict[str, Callable[[sc.Fit], Figure]] = {
+    "curves": curves_figure,
+    "profiles": profiles_figure,
+    "starts": starts_figure,
+    "correlation": correlation_figure,
+}
+
+
+@pytest.fixture(scope="module")
+def two_fitted() -> sc.Fit:
+    return sc.fit(sc.Measurements.of(*film(), std=5e-4), scene(), ["yield_stress", "viscosity"], starts=2)
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_every_word_is_on_the_paper_and_on_no_other(
+    name: str, two_fitted: sc.Fit, caplog: pytest.LogCaptureFixture
+) -> None:
+    title = {"title": "$x$ 世 " + 12 * "a very long title "}
+    long = replace(two_fitted, scene=two_fitted.scene.model_copy(update=title))
+    worst = replace(long, outcome=FitOutcome.not_identified, checks=replace(long.checks, verdict="cannot tell"))
+    figure = FIGURES[name](replace(worst, noise=9.99e-4, noise_known=False))
+    with caplog.at_level(logging.WARNING):
+        assert png(figure).startswith(b"\x89PNG")
+    # A font that is missing is said there, and so is mathtext, which asks for many.
+    assert not caplog.records
+    boxes = []
+    for text in figure.findobj(Text):
+        box = text.get_window_extent()
+        if not (text.get_visible() and text.get_text().strip()) or not _inside_limits(text, figure):
+            continue
+        assert box.x0 >= 0 and box.y0 >= 0, text
+        assert box.x1 <= figure.bbox.width and box.y1 <= figure.bbox.height, text
+        boxes.append((text.get_text(), box))
+    for (one, a), (other, b) in itertools.combinations(boxes, 2):
+        assert not a.overlaps(b), (one, other)
+    for axes in figure.axes:
+        assert not axes.xaxis.get_offset_text().get_text() and not axes.yaxis.get_offset_text().get_text()
+
+
+def _inside_limits(text: Text, figure: Figure) -> bool:
+    """Whether a label is one that is drawn: ticks beyond the limits are kept, but not shown."""
+    for axes in figure.axes:
+        for axis, low, high in ((axes.xaxis, *axes.get_xlim()), (axes.yaxis, *axes.get_ylim())):
+            for tick in axis.get_major_ticks():
+                if text is tick.label1 or text is tick.label2:
+                    return min(low, high) <= tick.get_loc() <= max(low, high)
+    return True
+
+
+def test_parameter_axes_have_two_ticks_at_least(two_fitted: sc.Fit) -> None:
+    for axes in (*profiles_figure(two_fitted).axes, *starts_figure(two_fitted).axes):
+        low, high = axes.get_xlim()
+        assert sum(low <= place <= high for place in axes.xaxis.get_majorticklocs()) >= 2
+
+
+def test_the_band_is_what_the_covariance_makes_of_the_model(two_fitted: sc.Fit) -> None:
+    """Against draws of the parameters: the half-width is 1.96 standard deviations of what the model then says."""
+    draws = np.random.default_rng(3).multivariate_normal(
+        two_fitted.starts.best.q, two_fitted.information.covariance, size=120, method="cholesky"
+    )
+    curves = np.array([two_fitted.problem.curves(q)[0] for q in draws])
+    (band,) = model_bands(two_fitted)
+    # 120 draws tell a standard deviation to 6.5 %; the readings share them.
+    ratio = band / (two_fitted.information.quantile * curves.std(axis=0))
+    assert np.median(ratio) == pytest.approx(1, abs=0.15)
+    assert np.all((ratio > 0.6) & (ratio < 1.6))
+
+
+def test_the_curve_of_a_profile_goes_through_its_points(two_fitted: sc.Fit) -> None:
+    for one in two_fitted.profiles:
+        q, increase = smooth(one)
+        for at, value in zip(one.q, one.increase, strict=True):
+            assert increase[np.argmin(np.abs(q - at))] == pytest.approx(value, rel=1e-6, abs=1e-9)
+        assert np.all(np.diff(q) > 0)
+
+
+@pytest.mark.parametrize("r", [-0.999, -0.4, 0.0, 0.7])
+def test_the_ellipse_is_that_of_the_correlation(r: float) -> None:
+    x, y = unit_ellipse(r)
+    np.testing.assert_allclose((x**2 - 2 * r * x * y + y**2) / (1 - r**2), 1, rtol=1e-9)
+    pairs = np.random.default_rng(1).multivariate_normal([0, 0], [[1, r], [r, 1]], size=20000).T
+    inside = (pairs[0] ** 2 - 2 * r * pairs[0] * pairs[1] + pairs[1] ** 2) / (1 - r**2) < JOINT
+    assert inside.mean() == pytest.approx(0.95, abs=0.006)
+
+
+def test_a_parameter_of_no_correlation_and_films_of_one_sort_are_drawn(two_fitted: sc.Fit) -> None:
+    unknown = replace(two_fitted, correlation=np.full((2, 2), np.nan), profiles=())
+    words = [text.get_text() for text in correlation_figure(unknown).findobj(Text)]
+    assert "–" in words
+    with style.styled():
+        correlation_figure(unknown).draw_without_rendering()
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [
+        (13851.77, 243.4, "13850 ± 240"),
+        (1957.417, 18.6, "1957 ± 19"),
+        (1957.417, 0.996, "1957.4 ± 1.0"),
+        (0.43012, 0.0023, "0.4301 ± 0.0023"),
+        (-0.0001, 0.0012, "−0.0001 ± 0.0012"),
+        (3.222e-5, 3.4e-7, "3.222e-5 ± 3.4e-7"),
+        (5.0, 80.0, "5 ± 80"),
+    ],
+)
+def test_as_many_digits_as_the_error_has_meaning(value: float, error: float, text: str) -> None:
+    assert with_error(value, error) == text
+
+
+def test_without_an_error_three_digits() -> None:
+    assert rounded(1957.417, None) == rounded(1957.417, math.nan) == rounded(1957.417, 0.0) == "1957"
+
+
+def test_units_have_prefixes_where_they_are_known() -> None:
+    assert display_unit("Pa*s", 13.8e3).symbol == "kPa·s"
+    assert display_unit("Pa", 1.6e8).text(1.6e8) == "160 MPa"
+    assert display_unit("kg/m^3", 1900).symbol == "kg/m^3"
+    assert display_unit("s", 5e-3).symbol == "ms"
+    assert display_unit("m", 0.0).symbol == "nm"
+
+
+KNOWN = FittedParameter(
+    "viscosity", "Pa*s", 13.85e3, 13.85e3, 243.0, (13.4e3, 14.3e3), "identified", "", 13e3, (1, 1e6)
+)
+
+
+@pytest.mark.parametrize(
+    ("changes", "value", "interval"),
+    [
+        ({}, "13.85 ± 0.24", "13.40 to 14.30"),
+        ({"verdict": "one-sided", "value": None, "std": None, "ci95": (None, 14.3e3)}, "–", "< 14.3"),
+        ({"verdict": "one-sided", "value": None, "std": None, "ci95": (13.4e3, None)}, "–", "> 13.4"),
+        ({"verdict": "not identified", "value": None, "std": None, "ci95": (None, None)}, "–", "–"),
+        ({"verdict": "not identified", "value": None, "std": None, "ci95": (1e3, 2e6)}, "–", "1.00 to 2000"),
+        ({"verdict": "at a bound", "std": None, "ci95": (13.4e3, None)}, "13.8 (bound)", "> 13.4"),
+    ],
+)
+def test_no_number_stands_for_what_is_not_known(changes: dict[str, object], value: str, interval: str) -> None:
+    one = replace(KNOWN, **changes)  # type: ignore[arg-type]
+    assert parameter_texts(one) == ("viscosity [kPa·s]", value, interval, one.verdict, "13.0")
+
+
+@pytest.fixture(scope="module")
+def one_fitted() -> sc.Fit:
+    time, height = film()
+    # Out of order, and one frame is missing: both are corrected, and said.
+    height = np.where(np.arange(time.size) == 7, np.nan, height)
+    return sc.fit(sc.Measurements.of(time[::-1], height[::-1]), scene(), ["viscosity"], starts=0)
+
+
+def unknown(fit: sc.Fit) -> sc.Fit:
+    """The same fit, had it told nothing."""
+    lost = {"value": None, "std": None, "ci95": (None, None), "verdict": "not identified", "reason": "<no & why>"}
+    return replace(
+        fit,
+        parameters={"viscosity": replace(fit.parameters["viscosity"], **lost)},  # type: ignore[arg-type]
+        outcome=FitOutcome.not_identified,
+        correlation=np.array([[math.nan]]),
+        combinations=("viscosity^1 * density^-1 = 7.3 (7 to 7.6), SI",),
+        noise=math.inf,
+        repeats=("the one_fitted values call for <shear>",),
+    )
+
+
+def test_the_document_has_what_the_contract_says_and_no_nan(one_fitted: sc.Fit) -> None:
+    for each in (one_fitted, unknown(one_fitted)):
+        found = json.loads(json_bytes(each.to_dict()), parse_constant=lambda name: pytest.fail(name))
+        assert {"parameters", "correlation", "features", "outcome", "starts", "advice"} <= set(found)
+        assert set(found["parameters"]["viscosity"]) >= {"value", "std", "ci95", "verdict", "unit", "best", "bounds"}
+        assert len(found["notes"]) == 2 and len(found["features"]) == 1
+    assert found["correlation"] == [[None]] and found["noise_m"] is None
+    assert found["parameters"]["viscosity"]["value"] is None and found["parameters"]["viscosity"]["best"] > 0
+    assert one_fitted.to_dict()["features"][0]["prefactor"]["value"] == pytest.approx(0.007, rel=0.1)
+
+
+def test_terminal_page_and_scene_say_what_is_not_known(one_fitted: sc.Fit) -> None:
+    fit = unknown(one_fitted)
+    screen = Console(file=io.StringIO(), width=80, color_system=None)
+    print_fit(fit, screen)
+    printed = " ".join(screen.file.getvalue().split())  # type: ignore[attr-defined]
+    page = fit_page(fit, {}, "softcat fit 'a <b>.csv'").decode()
+    assert "<no & why>" in printed and "&lt;no &amp; why&gt;" in page and "<no" not in page and "<shear" not in page
+    assert "&#39;a &lt;b&gt;.csv&#39;" in page and " doubtful" in page
+    for words in [*fit.combinations, *fit.repeats, *fit.notes]:
+        assert words in printed and escape(words) in page
+    assert "…" not in printed
+    # Neither says where the optimum lies.
+    assert f"{fit.parameters['viscosity'].best:.4g}"[:4] not in printed
+    toml = fitted_toml(fit)
+    assert "# viscosity: not identified; <no & why>" in toml
+    assert toml.splitlines()[0] == "# Fitted: not identified."
+
+
+def test_what_a_reader_has_to_know_first_is_a_warning(one_fitted: sc.Fit) -> None:
+    assert one_fitted.warnings == []
+    large = replace(one_fitted, checks=replace(one_fitted.checks, size=Statistic("chi-square", 700.0, 1e-9)))
+    assert "larger than the stated errors (chi-square 700 for 59 readings, p = 1e-09)" in large.warnings[0]
+    best = one_fitted.starts.results[0]
+    lonely = MultiStartResult((best, replace(best, cluster=1), replace(best, cluster=2)), 0)
+    assert "only one start" in replace(one_fitted, starts=lonely).warnings[0]
+    doubtful = replace(one_fitted.profiles[0], unconverged=2, better=best.start)
+    assert len(replace(one_fitted, profiles=(doubtful,)).warnings) == 2

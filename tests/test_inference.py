@@ -1,0 +1,544 @@
+"""What data tell: covariance, combinations, profiles, verdicts and white residuals, against closed forms and SciPy."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq, curve_fit, minimize_scalar
+from scipy.signal import lfilter
+from scipy.stats import chi2
+from scipy.stats import f as fisher
+
+from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting import inference
+from softcat_sym.fitting.identifiability import Information, check_residuals, information, standard_errors
+from softcat_sym.fitting.inference import ParameterVerdict, Profile, infer, profile, verdicts
+from softcat_sym.fitting.least_squares import LINEAR, Fixed, Loss, minimise, multi_start
+from tests.inverse.problems import Problem, X, decay, line, problem, product, saturation, unused
+
+
+def informed(p: Problem, *, noise_known: bool, logarithmic: tuple[bool, ...] | None = None) -> Information:
+    best = minimise(p, np.zeros(len(p.names)))
+    return information(
+        p.names,
+        best.q,
+        best.residuals,
+        best.jacobian,
+        (p.lower, p.upper),
+        noise_known=noise_known,
+        logarithmic=logarithmic,
+    )
+
+
+def test_straight_line_has_the_textbook_covariance() -> None:
+    p = problem("offset slope", line, [1.0, 2.0], 0.1)
+    found = informed(p, noise_known=True)
+    spread = np.sum((X - X.mean()) ** 2)
+    slope = 0.01 / spread
+    offset = 0.01 * (1 / X.size + X.mean() ** 2 / spread)
+    mixed = -0.01 * X.mean() / spread
+    np.testing.assert_allclose(found.covariance, [[offset, mixed], [mixed, slope]], rtol=1e-10)
+    assert found.correlation[0, 1] == pytest.approx(mixed / np.sqrt(offset * slope))
+    np.testing.assert_allclose(found.matrix @ found.covariance, np.eye(2), atol=1e-9)
+    assert found.identified.all()
+    assert found.rank == 2
+    assert found.combinations == ()
+
+
+def test_estimated_noise_gives_the_covariance_of_scipy() -> None:
+    p = problem("A k", decay, [0.5, 0.2], 0.01)
+    found = informed(p, noise_known=False)
+    _, covariance = curve_fit(lambda _, a, k: p.model(np.array([a, k]))[0], X, p.data, p0=[0.5, 0.2], xtol=1e-14)
+    np.testing.assert_allclose(found.covariance, covariance, rtol=1e-4)
+    best = minimise(p, np.zeros(2))
+    np.testing.assert_allclose(found.standard_errors, standard_errors(best.jacobian, 2 * best.value), rtol=1e-9)
+    assert found.freedom == 58
+
+
+@pytest.mark.parametrize("noise_known", [True, False])
+@pytest.mark.parametrize("seed", [0, None])
+def test_a_quotient_is_identified_where_its_parts_are_not(seed: int | None, noise_known: bool) -> None:
+    p = problem("A youngs_modulus viscosity", product, [0.5, 0.2, 0.3], 0.01, seed)
+    found = informed(p, noise_known=noise_known)
+    assert found.identified.tolist() == [True, False, False]
+    assert found.rank == 2
+    (one,) = found.combinations
+    assert one.text == "youngs_modulus^1 * viscosity^-1"
+    assert one.exponents == (1.0, -1.0)
+    single = informed(problem("A k", decay, [0.5, -0.1], 0.01, seed), noise_known=noise_known)
+    assert one.standard_error == pytest.approx(single.standard_errors[1], rel=0.1)
+    assert one.interval[0] - 1e-9 < -0.1 < one.interval[1] + 1e-9
+    value, low, high = one.product([3e4, 1e3])
+    assert value == pytest.approx(30 * np.exp(one.value))
+    assert low < value < high
+    # An unknown that is not identified has an error no larger than the box.
+    assert np.all(found.standard_errors < 12)
+
+
+@pytest.mark.parametrize(("power", "text"), [(2.0, "a^1 * b^(1/2)"), (3.0, "a^1 * b^(1/3)"), (0.5, "a^(1/2) * b^1")])
+def test_exponents_are_simple_numbers(power: float, text: str) -> None:
+    def powers(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        values, columns = decay(np.array([0.3, (power * q[0] + q[1]) / 3]))
+        return values, columns[:, 1:] * [power / 3, 1 / 3]
+
+    (one,) = informed(problem("a b", powers, [0.1, 0.2], 0.01), noise_known=True).combinations
+    assert one.text == text
+
+
+def test_linear_unknowns_are_added_and_not_multiplied() -> None:
+    def sums(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return (q[0] - 0.5 * q[1]) * X, np.stack([X, -0.5 * X], axis=1)
+
+    p = problem("drift shift", sums, [0.1, 0.2], 0.01)
+    (one,) = informed(p, noise_known=True, logarithmic=(False, False)).combinations
+    assert one.text == "1 * drift - 1/2 * shift"
+    (one,) = informed(p, noise_known=True, logarithmic=(True, False)).combinations
+    assert one.text == "1 * log(drift) - 1/2 * shift"
+
+
+def test_an_unused_unknown_is_in_no_combination() -> None:
+    found = informed(problem("A k unused", unused, [0.5, 0.2, 0.1], 0.01), noise_known=True)
+    assert found.identified.tolist() == [True, True, False]
+    assert found.combinations == ()
+    assert found.standard_errors[2] == pytest.approx(6.0)
+
+
+def test_noise_that_hides_an_unknown_closes_the_gate() -> None:
+    assert informed(problem("A k", decay, [0.5, -3.0], 0.05), noise_known=True).identified.tolist() == [True, True]
+    hidden = informed(problem("A k", decay, [0.5, -5.0], 1.0), noise_known=True)
+    assert hidden.identified.tolist() == [True, False]
+    assert hidden.rank == 1
+
+
+def test_no_more_data_than_unknowns_leave_no_noise() -> None:
+    arrays = np.zeros(2), np.zeros(2), np.eye(2)
+    box = (np.full(2, -1.0), np.full(2, 1.0))
+    with pytest.raises(SoftcatError, match="at least 3 data, or their standard errors"):
+        information(("a", "b"), *arrays, box, noise_known=False)
+    fewer = information(("a", "b"), np.zeros(2), np.zeros(1), np.array([[50.0, 50.0]]), box, noise_known=True)
+    assert fewer.rank == 1
+    assert fewer.combinations[0].text == "a^1 * b^1"
+
+
+def profiles(p: Problem, *, noise_known: bool) -> list[Profile]:
+    best = minimise(p, np.zeros(len(p.names)))
+    return [profile(p, best.q, k, noise_known=noise_known) for k in range(len(p.names))]
+
+
+@pytest.mark.parametrize("noise_known", [True, False])
+def test_profile_of_a_straight_line_is_the_interval_of_the_linear_theory(noise_known: bool) -> None:
+    p = problem("offset slope", line, [1.0, 2.0], 0.1)
+    best = minimise(p, np.zeros(2))
+    known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=noise_known)
+    for k, one in enumerate(profiles(p, noise_known=noise_known)):
+        half = known.quantile * known.standard_errors[k]
+        assert one.lower.crossing == pytest.approx(best.q[k] - half, abs=1e-6)
+        assert one.upper.crossing == pytest.approx(best.q[k] + half, abs=1e-6)
+        np.testing.assert_allclose(one.increase, ((one.q - best.q[k]) / known.standard_errors[k]) ** 2, atol=1e-4)
+        assert one.lower.flag == one.upper.flag == "crosses"
+        assert (one.unconverged, one.better) == (0, None)
+        assert np.all(np.diff(one.q) > 0)
+    quantile = 3.841458820694124 if noise_known else fisher.ppf(0.95, 1, 58)
+    assert one.threshold == pytest.approx(quantile, rel=1e-9)
+
+
+@pytest.mark.parametrize("model", [decay, saturation])
+def test_crossings_are_those_of_a_brute_force_search(model) -> None:
+    p = problem("one two", model, [0.5, 0.2], 0.2)
+    best = minimise(p, np.zeros(2))
+    for k, one in enumerate(profiles(p, noise_known=True)):
+
+        def increase(at: float, k: int = k) -> float:
+            def squares(other: float) -> float:
+                q = np.insert([other], k, at)
+                return float(np.sum(p.residuals(q) ** 2))
+
+            start = float(best.q[1 - k])
+            found = minimize_scalar(squares, (start - 0.1, start + 0.1), tol=1e-12)
+            return float(found.fun) - 2 * best.value - 3.841458820694124
+
+        low = brentq(increase, best.q[k] - 2.0, best.q[k])
+        high = brentq(increase, best.q[k], best.q[k] + 2.0)
+        assert one.lower.crossing == pytest.approx(low, abs=0.003 * (high - low))
+        assert one.upper.crossing == pytest.approx(high, abs=0.003 * (high - low))
+        assert one.q.size < 15
+
+
+def test_one_unknown_needs_no_derivatives_along_the_way() -> None:
+    def alone(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        values, derivatives = decay(np.array([0.5, q[0]]))
+        return values, derivatives[:, 1:]
+
+    p = problem("k", alone, [0.2], 0.1)
+    best = minimise(p, np.zeros(1))
+    p.asked.clear()
+    one = profile(p, best.q, 0, noise_known=True)
+    assert len(p.asked) == 1
+    for side in (one.lower, one.upper):
+        assert side.crossing is not None
+        rise = np.sum(p.residuals(np.array([side.crossing])) ** 2) - 2 * best.value
+        assert rise == pytest.approx(one.threshold, rel=0.02)
+
+
+def test_a_rate_too_fast_to_see_is_bounded_on_one_side() -> None:
+    p = problem("A k", decay, [0.5, 5.0], 0.3)
+    rate = profiles(p, noise_known=True)[1]
+    assert rate.lower.flag == "crosses"
+    assert rate.upper.flag == "reaches the bound"
+    assert rate.upper.crossing is None
+    assert 1.0 < rate.lower.crossing < 5.0
+    # Far from a parabola, the crossing is still where the best fit is worse by the threshold.
+    held = minimise(Fixed(p, 1, rate.lower.crossing), np.zeros(1))
+    assert 2 * (held.value - minimise(p, np.zeros(2)).value) == pytest.approx(rate.threshold, rel=0.02)
+
+
+def test_a_flat_profile_reaches_the_bounds_or_is_held_back_by_another_unknown() -> None:
+    _, a, b = profiles(problem("A a b", product, [0.5, 0.2, 0.8], 0.01), noise_known=True)
+    assert np.abs(a.increase[np.abs(a.q) < 5]).max() < 1e-3
+    assert (a.lower.flag, b.upper.flag) == ("reaches the bound", "reaches the bound") or a.lower.held_back == ("b",)
+    assert a.upper.held_back in ((), ("b",))
+    assert (a.upper.crossing is None) == (a.upper.held_back == ())
+
+
+def test_the_edge_of_the_model_is_said() -> None:
+    def partly(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        values, derivatives = decay(q)
+        return (values if q[1] < 0.3 else values * np.nan), derivatives
+
+    exact = problem("A k", decay, [0.5, 0.2], 0.3)
+    p = Problem(exact.names, exact.lower, exact.upper, partly, exact.data, exact.std)
+    one = profile(p, minimise(p, np.zeros(2)).q, 1, noise_known=True)
+    assert one.upper.flag == "the model has no answer beyond"
+    assert one.q.max() > 0.25
+    assert one.lower.flag == "crosses"
+
+
+def test_a_better_optimum_on_the_way_is_said() -> None:
+    def wave(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        values = q[0] * np.sin(q[1] * X)
+        return values, np.stack([np.sin(q[1] * X), q[0] * X * np.cos(q[1] * X)], axis=1)
+
+    p = problem("A w", wave, [1.0, 5.0], 1.5, seed=1)
+    p.lower, p.upper = np.array([0.1, 3.0]), np.array([3.0, 9.0])
+    local = minimise(p, np.array([0.5, 8.0]))
+    best = minimise(p, np.array([1.0, 5.0]))
+    assert local.value > best.value + 0.1
+    one = profile(p, local.q, 1, noise_known=True)
+    assert one.better is not None
+    assert minimise(p, one.better).value == pytest.approx(best.value, rel=1e-6)
+
+
+def test_intervals_contain_the_truth_in_a_quick_count() -> None:
+    sets, inside = 60, 0
+    for seed in range(sets):
+        p = problem("A k", decay, [0.5, 0.2], 0.2, 1000 + seed)
+        one = profile(p, minimise(p, np.zeros(2)).q, 1, noise_known=False)
+        inside += one.lower.crossing < 0.2 < one.upper.crossing
+    assert 0.86 < inside / sets < 1.0
+
+
+class Counted(Problem):
+    """Counts evaluations of either kind."""
+
+    spent = 0
+
+    def residuals(self, q: np.ndarray) -> np.ndarray:
+        self.spent += 1
+        return super().residuals(q)
+
+    def linearised(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        self.spent += 1
+        return super().linearised(q)
+
+
+def counted(p: Problem) -> Counted:
+    return Counted(p.names, p.lower, p.upper, p.model, p.data, p.std)
+
+
+def traced(p: Counted, max_evaluations: int | None) -> tuple[list[Profile], int]:
+    best = minimise(p, np.zeros(len(p.names)))
+    p.spent = 0
+    return [
+        profile(p, best.q, k, noise_known=True, max_evaluations=max_evaluations) for k in range(len(p.names))
+    ], p.spent
+
+
+def test_what_is_not_identified_is_found_so_for_a_fraction() -> None:
+    p = counted(problem("A a b", product, [0.5, 0.2, 0.8], 0.01))
+    full, spent = traced(p, None)
+    quick, less = traced(p, 200)
+    assert less < spent < 200
+    best = minimise(p, np.zeros(3))
+    known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=True)
+    words = [[one.word for one in verdicts(p, best, known, found)] for found in (full, quick)]
+    assert words[0] == words[1] == ["identified", "not identified", "not identified"]
+    assert quick[0].lower.crossing == pytest.approx(full[0].lower.crossing, abs=1e-4)
+    assert quick[0].upper.crossing == pytest.approx(full[0].upper.crossing, abs=1e-4)
+
+
+@pytest.mark.parametrize("model", [decay, saturation])
+def test_ends_are_those_of_the_full_profile(model) -> None:
+    p = counted(problem("one two", model, [0.5, 0.2], 0.2))
+    for full, quick in zip(traced(p, None)[0], traced(p, 200)[0], strict=True):
+        width = full.upper.crossing - full.lower.crossing
+        assert quick.lower.crossing == pytest.approx(full.lower.crossing, abs=0.02 * width)
+        assert quick.upper.crossing == pytest.approx(full.upper.crossing, abs=0.02 * width)
+        assert quick.lower.certain and quick.upper.certain
+
+
+def test_one_side_is_found() -> None:
+    p = counted(problem("A k", decay, [0.5, 5.0], 0.3))
+    full, quick = traced(p, None)[0][1], traced(p, 200)[0][1]
+    assert (quick.lower.flag, quick.upper.flag) == ("crosses", "reaches the bound")
+    assert quick.lower.crossing == pytest.approx(full.lower.crossing, abs=0.03)
+
+
+def test_a_spent_budget_is_said() -> None:
+    p = counted(problem("A a b", product, [0.5, 0.2, 0.8], 0.01))
+    found, spent = traced(p, 6)
+    assert spent < 3 * 12
+    assert "too many steps" in (found[1].lower.flag, found[1].upper.flag)
+    best = minimise(p, np.zeros(3))
+    known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=True)
+    one = verdicts(p, best, known, found)[1]
+    assert (one.word, one.value) == ("not identified", None)
+    assert "not followed to its end" in one.reason
+
+
+@dataclass
+class Posed(Problem):
+    noise_known: bool = True
+
+    @property
+    def logarithmic(self) -> tuple[bool, ...]:
+        return (True,) * len(self.names)
+
+
+def posed(plain: Problem) -> Posed:
+    return Posed(plain.names, plain.lower, plain.upper, plain.model, plain.data, plain.std)
+
+
+def two_wells(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Least squares with minima near 1 and, the better one, at -1; chi^2 rises by one between them."""
+    (x,) = q
+    return np.array([1.5 * (x**2 - 1), 0.6 * (x + 1)]), np.array([[3.0 * x], [0.6]])
+
+
+def wells() -> Posed:
+    return Posed(("x",), np.array([-3.0]), np.array([3.0]), two_wells, np.zeros(2), 1.0)
+
+
+def test_a_better_optimum_that_a_profile_meets_is_the_one_that_is_posed() -> None:
+    p = wells()
+    starts = multi_start(p, [np.array([1.4])])
+    assert starts.best.q[0] == pytest.approx(0.91, abs=0.03)
+    found = infer(p, starts, LINEAR)
+    assert found.restarts == 1
+    assert found.starts.best.q[0] == pytest.approx(-1, abs=1e-6)
+    assert [result.cluster for result in found.starts.results] == [0, 1]
+    assert found.starts.results[1].optimum is starts.best
+    assert found.profiles[0].optimum == found.starts.best.q[0] and found.profiles[0].better is None
+    assert found.verdicts[0].best == found.starts.best.q[0]
+
+
+def test_no_more_restarts_than_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(inference, "MAX_RESTARTS", 0)
+    p = wells()
+    found = infer(p, multi_start(p, [np.array([1.4])]), LINEAR)
+    assert found.restarts == 0 and found.profiles[0].better is not None
+
+
+def test_a_good_optimum_stays_and_progress_is_told() -> None:
+    p = posed(problem("A k", decay, [0.3, -0.2], 0.02))
+    starts = multi_start(p, [np.zeros(2)])
+    heard: list[tuple[int, int]] = []
+    found = infer(p, starts, LINEAR, on_progress=lambda done, total: heard.append((done, total)))
+    assert found.starts is starts and found.restarts == 0
+    assert heard == [(0, 2), (1, 2)]
+    assert [one.word for one in found.verdicts] == ["identified", "identified"]
+
+
+def test_without_profiles_the_interval_is_that_of_the_curvature() -> None:
+    p = posed(problem("A k", decay, [0.3, -0.2], 0.02))
+    starts = multi_start(p, [np.zeros(2)])
+    found = infer(p, starts, LINEAR, profiles=False)
+    assert found.profiles == ()
+    half = 1.959964 * found.information.standard_errors
+    for one, q, h in zip(found.verdicts, starts.best.q, half, strict=True):
+        assert (one.lower, one.upper) == pytest.approx((q - h, q + h))
+
+
+def test_combinations_are_named_where_a_direction_is_unknown_though_no_single_error_is_large() -> None:
+    """The box ends a direction at 1.2, so that each single error is below one; the profiles know better."""
+    p = posed(problem("A a b", product, [0.0, 0.0, 0.0], 0.01, half=0.8))
+    found = infer(p, multi_start(p, [np.zeros(3)]), LINEAR)
+    assert np.all(found.information.standard_errors < 1)
+    assert [one.word for one in found.verdicts] == ["identified", "not identified", "not identified"]
+    assert [one.text for one in found.information.combinations] == ["a^1 * b^-1"]
+    assert "a^1 * b^-1" in found.verdicts[1].reason
+
+
+def test_a_robust_loss_has_intervals_of_its_own() -> None:
+    p = posed(problem("A k", decay, [0.3, -0.2], 0.02))
+    p.data[10] += 2.0
+    loss = Loss("cauchy", 2.0)
+    found = infer(p, multi_start(p, [np.zeros(2)], loss=loss), loss)
+    plain = infer(p, multi_start(p, [np.zeros(2)]), LINEAR)
+    jacobian = p.linearised(found.starts.best.q)[1]
+    tau = found.information.noise
+    np.testing.assert_allclose(found.information.matrix, jacobian.T @ jacobian / tau**2, rtol=1e-9)
+    assert tau == pytest.approx(1.0, abs=0.15)
+    assert plain.information.noise == 1.0
+    for one, error in zip(found.profiles, found.information.standard_errors, strict=True):
+        assert one.lower.flag == one.upper.flag == "crosses"
+        half = 0.5 * (one.upper.crossing - one.lower.crossing)
+        assert half == pytest.approx(found.information.quantile * error, rel=0.15)
+    truth = np.array([0.3, -0.2])
+    ends = [(one.lower, one.upper) for one in found.verdicts]
+    assert all(low < value < high for (low, high), value in zip(ends, truth, strict=True))  # type: ignore[operator]
+    assert np.abs(found.starts.best.q - truth).max() < 0.3 * np.abs(plain.starts.best.q - truth).max()
+
+
+def judged(p: Problem, *, profiled: bool = True, noise_known: bool = False) -> tuple[ParameterVerdict, ...]:
+    best = minimise(p, np.zeros(len(p.names)))
+    known = information(p.names, best.q, best.residuals, best.jacobian, (p.lower, p.upper), noise_known=noise_known)
+    found = [profile(p, best.q, k, noise_known=noise_known) for k in range(len(p.names))] if profiled else None
+    return verdicts(p, best, known, found)
+
+
+@pytest.mark.parametrize("noise_known", [True, False])
+@pytest.mark.parametrize("profiled", [True, False])
+def test_identified(profiled: bool, noise_known: bool) -> None:
+    quantile = 1.96 if noise_known else 2.0017
+    found = judged(problem("A k", decay, [0.5, 0.2], 0.01), profiled=profiled, noise_known=noise_known)
+    for one, truth in zip(found, (0.5, 0.2), strict=True):
+        assert one.word == "identified"
+        assert one.lower < truth < one.upper
+        assert one.lower < one.value < one.upper
+        assert one.upper - one.lower == pytest.approx(2 * quantile * one.standard_error, rel=0.02)
+        assert one.reason == ""
+
+
+@pytest.mark.parametrize("seed", [0, 1, None])
+@pytest.mark.parametrize("profiled", [True, False])
+def test_not_identified_but_in_combination(profiled: bool, seed: int | None) -> None:
+    A, a, b = judged(problem("A a b", product, [0.5, 0.2, 0.3], 0.01, seed), profiled=profiled)
+    assert A.word == "identified"
+    for one in (a, b):
+        assert one.word == "not identified"
+        assert one.value is None
+        assert one.standard_error is None
+        assert "a^1 * b^-1" in one.reason
+
+
+@pytest.mark.parametrize("profiled", [True, False])
+def test_unused(profiled: bool) -> None:
+    *used, one = judged(problem("A k z", unused, [0.5, 0.2, 0.1], 0.01), profiled=profiled)
+    assert {other.word for other in used} == {"identified"}
+    assert (one.word, one.value, one.lower, one.upper) == ("not identified", None, None, None)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_one_sided(seed: int) -> None:
+    rate = judged(problem("A k", decay, [0.5, 5.0], 0.3, seed), noise_known=True)[1]
+    assert rate.word == "one-sided"
+    assert rate.value is None
+    assert rate.lower < 5.0
+    assert rate.upper is None
+    assert "only the least possible value" in rate.reason
+
+
+@pytest.mark.parametrize("profiled", [True, False])
+def test_at_a_bound_that_the_data_pull_against(profiled: bool) -> None:
+    p = problem("A k", decay, [0.5, 0.2], 0.01)
+    p.upper = np.array([6.0, 0.0])
+    A, k = judged(p, profiled=profiled, noise_known=True)
+    assert k.word == "at a bound"
+    assert "widen the bound" in k.reason
+    assert A.word == "identified"
+
+
+def test_an_interval_of_more_than_a_factor_e_says_next_to_nothing() -> None:
+    def faint(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return X * q[0], X[:, None]
+
+    spread = float(np.sqrt(np.sum(X**2)))
+    for std, word in ((0.9 * spread, "identified"), (1.1 * spread, "not identified")):
+        (one,) = judged(problem("slope", faint, [0.5], std, None), noise_known=True)
+        assert one.word == word
+        assert one.upper - one.lower == pytest.approx(2 * 1.96 * std / spread, rel=1e-3)
+        assert (one.value is None) == (word == "not identified")
+
+
+def noise(sets: int, points: int, correlation: float = 0.0) -> np.ndarray:
+    white = np.random.default_rng(11).standard_normal((sets, points + 50))
+    return lfilter([1.0], [1.0, -correlation], white, axis=1)[:, 50:]
+
+
+def share_not_white(residuals: np.ndarray, filaments: int = 1) -> float:
+    found = [check_residuals(np.split(one, filaments), 2, noise_known=False).verdict for one in residuals]
+    return found.count("not white") / len(found)
+
+
+@pytest.mark.parametrize(("points", "filaments"), [(60, 1), (200, 1), (200, 4)])
+def test_white_residuals_are_rarely_accused(points: int, filaments: int) -> None:
+    assert share_not_white(noise(2000, points), filaments) < 0.015
+
+
+@pytest.mark.parametrize("points", [60, 200])
+def test_each_test_has_its_level(points: int) -> None:
+    checks = [check_residuals([one], 0, noise_known=False) for one in noise(2000, points)]
+    for k in range(3):
+        p_values = np.array([check.tests[k].p_value for check in checks])
+        assert abs(np.mean(p_values < 0.05) - 0.05) < 0.02
+        assert abs(np.mean(p_values < 0.5) - 0.5) < 0.1
+
+
+@pytest.mark.parametrize("filaments", [1, 2])
+def test_correlated_residuals_are_found(filaments: int) -> None:
+    assert share_not_white(noise(300, 200, 0.5), filaments) > 0.99
+    assert share_not_white(noise(300, 200, -0.5), filaments) > 0.99
+
+
+def test_a_systematic_misfit_is_found() -> None:
+    x = np.linspace(0, 1, 100)
+    assert share_not_white(noise(300, 100) + 1.5 * np.sin(2 * np.pi * x)) > 0.99
+    check = check_residuals([noise(1, 100)[0] + 5], 2, noise_known=False)
+    assert check.verdict == "not white"
+
+
+def test_the_end_of_one_filament_is_no_neighbour_of_the_next() -> None:
+    series = noise(40, 25)
+    joined = check_residuals(list(series), 2, noise_known=False)
+    assert joined.verdict == "white"
+    assert joined.autocorrelation == pytest.approx(0.0, abs=0.1)
+
+
+def test_statistics_by_hand() -> None:
+    one = noise(1, 40)[0]
+    runs, neighbours, box = check_residuals([one], 2, noise_known=False).tests
+    count = 1 + int(np.sum(np.sign(one[1:]) != np.sign(one[:-1])))
+    above = int(np.sum(one > 0))
+    mean = 2 * above * (40 - above) / 40 + 1
+    variance = (mean - 1) * (mean - 2) / 39
+    assert runs.value == pytest.approx(np.sign(count - mean) * max(abs(count - mean) - 0.5, 0) / np.sqrt(variance))
+    lags = [np.sum(one[k:] * one[:-k]) / np.sum(one**2) for k in range(1, 9)]
+    assert neighbours.value == pytest.approx(np.sqrt(40) * lags[0])
+    assert box.value == pytest.approx(40 * 42 * sum(r**2 / (39 - k) for k, r in enumerate(lags)))
+    assert box.p_value == pytest.approx(chi2.sf(box.value, 8))
+
+
+def test_size_is_chi_square() -> None:
+    one = noise(1, 100)[0]
+    check = check_residuals([one], 3, noise_known=True)
+    assert check.size.value == pytest.approx(float(one @ one))
+    assert check.size.p_value == pytest.approx(chi2.sf(one @ one, 97), rel=1e-9)
+    assert check_residuals([2 * one], 3, noise_known=True).size.p_value < 1e-6
+    assert check_residuals([one], 3, noise_known=False).size is None
+
+
+def test_few_or_exact_residuals_cannot_tell() -> None:
+    assert check_residuals([np.ones(5)], 2, noise_known=False).verdict == "cannot tell"
+    assert check_residuals([np.zeros(100)], 2, noise_known=True).verdict == "cannot tell"
