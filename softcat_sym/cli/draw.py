@@ -41,17 +41,19 @@ def draw(
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, written_together
-    from softcat_sym.plotting.run import write_pictures
-    from softcat_sym.results.files import check_drawable, open_run, write_scene, write_summary
+    from softcat_sym.plotting.files import write_results
+    from softcat_sym.plotting.run import pictures
+    from softcat_sym.results.trajectory import check_drawable, open_run
 
     run = open_run(trajectory)
     check_drawable(run)
     try:
         with made(output), written_together():
-            files = write_pictures(run.data, run.summary, run.scene, output, drawn)
-            files += [write_summary(run.summary, output), write_scene(run.scene.to_toml(), output)]
+            contents = pictures(run.fields, run.summary, run.scene, drawn)
+            beside = {"summary.json": run.summary, "scene.toml": run.scene.to_toml()}
+            files = write_results(output, contents | beside)
             if order is not None:
-                files.append(film(order, output, (run.data, run.summary, run.scene), quiet=quiet))
+                files.append(film(order, output, (run.fields, run.summary, run.scene), quiet=quiet))
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None

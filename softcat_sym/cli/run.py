@@ -82,7 +82,7 @@ def run(
         print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
     if order is not None:
-        _film_of_a_run(order, output, (trajectory.data, written.summary, asked), quiet=quiet)
+        _film_of_a_run(order, output, (trajectory.fields, written.summary, asked), quiet=quiet)
     if not quiet:
         from softcat_sym.plotting.terminal import print_summary
 

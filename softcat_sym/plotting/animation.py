@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, cast
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
@@ -23,8 +22,16 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
 from softcat_sym.plotting.run import yielded_label
-from softcat_sym.plotting.section import Floats, outline, quads_outside, section_at, vertical_stretch, yielding_of
-from softcat_sym.plotting.style import axes_in_inches, new_figure, shown_part, stamp
+from softcat_sym.plotting.section import (
+    Floats,
+    array,
+    outline,
+    quads_outside,
+    section_at,
+    vertical_stretch,
+    yielding_of,
+)
+from softcat_sym.plotting.style import Fields, axes_in_inches, new_figure, shown_part, stamp
 from softcat_sym.plotting.units import length_unit, significant, stress_unit, time_unit
 
 if TYPE_CHECKING:
@@ -58,50 +65,42 @@ class Moment:
 class Film:
     """Moments of a run, equally spaced in time."""
 
-    def __init__(self, data: xr.Dataset, scene: Scene, moments: int) -> None:
-        time = np.asarray(data["time"].values, dtype=np.float64)
+    def __init__(self, data: Fields, scene: Scene, moments: int) -> None:
+        time = array(data, "time")
         self.times: Floats = np.linspace(time[0], time[-1], max(1, moments))
         after = np.clip(np.searchsorted(time, self.times), 1, max(1, time.size - 1))
         before = after - 1
         after = np.minimum(after, time.size - 1)
         gap = time[after] - time[before]
         part = np.where(gap > 0, (self.times - time[before]) / np.where(gap > 0, gap, 1.0), 0.0)
-        yields = yielding_of(data, scene)
-        cores = {"low": (("time", "cell"), yields.low), "high": (("time", "cell"), yields.high)}
         self.run_times: Floats = time
-        self.run_midpoint: Floats = np.asarray(data["midpoint"].values, dtype=np.float64)
+        self.run_midpoint: Floats = array(data, "midpoint")
         self.resolved = "core_low" in data
-        data = data[list(_FIELDS)].assign(cores)
-
-        def between(name: str) -> tuple[tuple[str, ...], Floats]:
-            values = np.asarray(data[name].transpose("time", ...).values, dtype=np.float64)
+        yields = yielding_of(data, scene)
+        fields = {name: array(data, name) for name in _FIELDS} | {"low": yields.low, "high": yields.high}
+        self._data: dict[str, Floats] = {"time": self.times, "X_node": array(data, "X_node")}
+        self._data["X_cell"] = array(data, "X_cell")
+        for name, values in fields.items():
             share = part.reshape(-1, *(1,) * (values.ndim - 1))
-            dims = tuple(str(dim) for dim in data[name].transpose("time", ...).dims)
-            return dims, np.asarray((1 - share) * values[before] + share * values[after])
-
-        places = {name: data[name] for name in ("X_node", "X_cell")}
-        self._data = xr.Dataset({name: between(str(name)) for name in data}, coords={"time": self.times, **places})
-        self.midpoint: Floats = self._data["midpoint"].values
+            self._data[name] = (1 - share) * values[before] + share * values[after]
+        self.midpoint: Floats = self._data["midpoint"]
         self._clamped = (scene.ends.left == "clamped", scene.ends.right == "clamped")
         outlines = np.stack([outline(section_at(self._data, k, self._clamped)) for k in range(self.times.size)])
         self.bounds: Floats = np.stack([outlines.min(axis=(0, 1)), outlines.max(axis=(0, 1))])
         self.largest = float(np.quantile(np.stack([self._stress(k) for k in range(self.times.size)]), 0.995))
-        self.sag = self._sag()
-
-    def _sag(self) -> float:
-        y = self._data["y"].values
+        y = self._data["y"]
         line = y[:, :1] + (y[:, -1:] - y[:, :1]) * np.linspace(0.0, 1.0, y.shape[1])
-        return float(np.abs(y - line).max())
+        self.sag = float(np.abs(y - line).max())
 
     def _stress(self, number: int) -> Floats:
-        mean, slope = (self._data[name].values[number] for name in ("stress_mean", "stress_bending"))
+        mean, slope = (self._data[name][number] for name in ("stress_mean", "stress_bending"))
         return np.asarray(np.abs(mean + np.multiply.outer(_AMID, slope)).ravel())
 
     def moment(self, number: int) -> Moment:
         """What is shown at the moment of this number."""
         data = self._data
         section = section_at(data, number, self._clamped)
-        yielded = quads_outside(section, data["low"].values[number], data["high"].values[number])
+        yielded = quads_outside(section, data["low"][number], data["high"][number])
         grid = np.stack([section.at(float(zeta)) for zeta in _ZETA])
         strips = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2).reshape(-1, 4, 2)
         time, midpoint = float(self.times[number]), float(self.midpoint[number])
@@ -172,7 +171,7 @@ def _ffmpeg() -> str:
 def write_film(
     order: FilmOrder,
     directory: Path,
-    run: tuple[xr.Dataset, Summary, Scene],
+    run: tuple[Fields, Summary, Scene],
     step: Callable[[str], None] = lambda what: None,
     width: int = 1280,
 ) -> tuple[Path, str]:
@@ -267,7 +266,7 @@ class Animation:
     """Draws one moment after another; only what moves is drawn anew."""
 
     def __init__(
-        self, data: xr.Dataset, summary: Summary, scene: Scene, moments: int, width: int = int(WIDTH * DPI)
+        self, data: Fields, summary: Summary, scene: Scene, moments: int, width: int = int(WIDTH * DPI)
     ) -> None:
         data, summary = shown_part(data, summary)
         self._film = Film(data, scene, moments)
@@ -445,10 +444,10 @@ class Animation:
         )
 
 
-def film_note(moments: Floats, data: xr.Dataset, summary: Summary) -> str:
+def film_note(moments: Floats, data: Fields, summary: Summary) -> str:
     """What a film cannot show of a run that rings; empty where it shows all."""
     per_period = summary.get("frames_a_period")
-    time = data["time"].values
+    time = array(data, "time")
     if not per_period or moments.size < 2 or not time[-1] > time[0]:
         return ""
     period = per_period * float(time[-1] - time[0]) / (time.size - 1)

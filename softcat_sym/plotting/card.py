@@ -219,8 +219,8 @@ _SHOWN = 2.5
 
 def card_figure(card: Card) -> Figure:
     """Draw the card's picture."""
-    data, summary = shown_part(card.run.data, card.summary)
-    card = replace(card, run=replace(card.run, data=data))
+    data, summary = shown_part(card.run.fields, card.summary)
+    card = replace(card, run=replace(card.run, fields=data))
     ends = card.scene.ends
     section = section_at(card.run.data, -1, (ends.left == "clamped", ends.right == "clamped"))
     body = outline(section)
