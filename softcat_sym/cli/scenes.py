@@ -1,9 +1,10 @@
-"""``softcat scenes``: the bundled scenes, as a list or as a gallery."""
+"""``softcat scenes``, ``show`` and ``keys``: the bundled scenes, a scene in full, and what it may hold."""
 
 from __future__ import annotations
 
+import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -11,16 +12,16 @@ from softcat_sym.cli.application import (
     EVERYDAY,
     INTERRUPTED,
     QuietOption,
+    SceneArgument,
     SetOption,
     app,
     check_directory,
     directory,
     print_error,
+    scene_of,
 )
 from softcat_sym.cli.completing import complete_scene
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.gallery import Asked, Exhibit
+from softcat_sym.errors import SoftcatError
 
 
 @app.command(rich_help_panel=EVERYDAY)
@@ -59,20 +60,31 @@ def scenes(
 
 
 def _gallery(names: list[str], changes: list[str], output: Path, *, quiet: bool) -> None:
-    from softcat_sym.plotting.gallery import kept_exhibits, write_gallery
-    from softcat_sym.studies.gallery import asked_of
+    from softcat_sym.plotting.gallery import asked_of, exhibit_of, kept_exhibits, write_exhibit, write_gallery
+    from softcat_sym.plotting.terminal import StepProgress
 
-    asked = [asked_of(name, changes) for name in names]
+    requested = [asked_of(name, changes) for name in names]
     check_directory(output)
     found = kept_exhibits(output)
-    done = {one.name: found[one.name] for one in asked if _stands(found.get(one.name), one)}
+    done = {
+        scene.name: found[scene.name]
+        for scene in requested
+        if scene.name in found and found[scene.name].identity == scene.identity
+    }
     before = len(done)
     try:
-        _run([one for one in asked if one.name not in done], done, output, quiet=quiet)
+        with StepProgress(len(requested) - before, "gallery", quiet=quiet) as progress:
+            for scene in requested:
+                if scene.name in done:
+                    continue
+                progress.step(scene.name)
+                exhibit, trajectory = exhibit_of(scene)
+                write_exhibit(scene, trajectory, {**done, scene.name: exhibit}, output)
+                done[scene.name] = exhibit
         written = write_gallery(done, output)
     except KeyboardInterrupt:
-        kept = f"{len(done)} of {len(asked)} scenes are in {output}: the same command goes on from there"
-        print_error(f"interrupted; {kept if done else 'nothing was written'}")
+        resume = f"{len(done)} of {len(requested)} scenes are in {output}: the same command goes on from there"
+        print_error(f"interrupted; {resume if done else 'nothing was written'}")
         raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         there = f" ({before} of them were there)" if before else ""
@@ -80,20 +92,39 @@ def _gallery(names: list[str], changes: list[str], output: Path, *, quiet: bool)
         typer.echo(f"wrote {files} and {len(done)} scenes{there} to {output}")
 
 
-def _stands(kept: Exhibit | None, asked: Asked) -> bool:
-    """Whether an earlier exhibit is of this very scene and program."""
-    return kept is not None and kept.identity == asked.identity
+@app.command(rich_help_panel=EVERYDAY)
+def show(scene: SceneArgument, changes: SetOption = None) -> None:
+    """Print a scene as resolved, with every default.
+
+    TOML in SI units, which is a scene again: softcat show ink-bridge > my-ink.toml
+    """
+    from softcat_sym.scene.toml import toml_of
+
+    typer.echo(toml_of(scene_of(scene, changes), every_default=True), nl=False)
 
 
-def _run(asked: list[Asked], done: dict[str, Exhibit], output: Path, *, quiet: bool) -> None:
-    """Run scenes, each of which is in its place before the next begins."""
-    from softcat_sym.plotting.gallery import write_exhibit
-    from softcat_sym.plotting.terminal import StepProgress
-    from softcat_sym.studies.gallery import exhibit_of
+@app.command(rich_help_panel=EVERYDAY)
+def keys(
+    part: Annotated[
+        str, typer.Argument(metavar="[PART]", help="Only keys with this in their names: material, or stress.")
+    ] = "",
+    markdown: Annotated[bool, typer.Option("--markdown", help="Print the page of the manual instead.")] = False,
+) -> None:
+    """List the keys of a scene: unit, default and meaning.
 
-    with StepProgress(len(asked), "gallery", quiet=quiet) as progress:
-        for one in asked:
-            progress.step(one.name)
-            exhibit, trajectory = exhibit_of(one)
-            write_exhibit(one, trajectory, {**done, one.name: exhibit}, output)
-            done[one.name] = exhibit
+    Given a PART of their names, also what each accepts.
+    """
+    from softcat_sym.scene.keys import keys_in_markdown, scene_keys
+
+    if markdown:
+        typer.echo(keys_in_markdown(), nl=False)
+        return
+    found = scene_keys(part)
+    if not found:
+        tables = sorted({key.path.split(".")[0] for key in scene_keys()})
+        raise SoftcatError(f"no key has {part!r} in its name; tables and keys outside them: {', '.join(tables)}")
+    for key in found:
+        default = key.default if key.default in ("", "required") else f"default {key.default}"
+        typer.echo("  ".join(word for word in (key.path, key.unit and f"[{key.unit}]", default) if word))
+        for sentence in [key.meaning, *([f"Accepted: {key.accepted}."] if part else [])]:
+            typer.echo(textwrap.fill(sentence, 80, initial_indent="    ", subsequent_indent="    "))

@@ -122,7 +122,7 @@ class Sheet:
         Their margins are fixed: units are chosen so that numbers beside the axes are short. `above` them a legend has
         its place.
         """
-        left, below = (0.8, 0.48) if self.on_screen else (0.55, 0.4)
+        left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
         top = above + (style.HEADING if self.on_screen else 0.05)
         across, down = between
         tall = below + sum(heights) + down * (len(heights) - 1) + top

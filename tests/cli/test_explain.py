@@ -39,7 +39,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     found = json.loads((output / "explain.json").read_text())
     assert set(found) >= KEYS
     # As Python tells it, to the last digit.
-    assert found == json.loads(json.dumps(sc.explain(scene).as_dict()))
+    assert found == json.loads(json.dumps(sc.explain(scene).to_dict()))
     assert found["graph"]["cells"] == 5
     assert {group["name"]: group["value"] for group in found["groups"]}["G"] == pytest.approx(0.4, rel=1e-9)
     assert [one["effect"] for one in found["effects"]] == [effect.name for effect in REGISTRY]
