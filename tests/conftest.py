@@ -19,7 +19,6 @@ PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"
 """Set where a missing compiler is a fault of the machine, as in continuous integration."""
 
 COMPILING = (
-    "accuracy/test_long_ringings_once.py",
     "native",
     "reference",
     "cli/test_compare.py",

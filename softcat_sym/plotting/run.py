@@ -166,7 +166,7 @@ def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = st
     with styled_for(name):
         tall, above = (3.0, 0.75) if sheet.on_screen else (1.6, 0.25)
         figure, (axes,) = sheet.figure(
-            "midpoint against time", [tall], right=0.8 if sheet.on_screen else 0.1, above=above
+            "midpoint against time", [tall], right=0.8 if sheet.on_screen else 0.2, above=above
         )
         axes.axhline(0.0, color=style.GREY, linewidth=0.6)
         axes.plot(time, shown, color=style.BLUE, label="midpoint")
@@ -291,7 +291,7 @@ def shapes_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             right=0.2 if sheet.on_screen else 0.1, between=(0.15, 0.24),
         )  # fmt: skip
         for axes, shape, bounds in zip(panels, shapes, y, strict=True):
-            axes.set_aspect(stretch, adjustable="datalim", anchor="S")
+            axes.set_aspect(stretch, anchor="S")
             axes.set_xlim(*ruler.of(x))
             axes.set_ylim(*ruler.of(bounds))
             _draw_shape(axes, shape, ruler)
@@ -315,7 +315,7 @@ def shapes_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
         if scene.material.yield_stress is not None:
             label, colour = yielded_label(sheet.data, scene), style.VERMILLION
         if scene.material.yield_stress is not None or sheet.on_screen:
-            sheet.legend(figure, handles=[Patch(facecolor=colour, label=label)], fontsize=size - 0.5)
+            sheet.legend(figure, handles=[Patch(facecolor=colour, label=label)], fontsize=max(7.0, size - 0.5))
     return figure
 
 
@@ -447,9 +447,10 @@ def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = 
     sheet = Sheet.of(data, summary, scene, name)
     reached = None if style.refused(sheet.summary) else time_to_nine_tenths(sheet.data)
     slowest = 0.0 if scene.material.yield_stress is None else slowest_flow(sheet.data, scene)
+    final, faster = ("final ", "faster than") if sheet.on_screen else ("", ">")
     texts = (
-        "" if reached is None else f"dashed: 90 % of the final sag at {sheet.clock.text(reached)}",
-        f"where it flows faster than {significant(slowest)}/s" if slowest > 0 else "",
+        "" if reached is None else f"dashed: 90 % of the {final}sag at {sheet.clock.text(reached)}",
+        f"where it flows {faster} {significant(slowest)}/s" if slowest > 0 else "",
     )
     with styled_for(name):
         heights = {style.SCREEN: [1.6, 1.6], "column": [1.1, 1.1], "page": [1.3]}[name]
