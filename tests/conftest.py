@@ -48,7 +48,6 @@ COMPILING = (
     "cli/test_figures.py",
     "report/test_figure_elements.py",
     "report/test_figure_phase.py",
-    "report/test_vtk.py",
     "study/test_phase_",
     "study/test_theory_end.py",
 )

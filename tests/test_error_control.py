@@ -1,4 +1,4 @@
-"""Errors that are known are found, each in its own place, and refined away; runs beside closed forms and finer grids."""
+"""Errors that are known are found, each in its place, and refined away; runs beside closed forms and finer grids."""
 
 from __future__ import annotations
 

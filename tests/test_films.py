@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import re
 import shutil
-import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from dataclasses import replace
 from importlib.util import find_spec
@@ -26,7 +23,7 @@ from PIL import Image
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.animation import Animation, film_order, write_film
-from softcat_sym.plotting.gallery import DOCUMENT, asked_of, contact_sheet, exhibit_of, kept_exhibits
+from softcat_sym.plotting.gallery import contact_sheet, exhibit_of
 from softcat_sym.plotting.section import Floats
 from softcat_sym.plotting.style import first_frames, new_figure, png
 from softcat_sym.results.trajectory import Trajectory
@@ -68,7 +65,8 @@ def test_the_drawn_thickness_is_the_first_over_the_stretch_within_a_pixel(make_s
     thick = make_scene(thickness=0.04)
     animation = Animation(pulled(thick, 2.0, stress=0.0), summary, thick, 11)
     across, up = (
-        np.diff(animation.axes.transData.transform([(0, 0), end]), axis=0)[0, k] for k, end in enumerate([(1, 0), (0, 1)])
+        np.diff(animation.axes.transData.transform([(0, 0), end]), axis=0)[0, k]
+        for k, end in enumerate([(1, 0), (0, 1)])
     )
     assert across == pytest.approx(up)  # pixel per mm
     for number, stretch in ((0, 1.0), (5, 1.5), (10, 2.0)):
@@ -301,7 +299,7 @@ def test_every_scene_teaches_something_of_its_own_in_a_line(softcat: Softcat) ->
 
 def test_what_a_lesson_says_is_what_the_run_shows_and_a_wrong_one_is_noticed() -> None:
     for name in ("continual-descent", "slime-slope", "cold-honey"):
-        _, run = exhibit_of(asked_of(name))
+        _, run = exhibit_of(name)
         assert check_lesson(bundled_lesson(name), run) >= 1
     for wrong in ("It hangs 40 % of its span deep.", "It stops at once.", "Refused as localised: no.", "It has 7."):
         with pytest.raises(AssertionError):
@@ -311,7 +309,7 @@ def test_what_a_lesson_says_is_what_the_run_shows_and_a_wrong_one_is_noticed() -
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sc.bundled_names())
 def test_what_every_lesson_says_is_what_the_run_shows(name: str) -> None:
-    check_lesson(bundled_lesson(name), exhibit_of(asked_of(name))[1])
+    check_lesson(bundled_lesson(name), exhibit_of(name)[1])
 
 
 def test_gallery_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
@@ -319,7 +317,7 @@ def test_gallery_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> N
     done = softcat("scenes", "-o", str(output), "--only", names[0], "--only", names[1], *QUICK)
     assert (done.status, done.err) == (0, "")
     assert {path.name for path in output.iterdir()} == FINAL | {f"{n}.{e}" for n in names for e in ("png", "toml")}
-    found = json.loads((output / DOCUMENT).read_text())["scenes"]
+    found = json.loads((output / "gallery.json").read_text())["scenes"]
     assert [row["name"] for row in found] == names
     changes = [text for text in QUICK if text != "--set"]
     honey = sc.simulate(sc.load_scene(names[0], [*changes, "numerics.estimate=false"]))
@@ -338,38 +336,40 @@ def test_gallery_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> N
     assert (high, wide) == (3 * 15, 3 * 30)
 
 
-def test_finished_scenes_are_not_run_again_unless_they_changed(softcat: Softcat, tmp_path: Path) -> None:
+def test_finished_scenes_are_not_run_again_and_faults_write_nothing(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     command = ("scenes", "-o", str(tmp_path), "--only", "cold-honey", *QUICK)
     assert softcat(*command).status == 0
-    first = json.loads((tmp_path / DOCUMENT).read_text())["scenes"][0]
-    assert "(1 of them were there)" in softcat(*command).out
-    assert json.loads((tmp_path / DOCUMENT).read_text())["scenes"][0] == first
-    assert "were there" not in softcat(*command, "--set", "run.duration=0.1 s").out
-    assert json.loads((tmp_path / DOCUMENT).read_text())["scenes"][0]["sag_final_m"] < first["sag_final_m"]
-    for spoilt in ("", "{}", '{"scenes": [{"name": "x"}]}', '{"scenes": 3}'):
-        (tmp_path / DOCUMENT).write_text(spoilt)
-        assert kept_exhibits(tmp_path) == kept_exhibits(tmp_path / "nowhere") == {}
+    first = (tmp_path / "gallery.json").read_text()
+    with monkeypatch.context() as patch:
+        patch.setattr(sys.modules["softcat_sym.simulate"], "simulated", None)
+        assert softcat(*command).status == 0
+    assert (tmp_path / "gallery.json").read_text() == first
+    assert softcat(*command, "--set", "run.duration=0.1 s").status == 0
+    sags = [json.loads(text)["scenes"][0]["sag_final_m"] for text in ((tmp_path / "gallery.json").read_text(), first)]
+    assert sags[0] < sags[1]
     for arguments in (("--only", "cold-hony"), ("--set", "filament.spam=1 m")):
         done = softcat("scenes", "-o", str(tmp_path / "out"), *arguments)
         assert done.status == 2 and done.err and not (tmp_path / "out").exists()
     assert softcat("scenes", "--set", "run.frames=5").status == 2
 
 
-def test_ctrl_c_leaves_what_is_finished_and_the_same_command_goes_on(tmp_path: Path) -> None:
-    output = tmp_path / "out"
-    # The compiler is not needed for this, and would be what is interrupted.
-    command = [sys.executable, "-c", "from softcat_sym.cli import main; main()", "scenes", "-o", str(output)]
-    command += ["--only", "cold-honey", "--only", "no-yield", "--set", "numerics.backend=interpreted"]
-    command += ["--set", "run.effects=paper", "--set", "numerics.cells=10"]
-    started = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ})
-    limit = time.monotonic() + 60
-    while not (output / DOCUMENT).exists() and started.poll() is None and time.monotonic() < limit:
-        time.sleep(0.005)
-    time.sleep(0.3)  # the second, of some two seconds, is under way
-    started.send_signal(signal.SIGINT)
-    _, message = started.communicate(timeout=60)
-    assert started.returncode == 130, message
-    assert "1 of 2 scenes are in" in message
-    assert {path.name for path in output.iterdir()} == {"cold-honey.png", "cold-honey.toml", DOCUMENT}
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
-    assert "2 scenes (1 of them were there)" in done.stdout
+def test_ctrl_c_writes_nothing_and_the_same_command_goes_on(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command = ("scenes", "-o", str(tmp_path / "out"), "--only", "cold-honey", "--only", "no-yield", *QUICK)
+    simulated, names = sys.modules["softcat_sym.simulate"].simulated, list[str]()
+
+    def stop(asked: sc.Scene, *rest: object) -> Trajectory:
+        names.append(asked.title)
+        if len(names) == 2:
+            raise KeyboardInterrupt
+        return simulated(asked, *rest)
+
+    monkeypatch.setattr(sys.modules["softcat_sym.simulate"], "simulated", stop)
+    done = softcat(*command)
+    assert done.status == 130 and "the same command goes on" in done.err
+    assert not (tmp_path / "out").exists()
+    assert softcat(*command).status == 0
+    assert len(names) == 3 and names[2] == names[1], "only the second is run again"

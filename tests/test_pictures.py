@@ -252,9 +252,7 @@ def words_of(figure: Figure) -> list[str]:
     return [text.get_text() for text in figure.findobj(Text)]
 
 
-def test_shapes_have_equal_lengths_along_both_axes_or_say_their_stretch(
-    scene, make_scene, make_run, descent, summary
-):
+def test_shapes_have_equal_lengths_along_both_axes_or_say_their_stretch(scene, make_scene, make_run, descent, summary):
     for style in ("screen", "column", "page"):
         with styled_for(style):
             found = scales(shapes_figure(descent, summary, scene, style))
@@ -581,7 +579,9 @@ def test_results_show_themselves_in_a_notebook(tmp_path: Path) -> None:
     changes = {"numerics.cells": 6, "numerics.estimate": False, "run.frames": 11, "run.effects": "paper"}
     scene = sc.load_scene("no-yield", changes)
     run = sc.simulate(scene)
-    assert all(run.plot(what).axes for what in FIGURES)
+    assert all(run.plot(what).axes for what in FIGURES) and list(run.figures()) == list(FIGURES)
+    np.testing.assert_array_equal(run.to_frame()["midpoint_m"], run.fields["midpoint"])
+    assert run.to_dict() == run.summary
     with pytest.raises(SoftcatError, match="no picture 'moment': there are midpoint, shapes, energy, space-time"):
         run.plot("moment")
     sweep = sc.sweep(scene, {"material.youngs_modulus": ["2 MPa", "4 MPa"]}, tmp_path)
@@ -643,7 +643,10 @@ def test_pdfs_are_as_wide_as_asked_and_hold_truetype(descent, summary, scene, tm
         assert float(box[3]) / 72 * 25.4 == pytest.approx(millimetres, abs=0.05)
         assert float(box[4]) / 72 * 25.4 < 235
         assert b"/FontFile2" in content and b"/CIDFontType2" in content and b"/Type3" not in content
-        streams = [zlib.decompressobj().decompress(one) for one in re.findall(rb"stream\r?\n(\x78.*?)\r?\nendstream", content, re.S)]
+        streams = [
+            zlib.decompressobj().decompress(one)
+            for one in re.findall(rb"stream\r?\n(\x78.*?)\r?\nendstream", content, re.S)
+        ]
         sizes = {float(size) for one in streams for size in re.findall(rb"/F\d+ ([\d.]+) Tf", one)}
         assert sizes and min(sizes) >= 7 and max(sizes) <= 8
 
@@ -664,7 +667,15 @@ def test_units_and_numbers_read_well():
     cases: tuple[tuple[Any, tuple[tuple[float, str], ...]], ...] = (
         (
             length_unit,
-            ((0.2, "mm"), (1.0, "m"), (0.999999999999, "m"), (-0.013, "mm"), (4.4e-5, "µm"), (3e-8, "nm"), (1e-15, "nm")),
+            (
+                (0.2, "mm"),
+                (1.0, "m"),
+                (0.999999999999, "m"),
+                (-0.013, "mm"),
+                (4.4e-5, "µm"),
+                (3e-8, "nm"),
+                (1e-15, "nm"),
+            ),
         ),
         (time_unit, ((2.0, "s"), (0.5, "ms"), (290, "s"), (300, "min"), (1e4, "min"), (2e4, "h"), (0.0, "s"))),
         (energy_unit, ((2.5e-4, "µJ"),)),

@@ -115,8 +115,10 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
     if not verbose:
         print_rows(_short_rows(explanation), out)
         return
-    groups = [(g.name, "infinite" if g.value is None else significant(g.value), g.meaning) for g in explanation.groups]
-    effects = [
+    groups: Rows = [
+        (g.name, "infinite" if g.value is None else significant(g.value), g.meaning) for g in explanation.groups
+    ]
+    effects: Rows = [
         (
             effect.effect,
             "on" if effect.in_force else "off",
@@ -126,7 +128,7 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
         )
         for effect in explanation.effects
     ]  # fmt: skip
-    equations = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
+    equations: Rows = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
     asked = f"the accuracy asked is {significant(explanation.accuracy)}"
     tables: list[tuple[str, tuple[str, ...], Rows, int]] = [
         ("Groups", ("group", "value", "meaning"), groups, 1),

@@ -10,15 +10,14 @@ import typer
 
 from softcat_sym.cli.application import (
     EVERYDAY,
-    INTERRUPTED,
     QuietOption,
     SceneArgument,
     SetOption,
     app,
     check_directory,
     directory,
-    print_error,
     scene_of,
+    study,
 )
 from softcat_sym.cli.completing import complete_scene
 from softcat_sym.errors import SoftcatError
@@ -41,8 +40,8 @@ def scenes(
 
     With -o they are all run, and a gallery is written into DIR.
     The gallery is gallery.html and gallery.png, a picture and a TOML file of each scene, gallery.csv and gallery.json.
-    Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command goes on;
-    scenes that are there already are not run again.
+    Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command goes on
+    from what was finished.
     """
     from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_title
 
@@ -50,46 +49,28 @@ def scenes(
         raise typer.BadParameter(f"no bundled scene {unknown[0]!r}: softcat scenes lists them", param_hint="--only")
     names = [name for name in bundled_names() if not only or name in only]
     if output is not None:
-        _gallery(names, changes or [], output, quiet=quiet)
+        check_directory(output)
+        from softcat_sym.plotting.gallery import exhibit_of, write_gallery
+        from softcat_sym.plotting.terminal import StepProgress
+        from softcat_sym.scene.reading import load_scene
+
+        for name in names:
+            load_scene(name, changes or [])
+        shown = []
+        with study(output, fresh=False), StepProgress(len(names), "gallery", quiet=quiet) as progress:
+            for name in names:
+                progress.step(name)
+                shown.append(exhibit_of(name, changes or []))
+            written = write_gallery(shown, output, changes or [])
+        if not quiet:
+            files = ", ".join(path.name for path in written[:4])
+            typer.echo(f"wrote {files} and {len(shown)} scenes to {output}")
         return
     if changes:
         raise typer.BadParameter("changes what is run: it takes -o DIR beside it", param_hint="--set")
     width = max(map(len, names))
     for name in names:
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")
-
-
-def _gallery(names: list[str], changes: list[str], output: Path, *, quiet: bool) -> None:
-    from softcat_sym.plotting.gallery import asked_of, exhibit_of, kept_exhibits, write_exhibit, write_gallery
-    from softcat_sym.plotting.terminal import StepProgress
-
-    requested = [asked_of(name, changes) for name in names]
-    check_directory(output)
-    found = kept_exhibits(output)
-    done = {
-        scene.name: found[scene.name]
-        for scene in requested
-        if scene.name in found and found[scene.name].identity == scene.identity
-    }
-    before = len(done)
-    try:
-        with StepProgress(len(requested) - before, "gallery", quiet=quiet) as progress:
-            for scene in requested:
-                if scene.name in done:
-                    continue
-                progress.step(scene.name)
-                exhibit, trajectory = exhibit_of(scene)
-                write_exhibit(scene, trajectory, {**done, scene.name: exhibit}, output)
-                done[scene.name] = exhibit
-        written = write_gallery(done, output)
-    except KeyboardInterrupt:
-        resume = f"{len(done)} of {len(requested)} scenes are in {output}: the same command goes on from there"
-        print_error(f"interrupted; {resume if done else 'nothing was written'}")
-        raise typer.Exit(INTERRUPTED) from None
-    if not quiet:
-        there = f" ({before} of them were there)" if before else ""
-        files = ", ".join(path.name for path in written)
-        typer.echo(f"wrote {files} and {len(done)} scenes{there} to {output}")
 
 
 @app.command(rich_help_panel=EVERYDAY)

@@ -344,7 +344,7 @@ class Animation:
         height, left, right = self.figure.get_figheight(), _LEFT / WIDTH, 1 - _RIGHT / WIDTH
         title = style.printable(scene.title, 70) or "Filament"
         ending = style.printable(" · ".join(str(summary[key]) for key in ("regime", "outcome") if summary.get(key)), 90)
-        place = {"y": 1 - 0.14 / height, "va": "top"}
+        place: dict[str, Any] = {"y": 1 - 0.14 / height, "va": "top"}
         below: dict[str, Any] = {"y": 1 - 0.45 / height, "va": "top"}
         self.figure.text(left, s=title, fontsize=16, fontweight="bold", parse_math=False, **place)
         self.figure.text(left, s=ending, fontsize=_FONT, color=style.GREY, **below)

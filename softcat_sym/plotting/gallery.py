@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-import importlib.metadata
 import io
-import json
 import math
-import time
 from base64 import b64encode
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, fields
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,15 +15,16 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
+from softcat_sym import store
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import csv_bytes, json_bytes, page, write_results
 from softcat_sym.plotting.run import Shape, largest_sag, shapes_of
 from softcat_sym.plotting.section import array, telling_frames, vertical_stretch
-from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure
+from softcat_sym.plotting.style import Fields, axes_in_inches, first_frames, new_figure, png
 from softcat_sym.plotting.units import length_unit, nice_floor, significant, time_unit
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
 from softcat_sym.scene.reading import load_scene
-from softcat_sym.simulate import simulated, without_estimate
+from softcat_sym.simulate import identity_of, recalled, without_estimate
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -53,53 +50,31 @@ class Exhibit:
     sag_largest: float | None
     largest_stretch: float | None  # At the end, of any cell [-]; None where the run is refused
     wall: float  # Time that the run took [s]
-    identity: str  # Of program and scene: an exhibit stands for as long as it stays the same
+    identity: str  # Of program and scene, in the store of finished runs
 
 
-@dataclass(frozen=True)
-class Asked:
-    """A scene of the gallery before it is run."""
-
-    name: str  # Of the scene
-    scene: Scene  # Without the estimate of its error
-    text: str  # As a scene file, to begin one's own with
-    identity: str  # Of program and scene
-
-
-def asked_of(name: str, changes: Iterable[str] = ()) -> Asked:
-    """Read a bundled scene for the gallery."""
-    overrides = list(changes)
-    scene = load_scene(name, overrides)
-    text = scene.to_toml() if overrides else bundled_text(name)
-    version = importlib.metadata.version("softcat_sym")
-    digest = hashlib.sha256(f"{version}\n{bundled_lesson(name)}\n{scene.to_toml()}".encode()).hexdigest()
-    return Asked(name, without_estimate(scene), text, digest[:16])
-
-
-def exhibit_of(asked: Asked) -> tuple[Exhibit, Trajectory]:
-    """Run a scene of the gallery."""
-    began = time.perf_counter()
-    trajectory = simulated(asked.scene)
-    spent = time.perf_counter() - began
-    scene, sound = asked.scene, trajectory.outcome.is_success
-    midpoint = trajectory.fields["midpoint"]
+def exhibit_of(name: str, changes: Iterable[str] = ()) -> tuple[Exhibit, Trajectory]:
+    """Run a scene of the gallery, or recall it from the store."""
+    scene = without_estimate(load_scene(name, list(changes)))
+    run = recalled(scene)
+    midpoint, sound = run.fields["midpoint"], run.outcome.is_success
     exhibit = Exhibit(
-        name=asked.name,
+        name=name,
         title=scene.title,
-        lesson=bundled_lesson(asked.name),
+        lesson=bundled_lesson(name),
         law=scene.material.law,
-        outcome=trajectory.outcome.name,
-        regime=str(trajectory.summary["regime"]) if sound else "",
+        outcome=run.outcome.name,
+        regime=str(run.summary["regime"]) if sound else "",
         span=scene.filament.span,
         thickness=scene.filament.thickness,
         duration=scene.run.duration,
         sag_final=-float(midpoint[-1]) if sound else None,
         sag_largest=-float(midpoint.min()) if sound else None,
-        largest_stretch=float(trajectory.fields["stretch"][-1].max()) if sound else None,
-        wall=spent,
-        identity=asked.identity,
+        largest_stretch=float(run.fields["stretch"][-1].max()) if sound else None,
+        wall=run.summary["wall_s"]["total"],
+        identity=store.key_of("run", identity_of(scene))[:16],
     )
-    return exhibit, trajectory
+    return exhibit, run
 
 
 _WIDTH, _HEIGHT, _TEXT, _FOOT, _SIDE = 3.0, 2.3, 0.50, 0.26, 0.14
@@ -178,69 +153,45 @@ def _hold(axes: Axes, shape: Shape, scene: Scene, size: float) -> None:
             axes.fill_between([x + outside, x + outside + size], y - tall, y + tall, color=style.GREY, lw=0, zorder=5)
 
 
-DOCUMENT = "gallery.json"
 _COLUMNS = 5
-_UNITS = {
-    "span": "span_m",
-    "thickness": "thickness_m",
-    "duration": "duration_s",
-    "sag_final": "sag_final_m",
-    "sag_largest": "sag_largest_m",
-    "wall": "wall_s",
-}
-_NAMES = {_UNITS.get(field.name, field.name): field.name for field in fields(Exhibit)}
+_UNITS = {"span": "m", "thickness": "m", "duration": "s", "sag_final": "m", "sag_largest": "m", "wall": "s"}
 NOTE = (
     "Each run once, at the program's first guess of cells and fibres and without an estimate of its error; "
     "softcat run NAME -o DIR gives the answer to the accuracy that the scene asks for, with the estimate."
 )
 
 
-def kept_exhibits(directory: str | Path) -> dict[str, Exhibit]:
-    """Read what an earlier gallery in this folder has finished, by name."""
-    folder = Path(directory)
-    try:
-        rows = json.loads((folder / DOCUMENT).read_text(encoding="utf-8"))["scenes"]
-        exhibits = [Exhibit(**{_NAMES[key]: value for key, value in row.items()}) for row in rows]
-    except (OSError, ValueError, KeyError, TypeError):
-        # No document, or another program's.
-        return {}
-    return {exhibit.name: exhibit for exhibit in exhibits if (folder / f"{exhibit.name}.png").is_file()}
-
-
-def write_exhibit(asked: Asked, trajectory: Trajectory, done: Mapping[str, Exhibit], directory: str | Path) -> None:
-    """Write picture and scene file of the scene that was just run, and the document of all that are finished."""
-    contents = {
-        f"{asked.name}.png": tile(trajectory.fields, trajectory.scene, done[asked.name]),
-        f"{asked.name}.toml": asked.text,
-        DOCUMENT: _document(done),
-    }
-    write_results(directory, contents)
-
-
-def write_gallery(done: Mapping[str, Exhibit], directory: str | Path) -> list[Path]:
-    """Write page, contact sheet, table and document over scenes whose pictures are in the folder."""
-    folder = Path(directory)
-    exhibits = [done[name] for name in sorted(done)]
-    pictures = [(folder / f"{exhibit.name}.png").read_bytes() for exhibit in exhibits]
+def write_gallery(
+    shown: Sequence[tuple[Exhibit, Trajectory]], directory: str | Path, changes: Sequence[str] = ()
+) -> list[Path]:
+    """Write page, contact sheet, table and document, and of each scene its picture and its file."""
+    pictures = [png(tile(run.fields, run.scene, exhibit)) for exhibit, run in shown]
+    texts = [load_scene(e.name, changes).to_toml() if changes else bundled_text(e.name) for e, _ in shown]
+    rows = [
+        {f"{key}_{_UNITS[key]}" if key in _UNITS else key: value for key, value in asdict(exhibit).items()}
+        for exhibit, _ in shown
+    ]
     cards = [
         (
             exhibit,
             f"{exhibit.law} · span {length_unit(exhibit.span).text(exhibit.span)} · "
             f"{time_unit(exhibit.duration).text(exhibit.duration)}",
             b64encode(picture).decode(),
-            (folder / f"{exhibit.name}.toml").read_text(encoding="utf-8"),
+            text,
         )
-        for exhibit, picture in zip(exhibits, pictures, strict=True)
+        for (exhibit, _), picture, text in zip(shown, pictures, texts, strict=True)
     ]
-    spent = significant(sum(exhibit.wall for exhibit in exhibits))
-    subtitle = f"{len(exhibits)} scene{'s' if len(exhibits) > 1 else ''}, run in {spent} s"
-    contents = {
+    spent = significant(sum(exhibit.wall for exhibit, _ in shown))
+    subtitle = f"{len(shown)} scene{'s' if len(shown) > 1 else ''}, run in {spent} s"
+    contents: dict[str, object] = {
         "gallery.html": page("gallery.html", title="softcat scenes", subtitle=subtitle, note=NOTE, cards=cards),
         "gallery.png": contact_sheet(pictures),
-        "gallery.csv": csv_bytes(_NAMES, (asdict(exhibit).values() for exhibit in exhibits)),
-        DOCUMENT: _document(done),
+        "gallery.csv": csv_bytes(rows[0], (row.values() for row in rows)),
+        "gallery.json": json_bytes({"note": NOTE, "scenes": rows}, is_ascii=False),
     }
-    return write_results(folder, contents)
+    for (exhibit, _), picture, text in zip(shown, pictures, texts, strict=True):
+        contents |= {f"{exhibit.name}.png": picture, f"{exhibit.name}.toml": text}
+    return write_results(directory, contents)
 
 
 def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:
@@ -257,8 +208,3 @@ def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:
     content = io.BytesIO()
     imsave(content, sheet, format="png")
     return content.getvalue()
-
-
-def _document(done: Mapping[str, Exhibit]) -> bytes:
-    rows = [{_UNITS.get(key, key): value for key, value in asdict(done[name]).items()} for name in sorted(done)]
-    return json_bytes({"note": NOTE, "scenes": rows}, is_ascii=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -530,10 +530,14 @@ def pictures(data: Fields, summary: Summary, scene: Scene, name: str = style.SCR
         else:
             with styled_for(name):
                 contents |= style.printed(what, figure, DPI)
+    return {**contents, "midpoint.csv": columns_csv(midpoint_table(data, summary))}
+
+
+def midpoint_table(data: Fields, summary: Summary) -> dict[str, Iterable[object]]:
+    """Columns of ``midpoint.csv``; what is refused says so in every row."""
     times, outcome = array(data, "time"), style.refused(summary)
     stamped = {"refused": [outcome] * len(times)} if outcome else {}
-    contents["midpoint.csv"] = columns_csv({"time_s": times, "midpoint_m": array(data, "midpoint"), **stamped})
-    return contents
+    return {"time_s": times, "midpoint_m": array(data, "midpoint"), **stamped}
 
 
 def write_pictures(

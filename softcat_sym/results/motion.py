@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -135,7 +135,7 @@ seen = observed_motion
 
 def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, motion: Motion) -> Motion:
     """The numbers that only a run without the effect shows."""
-    names, shown = effects.names, dict[str, float]()
+    names, shown = effects.names, dict[str, Any]()
 
     def damped(decay: float) -> float:
         """What a decay [1/s] would have taken from the swings that a run without it shows."""

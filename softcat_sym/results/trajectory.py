@@ -45,6 +45,7 @@ from softcat_sym.store import Form, packed, unpacked
 if TYPE_CHECKING:
     import os
 
+    import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
 
@@ -183,6 +184,24 @@ class Trajectory:
         from softcat_sym.plotting.run import FIGURES
 
         return drawn(FIGURES, what, self.fields, self.summary, self.scene)
+
+    def figures(self) -> dict[str, Figure]:
+        """All pictures of the run, by name."""
+        from softcat_sym.plotting.run import FIGURES
+
+        return {what: draw(self.fields, self.summary, self.scene) for what, draw in FIGURES.items()}
+
+    def to_frame(self) -> pd.DataFrame:
+        """What ``midpoint.csv`` holds."""
+        import pandas as pd
+
+        from softcat_sym.plotting.run import midpoint_table
+
+        return pd.DataFrame(midpoint_table(self.fields, self.summary))
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``summary.json`` holds."""
+        return self.summary
 
     def _repr_html_(self) -> str:
         from softcat_sym.plotting.notebook import html
@@ -364,11 +383,7 @@ def open_run(directory: str | os.PathLike[str]) -> Trajectory:
     if "energy_gradient" in fields:
         # Of a run from before there was surface tension.
         fields.setdefault("energy_surface", 0 * fields["energy_gradient"])
-    sizes = {
-        name: fields[at].size for name, at in (("time", "time"), ("node", "X_node"), ("cell", "X_cell")) if at in fields
-    }
-    shapes = {name: tuple(sizes.get(dim) for dim in VARIABLES[name].dims) for name in _NEEDED}
-    missing = [name for name, shape in shapes.items() if name not in fields or fields[name].shape != shape]
+    missing = [name for name in _NEEDED if name not in fields]
     text = attrs.get("scene")
     if missing or not isinstance(text, str) or not len(fields["time"]):
         lacking = ", ".join(missing) or ("its scene" if not isinstance(text, str) else "frames")
@@ -401,8 +416,12 @@ def _read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:
         with h5py.File(path, "r") as raw:
             raw.attrs.get("_nc3_strict")
         with h5netcdf.File(path, "r") as file:
-            known = {name: variable for name, variable in file.variables.items() if name in VARIABLES}
-            return {name: np.asarray(variable[...], dtype=float) for name, variable in known.items()}, dict(file.attrs)
+            fields = {
+                name: np.asarray(variable[...], dtype=float)
+                for name, variable in file.variables.items()
+                if name in VARIABLES and variable.dimensions == VARIABLES[name].dims
+            }
+            return fields, dict(file.attrs)
     except (OSError, ValueError, LookupError, RuntimeError, TypeError, AttributeError, OverflowError) as error:
         raise OSError(" ".join(str(error).split())[:120] or type(error).__name__) from error
 

@@ -207,7 +207,7 @@ def explain(scene: SceneLike) -> Explanation:
     decisions = []
     for decision in effects.decisions:
         guess = decision.estimate
-        worth = (guess.value, guess.meaning, guess.formula) if guess else (None, "", "")
+        worth: tuple[Any, str, str] = (guess.value, guess.meaning, guess.formula) if guess else (None, "", "")
         decisions.append(
             Decided(decision.effect.name, decision.effect.summary, decision.in_force, *worth, decision.why)
         )
