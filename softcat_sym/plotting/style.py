@@ -317,7 +317,7 @@ def printed(name: str, figure: Figure, dpi: int) -> dict[str, bytes]:
     return drawn
 
 
-_FONT, _NEAREST, _FARTHEST, _STEP, _DIRECTIONS = 7.5, 6.0, 260.0, 3.0, 32
+_FONT, _NEAREST, _FAR, _FARTHEST, _STEP, _DIRECTIONS = 7.5, 6.0, 60.0, 260.0, 3.0, 32
 
 
 def label_points(axes: Axes, points: Sequence[tuple[float, float]], names: Sequence[str]) -> None:
@@ -331,16 +331,25 @@ def label_points(axes: Axes, points: Sequence[tuple[float, float]], names: Seque
         text = axes.text(0, 0, names[k], fontsize=_FONT, va="center", ha="center", transform=None, zorder=5)
         found = text.get_window_extent()
         half = np.array([found.width, found.height]) / 2
+        best = None  # Centre, box, and whether it needs a line to its point
         for radius, angle in product(np.arange(_NEAREST, _FARTHEST, _STEP), angles):
             centre = places[k] + np.array([math.cos(angle), math.sin(angle)]) * (radius * pixels + [half[0], half[1]])
             box = Bbox([centre - half - pixels, centre + half + pixels])
+            within = inside.x0 <= box.x0 and box.x1 <= inside.x1 and inside.y0 <= box.y0 and box.y1 <= inside.y1
+            if not within or any(box.overlaps(other) for other in taken):
+                continue
             own, *others = (np.hypot(*(place - np.clip(place, box.min, box.max))) for place in (places[k], *places))
             nearer = min((other for j, other in enumerate(others) if j != k), default=math.inf)
-            within = inside.x0 <= box.x0 and box.x1 <= inside.x1 and inside.y0 <= box.y0 and box.y1 <= inside.y1
-            if within and own < 0.8 * nearer and not any(box.overlaps(other) for other in taken):
+            if own < 0.8 * nearer:
+                best = centre, box, radius > _NEAREST + _STEP or own > 0.6 * nearer
                 break
+            # Nearer to another point it would be read as that one's name: only where there is no better.
+            best = best or (centre, box, True)
+            if radius > _FAR:
+                break
+        centre, box, far = best or (places[k], Bbox([places[k] - half, places[k] + half]), False)
         text.set_position(centre)
         taken.append(box)
-        if radius > _NEAREST + _STEP or own > 0.6 * nearer:
+        if far:
             line = zip(places[k], np.clip(places[k], box.min, box.max), strict=True)
             axes.plot(*line, transform=None, color=GREY, linewidth=0.5, zorder=2.5)
