@@ -122,6 +122,7 @@ class Display:
         with Progress(
             *columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False, auto_refresh=False
         ) as bars:
+            over = False
             while True:
                 for number, stage in enumerate(self.stages):
                     if number not in tasks:
@@ -136,5 +137,6 @@ class Display:
                         bars.update(task, total=1.0, completed=1.0, state="done", visible=not short)
                         bars.tasks[number].stop_time = stage.ended
                 bars.refresh()
-                if self._over.wait(LOOK):
+                if over:
                     return
+                over = self._over.wait(LOOK)
