@@ -22,8 +22,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.flow_curve import fit_flow_curve
     from softcat_sym.fitting.measurements import Measurements
     from softcat_sym.generation import generate
-    from softcat_sym.results.files import open_run
-    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.results.trajectory import Trajectory, open_run
     from softcat_sym.scene.bundled import bundled_names
     from softcat_sym.scene.reading import load_scene
     from softcat_sym.scene.scene import Scene
@@ -56,7 +55,7 @@ _HOMES = {
     "fit_flow_curve": "fitting.flow_curve",
     "generate": "generation",
     "load_scene": "scene.reading",
-    "open_run": "results.files",
+    "open_run": "results.trajectory",
     "price_effects": "studies.pricing",
     "simulate_many": "ensemble.ensemble",
     "sweep": "studies.sweep",

@@ -67,33 +67,31 @@ def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
             interrupts.check()
 
 
-def _with_all_that_matters(scene: Scene, listener: Progress) -> Trajectory:
+def _with_all_that_matters(scene: Scene, progress: Progress) -> Trajectory:
     """Run, estimate, and repeat with what the finished run calls for."""
     from softcat_sym.clock import Clock
     from softcat_sym.effects.choosing import choose_effects
     from softcat_sym.error_control.control import as_accurate_as_asked, frames_of_first
     from softcat_sym.single_run import rest_of, run_once
 
-    clock, shown = Clock(), dict[str, str]()
-    repeats: list[str] = []
+    clock, shown, repeats = Clock(), dict[str, str](), list[str]()
     while True:
-        effects = choose_effects(scene, shown)
-        ends = None
+        effects, ends, until = choose_effects(scene, shown), None, scene
         if scene.run.until == "settled":
-            ends = rest_of(scene, effects, listener)
+            ends = rest_of(scene, effects, progress)
             clock.lap("estimate")
-        asked = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
-        times = frames_of_first(asked, effects)
-        trajectory = run_once(asked, asked, effects, clock, listener, times)
-        last = len(repeats) == _REPEATS
-        if scene.numerics.estimate and (last or not trajectory.missing_effect):
-            trajectory = as_accurate_as_asked(trajectory, effects, clock, listener)
-        if last or not trajectory.missing_effect:
-            return trajectory.repeated(repeats).settled(scene, ends)
+            until = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
+        run = run_once(until, until, effects, clock, progress, frames_of_first(until, effects))
+        last = len(repeats) == _REPEATS or not run.missing_effect
+        if last and scene.numerics.estimate:
+            run = as_accurate_as_asked(run, effects, clock, progress)
+        # A refined run may show more.
+        if not run.missing_effect or len(repeats) == _REPEATS:
+            return run.repeated(repeats).settled(scene, ends)
         clock.set_aside()
-        listener.stage(f"again, with {', '.join(trajectory.missing_effect)}")
-        shown |= trajectory.missing_effect
-        repeats.append("; ".join(f"{name}: {why}" for name, why in trajectory.missing_effect.items()))
+        progress.stage(f"again, with {', '.join(run.missing_effect)}")
+        shown |= run.missing_effect
+        repeats.append("; ".join(f"{name}: {why}" for name, why in run.missing_effect.items()))
 
 
 def identity_of(scene: Scene) -> tuple[str, list[str], list[str]]:
@@ -107,7 +105,7 @@ def identity_of(scene: Scene) -> tuple[str, list[str], list[str]]:
 def recalled(scene: Scene, progress: Progress | None = None) -> Trajectory:
     """Run a filament for a study: as :func:`simulated`, but taken from the store if it was run before."""
     from softcat_sym import store
-    from softcat_sym.results.files import trajectory_form
+    from softcat_sym.results.trajectory import trajectory_form
 
     key = store.key_of("run", identity_of(scene))
     return store.stored(key, lambda: simulated(scene, progress), trajectory_form(scene))

@@ -72,8 +72,8 @@ def stored(key: str, compute: Callable[[], Result], form: Form[Result]) -> Resul
 
 def key_of(what: str, *parts: object) -> str:
     """Hash of what is asked for; parts are text, numbers, bytes, arrays, dataclasses, and lists or tables of these."""
-    told = json.dumps([what, _program(), *parts], default=_plain, sort_keys=True)
-    return hashlib.sha256(told.encode()).hexdigest()
+    text = json.dumps([what, _program(), *parts], default=_plain, sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def folder() -> Path:
@@ -113,8 +113,8 @@ def entries() -> list[tuple[Path, int]]:
     with contextlib.suppress(FileNotFoundError):
         for path in folder().iterdir():
             with contextlib.suppress(OSError):  # another process dropped it
-                told = path.stat()
-                found.append((told.st_mtime, path, told.st_size))
+                stat = path.stat()
+                found.append((stat.st_mtime, path, stat.st_size))
     return [(path, size) for _, path, size in sorted(found, reverse=True)]
 
 
@@ -147,7 +147,7 @@ def json_form(write: Callable[[Result], Any], read: Callable[[Any], Result]) -> 
 
 def _plain(value: object) -> object:
     if is_dataclass(value) and not isinstance(value, type):
-        return {type(value).__name__: {one.name: getattr(value, one.name) for one in fields(value)}}
+        return {type(value).__name__: {field.name: getattr(value, field.name) for field in fields(value)}}
     if isinstance(value, np.ndarray):
         return [value.dtype.str, value.shape, _plain(value.tobytes())]
     if isinstance(value, np.generic):

@@ -7,23 +7,22 @@ nobody reads on, as in ``softcat scenes | head -1``.
 
 from __future__ import annotations
 
+import codecs
 import errno
+import io
 import os
 import sys
+import unicodedata
 from pathlib import Path
 from typing import NoReturn
 
 # Importing a command registers it, in the order in which the help lists them.
 from softcat_sym.cli import new as new  # isort: skip
-from softcat_sym.cli import samples as samples  # isort: skip
 from softcat_sym.cli import run as run  # isort: skip
-from softcat_sym.cli import show as show  # isort: skip
-from softcat_sym.cli import keys as keys  # isort: skip
+from softcat_sym.cli import scenes as scenes  # isort: skip
 from softcat_sym.cli import explain as explain  # isort: skip
 from softcat_sym.cli import card as card  # isort: skip
-from softcat_sym.cli import draw as draw  # isort: skip
 from softcat_sym.cli import sweep as sweep  # isort: skip
-from softcat_sym.cli import scenes as scenes  # isort: skip
 from softcat_sym.cli import fit as fit  # isort: skip
 from softcat_sym.cli import flow_curve as flow_curve  # isort: skip
 from softcat_sym.cli import experiment as experiment  # isort: skip
@@ -35,12 +34,11 @@ from softcat_sym.cli import figures as figures  # isort: skip
 from softcat_sym.cli import generate as generate  # isort: skip
 from softcat_sym.cli import cache as cache  # isort: skip
 from softcat_sym.cli.application import BAD_INPUT, INTERRUPTED, app, print_error
-from softcat_sym.cli.streams import print_whatever_the_terminal_takes
 
 __all__ = ["app", "main"]
 
-_NOBODY_READS = 141
-"""What a shell tells of a program that SIGPIPE has ended."""
+_BROKEN_PIPE = 141
+"""Exit status that a shell gives a program that SIGPIPE has ended."""
 
 
 def main() -> NoReturn:
@@ -65,31 +63,54 @@ def _status() -> int | str | None:
         # Typer turns Ctrl-C where no command expects it into this status, and says nothing.
         if isinstance(getattr(left.__context__, "__cause__", None), KeyboardInterrupt):
             print_error("interrupted; every file is whole, the old one or the new")
-        return _NOBODY_READS if _is_broken_pipe(left.__context__) else left.code
+        # Typer and rich exit with 1 where nobody reads the output any more.
+        unread = isinstance(left.__context__, OSError) and left.__context__.errno == errno.EPIPE
+        return _BROKEN_PIPE if unread else left.code
     except SoftcatError as error:
         print_error(str(error))
-        return BAD_INPUT
     except OSError as error:
-        print_error(f"cannot write the results: {_reason(error)}")
-        return BAD_INPUT
+        # What went wrong with a file, without the numbers and passing names of the system.
+        where = f" ({Path(error.filename).parent})" if isinstance(error.filename, str) and error.filename else ""
+        print_error(f"cannot write the results: {f'{error.strerror}{where}' if error.strerror else error}")
     except MemoryError:
         print_error("there is too little memory: free some, allow more (ulimit -v), or ask for fewer cells or frames")
-        return BAD_INPUT
     except ImportError as error:
-        reason = str(error).strip().rpartition("\n")[2]  # of what numpy says, the last line tells
+        reason = str(error).strip().rpartition("\n")[2]  # numpy explains itself in its last line
         print_error(f"cannot be loaded: {reason}; allow more memory (ulimit -v), or install softcat_sym again")
-        return BAD_INPUT
-    return 0
+    else:
+        return 0
+    return BAD_INPUT
 
 
-def _is_broken_pipe(error: BaseException | None) -> bool:
-    """Whether Typer or rich, which then exit with 1, ended because nobody reads the output any more."""
-    return isinstance(error, OSError) and error.errno == errno.EPIPE
+# What has no plain letter for its base, or another one than its look suggests.
+_PLAIN = str.maketrans(
+    {**dict(zip("−–—×·÷~µμ█━│⁄≈‘’“”", "---x*/~uu#-|/~''\"\"", strict=True))}
+    | {"±": "+-", "≤": "<=", "≥": ">=", "≠": "!=", "→": "->", "←": "<-", "…": "...", "°": " deg", "√": "sqrt"}
+    | {"α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "Δ": "Delta", "ε": "eps", "ζ": "zeta", "η": "eta"}
+    | {"θ": "theta", "κ": "kappa", "λ": "lambda", "ν": "nu", "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau"}
+    | {"φ": "phi", "ω": "omega", "Ω": "Ohm", "∞": "inf", "ß": "ss"}
+)
 
 
-def _reason(error: OSError) -> str:
-    """What went wrong with a file, without the numbers and passing names of the system."""
-    if error.strerror is None:
-        return str(error)
-    where = f" ({Path(error.filename).parent})" if isinstance(error.filename, str) and error.filename else ""
-    return f"{error.strerror}{where}"
+def plain(text: str) -> str:
+    """Write a text in ASCII: signs by what they mean, letters without their accents, and ``?`` for what is left."""
+    parts = unicodedata.normalize("NFKD", text.translate(_PLAIN))
+    bare = "".join(letter for letter in parts if not unicodedata.combining(letter))
+    return bare.translate(_PLAIN).encode("ascii", "replace").decode()
+
+
+def print_whatever_the_terminal_takes() -> None:
+    """Let standard output and error write :func:`plain` text where their encoding lacks a letter, and never fail."""
+    codecs.register_error("softcat-plain", _replaced)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="softcat-plain")
+
+
+def _replaced(error: UnicodeError) -> tuple[str | bytes, int]:
+    """Replace what cannot be encoded; the bytes of a file's name that is no text are written as they are."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    letter = error.object[error.start]
+    is_byte = "\udc80" <= letter <= "\udcff"
+    return bytes([ord(letter) - 0xDC00]) if is_byte else plain(letter), error.start + 1

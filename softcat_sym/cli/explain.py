@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,6 +19,15 @@ from softcat_sym.cli.application import (
     scene_and_directory,
     scene_of,
 )
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from softcat_sym.effects.expected_regime import ExpectedRegime
+    from softcat_sym.physics.equation import Stated
+    from softcat_sym.studies.explanation import Explanation
+
+Rows = list[tuple[str, ...]]
 
 
 @app.command(rich_help_panel=EVERYDAY)
@@ -41,12 +51,191 @@ def explain(
         asked = scene_of(scene, changes)
     else:
         asked, output = scene_and_directory(scene, changes, output, "explain")
-    from softcat_sym.plotting.explain import print_explanation, write_explanation
+    from softcat_sym.plotting.files import write_results
     from softcat_sym.studies.explanation import explain as explained
 
     explanation = explained(asked)
-    written = [] if output is None else write_explanation(explanation, asked, output)
+    contents = {
+        "explain.json": explanation.to_dict(),
+        "equations.tex": article(explanation.title, explanation.in_force, explanation.equations),
+        "scene.toml": asked.to_toml(),
+    }
+    written = [] if output is None else write_results(output, contents)
     if not quiet:
         print_explanation(explanation, verbose=verbose)
         if written:
             typer.echo(f"wrote {', '.join(path.name for path in written)} to {output}")
+
+
+_ESCAPED = str.maketrans(
+    {letter: rf"\{letter}" for letter in "{}$&#_%"}
+    | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+    | {letter: rf"\ensuremath{{{letter}}}" for letter in "<>"}
+)
+
+_HEAD = r"""\documentclass[a4paper]{article}
+\usepackage[utf8]{inputenc}
+\usepackage[T1]{fontenc}
+\usepackage[margin=25mm]{geometry}
+\usepackage{amsmath,amssymb}
+\setlength{\parindent}{0pt}
+\begin{document}
+"""
+
+
+def article(title: str, effects: Sequence[str], equations: Sequence[Stated]) -> str:
+    """A LaTeX article of one section: the effects in force, and each equation with its name and source."""
+    lines = [
+        _HEAD,
+        rf"\section*{{{(title or 'Filament').translate(_ESCAPED)}}}",
+        rf"Effects in force: {(', '.join(effects) or 'none').translate(_ESCAPED)}. "
+        r"Angle brackets are means over the section, $\zeta = 2z/h$.",
+        "",
+    ]
+    for equation in equations:
+        lines += [
+            rf"\textbf{{{equation.name.translate(_ESCAPED)}}} ({equation.source.translate(_ESCAPED)})",
+            r"\begin{equation*}",
+            equation.latex,
+            r"\end{equation*}",
+        ]
+    return "\n".join([*lines, r"\end{document}", ""])
+
+
+def print_explanation(explanation: Explanation, console: Console | None = None, *, verbose: bool = False) -> None:
+    """Print what a scene calls for; `verbose`, in tables."""
+    from rich.console import Console
+    from rich.text import Text
+
+    from softcat_sym.plotting.terminal import print_rows, text_table
+    from softcat_sym.plotting.units import significant
+
+    out = console or Console()
+    out.print(Text(explanation.title or "Filament", style="bold"))
+    if not verbose:
+        print_rows(_short_rows(explanation), out)
+        return
+    groups: Rows = [
+        (g.name, "infinite" if g.value is None else significant(g.value), g.meaning) for g in explanation.groups
+    ]
+    effects: Rows = [
+        (
+            effect.effect,
+            "on" if effect.in_force else "off",
+            effect.reason,
+            "" if effect.estimate is None else f"{significant(effect.estimate)}: {effect.meaning}"
+            + (f" [{effect.formula}]" if effect.formula else ""),
+        )
+        for effect in explanation.effects
+    ]  # fmt: skip
+    equations: Rows = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
+    asked = f"the accuracy asked is {significant(explanation.accuracy)}"
+    tables: list[tuple[str, tuple[str, ...], Rows, int]] = [
+        ("Groups", ("group", "value", "meaning"), groups, 1),
+        ("Expected", ("", ""), _regime_rows(explanation), 1),
+        (f"Effects; {asked}", ("effect", "", "why", "what the estimate is"), effects, 1),
+        ("Equations in force", ("equation", "", "source"), equations, 0),
+        ("Numerics", ("", ""), _numeric_rows(explanation), 1),
+    ]
+    for title, heads, rows, whole in tables:
+        styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
+        out.print(text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
+    for warning in explanation.warnings:
+        out.print(Text(f"warning: {warning}", style="yellow"))
+
+
+def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
+    """What a user asks first: what it will do, which physics that takes, what it costs, and where the theory ends."""
+    from softcat_sym.plotting.terminal import left_out_words
+    from softcat_sym.plotting.units import regime_words
+
+    graph, integrator = explanation.graph, explanation.integrator
+    inside = "\n".join(f"{effect.effect}: on, {effect.reason}" for effect in explanation.effects if effect.in_force)
+    outside = {e.effect: e.estimate for e in explanation.effects if not e.in_force and e.estimate is not None}
+    rows = [
+        ("expected", regime_words(explanation.regime.name)),
+        ("because", explanation.regime.reason),
+        ("sag", f"about {float(f'{100 * explanation.sag:.2g}'):g} % of the span"),
+        ("effects", inside or "none"),
+        ("left out", left_out_words(list(outside), sum(outside.values())) if outside else ""),
+        (
+            "solver",
+            f"{integrator.solver}, {integrator.backend}; {graph.cells} cells, "
+            f"{graph.differential + graph.algebraic} unknowns",
+        ),
+        ("damping", explanation.damping),
+        ("cost", explanation.ringing),
+        *(("warning", warning) for warning in explanation.warnings),
+        ("more", "-v for groups, equations, formulas and limits"),
+    ]
+    return [row for row in rows if row[1]]
+
+
+def _regime_rows(explanation: Explanation) -> Rows:
+    """Regime, why, stopping depth and the thresholds that decide."""
+    from softcat_sym.plotting.units import regime_words, significant
+
+    regime = explanation.regime
+    sag = f"about {significant(explanation.sag)} of the span, a mean strain of {significant(explanation.strain)}"
+    rows: Rows = [
+        ("regime", regime_words(regime.name)),
+        ("because", regime.reason),
+        ("largest sag", sag),
+        ("damping", explanation.damping),
+        ("ringing", explanation.ringing),
+    ]
+    if regime.gravity_number is not None:
+        thresholds = {
+            "first yield": regime.first_yield,
+            "plastic collapse of the beam": regime.collapse,
+            "arrest, the paper's [3.12]": regime.arrest_paper,
+            "arrest, exact": regime.arrest_exact,
+        }
+        listed = "; ".join(f"{name} {value:.4g}" for name, value in thresholds.items() if value is not None)
+        rows += [("thresholds of G", listed), ("stopping depth", _depths(regime))]
+    return [row for row in rows if row[1]]
+
+
+def _depths(regime: ExpectedRegime) -> str:
+    """At which depths it stops, by the paper and by the exact catenary."""
+    from softcat_sym.plotting.units import significant
+
+    exact = regime.stopping_depth_exact
+    known = {"[3.13]": regime.stopping_depth_paper, "exact catenary": exact}
+    depths = [f"{significant(value)} L ({name})" for name, value in known.items() if value is not None]
+    if not depths:
+        return "none: nothing holds it" if regime.name == "descending" else "none: it has a free end, or no weight"
+    if regime.name == "no-yield":
+        return "; ".join(depths) + "; not called on, since no fibre yields"
+    if (regime.gravity_number or 0.0) < (regime.collapse or 0.0):
+        depths.append("the beam itself holds it")
+    elif regime.overshoot and exact is not None:
+        depths.append(f"first stop, after its fall, at about {significant(regime.overshoot * exact)} L")
+    return "; ".join(depths)
+
+
+def _numeric_rows(explanation: Explanation) -> Rows:
+    """Unknowns, graph and integrator."""
+    from softcat_sym.plotting.units import significant
+
+    graph, integrator = explanation.graph, explanation.integrator
+    over = "half the span, by symmetry" if graph.half else "the whole span"
+    parameters = ", ".join(f"{name} {significant(value)}" for name, value in graph.parameters.items())
+    return [
+        *(
+            (
+                "algebraic" if unknown.algebraic else "differential",
+                f"{unknown.number} {unknown.kind}: {unknown.meaning}",
+            )
+            for unknown in explanation.unknowns
+        ),
+        (
+            "graph",
+            f"{graph.cells} cells over {over}; {graph.differential} differential and {graph.algebraic} algebraic "
+            f"unknowns, {graph.instructions} instructions",
+        ),
+        ("parameters", f"{parameters} (SI)"),
+        ("integrator", f"{integrator.solver}, rtol {significant(integrator.rtol)}: {integrator.reason}"),
+        ("backend", integrator.backend),
+        ("closure", f"{explanation.closure}; accuracy asked {significant(explanation.accuracy)}"),
+    ]

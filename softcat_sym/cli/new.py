@@ -1,15 +1,16 @@
-"""``softcat new``: a first scene of one's own."""
+"""``softcat new`` and ``softcat samples``: a first scene of one's own, and files to try the commands with."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
+from importlib.resources import files
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from softcat_sym.cli.application import EVERYDAY, QuietOption, app
+from softcat_sym.cli.application import EVERYDAY, OutputOption, QuietOption, app, output_directory
 from softcat_sym.errors import SceneError, SoftcatError
 
 
@@ -65,7 +66,7 @@ def new(
         text, scene = scene_template(file.stem.replace("-", " ").replace("_", " ").capitalize(), given)
     except SceneError as error:
         raise SceneError(error.faults, str(file)) from None
-    write_new(file.parent, {file.name: text.encode()}, force=force)
+    _write_new(file.parent, {file.name: text.encode()}, force=force)
     if not quiet:
         for note in scene.material.notes:
             typer.echo(note)
@@ -96,16 +97,35 @@ def _asked() -> dict[str, str]:
     return answers
 
 
-def write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
+@app.command(rich_help_panel=EVERYDAY)
+def samples(
+    output: OutputOption = None,
+    force: ForceOption = False,
+    quiet: QuietOption = False,
+) -> None:
+    """Copy sample files: a scene, a film, a flow curve.
+
+    my-ink.toml is an ink; film.csv a film of its fall across a wider gap, my-curve.csv its flow curve, both made by
+    this package and made noisy, as their first lines say.
+    """
+    output = output_directory(output, "samples")
+    folder = files("softcat_sym") / "samples"
+    contents = {entry.name: entry.read_bytes() for entry in sorted(folder.iterdir(), key=lambda entry: entry.name)}
+    _write_new(output, contents, force=force)
+    if not quiet:
+        typer.echo(f"wrote {', '.join(contents)} to {output}")
+
+
+def _write_new(folder: Path, contents: Mapping[str, bytes], *, force: bool) -> None:
     """Write files where there are none yet, all or none."""
     from softcat_sym.files import write_all
 
     paths = {folder / name: content for name, content in contents.items()}
-    there = [str(path) for path, content in paths.items() if path.exists() and not _holds(path, content)]
+    there = [
+        str(path)
+        for path, content in paths.items()
+        if path.exists() and not (path.is_file() and path.read_bytes() == content)
+    ]
     if there and not force:
         raise SoftcatError(f"there already, and not replaced without --force: {', '.join(there)}")
     write_all(folder, contents)
-
-
-def _holds(path: Path, content: bytes) -> bool:
-    return path.is_file() and path.read_bytes() == content

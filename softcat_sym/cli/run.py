@@ -1,4 +1,4 @@
-"""``softcat run``: one filament."""
+"""``softcat run`` and ``softcat draw``: one filament, and its pictures again without solving."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import typer
 from softcat_sym.cli.application import (
     EVERYDAY,
     INTERRUPTED,
+    OutputOption,
     QuietOption,
     SceneArgument,
     SetOption,
@@ -17,16 +18,14 @@ from softcat_sym.cli.application import (
     app,
     directory,
     judge,
+    output_directory,
     print_error,
     scene_and_directory,
 )
 
 if TYPE_CHECKING:
-    import xarray as xr
-
     from softcat_sym.plotting.animation import FilmOrder
-    from softcat_sym.plotting.units import Summary
-    from softcat_sym.scene.scene import Scene
+    from softcat_sym.results.trajectory import Trajectory
 
 RunOutputOption = Annotated[
     Path | None,
@@ -47,6 +46,9 @@ StyleOption = Annotated[
         "--style", metavar="STYLE", help="Of the pictures: screen; publication (a column wide, PDF too); page."
     ),
 ]
+TrajectoryArgument = Annotated[
+    Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
+]
 
 
 @app.command(rich_help_panel=EVERYDAY)
@@ -64,7 +66,7 @@ def run(
 
     DIR gets trajectory.nc, summary.json, scene.toml, pictures and a table.
     """
-    order, drawn = pictures_asked(animate, animate_seconds, style)
+    order, drawn = _requested_pictures(animate, animate_seconds, style)
     asked, output = scene_and_directory(scene, changes, output, "run")
     from softcat_sym.files import made, written_together
     from softcat_sym.plotting.run import write_run
@@ -81,17 +83,58 @@ def run(
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
+    films = []
     if order is not None:
-        _film_of_a_run(order, output, (trajectory.data, written.summary, asked), quiet=quiet)
+        try:
+            films = [_film(order, output, trajectory, quiet=quiet)]
+        except KeyboardInterrupt:
+            again = f"softcat draw {output} -o {output} --animate {order.name}"
+            print_error(f"interrupted; the run is in {output}, its film is not: {again}")
+            raise typer.Exit(INTERRUPTED) from None
     if not quiet:
         from softcat_sym.plotting.terminal import print_summary
 
-        films = (output / order.name,) if order else ()
         print_summary(written.summary, asked, (*films, *written.files), verbose=verbose)
     judge(trajectory.outcome, trajectory.summary["message"], quiet=quiet)
 
 
-def pictures_asked(animate: str | None, seconds: float, style: str) -> tuple[FilmOrder | None, str]:
+@app.command(rich_help_panel=EVERYDAY)
+def draw(
+    trajectory: TrajectoryArgument,
+    output: OutputOption = None,
+    animate: AnimateOption = None,
+    animate_seconds: SecondsOption = 8.0,
+    style: StyleOption = "screen",
+    quiet: QuietOption = False,
+) -> None:
+    """Draw a finished run again: in another style, or as a film.
+
+    Without solving; its pictures, its table and a film go to DIR (by default the folder of the run with -draw).
+    summary.json and scene.toml of the run go along with them.
+    """
+    order, drawn = _requested_pictures(animate, animate_seconds, style)
+    folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
+    output = output_directory(output, "draw", folder.resolve().name)
+    from softcat_sym.files import made, written_together
+    from softcat_sym.plotting.files import write_results
+    from softcat_sym.plotting.run import pictures
+    from softcat_sym.results.trajectory import check_drawable, open_run
+
+    run = open_run(trajectory)
+    check_drawable(run)
+    try:
+        with made(output), written_together():
+            beside = {"summary.json": run.summary, "scene.toml": run.scene.to_toml()}
+            files = write_results(output, pictures(run.fields, run.summary, run.scene, drawn) | beside)
+            files += [] if order is None else [_film(order, output, run, quiet=quiet)]
+    except KeyboardInterrupt:
+        print_error("interrupted; nothing was written")
+        raise typer.Exit(INTERRUPTED) from None
+    if not quiet:
+        typer.echo(f"wrote {', '.join(path.name for path in files)} to {output}")
+
+
+def _requested_pictures(animate: str | None, seconds: float, style: str) -> tuple[FilmOrder | None, str]:
     """What the options of films and pictures ask for, refused before anything is computed."""
     from softcat_sym.plotting.style import picture_style
 
@@ -103,23 +146,13 @@ def pictures_asked(animate: str | None, seconds: float, style: str) -> tuple[Fil
     return film_order(animate, seconds), drawn
 
 
-def film(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool) -> Path:
+def _film(order: FilmOrder, output: Path, run: Trajectory, *, quiet: bool) -> Path:
     """Draw a film, with a bar on the terminal."""
     from softcat_sym.plotting.animation import write_film
     from softcat_sym.plotting.terminal import StepProgress
 
     with StepProgress(order.pictures, "drawing", quiet=quiet) as progress:
-        path, note = write_film(order, output, run, progress.step)
+        path, note = write_film(order, output, (run.fields, run.summary, run.scene), progress.step)
     if note:
         print_error(f"{path.name}: {note}")
     return path
-
-
-def _film_of_a_run(order: FilmOrder, output: Path, run: tuple[xr.Dataset, Summary, Scene], *, quiet: bool) -> None:
-    """Draw the film of a run that is there already: interrupted, it says how to have it later."""
-    try:
-        film(order, output, run, quiet=quiet)
-    except KeyboardInterrupt:
-        again = f"softcat draw {output} -o {output} --animate {order.name}"
-        print_error(f"interrupted; the run is in {output}, its film is not: {again}")
-        raise typer.Exit(INTERRUPTED) from None

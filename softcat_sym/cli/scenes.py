@@ -1,26 +1,26 @@
-"""``softcat scenes``: the bundled scenes, as a list or as a gallery."""
+"""``softcat scenes``, ``show`` and ``keys``: the bundled scenes, a scene in full, and what it may hold."""
 
 from __future__ import annotations
 
+import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from softcat_sym.cli.application import (
     EVERYDAY,
-    INTERRUPTED,
     QuietOption,
+    SceneArgument,
     SetOption,
     app,
     check_directory,
     directory,
-    print_error,
+    scene_of,
+    study,
 )
 from softcat_sym.cli.completing import complete_scene
-
-if TYPE_CHECKING:
-    from softcat_sym.studies.gallery import Asked, Exhibit
+from softcat_sym.errors import SoftcatError
 
 
 @app.command(rich_help_panel=EVERYDAY)
@@ -40,8 +40,8 @@ def scenes(
 
     With -o they are all run, and a gallery is written into DIR.
     The gallery is gallery.html and gallery.png, a picture and a TOML file of each scene, gallery.csv and gallery.json.
-    Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command goes on;
-    scenes that are there already are not run again.
+    Each scene is run once, without an estimate of its error: a minute for all. After Ctrl-C the same command goes on
+    from what was finished.
     """
     from softcat_sym.scene.bundled import bundled_lesson, bundled_names, bundled_title
 
@@ -49,7 +49,22 @@ def scenes(
         raise typer.BadParameter(f"no bundled scene {unknown[0]!r}: softcat scenes lists them", param_hint="--only")
     names = [name for name in bundled_names() if not only or name in only]
     if output is not None:
-        _gallery(names, changes or [], output, quiet=quiet)
+        check_directory(output)
+        from softcat_sym.plotting.gallery import exhibit_of, write_gallery
+        from softcat_sym.plotting.terminal import StepProgress
+        from softcat_sym.scene.reading import load_scene
+
+        for name in names:
+            load_scene(name, changes or [])
+        shown = []
+        with study(output, fresh=False), StepProgress(len(names), "gallery", quiet=quiet) as progress:
+            for name in names:
+                progress.step(name)
+                shown.append(exhibit_of(name, changes or []))
+            written = write_gallery(shown, output, changes or [])
+        if not quiet:
+            files = ", ".join(path.name for path in written[:4])
+            typer.echo(f"wrote {files} and {len(shown)} scenes to {output}")
         return
     if changes:
         raise typer.BadParameter("changes what is run: it takes -o DIR beside it", param_hint="--set")
@@ -58,42 +73,39 @@ def scenes(
         typer.echo(f"{name:{width}}  {bundled_title(name)}\n    {bundled_lesson(name)}")
 
 
-def _gallery(names: list[str], changes: list[str], output: Path, *, quiet: bool) -> None:
-    from softcat_sym.plotting.gallery import kept_exhibits, write_gallery
-    from softcat_sym.studies.gallery import asked_of
+@app.command(rich_help_panel=EVERYDAY)
+def show(scene: SceneArgument, changes: SetOption = None) -> None:
+    """Print a scene as resolved, with every default.
 
-    asked = [asked_of(name, changes) for name in names]
-    check_directory(output)
-    found = kept_exhibits(output)
-    done = {one.name: found[one.name] for one in asked if _stands(found.get(one.name), one)}
-    before = len(done)
-    try:
-        _run([one for one in asked if one.name not in done], done, output, quiet=quiet)
-        written = write_gallery(done, output)
-    except KeyboardInterrupt:
-        kept = f"{len(done)} of {len(asked)} scenes are in {output}: the same command goes on from there"
-        print_error(f"interrupted; {kept if done else 'nothing was written'}")
-        raise typer.Exit(INTERRUPTED) from None
-    if not quiet:
-        there = f" ({before} of them were there)" if before else ""
-        files = ", ".join(path.name for path in written)
-        typer.echo(f"wrote {files} and {len(done)} scenes{there} to {output}")
+    TOML in SI units, which is a scene again: softcat show ink-bridge > my-ink.toml
+    """
+    from softcat_sym.scene.toml import toml_of
+
+    typer.echo(toml_of(scene_of(scene, changes), every_default=True), nl=False)
 
 
-def _stands(kept: Exhibit | None, asked: Asked) -> bool:
-    """Whether an earlier exhibit is of this very scene and program."""
-    return kept is not None and kept.identity == asked.identity
+@app.command(rich_help_panel=EVERYDAY)
+def keys(
+    part: Annotated[
+        str, typer.Argument(metavar="[PART]", help="Only keys with this in their names: material, or stress.")
+    ] = "",
+    markdown: Annotated[bool, typer.Option("--markdown", help="Print the page of the manual instead.")] = False,
+) -> None:
+    """List the keys of a scene: unit, default and meaning.
 
+    Given a PART of their names, also what each accepts.
+    """
+    from softcat_sym.scene.keys import keys_in_markdown, scene_keys
 
-def _run(asked: list[Asked], done: dict[str, Exhibit], output: Path, *, quiet: bool) -> None:
-    """Run scenes, each of which is in its place before the next begins."""
-    from softcat_sym.plotting.gallery import write_exhibit
-    from softcat_sym.plotting.terminal import StepProgress
-    from softcat_sym.studies.gallery import exhibit_of
-
-    with StepProgress(len(asked), "gallery", quiet=quiet) as progress:
-        for one in asked:
-            progress.step(one.name)
-            exhibit, trajectory = exhibit_of(one)
-            write_exhibit(one, trajectory, {**done, one.name: exhibit}, output)
-            done[one.name] = exhibit
+    if markdown:
+        typer.echo(keys_in_markdown(), nl=False)
+        return
+    found = scene_keys(part)
+    if not found:
+        tables = sorted({key.path.split(".")[0] for key in scene_keys()})
+        raise SoftcatError(f"no key has {part!r} in its name; tables and keys outside them: {', '.join(tables)}")
+    for key in found:
+        default = key.default if key.default in ("", "required") else f"default {key.default}"
+        typer.echo("  ".join(word for word in (key.path, key.unit and f"[{key.unit}]", default) if word))
+        for sentence in [key.meaning, *([f"Accepted: {key.accepted}."] if part else [])]:
+            typer.echo(textwrap.fill(sentence, 80, initial_indent="    ", subsequent_indent="    "))

@@ -8,9 +8,48 @@ from itertools import pairwise
 
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats
-from softcat_sym.error_control.resolution import Resolution
+from softcat_sym.discretization.assembly import choose_cells, choose_fibres
+from softcat_sym.discretization.grid import Floats, choose_grading
+from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.results.motion import MIN_PERIODS
+from softcat_sym.scene.scene import Scene
+from softcat_sym.solvers.settings import settings_for
+
+
+@dataclass(frozen=True, slots=True)
+class Resolution:
+    """Numerical parameters of one run."""
+
+    cells: int  # N, cells per half span
+    # Ratio of the longest cell to the shortest; the same on both grids of an estimate, so that they lie on one map.
+    grading: float
+    fibres: int | None  # Fibres through the thickness; None where no fibre yields by itself
+    order: int | None  # k of the appendix, in the place of fibres
+    rtol: float  # Relative tolerance of the integrator
+
+    def of(self, scene: Scene) -> Scene:
+        """The scene at this resolution."""
+        changes: dict[str, object] = {f"numerics.{name}": getattr(self, name) for name in ("cells", "grading", "rtol")}
+        if self.order is not None:
+            changes["numerics.order"] = self.order
+        elif self.fibres is not None:
+            changes["numerics.fibres"] = self.fibres
+        return scene.replace(changes)
+
+
+def resolution_of(scene: Scene, effects: Effects, *, compiled: bool) -> Resolution:
+    """What the scene says, and otherwise the program's first guess."""
+    cells, numerics = choose_cells(scene, effects), scene.numerics
+    resolved = FIBRES.name in effects.names
+    return Resolution(
+        cells,
+        numerics.grading or choose_grading(scene, cells, effects),
+        choose_fibres(scene) if resolved and numerics.order is None else None,
+        numerics.order if resolved else None,
+        settings_for(scene, effects, compiled=compiled).rtol,
+    )
+
 
 WINDOW_PERIODS, WINDOW_FRAMES = 5.0, 20
 """Least length of a window."""
@@ -27,12 +66,16 @@ class Deviation:
     # Periods by which the one is ahead of the other at the end; None where midpoints are compared instant by instant.
     phase: float | None
 
+    def over(self, share: float) -> Deviation:
+        """The error of which this is a share."""
+        return Deviation(self.size / share, None if self.phase is None else self.phase / share)
+
 
 @dataclass(frozen=True)
 class Judge:
     """Compares midpoints with those of an answer."""
 
-    answer: Floats  # shape (frames,); Midpoint that the others are compared with
+    answer: Floats  # shape (frames,)
     # Stretches over which height and amplitude are taken; none where it is compared instant by instant.
     windows: tuple[slice, ...]
 
@@ -40,10 +83,8 @@ class Judge:
     def of(cls, answer: Floats, periods: float, accuracy: float) -> Judge:
         """Judge by an answer."""
         frames, scale = len(answer), float(np.max(np.abs(answer)))
-        if periods < MIN_PERIODS or scale == 0:
-            return cls(answer, ())
         number = int(min(periods / WINDOW_PERIODS, frames / WINDOW_FRAMES))
-        if number < 2:
+        if periods < MIN_PERIODS or scale == 0 or number < 2:
             return cls(answer, ())
         edges = np.linspace(0, frames, number + 1).astype(int)
         windows = tuple(slice(int(a), int(b)) for a, b in pairwise(edges))
@@ -69,26 +110,22 @@ def _swing(heights: Floats) -> tuple[float, float, float]:
     """
     count = len(heights)
     along, weight = np.arange(count) - (count - 1) / 2, np.hanning(count + 2)[1:-1]
+    root = np.sqrt(weight)
+
+    def fitted(columns: Floats) -> Floats:
+        return np.asarray(np.linalg.lstsq(columns * root[:, None], heights * root, rcond=None)[0])
+
     base = np.vstack([np.ones(count), along]).T
-    flat = heights - base @ _fitted(base, heights, weight)
+    flat = heights - base @ fitted(base)
     spectrum = np.abs(np.fft.rfft(flat * weight, _FINER * count))
     # Less than a cycle a window is drift.
     spectrum[:_FINER] = 0.0
     turn = 2 * np.pi * int(np.argmax(spectrum)) / (_FINER * count) * along
     columns = np.hstack([base, np.cos(turn)[:, None], np.sin(turn)[:, None]])
-    found = _fitted(columns, heights, weight)
+    found = fitted(columns)
     left = float(np.average((heights - columns @ found) ** 2, weights=weight))
-    return (
-        float(found[0]),
-        float(np.sqrt(found[2] ** 2 + found[3] ** 2 + 2 * left)),
-        float(np.arctan2(-found[3], found[2])),
-    )
-
-
-def _fitted(columns: Floats, heights: Floats, weight: Floats) -> Floats:
-    """Coefficients by weighted least squares."""
-    root = np.sqrt(weight)
-    return np.asarray(np.linalg.lstsq(columns * root[:, None], heights * root, rcond=None)[0])
+    amplitude = float(np.sqrt(found[2] ** 2 + found[3] ** 2 + 2 * left))
+    return float(found[0]), amplitude, float(np.arctan2(-found[3], found[2]))
 
 
 Runner = Callable[[Resolution], Floats | None]
@@ -125,11 +162,15 @@ _MIN_CELLS = 4
 
 @dataclass(frozen=True)
 class Differences:
-    """Estimated errors of one run, as in `ErrorEstimate`, and what could not be had."""
+    """Estimated errors of the midpoint over one run, relative to its largest; None where they were not found.
 
-    space: float | None  # Relative to the largest midpoint
-    time: float | None
-    section: float | None
+    Of a filament that rings on to the end for ten periods or more they are those of the height about which it rings and
+    of the amplitude, over every five periods.
+    """
+
+    space: float | None  # Of the grid, by Richardson's extrapolation from a coarser one
+    time: float | None  # Of the time steps, from a looser tolerance, or a tighter one of a filament that rings on
+    section: float | None  # Of the fibres or the order k, from more of them; None also where nothing is to be resolved
     phase: float | None  # Periods by which a ringing may be ahead or late at its end
     failed: tuple[str, ...]  # Companions that have no answer
 
@@ -137,6 +178,16 @@ class Differences:
     def total(self) -> float:
         """Of all that is known."""
         return sum(part for part in (self.space, self.time, self.section) if part is not None)
+
+    def to_dict(self, effects: float) -> dict[str, float | None]:
+        """What ``summary.json`` holds; no total unless grid and time steps were both looked at.
+
+        What the effects that were left out would change is no part of it: the answer is held to the accuracy asked with
+        the effects in force. Nor is the phase.
+        """
+        total = None if self.space is None or self.time is None else self.total
+        parts = {name: getattr(self, name) for name in ("space", "time", "section")}
+        return {"total": total, **parts, "effects": effects, "phase": self.phase}
 
 
 @dataclass(frozen=True)
@@ -157,31 +208,31 @@ def differences(
         return Differences(None, None, None, None, (f"{coarser.cells} cells",))
     failed: list[str] = []
 
-    def change(resolution: Resolution, called: str, share: float) -> Deviation | None:
+    def change(resolution: Resolution, name: str, share: float) -> Deviation | None:
         found = run(resolution)
         if found is None:
-            failed.append(called)
+            failed.append(name)
             return None
-        deviation = judge.between(found, beside)
-        return Deviation(deviation.size / abs(share), None if deviation.phase is None else deviation.phase / abs(share))
+        return judge.between(found, beside).over(abs(share))
 
     apart = judge.between(answer, beside)
-    space = 1 / ((at.cells / coarser.cells) ** ORDER - 1)
-    parts = [Deviation(apart.size * space, None if apart.phase is None else apart.phase * space)]
+    grid = 1 / ((at.cells / coarser.cells) ** ORDER - 1)
+    space = Deviation(apart.size * grid, None if apart.phase is None else apart.phase * grid)
+    late = None
     time = _time_known(at, before, accuracy)
     if time is None:
         factor, order = (TIGHTER, RINGING_ORDER) if judge.windows else (LOOSER, 1)
         stepped = replace(coarser, rtol=min(factor * at.rtol, 0.5))
         late = change(stepped, f"a tolerance of {stepped.rtol:.2g}", (stepped.rtol / at.rtol) ** order - 1)
         time = None if late is None else late.size
-        parts += [late] if late is not None else []
-    section = _section_known(at, before)
+    same_section = before is not None and (before.at.fibres, before.at.order) == (at.fibres, at.order)
+    section = before.found.section if before is not None and same_section else None
     if section is None and (other := _other_fibres(coarser, before)) != coarser:
         ratio = (other.fibres or 1) / (coarser.fibres or 1) if other.order is None else MORE
         across = change(other, f"{other.fibres or other.order} fibres", 1 - ratio**-SECTION_ORDER)
         section = None if across is None else across.size
-    phases = [part.phase for part in parts if part.phase is not None]
-    return Differences(parts[0].size, time, section, sum(phases) if phases else None, tuple(failed))
+    phases = [part.phase for part in (space, late) if part is not None and part.phase is not None]
+    return Differences(space.size, time, section, sum(phases) if phases else None, tuple(failed))
 
 
 def _time_known(at: Resolution, before: Before | None, accuracy: float) -> float | None:
@@ -189,12 +240,6 @@ def _time_known(at: Resolution, before: Before | None, accuracy: float) -> float
     if before is None or before.found.time is None or before.found.time > SMALL * accuracy:
         return None
     return before.found.time * at.rtol / before.at.rtol
-
-
-def _section_known(at: Resolution, before: Before | None) -> float | None:
-    """Error of the same fibres on another grid."""
-    same = before is not None and (before.at.fibres, before.at.order) == (at.fibres, at.order)
-    return before.found.section if before is not None and same else None
 
 
 def _other_fibres(coarser: Resolution, before: Before | None) -> Resolution:
@@ -212,46 +257,6 @@ def with_more_fibres(resolution: Resolution, factor: float) -> Resolution:
     if resolution.order is not None:
         return replace(resolution, order=max(resolution.order + 1, round(factor * resolution.order)))
     if resolution.fibres is not None:
-        wanted = factor * resolution.fibres
-        return replace(resolution, fibres=next((n for n in FIBRE_NUMBERS if n >= wanted), 2 * round(wanted / 2)))
+        enough = factor * resolution.fibres
+        return replace(resolution, fibres=next((n for n in FIBRE_NUMBERS if n >= enough), 2 * round(enough / 2)))
     return resolution
-
-
-@dataclass(frozen=True, slots=True)
-class ErrorEstimate:
-    """Largest error of the midpoint over the run, relative to the largest midpoint; None where it was not found.
-
-    Of a filament that rings on to the end for ten periods or more it is that of the height about which it rings and of
-    the amplitude, over every five periods: see :mod:`softcat_sym.error_control.estimate`.
-    """
-
-    space: float | None  # Of the grid, by Richardson's extrapolation from a coarser one
-    # Of the time steps, from a run at a looser tolerance, or at a tighter one of a filament that rings on.
-    time: float | None
-    # Of the fibres (or of the order k) through the thickness, from a run with more of them; None also where a section
-    # has nothing to resolve.
-    section: float | None
-    # What the effects that were left out would change, as the finished run measures them. It is no part of the total:
-    # the answer is held to the accuracy asked with the effects in force.
-    effects: float
-    # Of a filament that rings on: periods by which its ringing may be ahead or late at the end of the run, which is
-    # no part of the total either. None where the midpoint is compared instant by instant.
-    phase: float | None = None
-
-    @property
-    def total(self) -> float | None:
-        """Of grid, time steps and section together; None unless grid and time steps were both looked at."""
-        if self.space is None or self.time is None:
-            return None
-        return self.space + self.time + (self.section or 0.0)
-
-    def as_table(self) -> dict[str, float | None]:
-        """What ``summary.json`` holds."""
-        return {
-            "total": self.total,
-            "space": self.space,
-            "time": self.time,
-            "section": self.section,
-            "effects": self.effects,
-            "phase": self.phase,
-        }

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, cast
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize, to_rgb
@@ -23,8 +22,16 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
 from softcat_sym.plotting.run import yielded_label
-from softcat_sym.plotting.section import Floats, outline, quads_outside, section_at, vertical_stretch, yielding_of
-from softcat_sym.plotting.style import axes_in_inches, new_figure, shown_part, stamp
+from softcat_sym.plotting.section import (
+    Floats,
+    array,
+    outline,
+    quads_outside,
+    section_at,
+    vertical_stretch,
+    yielding_of,
+)
+from softcat_sym.plotting.style import Fields, axes_in_inches, new_figure, shown_part, stamp
 from softcat_sym.plotting.units import length_unit, significant, stress_unit, time_unit
 
 if TYPE_CHECKING:
@@ -58,50 +65,42 @@ class Moment:
 class Film:
     """Moments of a run, equally spaced in time."""
 
-    def __init__(self, data: xr.Dataset, scene: Scene, moments: int) -> None:
-        time = np.asarray(data["time"].values, dtype=np.float64)
+    def __init__(self, data: Fields, scene: Scene, moments: int) -> None:
+        time = array(data, "time")
         self.times: Floats = np.linspace(time[0], time[-1], max(1, moments))
         after = np.clip(np.searchsorted(time, self.times), 1, max(1, time.size - 1))
         before = after - 1
         after = np.minimum(after, time.size - 1)
         gap = time[after] - time[before]
         part = np.where(gap > 0, (self.times - time[before]) / np.where(gap > 0, gap, 1.0), 0.0)
-        yields = yielding_of(data, scene)
-        cores = {"low": (("time", "cell"), yields.low), "high": (("time", "cell"), yields.high)}
         self.run_times: Floats = time
-        self.run_midpoint: Floats = np.asarray(data["midpoint"].values, dtype=np.float64)
+        self.run_midpoint: Floats = array(data, "midpoint")
         self.resolved = "core_low" in data
-        data = data[list(_FIELDS)].assign(cores)
-
-        def between(name: str) -> tuple[tuple[str, ...], Floats]:
-            values = np.asarray(data[name].transpose("time", ...).values, dtype=np.float64)
+        yields = yielding_of(data, scene)
+        fields = {name: array(data, name) for name in _FIELDS} | {"low": yields.low, "high": yields.high}
+        self._data: dict[str, Floats] = {"time": self.times, "X_node": array(data, "X_node")}
+        self._data["X_cell"] = array(data, "X_cell")
+        for name, values in fields.items():
             share = part.reshape(-1, *(1,) * (values.ndim - 1))
-            dims = tuple(str(dim) for dim in data[name].transpose("time", ...).dims)
-            return dims, np.asarray((1 - share) * values[before] + share * values[after])
-
-        places = {name: data[name] for name in ("X_node", "X_cell")}
-        self._data = xr.Dataset({name: between(str(name)) for name in data}, coords={"time": self.times, **places})
-        self.midpoint: Floats = self._data["midpoint"].values
+            self._data[name] = (1 - share) * values[before] + share * values[after]
+        self.midpoint: Floats = self._data["midpoint"]
         self._clamped = (scene.ends.left == "clamped", scene.ends.right == "clamped")
         outlines = np.stack([outline(section_at(self._data, k, self._clamped)) for k in range(self.times.size)])
         self.bounds: Floats = np.stack([outlines.min(axis=(0, 1)), outlines.max(axis=(0, 1))])
         self.largest = float(np.quantile(np.stack([self._stress(k) for k in range(self.times.size)]), 0.995))
-        self.sag = self._sag()
-
-    def _sag(self) -> float:
-        y = self._data["y"].values
+        y = self._data["y"]
         line = y[:, :1] + (y[:, -1:] - y[:, :1]) * np.linspace(0.0, 1.0, y.shape[1])
-        return float(np.abs(y - line).max())
+        self.sag = float(np.abs(y - line).max())
 
     def _stress(self, number: int) -> Floats:
-        mean, slope = (self._data[name].values[number] for name in ("stress_mean", "stress_bending"))
+        mean, slope = (self._data[name][number] for name in ("stress_mean", "stress_bending"))
         return np.asarray(np.abs(mean + np.multiply.outer(_AMID, slope)).ravel())
 
     def moment(self, number: int) -> Moment:
         """What is shown at the moment of this number."""
         data = self._data
         section = section_at(data, number, self._clamped)
-        yielded = quads_outside(section, data["low"].values[number], data["high"].values[number])
+        yielded = quads_outside(section, data["low"][number], data["high"][number])
         grid = np.stack([section.at(float(zeta)) for zeta in _ZETA])
         strips = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]], axis=2).reshape(-1, 4, 2)
         time, midpoint = float(self.times[number]), float(self.midpoint[number])
@@ -172,7 +171,7 @@ def _ffmpeg() -> str:
 def write_film(
     order: FilmOrder,
     directory: Path,
-    run: tuple[xr.Dataset, Summary, Scene],
+    run: tuple[Fields, Summary, Scene],
     step: Callable[[str], None] = lambda what: None,
     width: int = 1280,
 ) -> tuple[Path, str]:
@@ -242,56 +241,58 @@ WIDTH, DPI = 12.8, 100
 _LEFT, _RIGHT, _TOP, _TRACE, _BOTTOM, _BETWEEN = 0.95, 0.35, 0.75, 1.5, 0.6, 0.75
 _TALLEST, _LOWEST = 3.6, 1.3
 _FONT = 12.0
-_STEPS = (1, 2, 2.5, 5, 10)
-_ANIMATION_COLOURS = "YlGnBu"
+_COLOURS = "YlGnBu"
 """From pale to dark, so that the colour-blind read it too, and what is hatched is seen on all of it."""
 
 _FEWEST, _PICTURES = 2.5, 4.0
 """Pictures a period: fewer than the first show a slower swing that is not there; the second show it well."""
 
-_YIELDED = (*to_rgb(style.VERMILLION), 0.15)
-
-
-@dataclass(frozen=True, slots=True)
-class _Places:
-    """Height of the film and of the filament's panel [inch], its limits [m], the factor of its vertical scale."""
-
-    height: float
-    tall: float
-    x: tuple[float, float]
-    y: tuple[float, float]
-    stretch: float
+_HATCHED: Final[dict[str, Any]] = {
+    "facecolor": (*to_rgb(style.VERMILLION), 0.15),
+    "edgecolor": style.VERMILLION,
+    "linewidth": 0.0,
+    "hatch": "////",
+}
+_DASHED: Final[dict[str, Any]] = {"facecolor": "none", "edgecolor": style.GREY, "linestyle": (0, (4, 3))}
 
 
 class Animation:
     """Draws one moment after another; only what moves is drawn anew."""
 
     def __init__(
-        self, data: xr.Dataset, summary: Summary, scene: Scene, moments: int, width: int = int(WIDTH * DPI)
+        self, data: Fields, summary: Summary, scene: Scene, moments: int, width: int = int(WIDTH * DPI)
     ) -> None:
         data, summary = shown_part(data, summary)
-        self._film = Film(data, scene, moments)
-        self.note = film_note(self._film.times, data, summary)
-        self._label = yielded_label(data, scene)
-        self._places = _arranged(self._film, scene)
-        self._scene = scene
-        self._ruler = length_unit(float(np.abs(self._film.bounds).max()), scene.filament.span)
-        self._clock = time_unit(float(np.abs(self._film.times).max()))
+        film = self._film = Film(data, scene, moments)
+        self.times: Floats = film.times
+        self.note = film_note(film.times, data, summary)
+        self._ruler = length_unit(float(np.abs(film.bounds).max()), scene.filament.span)
+        self._clock = time_unit(float(np.abs(film.times).max()))
+        self._over = scene.material.yield_stress or stress_unit(film.largest).size
+        # The largest scale at which every moment fits; what it leaves free is shared by both sides.
+        stretch = vertical_stretch(film.sag, scene.filament.thickness, scene.filament.span)
+        across = WIDTH - _LEFT - _RIGHT
+        centre, extent = film.bounds.mean(axis=0), np.ptp(film.bounds, axis=0)
+        extent = extent + np.array([0.04 * extent[0], 0.7 * scene.filament.thickness])
+        scale = min(across / extent[0], _TALLEST / (stretch * extent[1]))
+        tall = max(_LOWEST, scale * stretch * extent[1])
+        half = np.array([across / scale, tall / (scale * stretch)]) / 2
+        self._tall = tall
         with style.styled():
-            self.figure: Figure = new_figure(WIDTH, self._places.height)
+            height = _BOTTOM + _TRACE + _BETWEEN + tall + _TOP
+            self.figure: Figure = new_figure(WIDTH, height)
             self.figure.set_dpi(width / WIDTH)
-            self.axes = axes_in_inches(
-                self.figure,
-                _LEFT,
-                _BOTTOM + _TRACE + _BETWEEN,
-                WIDTH - _LEFT - _RIGHT,
-                self._places.tall,
-            )
-            self._head(summary)
-            self._moving = [*self._filament(), *self._trace(), self._time(), *stamp(self.figure, summary)]
-            for text in self._moving:
-                text.set_animated(True)
-            self._legend()
+            self.axes = axes_in_inches(self.figure, _LEFT, _BOTTOM + _TRACE + _BETWEEN, across, tall)
+            self.axes.set_xlim(*self._ruler.of([centre[0] - half[0], centre[0] + half[0]]))
+            self.axes.set_ylim(*self._ruler.of([centre[1] - half[1], centre[1] + half[1]]))
+            _plain(self.axes, 9, max(2, int(tall / 0.45)))
+            scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
+            self.axes.set_xlabel(f"x [{self._ruler.symbol}]{scaled}", fontsize=_FONT)
+            self.axes.set_ylabel(f"y [{self._ruler.symbol}]", fontsize=_FONT)
+            self._moving = [*self._filament(), *self._trace(), self._head(scene, summary), *stamp(self.figure, summary)]
+            for artist in self._moving:
+                artist.set_animated(True)
+            self._legend(scene, yielded_label(data, scene))
             self._background: Any = None
 
     def __len__(self) -> int:
@@ -303,15 +304,9 @@ class Animation:
         width, height = self.figure.canvas.get_width_height()
         return width - width % 2, height - height % 2
 
-    @property
-    def times(self) -> Floats:
-        """Of the moments [s]."""
-        return self._film.times
-
     def pictures(self) -> Iterator[NDArray[np.uint8]]:
         """Draw the moments."""
-        for number in range(len(self)):
-            yield self.picture(number)
+        return map(self.picture, range(len(self)))
 
     def picture(self, number: int) -> NDArray[np.uint8]:
         """Draw one moment, shape (height, width, 3)."""
@@ -330,84 +325,48 @@ class Animation:
 
     def _show(self, moment: Moment) -> None:
         """Move everything to where it is at a moment."""
-        self._body.set_verts(list(self._ruler.of(moment.strips)))
+        ruler, clock, film = self._ruler, self._clock, self._film
+        self._body.set_verts(list(ruler.of(moment.strips)))
         self._body.set_array(moment.stress / self._over)
-        self._edge.set_path(_closed(self._ruler.of(moment.outline)[None]))
-        self._yielded.set_path(_closed(self._ruler.of(moment.yielded)))
+        self._edge.set_path(_closed(ruler.of(moment.outline)[None]))
+        self._yielded.set_path(_closed(ruler.of(moment.yielded)))
         self._yielded.set_visible(bool(len(moment.yielded)))
-        until = self._film.run_times <= moment.time
-        past = (
-            np.append(self._film.run_times[until], moment.time),
-            np.append(self._film.run_midpoint[until], moment.midpoint),
-        )
-        self._past.set_data(self._clock.of(past[0]), self._ruler.of(past[1]))
-        self._dot.set_data([self._clock.of(moment.time)], [self._ruler.of(moment.midpoint)])
-        self._now.set_text(f"t = {self._clock.of(moment.time):.{self._decimals}f} {self._clock.symbol}")
+        until = film.run_times <= moment.time
+        times = np.append(film.run_times[until], moment.time)
+        self._past.set_data(clock.of(times), ruler.of(np.append(film.run_midpoint[until], moment.midpoint)))
+        self._dot.set_data([clock.of(moment.time)], [ruler.of(moment.midpoint)])
+        largest = float(clock.of(film.times[-1]))
+        decimals = 3 if largest < 10 else 2 if largest < 100 else 1
+        self._now.set_text(f"t = {clock.of(moment.time):.{decimals}f} {clock.symbol}")
 
-    def _head(self, summary: Summary) -> None:
-        """Title, and how the run ended."""
-        height, place = self._places.height, _LEFT / WIDTH
-        title = style.printable(self._scene.title, 70) or "Filament"
-        ending = " · ".join(str(summary[key]) for key in ("regime", "outcome") if summary.get(key))
-        self.figure.text(place, 1 - 0.14 / height, title, va="top", fontsize=16, fontweight="bold", parse_math=False)
-        self.figure.text(
-            place, 1 - 0.45 / height, style.printable(ending, 90), va="top", fontsize=_FONT, color=style.GREY
-        )
-        self.figure.text(
-            1 - _RIGHT / WIDTH, 1 - 0.46 / height, self.note, va="top", ha="right", fontsize=0.85 * _FONT,
-            color=style.VERMILLION,
-        )  # fmt: skip
-
-    def _time(self) -> Any:
-        """The clock, at the upper right."""
-        largest = float(self._clock.of(self._film.times[-1]))
-        self._decimals = 3 if largest < 10 else 2 if largest < 100 else 1
-        self._now = self.figure.text(
-            1 - _RIGHT / WIDTH,
-            1 - 0.14 / self._places.height,
-            "",
-            va="top",
-            ha="right",
-            fontsize=16,
-            family="DejaVu Sans",
-            animated=True,
-        )
+    def _head(self, scene: Scene, summary: Summary) -> Any:
+        """Title, how the run ended, what the film cannot show, and the clock, which moves."""
+        height, left, right = self.figure.get_figheight(), _LEFT / WIDTH, 1 - _RIGHT / WIDTH
+        title = style.printable(scene.title, 70) or "Filament"
+        ending = style.printable(" · ".join(str(summary[key]) for key in ("regime", "outcome") if summary.get(key)), 90)
+        place: dict[str, Any] = {"y": 1 - 0.14 / height, "va": "top"}
+        below: dict[str, Any] = {"y": 1 - 0.45 / height, "va": "top"}
+        self.figure.text(left, s=title, fontsize=16, fontweight="bold", parse_math=False, **place)
+        self.figure.text(left, s=ending, fontsize=_FONT, color=style.GREY, **below)
+        self.figure.text(right, s=self.note, ha="right", fontsize=0.85 * _FONT, color=style.VERMILLION, **below)
+        self._now = self.figure.text(right, s="", ha="right", fontsize=16, **place)
         return self._now
 
     def _filament(self) -> tuple[Any, ...]:
         """Body coloured by stress, hatched where it yields, its edge; behind it the shape it started from."""
-        axes, places = self.axes, self._places
-        axes.set_xlim(*(float(self._ruler.of(bound)) for bound in places.x))
-        axes.set_ylim(*(float(self._ruler.of(bound)) for bound in places.y))
-        _plain(axes, 9, max(2, int(places.tall / 0.45)))
-        scaled = "" if places.stretch == 1 else f" (vertical scale × {places.stretch:g}, thickness too)"
-        axes.set_xlabel(f"x [{self._ruler.symbol}]{scaled}", fontsize=_FONT)
-        axes.set_ylabel(f"y [{self._ruler.symbol}]", fontsize=_FONT)
-        start = self._ruler.of(self._film.moment(0).outline)
-        axes.fill(
-            start[:, 0], start[:, 1], facecolor="none", edgecolor=style.GREY, linewidth=0.8, linestyle=(0, (4, 3))
-        )
-        self._limit = self._scene.material.yield_stress
-        self._stress = stress_unit(self._film.largest)
-        self._over = self._limit or self._stress.size
+        self.axes.fill(*self._ruler.of(self._film.moment(0).outline).T, linewidth=0.8, **_DASHED)
         norm = Normalize(0.0, self._film.largest / self._over or 1.0)
-        self._body = PolyCollection(
-            [], cmap=_ANIMATION_COLOURS, norm=norm, edgecolors="none", antialiaseds=False, animated=True
-        )
-        axes.add_collection(self._body, autolim=False)
-        nothing = Outline(np.zeros((0, 2)))
-        self._yielded = PathPatch(
-            nothing, facecolor=_YIELDED, edgecolor=style.VERMILLION, linewidth=0.0, hatch="////", animated=True
-        )
-        self._edge = PathPatch(nothing, facecolor="none", edgecolor=style.BLACK, linewidth=0.9, animated=True)
-        for patch in (self._yielded, self._edge):
-            axes.add_artist(patch)
+        self._body = PolyCollection([], cmap=_COLOURS, norm=norm, edgecolors="none", antialiaseds=False)
+        self.axes.add_collection(self._body, autolim=False)
+        self._yielded = PathPatch(_closed(np.zeros((0, 1, 2))), **_HATCHED)
+        self._edge = PathPatch(_closed(np.zeros((0, 1, 2))), facecolor="none", edgecolor=style.BLACK, linewidth=0.9)
+        self.axes.add_artist(self._yielded)
+        self.axes.add_artist(self._edge)
         return self._body, self._yielded, self._edge
 
     def _trace(self) -> tuple[Any, ...]:
         """The midpoint against time, by all frames of the run: all of it in grey, what has passed in blue."""
-        width = 0.6 * (WIDTH - _LEFT - _RIGHT)
-        axes = axes_in_inches(self.figure, _LEFT, _BOTTOM, width, _TRACE)
+        axes = axes_in_inches(self.figure, _LEFT, _BOTTOM, 0.6 * (WIDTH - _LEFT - _RIGHT), _TRACE)
         time, height = self._clock.of(self._film.run_times), self._ruler.of(self._film.run_midpoint)
         axes.plot(time, height, color="#d0d4d8", linewidth=1.6)
         axes.set_xlim(float(time[0]), float(time[-1]) if time[-1] > time[0] else float(time[0]) + 1.0)
@@ -415,40 +374,31 @@ class Animation:
         axes.set_ylabel(f"midpoint [{self._ruler.symbol}]", fontsize=_FONT)
         _plain(axes, 7, 4)
         axes.margins(y=0.12)
-        (self._past,) = axes.plot([], [], color=style.BLUE, linewidth=2.2, animated=True)
-        (self._dot,) = axes.plot(
-            [], [], "o", color=style.BLUE, markersize=8, markeredgecolor="white", clip_on=False, animated=True
-        )
+        (self._past,) = axes.plot([], [], color=style.BLUE, linewidth=2.2)
+        (self._dot,) = axes.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
         return self._past, self._dot
 
-    def _legend(self) -> None:
+    def _legend(self, scene: Scene, label: str) -> None:
         """The colour bar of the stress, and what hatching and dashes mean."""
         left = _LEFT + 0.67 * (WIDTH - _LEFT - _RIGHT)
-        width = WIDTH - _RIGHT - left
-        bar = axes_in_inches(self.figure, left, _BOTTOM + _TRACE - 0.2, width, 0.18)
+        bar = axes_in_inches(self.figure, left, _BOTTOM + _TRACE - 0.2, WIDTH - _RIGHT - left, 0.18)
         # Of a section resolved fibre by fibre, this is the linear stress nearest to what its fibres bear.
         what = "linear part of the axial stress" if self._film.resolved else "axial stress"
-        label = f"{what} / yield stress" if self._limit else f"{what} [{self._stress.symbol}]"
+        limit = scene.material.yield_stress
+        unit = f" [{stress_unit(self._film.largest).symbol}]" if limit is None else " / yield stress"
         drawn = self.figure.colorbar(self._body, cax=bar, orientation="horizontal")
-        drawn.set_label(label, fontsize=_FONT)
+        drawn.set_label(f"{what}{unit}", fontsize=_FONT)
         bar.tick_params(labelsize=10.5)
-        handles = [Patch(facecolor="none", edgecolor=style.GREY, linestyle=(0, (4, 3)), label="start")]
-        if self._limit is not None:
-            said = self._label.replace(", ", ",\n")
-            handles.insert(0, Patch(facecolor=_YIELDED, edgecolor=style.VERMILLION, lw=0.0, hatch="////", label=said))
-        self.figure.legend(
-            handles=handles,
-            loc="lower left",
-            bbox_to_anchor=(left / WIDTH, (_BOTTOM - 0.25) / self._places.height),
-            borderaxespad=0.0,
-            fontsize=_FONT,
-        )
+        handles = [Patch(label="start", **_DASHED)]
+        if limit is not None:
+            handles.insert(0, Patch(label=label.replace(", ", ",\n"), **_HATCHED))
+        anchor = (left / WIDTH, (_BOTTOM - 0.25) / self.figure.get_figheight())
+        self.figure.legend(handles=handles, loc="lower left", bbox_to_anchor=anchor, borderaxespad=0.0, fontsize=_FONT)
 
 
-def film_note(moments: Floats, data: xr.Dataset, summary: Summary) -> str:
+def film_note(moments: Floats, data: Fields, summary: Summary) -> str:
     """What a film cannot show of a run that rings; empty where it shows all."""
-    per_period = summary.get("frames_a_period")
-    time = data["time"].values
+    per_period, time = summary.get("frames_a_period"), array(data, "time")
     if not per_period or moments.size < 2 or not time[-1] > time[0]:
         return ""
     period = per_period * float(time[-1] - time[0]) / (time.size - 1)
@@ -456,35 +406,18 @@ def film_note(moments: Floats, data: xr.Dataset, summary: Summary) -> str:
     pictures, step = period / apart, time_unit(apart).text(apart)
     if pictures >= _FEWEST:
         return ""
-    ringing = f"It rings at {significant(1 / period)} Hz"
+    rings = f"It rings at {significant(1 / period)} Hz"
     if per_period < _PICTURES:
-        return f"{ringing}: the {time.size} frames of the run are too few to show that; take more run.frames."
+        return f"{rings}: the {time.size} frames of the run are too few to show that; take more run.frames."
     longer = significant(_PICTURES / pictures)
-    return f"{ringing}: pictures {step} apart do not show that, the curve does; a film {longer} times as long would."
-
-
-def _arranged(film: Film, scene: Scene) -> _Places:
-    """The largest scale at which every moment fits, and the height that this takes."""
-    (left, low), (right, high) = film.bounds
-    stretch = vertical_stretch(film.sag, scene.filament.thickness, scene.filament.span)
-    pad, room = 0.02 * (right - left), 0.35 * scene.filament.thickness
-    x, y = [left - pad, right + pad], [low - room, high + room]
-    width = WIDTH - _LEFT - _RIGHT
-    scale = min(width / (x[1] - x[0]), _TALLEST / (stretch * (y[1] - y[0])))
-    tall = max(_LOWEST, scale * stretch * (y[1] - y[0]))
-    # What the scale leaves free is shared by both sides.
-    for bounds, wanted in ((x, width / scale), (y, tall / (scale * stretch))):
-        lacking = 0.5 * (wanted - (bounds[1] - bounds[0]))
-        bounds[0], bounds[1] = bounds[0] - lacking, bounds[1] + lacking
-    height = _BOTTOM + _TRACE + _BETWEEN + tall + _TOP
-    return _Places(height, tall, (x[0], x[1]), (y[0], y[1]), stretch)
+    return f"{rings}: pictures {step} apart do not show that, the curve does; a film {longer} times as long would."
 
 
 def _plain(axes: Axes, across: int, up: int) -> None:
     style.lighten(axes)
     axes.tick_params(labelsize=10.5)
-    axes.xaxis.set_major_locator(MaxNLocator(across, steps=_STEPS))
-    axes.yaxis.set_major_locator(MaxNLocator(up, steps=_STEPS))
+    axes.xaxis.set_major_locator(MaxNLocator(across, steps=(1, 2, 2.5, 5, 10)))
+    axes.yaxis.set_major_locator(MaxNLocator(up, steps=(1, 2, 2.5, 5, 10)))
 
 
 def _closed(polygons: Floats) -> Outline:
@@ -492,7 +425,6 @@ def _closed(polygons: Floats) -> Outline:
     if not len(polygons):
         return Outline(np.zeros((0, 2)))
     closed = np.concatenate([polygons, polygons[:, :1]], axis=1)
-    count = closed.shape[1]
-    codes = np.full(count, Outline.LINETO, dtype=np.uint8)
+    codes = np.full(closed.shape[1], Outline.LINETO, dtype=np.uint8)
     codes[0], codes[-1] = Outline.MOVETO, Outline.CLOSEPOLY
     return Outline(closed.reshape(-1, 2), np.tile(codes, len(polygons)))

@@ -159,10 +159,10 @@ _LINES = (style.VERMILLION, style.ORANGE, style.PURPLE, style.SKY, style.BLACK, 
 
 def card_figure(card: Card) -> Figure:
     """Draw the final shape, the descent beside the rules, and the exponents of the longest span."""
-    data, summary = shown_part(card.run.data, card.summary)
-    card = replace(card, run=replace(card.run, data=data))
+    fields, summary = shown_part(card.run.fields, card.summary)
+    card = replace(card, run=replace(card.run, fields=fields))
     ends, filament = card.scene.ends, card.scene.filament
-    section = section_at(data, -1, (ends.left == "clamped", ends.right == "clamped"))
+    section = section_at(fields, -1, (ends.left == "clamped", ends.right == "clamped"))
     stretch = vertical_stretch(float(np.ptp(section.y)), filament.thickness, filament.span)
     wide, high = np.ptp(outline(section), axis=0)
     tall = min(max(1.1 * float(high / wide) * stretch * _WIDE, _FLATTEST), _TALLEST)

@@ -11,28 +11,33 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-import jinja2
 import numpy as np
-from matplotlib.figure import Figure
 
 from softcat_sym.files import write_all
-from softcat_sym.plotting.style import png
 
 
 def write_results(directory: str | Path, contents: Mapping[str, object]) -> list[Path]:
-    """Write figures as PNG, documents as JSON, texts and bytes as they are; each file replaces its predecessor whole.
+    """Write figures as PNG, frames as CSV, documents as JSON, texts and bytes as they are; each file is replaced whole.
 
     Everything is drawn before anything is written. What is None is left out.
     """
-    return write_all(directory, {name: _encoded(one) for name, one in contents.items() if one is not None})
+    encoded = {name: _encoded(content) for name, content in contents.items() if content is not None}
+    return write_all(directory, encoded)
 
 
-def _encoded(content: object) -> bytes:
+def _encoded(content: Any) -> bytes:
     if isinstance(content, bytes):
         return content
-    if isinstance(content, Figure):
+    if isinstance(content, str):
+        return content.encode()
+    if hasattr(content, "savefig"):
+        from softcat_sym.plotting.style import png
+
         return png(content)
-    return content.encode() if isinstance(content, str) else json_bytes(content)
+    if hasattr(content, "to_csv"):
+        table: str = content.to_csv(index=False)
+        return table.encode()
+    return json_bytes(content)
 
 
 def json_bytes(content: object, *, is_ascii: bool = True) -> bytes:
@@ -82,8 +87,12 @@ def _cell(value: object, number: Callable[[float], str]) -> str:
 
 def page(template: str, **values: Any) -> bytes:
     """A page of the package's templates, in which no text is read as HTML unless it is marked as such."""
+    import jinja2  # not needed by a run
+
     folder = resources.files("softcat_sym.plotting") / "templates"
-    sources = {one.name: one.read_text(encoding="utf-8") for one in folder.iterdir() if one.name.endswith(".html")}
+    sources = {
+        entry.name: entry.read_text(encoding="utf-8") for entry in folder.iterdir() if entry.name.endswith(".html")
+    }
     environment = jinja2.Environment(
         loader=jinja2.DictLoader(sources), autoescape=True, trim_blocks=True, lstrip_blocks=True,
         undefined=jinja2.StrictUndefined,

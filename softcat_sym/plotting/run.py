@@ -4,28 +4,27 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-import xarray as xr
 from matplotlib import rc_context
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection, QuadMesh
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import Colormap, LinearSegmentedColormap, LogNorm, Normalize
-from matplotlib.figure import Figure, SubFigure
+from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator
-from numpy.typing import NDArray
 
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import columns_csv, write_results
 from softcat_sym.plotting.section import (
     Floats,
     Section,
+    array,
     outline,
     quads_outside,
     section_at,
@@ -34,7 +33,7 @@ from softcat_sym.plotting.section import (
     vertical_stretch,
     yielding_of,
 )
-from softcat_sym.plotting.style import headed, new_figure, printed, refused, secondary_scale, shown_part, stamp
+from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import (
     Summary,
     Unit,
@@ -50,8 +49,8 @@ if TYPE_CHECKING:
     from softcat_sym.results.trajectory import Trajectory
     from softcat_sym.scene.scene import Scene
 
-WIDTHS: Final = {"column": 84.0, "page": 174.0}
-"""Widths of a figure for print [mm]: one column, or the whole page."""
+WIDTHS: Final = {style.SCREEN: style.WIDTH, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
+"""Widths of a figure [inch]: of the screen's, one column of a journal, its whole page."""
 
 DPI: Final = 400
 """Of the PNG files for print, and of what is drawn as pixels within a PDF."""
@@ -74,6 +73,7 @@ _PRINT: Final[dict[str, Any]] = {
     "lines.linewidth": 0.9,
 }
 _STEPS = (1, 2, 2.5, 5, 10)
+_SHAPES = {style.SCREEN: 5, "column": 4, "page": 4}
 
 
 @contextmanager
@@ -88,78 +88,92 @@ def styled_for(name: str) -> Iterator[None]:
 class Sheet:
     """What every figure of one run shares."""
 
-    data: xr.Dataset
+    data: Fields
     summary: Summary
     scene: Scene
     style: str  # ``screen``, ``column`` or ``page``
+    time: Floats  # Of the frames [s]
+    clock: Unit  # Its unit
+
+    @classmethod
+    def of(cls, data: Fields, summary: Summary, scene: Scene, name: str) -> Sheet:
+        """The sheet of a run, as far as it is drawn."""
+        data, summary = style.shown_part(data, summary)
+        times = array(data, "time")
+        return cls(data, summary, scene, name, times, time_unit(float(np.abs(times).max())))
 
     @property
     def on_screen(self) -> bool:
         """Whether there is a heading, and room for what print does without."""
         return self.style == style.SCREEN
 
-    @property
-    def width(self) -> float:
-        """Of the figure [inch]."""
-        return style.WIDTH if self.on_screen else WIDTHS[self.style] / 25.4
+    def figure(
+        self,
+        what: str,
+        heights: Sequence[float],
+        *,
+        columns: int = 1,
+        right: float = 0.2,
+        above: float = 0.3,
+        between: tuple[float, float] = (0.15, 0.25),
+    ) -> tuple[Figure, list[Axes]]:
+        """A figure with axes of the given heights below each other, or as many side by side; all in inches.
 
-    @property
-    def time(self) -> Floats:
-        """Of the frames [s]."""
-        return np.asarray(self.data["time"].values, dtype=np.float64)
-
-    @property
-    def clock(self) -> Unit:
-        """The unit of time."""
-        return time_unit(float(np.abs(self.time).max()))
-
-    def figure(self, what: str, height: float) -> tuple[Figure, Figure | SubFigure]:
-        """A figure, laid out by what its axes need, and the part below its heading, if it has one."""
+        Their margins are fixed: units are chosen so that numbers beside the axes are short. `above` them a legend has
+        its place.
+        """
+        left, below = (0.8, 0.48) if self.on_screen else (0.65, 0.4)
+        top = above + (style.HEADING if self.on_screen else 0.05)
+        across, down = between
+        tall = below + sum(heights) + down * (len(heights) - 1) + top
+        figure = style.new_figure(WIDTHS[self.style], tall)
+        width = (WIDTHS[self.style] - left - right - across * (columns - 1)) / columns
+        axes, floor = [], tall - top
+        for height in heights:
+            floor -= height
+            places = [left + k * (width + across) for k in range(columns)]
+            axes += [style.axes_in_inches(figure, place, floor, width, height) for place in places]
+            floor -= down
         if self.on_screen:
-            return headed(self.scene, what, self.summary, height=height)
-        figure = new_figure(self.width, height)
-        figure.set_layout_engine("constrained", w_pad=0.06, h_pad=0.04)
-        stamp(figure, self.summary)
-        return figure, figure
+            style.head(figure, what, self.summary, self.scene, 0.2)
+        else:
+            style.stamp(figure, self.summary)
+        return figure, axes
+
+    def legend(self, figure: Figure, **settings: Any) -> None:
+        """A legend above the axes."""
+        tall = figure.get_size_inches()[1]
+        anchor = (0.5, 1 - (style.HEADING if self.on_screen else 0.03) / tall)
+        figure.legend(loc="upper center", bbox_to_anchor=anchor, borderaxespad=0.0, **settings)
 
     def time_axis(self, axes: Axes) -> None:
         """Limits that are never empty, few round numbers, and the label."""
         start, end = float(self.clock.of(self.time[0])), float(self.clock.of(self.time[-1]))
         axes.set_xlim(start, end if end > start else start + max(1.0, abs(start)))
         axes.set_xlabel(f"time [{self.clock.symbol}]")
-        axes.xaxis.set_major_locator(MaxNLocator(8 if self.on_screen else 6, steps=_STEPS))
+        axes.xaxis.set_major_locator(MaxNLocator(8 if self.on_screen else 5, steps=_STEPS))
         axes.grid(self.on_screen)
         style.lighten(axes)
 
 
-def sheet_of(data: xr.Dataset, summary: Summary, scene: Scene, name: str) -> Sheet:
-    """The sheet of a run, as far as it is drawn."""
-    return Sheet(*shown_part(data, summary), scene, name)
-
-
-_POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
-_SHAPES = {style.SCREEN: 5, "column": 4, "page": 4}
-
-
-def midpoint_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
+def midpoint_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the midpoint's height against time; on the screen with dimensionless scales on the far sides."""
-    sheet = sheet_of(data, summary, scene, name)
-    height = np.asarray(sheet.data["midpoint"].values, dtype=np.float64)
-    ruler = length_unit(float(np.abs(height).max()), scene.filament.span)
+    sheet = Sheet.of(data, summary, scene, name)
+    height = array(sheet.data, "midpoint")
+    largest = float(np.abs(height).max())
+    ruler = length_unit(largest, scene.filament.span)
     time, shown = sheet.clock.of(sheet.time), ruler.of(height)
     with styled_for(name):
-        figure, body = sheet.figure("midpoint against time", 3.7 if sheet.on_screen else min(0.62 * sheet.width, 2.6))
-        axes = body.subplots()
+        tall, above = (3.0, 0.75) if sheet.on_screen else (1.6, 0.25)
+        figure, (axes,) = sheet.figure(
+            "midpoint against time", [tall], right=0.8 if sheet.on_screen else 0.2, above=above
+        )
         axes.axhline(0.0, color=style.GREY, linewidth=0.6)
         axes.plot(time, shown, color=style.BLUE, label="midpoint")
         frames = telling_frames(sheet.data, _SHAPES[name])
-        ring: dict[str, Any] = {
-            "markersize": 5.5 if sheet.on_screen else 3,
-            "markerfacecolor": "white",
-            "clip_on": False,
-            "zorder": 3,
-        }
-        axes.plot(time[frames], shown[frames], "o", color=style.VERMILLION, label="shapes drawn", **ring)
+        ring: dict[str, Any] = {"markerfacecolor": "white", "clip_on": False, "zorder": 3}
+        size = 5.5 if sheet.on_screen else 3.0
+        axes.plot(time[frames], shown[frames], "o", color=style.VERMILLION, label="shapes drawn", ms=size, **ring)
         sheet.time_axis(axes)
         low, high = min(float(shown.min()), 0.0), max(float(shown.max()), 0.0)
         room = 0.1 * (high - low) or 1.0
@@ -167,20 +181,19 @@ def midpoint_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str 
         axes.yaxis.set_major_locator(MaxNLocator(6, steps=_STEPS))
         axes.set_ylabel(f"midpoint height [{ruler.symbol}]")
         if sheet.on_screen:
-            _dimensionless(axes, sheet, ruler, float(np.abs(height).max()))
-            if not refused(sheet.summary):
+            _dimensionless(axes, sheet, ruler, largest)
+            if not style.refused(sheet.summary):
                 text = f"final {ruler.text(height[-1])} = {significant(height[-1] / scene.filament.span)} L"
                 axes.text(0.985, 0.975, text, transform=axes.transAxes, ha="right", va="top", fontsize=8.5)
-        body.legend(loc="outside upper center", ncols=2, borderaxespad=0.0)
+        sheet.legend(figure, ncols=2)
     return figure
 
 
 def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> None:
     """The same scales divided by the span and by the paper's unit of time, where the scene has one."""
-    scene, clock = sheet.scene, sheet.clock
-    span = scene.filament.span
+    scene, span = sheet.scene, sheet.scene.filament.span
     share = share_unit(largest / span)
-    right = axes.secondary_yaxis("right", functions=secondary_scale(ruler.size / span / share.size))
+    right = axes.secondary_yaxis("right", functions=style.secondary_scale(ruler.size / span / share.size))
     right.set_ylabel(f"midpoint height [{share.symbol} of L]")
     modulus, gravity = scene.material.youngs_modulus, scene.load.gravity
     if modulus is not None and modulus > 0:
@@ -190,8 +203,8 @@ def _dimensionless(axes: Axes, sheet: Sheet, ruler: Unit, largest: float) -> Non
     else:
         return
     power = 3 * max(0, math.floor(math.log10(max(1.0, float(np.abs(sheet.time).max()) / unit)) / 3))
-    thousands = "".join(_POWERS[int(digit)] for digit in str(power))
-    top = axes.secondary_xaxis("top", functions=secondary_scale(clock.size / unit / 10**power))
+    thousands = "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(power))
+    top = axes.secondary_xaxis("top", functions=style.secondary_scale(sheet.clock.size / unit / 10**power))
     top.set_xlabel(f"time in {f'10{thousands} ' if power else ''}{label}")
 
 
@@ -205,28 +218,27 @@ class Shape:
     label: str  # Time, sag and yielded share, one per line
 
 
-def shapes_of(data: xr.Dataset, scene: Scene, frames: list[int]) -> list[Shape]:
+def shapes_of(data: Fields, scene: Scene, frames: list[int]) -> list[Shape]:
     """Compute what is drawn of the given frames."""
-    limit = scene.material.yield_stress
-    yields = yielding_of(data, scene)
-    clock = time_unit(float(np.abs(data["time"].values).max()))
+    yields, times, sags = yielding_of(data, scene), array(data, "time"), -array(data, "midpoint")
+    clock, lengths = time_unit(float(np.abs(times).max())), np.diff(array(data, "X_node"))
     shapes = []
     for frame in frames:
         section = section_at(data, frame, (scene.ends.left == "clamped", scene.ends.right == "clamped"))
-        sag = -float(data["midpoint"].values[frame])
+        sag = float(sags[frame])
         lines = [
-            f"t = {clock.text(float(data['time'].values[frame]))}",
+            f"t = {clock.text(float(times[frame]))}",
             f"{'sag' if sag >= 0 else 'rise'} {length_unit(abs(sag), scene.filament.span).text(abs(sag))}",
         ]
-        if limit is not None:
-            share = float(np.average(yields.share[frame], weights=np.diff(data["X_node"].values)))
+        if scene.material.yield_stress is not None:
+            share = float(np.average(yields.share[frame], weights=lengths))
             lines.append("yielded < 0.1 %" if 0 < share < 1e-3 else f"yielded {100 * share:.1f} %")
         quads = quads_outside(section, yields.low[frame], yields.high[frame])
         shapes.append(Shape(section, outline(section), quads, "\n".join(lines)))
     return shapes
 
 
-def yielded_label(data: xr.Dataset, scene: Scene) -> str:
+def yielded_label(data: Fields, scene: Scene) -> str:
     """What a colour or hatching for what yields means, with the rate below which nothing is shown."""
     limit, slowest = scene.material.yield_stress or 0.0, slowest_flow(data, scene)
     faster = f", flows faster than {significant(slowest)}/s" if slowest > 0 else ""
@@ -239,73 +251,71 @@ def largest_sag(shapes: Sequence[Shape]) -> float:
     return float(np.abs(y - np.linspace(y[:, 0], y[:, -1], y.shape[1], axis=1)).max())
 
 
-_TALLEST = 8.0
-"""Of a figure [inch]."""
+_TALLEST = 7.0
+"""Of all shapes together [inch]; taller ones stand side by side."""
 
-_LOW = 0.28
+_LOW = 0.3
 """Below this height [inch] the axis of a shape has room for one number."""
 
 
-def shapes_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
+def shapes_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the filament at a few telling times, one below the other, or side by side if that would be too tall.
 
     Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: the vertical scale is then
     stretched, thickness and all, by a factor that the axis label states.
     """
-    sheet = sheet_of(data, summary, scene, name)
+    sheet = Sheet.of(data, summary, scene, name)
     shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
     stretch = vertical_stretch(largest_sag(shapes), scene.filament.thickness, scene.filament.span)
-    corners = np.array([[one.outline.min(axis=0), one.outline.max(axis=0)] for one in shapes])
+    corners = np.array([[shape.outline.min(axis=0), shape.outline.max(axis=0)] for shape in shapes])
     low, high = corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)
-    pad = 0.02 * float(high[0] - low[0]) or scene.filament.thickness
-    x = (float(low[0]) - pad, float(high[0]) + pad)
     margin = 0.25 * scene.filament.thickness
-    ranges = [(float(one[0, 1]) - margin, float(one[1, 1]) + margin) for one in corners]
-    tall = [stretch * (top - floor) / (x[1] - x[0]) for floor, top in ranges]
-    # A run away beside what is at rest would leave that no height at all.
-    tall = [max(one, max(tall) / 1e3) for one in tall]
+    x = np.array([low[0], high[0]]) + np.array([-1, 1]) * (0.02 * float(high[0] - low[0]) or scene.filament.thickness)
+    y = corners[:, :, 1] + margin * np.array([-1, 1])
     ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
+    inch = (WIDTHS[name] - (1.0 if sheet.on_screen else 0.65)) / float(np.ptp(x))
+    stacked = stretch * inch * float(np.ptp(y, axis=1).sum()) < _TALLEST or not sheet.on_screen
+    if stacked:
+        # A run away beside what is at rest would leave that no height at all.
+        inch = min(inch, _TALLEST / (stretch * float(np.ptp(y, axis=1).sum())))
+        heights, columns = np.maximum(stretch * inch * np.ptp(y, axis=1), _LOW), 1
+    else:
+        y[:] = low[1] - margin, high[1] + margin
+        columns = len(shapes)
+        inch = min((WIDTHS[name] - 1.0 - 0.15 * (columns - 1)) / columns / float(np.ptp(x)), 6.0 / float(np.ptp(y[0])))
+        heights = inch * np.ptp(y[:1], axis=1)
     with styled_for(name):
-        stacked = sum(tall) * 0.8 * sheet.width < _TALLEST or not sheet.on_screen
-        if not stacked:
-            ranges = [(float(low[1]) - margin, float(high[1]) + margin)] * len(shapes)
-        beside = (sheet.width - 0.9) / len(shapes) * float(high[1] - low[1] + 2 * margin) / (x[1] - x[0])
-        if not stacked and beside > 6.0:
-            # What is far deeper than it is wide keeps its width on paper.
-            spare = (beside / 6.0 - 1) * (x[1] - x[0]) / 2
-            x = (x[0] - spare, x[1] + spare)
-        height = sheet.width if stacked else min(beside, 6.0) + 1.4
-        figure, body = sheet.figure("shapes with their true thickness", height)
-        grid: dict[str, Any] = {"height_ratios": tall} if stacked else {}
-        count = (len(shapes), 1) if stacked else (1, len(shapes))
-        panels = body.subplots(*count, sharex=True, sharey=not stacked, squeeze=False, **grid).ravel().tolist()
-        for axes, shape, bounds in zip(panels, shapes, ranges, strict=True):
+        size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
+        figure, panels = sheet.figure(
+            "shapes with their true thickness", heights.tolist(), columns=columns, above=0.28 + 0.15 * lines,
+            right=0.2 if sheet.on_screen else 0.1, between=(0.15, 0.24),
+        )  # fmt: skip
+        for axes, shape, bounds in zip(panels, shapes, y, strict=True):
+            axes.set_aspect(stretch, anchor="S")
             axes.set_xlim(*ruler.of(x))
             axes.set_ylim(*ruler.of(bounds))
             _draw_shape(axes, shape, ruler)
             axes.xaxis.set_major_locator(MaxNLocator(6 if stacked else 2, steps=_STEPS))
             axes.yaxis.set_major_locator(MaxNLocator(2 if stacked else 6, steps=_STEPS))
+            if stacked and np.ptp(bounds) * stretch * inch < _LOW:
+                axes.set_yticks((0.0,))
+            words = ", ".join(shape.label.split("\n")) if stacked else shape.label
+            axes.set_title(words, loc="left", pad=2, fontsize=size, linespacing=1.3)
             if stacked and axes is not panels[-1]:
                 axes.tick_params(labelbottom=False, bottom=False)
                 axes.spines["bottom"].set_visible(False)
-            words = ", ".join(shape.label.split("\n")) if stacked else shape.label
-            axes.set_title(words, loc="left", pad=2, fontsize=8 if sheet.on_screen else 7, linespacing=1.3)
+            if not stacked and axes is not panels[0]:
+                axes.tick_params(labelleft=False)
         scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
-        body.supxlabel(f"x [{ruler.symbol}]{scaled}", fontsize=8.5 if sheet.on_screen else 8)
-        body.supylabel(f"y [{ruler.symbol}]", fontsize=8.5 if sheet.on_screen else 8)
-        label = f"law “{style.printable(str(scene.material.law))}”: no yield stress"
-        colour = "white"
+        figure.supxlabel(
+            f"x [{ruler.symbol}]{scaled}", fontsize=size + 0.5, y=0.04 / figure.get_figheight(), va="bottom"
+        )
+        figure.supylabel(f"y [{ruler.symbol}]", fontsize=size + 0.5, x=0.04 / figure.get_figwidth(), ha="left")
+        label, colour = f"law “{style.printable(str(scene.material.law))}”: no yield stress", "white"
         if scene.material.yield_stress is not None:
             label, colour = yielded_label(sheet.data, scene), style.VERMILLION
         if scene.material.yield_stress is not None or sheet.on_screen:
-            body.legend(
-                handles=[Patch(facecolor=colour, label=label)], loc="outside upper center", borderaxespad=0.0,
-                fontsize=7.5 if sheet.on_screen else 7.0,
-            )  # fmt: skip
-        if stacked:
-            _fit_height(figure, body, panels, tall)
-        for axes in panels:
-            axes.set_aspect(stretch, anchor="S")
+            sheet.legend(figure, handles=[Patch(facecolor=colour, label=label)], fontsize=max(7.0, size - 0.5))
     return figure
 
 
@@ -324,25 +334,6 @@ def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
     style.lighten(axes)
 
 
-def _fit_height(figure: Figure, body: Figure | SubFigure, panels: Sequence[Axes], tall: Sequence[float]) -> None:
-    """Make a figure as high as its panels need to be `tall` times as high as they are wide, up to the tallest."""
-    figure.draw_without_rendering()
-    width, height = figure.get_size_inches()
-    places = [axes.get_window_extent() for axes in panels]
-    around = height - sum(place.height for place in places) / figure.dpi
-    scale = min(min(place.width for place in places) / figure.dpi, (_TALLEST - around) / sum(tall))
-    drawn = max(scale * sum(tall), _LOW) + 0.03
-    if isinstance(body, SubFigure):
-        heading = height - body.bbox.height / figure.dpi
-        grid = body._subplotspec.get_gridspec()  # type: ignore[attr-defined]
-        grid.set_height_ratios([heading, around - heading + drawn])
-    figure.set_size_inches(width, around + drawn)
-    for axes, share in zip(panels, tall, strict=True):
-        if scale * share < _LOW:
-            # Room for one number.
-            axes.set_yticks((0.0,))
-
-
 # Name in the trajectory, label, colour, line style, sign in the balance. Line styles too: colour alone is not enough.
 TERMS = (
     ("energy_potential", "potential", style.BLUE, "-", 1.0),
@@ -353,70 +344,57 @@ TERMS = (
     ("energy_gradient", "gradient", style.SKY, ":", 1.0),
     ("work_external", "external work", style.PURPLE, "-.", -1.0),
 )
-_OPTIONAL = ("energy_gradient", "energy_surface")
 
 
-def energy_imbalance(data: xr.Dataset) -> tuple[NDArray[np.float64], float]:
+def energy_imbalance(data: Fields) -> tuple[Floats, float]:
     """Kinetic + elastic + surface + potential + dissipated + gradient - work, less its first value."""
-    values = [np.asarray(data[name].values, dtype=np.float64) for name, *_ in TERMS]
+    values = [array(data, name) for name, *_ in TERMS]
     total = np.sum([sign * value for (*_, sign), value in zip(TERMS, values, strict=True)], axis=0)
-    largest = max(float(np.abs(value).max()) for value in values)
-    return np.asarray(total - total[0], dtype=np.float64), largest
+    return np.asarray(total - total[0]), max(float(np.abs(value).max()) for value in values)
 
 
-def energy_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
+def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the energy budget, and on the screen below it the imbalance relative to the largest energy."""
-    sheet = sheet_of(data, summary, scene, name)
+    sheet = Sheet.of(data, summary, scene, name)
     time = sheet.clock.of(sheet.time)
     imbalance, largest = energy_imbalance(sheet.data)
-    unit = energy_unit(largest)
-    marker = "o" if time.size == 1 else None
+    unit, marker = energy_unit(largest), "o" if time.size == 1 else None
     with styled_for(name):
-        height = 4.2 if sheet.on_screen else min(0.75 * sheet.width, 2.6)
-        figure, body = sheet.figure("energy budget of the whole filament", height)
-        panels = body.subplots(2, 1, sharex=True, height_ratios=[3, 1]) if sheet.on_screen else [body.subplots()]
-        kept = [t for t in TERMS if np.any(sheet.data[t[0]].values) or (sheet.on_screen and t[0] not in _OPTIONAL)]
-        for k, (term, label, colour, line, _) in enumerate(kept):
+        heights, above = ([2.4, 0.8], 0.3) if sheet.on_screen else ([1.6], 0.55)
+        figure, panels = sheet.figure(
+            "energy budget of the whole filament", heights, above=above, between=(0.15, 0.3), right=0.2
+        )
+        optional = ("energy_gradient", "energy_surface")
+        terms = [t for t in TERMS if np.any(sheet.data[t[0]]) or (sheet.on_screen and t[0] not in optional)]
+        for k, (term, label, colour, line, _) in enumerate(terms):
             look = (colour, line) if sheet.on_screen else LINES[k % len(LINES)]
-            energy = unit.of(sheet.data[term].values)
+            energy = unit.of(sheet.data[term])
             panels[0].plot(time, energy, color=look[0], linestyle=look[1], label=label, marker=marker)
         panels[0].set_ylabel(f"energy [{unit.symbol}]")
         if sheet.on_screen:
-            _residual(panels[1], time, imbalance / largest if largest > 0 else imbalance)
+            residual = imbalance / largest if largest > 0 else imbalance
+            worst = float(np.abs(residual).max())
+            share = share_unit(worst)
+            panels[1].plot(time, share.of(residual), color=style.BLACK, linewidth=1.0, marker=marker)
+            room = float(share.of(1.3 * worst)) or 1.0
+            panels[1].set_ylim(-room, room)
+            panels[1].set_ylabel(f"imbalance [{share.symbol}]")
+            panels[1].set_title(
+                f"largest imbalance {share.text(worst)} of the largest energy", loc="right", fontsize=8.0, pad=2
+            )
+            panels[0].tick_params(labelbottom=False)
         for axes in panels:
             sheet.time_axis(axes)
             axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
-            axes.label_outer()
-        panels[0].yaxis.set_major_locator(MaxNLocator(6, steps=_STEPS))
-        if kept:
-            where: Any = "outside right upper" if sheet.on_screen else "outside upper center"
-            body.legend(loc=where, ncols=1 if sheet.on_screen else 3, borderaxespad=0.0, handlelength=2.0)
+            axes.yaxis.set_major_locator(MaxNLocator(6 if axes is panels[0] else 3, steps=_STEPS))
+        panels[0].set_xlabel("" if sheet.on_screen else panels[0].get_xlabel())
+        if terms:
+            sheet.legend(figure, ncols=7 if sheet.on_screen else 3, handlelength=2.0, columnspacing=1.1)
     return figure
 
 
-def _residual(axes: Axes, time: Floats, residual: Floats) -> None:
-    """The imbalance on a scale of its own, with its largest value in words."""
-    worst = float(np.abs(residual).max())
-    unit = share_unit(worst)
-    axes.plot(time, unit.of(residual), color=style.BLACK, linewidth=1.0, marker="o" if time.size == 1 else None)
-    room = float(unit.of(1.3 * worst)) or 1.0
-    axes.set_ylim(-room, room)
-    axes.locator_params(axis="y", nbins=4)
-    axes.set_ylabel(f"imbalance /\nlargest [{unit.symbol}]")
-    axes.set_title(f"largest imbalance {unit.text(worst)}", loc="right", fontsize=8.0, pad=2)
-
-
-_WIDE = 5.0
-"""From a largest over a smallest stretch of this on, colours count powers."""
-
-_SHOWN, _FEW = 0.98, 1.5
-"""Colours end at this quantile of the stretch, if the largest exceeds it by this factor."""
-
 MAX_FRAMES = 1200
 """Columns of a map; more would be finer than its pixels."""
-
-_MIN_STRAIN = 1e-9
-"""Colours span at least this."""
 
 ROWS = 240
 """Of a map, all equally tall: cells at a clamp may be narrower than a pixel, which would show one end only."""
@@ -433,83 +411,73 @@ class Map:
     beyond: bool = False  # Whether values lie above the last colour
 
 
-def maps_of(data: xr.Dataset, scene: Scene) -> tuple[Map, Map]:
+def maps_of(data: Fields, scene: Scene) -> tuple[Map, Map]:
     """Stretch, and the yielded share of the section; of a law that does not yield, the section's mean stress."""
-    stretch = _in_rows(data, _stretch(data))
+    nodes = array(data, "X_node")
+    edges = np.linspace(nodes[0], nodes[-1], ROWS + 1)
+    inside = np.minimum(edges[1:], nodes[1:, None]) - np.maximum(edges[:-1], nodes[:-1, None])
+    rows = np.maximum(inside, 0.0) / np.diff(edges)  # Means over equal parts of what is constant in each cell
+    stretch = array(data, "stretch") @ rows
     low, high = float(stretch.min()), float(stretch.max())
-    shown = float(np.quantile(stretch, _SHOWN))
-    # A few hinges would leave the rest of the filament in one colour.
-    beyond = high - 1 > _FEW * (shown - 1) > 0
-    high = shown if beyond else high
-    if low > 0 and high > _WIDE * low:
+    # Colours end at a quantile, where a few hinges would leave the rest of the filament in one of them.
+    most = float(np.quantile(stretch, 0.98))
+    beyond = high - 1 > 1.5 * (most - 1) > 0
+    high = most if beyond else high
+    if low > 0 and high > 5.0 * low:
         first = Map(stretch, "stretch", LogNorm(low, high), "cividis", beyond)
     else:
         # A filament at rest has a range too: otherwise its rounding errors would be painted.
-        low, high = min(low - 1, 0.0), max(high - 1, _MIN_STRAIN)
+        low, high = min(low - 1, 0.0), max(high - 1, 1e-9)
         unit = share_unit(max(high, -low))
         norm = Normalize(float(unit.of(low)), float(unit.of(high)))
         first = Map(unit.of(stretch - 1), f"stretch \N{MINUS SIGN} 1 [{unit.symbol}]", norm, "cividis", beyond)
     if scene.material.yield_stress is not None:
-        share = _in_rows(data, yielding_of(data, scene).share)
         # From what is at rest to what has yielded wholly, as in the picture of shapes.
         colours = LinearSegmentedColormap.from_list("yielded", [style.FILAMENT, style.ORANGE, style.VERMILLION])
-        return first, Map(share, "yielded share", Normalize(0.0, 1.0), colours)
-    stress = _in_rows(data, np.asarray(data["stress_mean"].values, dtype=np.float64))
+        return first, Map(yielding_of(data, scene).share @ rows, "yielded share", Normalize(0.0, 1.0), colours)
+    stress = array(data, "stress_mean") @ rows
     unit = stress_unit(float(np.abs(stress).max()))
     scaled = unit.of(stress)
     norm = Normalize(min(float(scaled.min()), 0.0), max(float(scaled.max()), 0.0) or 1.0)
     return first, Map(scaled, f"mean stress [{unit.symbol}]", norm, "cividis")
 
 
-def _in_rows(data: xr.Dataset, values: Floats) -> Floats:
-    """Means over equal parts of the filament, shape (time, row), of what is constant in each cell."""
-    nodes = np.asarray(data["X_node"].values, dtype=np.float64)
-    edges = np.linspace(nodes[0], nodes[-1], ROWS + 1)
-    inside = np.minimum(edges[1:], nodes[1:, None]) - np.maximum(edges[:-1], nodes[:-1, None])
-    return np.asarray(values @ (np.maximum(inside, 0.0) / np.diff(edges)))
-
-
-def _stretch(data: xr.Dataset) -> Floats:
-    if "stretch" in data:
-        return np.asarray(data["stretch"].values, dtype=np.float64)
-    lengths = np.hypot(np.diff(data["x"].values, axis=1), np.diff(data["y"].values, axis=1))
-    return np.asarray(lengths / np.diff(data["X_node"].values), dtype=np.float64)
-
-
-def space_time_figure(data: xr.Dataset, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
+def space_time_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw stretch and yielded share over X/L and time, with the time at which 0.9 of the final sag is reached."""
-    sheet = sheet_of(data, summary, scene, name)
-    reached = None if refused(sheet.summary) else time_to_nine_tenths(sheet.data)
+    sheet = Sheet.of(data, summary, scene, name)
+    reached = None if style.refused(sheet.summary) else time_to_nine_tenths(sheet.data)
     slowest = 0.0 if scene.material.yield_stress is None else slowest_flow(sheet.data, scene)
+    final, faster = ("final ", "faster than") if sheet.on_screen else ("", ">")
     texts = (
-        "" if reached is None else f"dashed: 90 % of the final sag at {sheet.clock.text(reached)}",
-        f"where it flows faster than {significant(slowest)}/s" if slowest > 0 else "",
+        "" if reached is None else f"dashed: 90 % of the {final}sag at {sheet.clock.text(reached)}",
+        f"where it flows {faster} {significant(slowest)}/s" if slowest > 0 else "",
     )
     with styled_for(name):
-        height = {style.SCREEN: 4.2, "column": 3.2, "page": 1.9}[name]
-        figure, body = sheet.figure("along the filament against time", height)
-        panels = body.subplots(*((1, 2) if name == "page" else (2, 1)), sharex=True)
+        heights = {style.SCREEN: [1.6, 1.6], "column": [1.1, 1.1], "page": [1.3]}[name]
+        columns, right = (2, 0.85) if name == "page" else (1, 0.95 if sheet.on_screen else 0.8)
+        figure, panels = sheet.figure(
+            "along the filament against time", heights, columns=columns, right=right, above=0.22, between=(1.1, 0.3)
+        )
         for axes, shown, text in zip(panels, maps_of(sheet.data, scene), texts, strict=True):
-            mesh = _draw_map(axes, sheet, shown, reached)
-            _draw_bar(axes, mesh, shown)
-            axes.set_yticks((-0.5, 0.0, 0.5))
-            axes.set_xlabel(f"time [{sheet.clock.symbol}]")
-            axes.label_outer()
+            _draw_map(axes, sheet, shown, reached)
             axes.set_title(text, loc="left", fontsize=7.5, pad=3)
-        panels[0].xaxis.set_major_locator(MaxNLocator(8 if sheet.on_screen else 5, steps=_STEPS))
+            axes.xaxis.set_major_locator(MaxNLocator(8 if sheet.on_screen else 5, steps=_STEPS))
+        if columns == 1:
+            panels[0].tick_params(labelbottom=False)
+            panels[0].set_xlabel("")
     return figure
 
 
-def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> QuadMesh:
-    """Draw one map, the midpoint's line and the mark of a time."""
-    clock, time = sheet.clock, sheet.time
-    every = max(1, -(-time.size // MAX_FRAMES))
-    nodes = np.asarray(sheet.data["X_node"].values, dtype=np.float64)
-    places = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0])
-    edges = _edges(clock.of(time[::every]), float(clock.of(time[-1])))
-    values = shown.values[::every].T
-    mesh = axes.pcolormesh(edges, places, values, norm=shown.norm, cmap=shown.colours, rasterized=True)
-    axes.set_xlim(float(clock.of(time[0])), float(clock.of(time[-1])) if time[-1] > time[0] else None)
+def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> None:
+    """Draw one map, the midpoint's line, the mark of a time, and the colours with plain numbers beside it."""
+    clock, every = sheet.clock, max(1, -(-sheet.time.size // MAX_FRAMES))
+    times, nodes = clock.of(sheet.time), array(sheet.data, "X_node")
+    places, frames = np.linspace(nodes[0], nodes[-1], ROWS + 1) / (nodes[-1] - nodes[0]), times[::every]
+    # Edges halfway between frames; of a single frame, half a unit to either side.
+    edges = np.concatenate([frames[:1], 0.5 * (frames[1:] + frames[:-1]), times[-1:]])
+    edges = edges if frames.size > 1 else frames[0] + np.array([-0.5, 0.5])
+    mesh = axes.pcolormesh(edges, places, shown.values[::every].T, norm=shown.norm, cmap=shown.colours, rasterized=True)
+    axes.set_xlim(float(times[0]), float(times[-1]) if times[-1] > times[0] else None)
     # A margin, so that the frame hides neither clamp.
     margin = (places[-1] - places[0]) / 100
     axes.set_ylim(places[0] - margin, places[-1] + margin)
@@ -519,13 +487,10 @@ def _draw_map(axes: Axes, sheet: Sheet, shown: Map, reached: float | None) -> Qu
         axes.axvline(float(clock.of(reached)), color="white", linewidth=1.6)
         axes.axvline(float(clock.of(reached)), color=style.BLACK, linewidth=0.8, linestyle="--")
     axes.set_ylabel("X / L")
-    return mesh
-
-
-def _draw_bar(axes: Axes, mesh: QuadMesh, shown: Map) -> None:
-    """Draw the colour bar of a map beside its axes, with plain numbers."""
-    extend = "max" if shown.beyond else "neither"
-    bar = axes.figure.colorbar(mesh, ax=axes, label=shown.label, extend=extend, aspect=14, pad=0.02)
+    axes.set_xlabel(f"time [{clock.symbol}]")
+    axes.set_yticks((-0.5, 0.0, 0.5))
+    beside = axes.inset_axes((1.02, 0.0, 0.025, 1.0))
+    bar = axes.figure.colorbar(mesh, cax=beside, label=shown.label, extend="max" if shown.beyond else "neither")
     if isinstance(shown.norm, LogNorm):
         # Powers of ten would be set by a parser and in fonts that not every machine has.
         bar.locator = LogLocator(subs=(1.0, 2.0, 5.0), numticks=8)
@@ -535,31 +500,16 @@ def _draw_bar(axes: Axes, mesh: QuadMesh, shown: Map) -> None:
         bar.locator = MaxNLocator(5, steps=_STEPS)
 
 
-def time_to_nine_tenths(data: xr.Dataset) -> float | None:
+def time_to_nine_tenths(data: Fields) -> float | None:
     """When the midpoint is first at 0.9 of its final sag [s], between frames; None of one that ends where it began."""
-    time = np.asarray(data["time"].values, dtype=np.float64)
-    sag = -np.asarray(data["midpoint"].values, dtype=np.float64)
+    times, sag = array(data, "time"), -array(data, "midpoint")
     fallen = (sag - sag[0]) * np.sign(sag[-1] - sag[0])
     aim = 0.9 * fallen[-1]
     reached = np.flatnonzero(fallen >= aim)
     if not aim > 0 or not reached.size or reached[0] == 0:
         return None
     k = int(reached[0])
-    return float(np.interp(aim, fallen[k - 1 : k + 1], time[k - 1 : k + 1]))
-
-
-def _edges(centres: Floats, end: float) -> Floats:
-    """Edges halfway between frames, the last at the end; of a single frame, half a unit to either side."""
-    if centres.size == 1:
-        return np.array([centres[0] - 0.5, centres[0] + 0.5])
-    return np.concatenate([centres[:1], 0.5 * (centres[1:] + centres[:-1]), [end]])
-
-
-def midpoint_csv(data: xr.Dataset) -> bytes:
-    """Tabulate the midpoint."""
-    outcome, time = data.attrs.get("outcome", "solved"), data["time"].values
-    stamped = {} if outcome == "solved" else {"refused": [outcome] * len(time)}
-    return columns_csv({"time_s": time, "midpoint_m": data["midpoint"].values, **stamped})
+    return float(np.interp(aim, fallen[k - 1 : k + 1], times[k - 1 : k + 1]))
 
 
 FIGURES = {
@@ -570,10 +520,8 @@ FIGURES = {
 }
 
 
-def write_pictures(
-    data: xr.Dataset, summary: Summary, scene: Scene, directory: str | Path, name: str = style.SCREEN
-) -> list[Path]:
-    """Write midpoint, shapes, energy and space-time as PNG, for print as PDF too, and ``midpoint.csv``."""
+def pictures(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> dict[str, object]:
+    """Midpoint, shapes, energy and space-time as PNG, for print as PDF too, and ``midpoint.csv``."""
     contents: dict[str, object] = {}
     for what, draw in FIGURES.items():
         figure = draw(data, summary, scene, name)
@@ -581,8 +529,22 @@ def write_pictures(
             contents[f"{what}.png"] = figure
         else:
             with styled_for(name):
-                contents |= printed(what, figure, DPI)
-    return write_results(directory, {**contents, "midpoint.csv": midpoint_csv(data)})
+                contents |= style.printed(what, figure, DPI)
+    return {**contents, "midpoint.csv": columns_csv(midpoint_table(data, summary))}
+
+
+def midpoint_table(data: Fields, summary: Summary) -> dict[str, Iterable[object]]:
+    """Columns of ``midpoint.csv``; what is refused says so in every row."""
+    times, outcome = array(data, "time"), style.refused(summary)
+    stamped = {"refused": [outcome] * len(times)} if outcome else {}
+    return {"time_s": times, "midpoint_m": array(data, "midpoint"), **stamped}
+
+
+def write_pictures(
+    data: Fields, summary: Summary, scene: Scene, directory: str | Path, name: str = style.SCREEN
+) -> list[Path]:
+    """Write the pictures of a run and the table of its midpoint."""
+    return write_results(directory, pictures(data, summary, scene, name))
 
 
 @dataclass(frozen=True)
@@ -596,17 +558,13 @@ class WrittenRun:
 def write_run(trajectory: Trajectory, directory: str | Path, name: str = style.SCREEN) -> WrittenRun:
     """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
 
-    The summary goes last, so that it can state how long the writing took.
+    The summary states how long all but itself took.
     """
-    from softcat_sym.results.files import write_scene, write_summary, write_trajectory
-
     began = time.perf_counter()
-    folder = Path(directory)
-    folder.mkdir(parents=True, exist_ok=True)
-    pictures = write_pictures(trajectory.data, trajectory.summary, trajectory.scene, folder, name)
-    data = write_trajectory(trajectory.data, folder)
-    scene = write_scene(trajectory.scene.to_toml(), folder)
+    drawn = pictures(trajectory.fields, trajectory.summary, trajectory.scene, name)
+    written = write_results(directory, {**trajectory.files(), **drawn})
     spent = time.perf_counter() - began
     wall = trajectory.summary["wall_s"]
     summary = {**trajectory.summary, "wall_s": {**wall, "write": spent, "total": wall["total"] + spent}}
-    return WrittenRun((data, write_summary(summary, folder), scene, *pictures), summary)
+    write_results(directory, {"summary.json": summary})
+    return WrittenRun(tuple(written), summary)

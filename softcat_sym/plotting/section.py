@@ -1,4 +1,4 @@
-"""Geometry of a filament seen from the side: outline, yielded zones, and the frames that tell a run apart."""
+"""Geometry of a filament seen from the side: outline, yielded zones, and the frames that differ most."""
 
 from __future__ import annotations
 
@@ -6,46 +6,46 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
+from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import nice_floor
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
 
-
-# A change of shape counts fully, of the yielded zones a third, mere lapse of time a tenth.
-_YIELD_WEIGHT = 0.3
-_TIME_WEIGHT = 0.1
-# Two frames closer than this in those measures look the same on paper.
-_SAME = 0.02
+Floats = NDArray[np.float64]
 
 
-def telling_frames(data: xr.Dataset, count: int = 5) -> list[int]:
+def array(data: Fields, name: str) -> Floats:
+    """One field of a run."""
+    return np.asarray(data[name], dtype=np.float64)
+
+
+def telling_frames(data: Fields, count: int = 5) -> list[int]:
     """Choose frames whose shapes and yielded zones differ most, the final one among them.
 
     Each frame added is the one farthest from those already chosen, so a steady descent is cut into equal drops
     and a long rest takes one frame. The first frame, the undeformed filament, and whatever looks like it are taken only
     when there is nothing else.
     """
-    last = data.sizes["time"] - 1
+    time, fraction = array(data, "time"), array(data, "yielded_fraction")
+    last, duration = time.size - 1, float(np.ptp(time))
     if last <= 0:
         return [0]
-    x, y = _compressed(data["x"].values), _compressed(data["y"].values)
+    # At most 65 nodes, the ends and the middle among them, are enough to compare shapes.
+    count_nodes = len(data["X_node"])
+    nodes = np.unique(np.linspace(0, count_nodes - 1, min(count_nodes, 65)).round().astype(np.intp))
+    x, y = array(data, "x")[:, nodes], array(data, "y")[:, nodes]
     scale = max(float(np.ptp(x, axis=0).max()), float(np.ptp(y, axis=0).max()))
-    fraction = np.asarray(data["yielded_fraction"].values, dtype=np.float64)
-    time = np.asarray(data["time"].values, dtype=np.float64)
-    duration = float(np.ptp(time))
 
-    def distance(frame: int) -> NDArray[np.float64]:
+    def distance(frame: int) -> Floats:
+        """A change of shape counts fully, of the yielded zones a third, mere lapse of time a tenth."""
         moved = np.maximum(np.abs(x - x[frame]).max(axis=1), np.abs(y - y[frame]).max(axis=1))
-        shape = moved / scale if scale > 0 else np.zeros(last + 1)
-        flow = np.abs(fraction - fraction[frame]).mean(axis=1)
-        # Time only decides between frames that differ: a filament at rest needs no second picture.
-        different = shape + _YIELD_WEIGHT * flow
+        different = (moved / scale if scale > 0 else 0.0) + 0.3 * np.abs(fraction - fraction[frame]).mean(axis=1)
         lapse = np.abs(time - time[frame]) / duration if duration > 0 else np.zeros(last + 1)
-        return np.where(different > _SAME, different + _TIME_WEIGHT * lapse, 0.0)
+        # Time only decides between frames that differ: a filament at rest needs no second picture.
+        return np.where(different > 0.02, different + 0.1 * lapse, 0.0)
 
     chosen = [last]
     nearest = np.minimum(distance(last), distance(0))
@@ -53,19 +53,6 @@ def telling_frames(data: xr.Dataset, count: int = 5) -> list[int]:
         chosen.append(int(nearest.argmax()))
         nearest = np.minimum(nearest, distance(chosen[-1]))
     return sorted(chosen)
-
-
-def _compressed(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """At most 65 nodes of a (time, node) array, the ends and the middle among them: enough to compare shapes."""
-    nodes = values.shape[1]
-    kept = np.unique(np.linspace(0, nodes - 1, min(nodes, 65)).round().astype(np.intp))
-    return np.asarray(values[:, kept], dtype=np.float64)
-
-
-Floats = NDArray[np.float64]
-
-# Beyond this angle [rad] at an end an extrapolation would turn the drawn end face, not follow a curve.
-_MAX_END_TURN = 0.3
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,12 +72,10 @@ class Section:
         return points
 
 
-def section_at(data: xr.Dataset, frame: int, clamped: tuple[bool, bool] = (False, False)) -> Section:
+def section_at(data: Fields, frame: int, clamped: tuple[bool, bool] = (False, False)) -> Section:
     """Read the filament of one frame."""
-    x = np.asarray(data["x"].values[frame], dtype=np.float64)
-    y = np.asarray(data["y"].values[frame], dtype=np.float64)
-    cells = np.asarray(data["thickness"].values[frame], dtype=np.float64)
-    thickness = np.interp(data["X_node"].values, data["X_cell"].values, cells)
+    x, y = array(data, "x")[frame], array(data, "y")[frame]
+    thickness = np.interp(array(data, "X_node"), array(data, "X_cell"), array(data, "thickness")[frame])
     angle = node_angles(x, y)
     angle[[0, -1]] = np.where(clamped, 0.0, angle[[0, -1]])
     return Section(x, y, np.column_stack([-np.sin(angle), np.cos(angle)]), thickness)
@@ -101,7 +86,8 @@ def node_angles(x: Floats, y: Floats) -> Floats:
     chord = np.unwrap(np.arctan2(np.diff(y), np.diff(x)))
     if chord.size == 1:
         return np.repeat(chord, 2)
-    turns = np.clip(0.5 * np.diff(chord)[[0, -1]], -_MAX_END_TURN, _MAX_END_TURN)
+    # Beyond 0.3 rad at an end an extrapolation would turn the drawn end face, not follow a curve.
+    turns = np.clip(0.5 * np.diff(chord)[[0, -1]], -0.3, 0.3)
     middle = 0.5 * (chord[1:] + chord[:-1])
     return np.concatenate([[chord[0] - turns[0]], middle, [chord[-1] + turns[1]]])
 
@@ -114,13 +100,11 @@ def outline(section: Section) -> Floats:
 def elastic_core(mean: Floats, bending: Floats, yield_stress: float) -> tuple[Floats, Floats]:
     """Limits in zeta between which ``|mean + bending * zeta| <= yield_stress``."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        one = (-yield_stress - mean) / bending
-        other = (yield_stress - mean) / bending
-    lower, upper = np.minimum(one, other), np.maximum(one, other)
+        limits = np.stack([(-yield_stress - mean) / bending, (yield_stress - mean) / bending])
     uniform = bending == 0
     whole = uniform & (np.abs(mean) > yield_stress)
-    lower = np.where(uniform, -1.0, np.clip(lower, -1.0, 1.0))
-    upper = np.where(uniform, np.where(whole, -1.0, 1.0), np.clip(upper, -1.0, 1.0))
+    lower = np.where(uniform, -1.0, np.clip(limits.min(axis=0), -1.0, 1.0))
+    upper = np.where(uniform, np.where(whole, -1.0, 1.0), np.clip(limits.max(axis=0), -1.0, 1.0))
     return lower, upper
 
 
@@ -136,66 +120,55 @@ class Yielding:
     slowest: float
 
 
-def slowest_flow(data: xr.Dataset, scene: Scene) -> float:
+def slowest_flow(data: Fields, scene: Scene) -> float:
     """Plastic rate [1/s] below which flow does not show in the answer.
 
     A section that flowed so slowly through the whole run would add to the largest plastic strain no more than the
     accuracy asked. An arrested filament rests on its yield surface: there stresses exceed the yield stress by no more
     than the tolerance of the solver, now here, now there.
     """
-    time = np.asarray(data["time"].values, dtype=np.float64)
+    time = array(data, "time")
     if time.size < 2 or not time[-1] > time[0]:
         return 0.0
-    rate = np.asarray(data["plastic_rate"].values, dtype=np.float64)
+    rate = array(data, "plastic_rate")
     strain = 0.5 * np.diff(time) @ (rate[1:] + rate[:-1])
     return scene.run.accuracy * float(strain.max()) / float(time[-1] - time[0])
 
 
-def yielding_of(data: xr.Dataset, scene: Scene) -> Yielding:
+def yielding_of(data: Fields, scene: Scene) -> Yielding:
     """What yields in every frame, of a law that has a yield stress; nothing of another."""
-    limit = scene.material.yield_stress
+    limit, rate = scene.material.yield_stress, array(data, "plastic_rate")
     if limit is None:
-        shape = data["yielded_fraction"].shape
-        return Yielding(np.full(shape, -1.0), np.full(shape, 1.0), np.zeros(shape), 0.0)
+        return Yielding(np.full(rate.shape, -1.0), np.full(rate.shape, 1.0), np.zeros(rate.shape), 0.0)
     if "core_low" in data:
-        low, high = data["core_low"].values, data["core_high"].values
+        low, high = array(data, "core_low"), array(data, "core_high")
     else:
-        low, high = elastic_core(data["stress_mean"].values, data["stress_bending"].values, limit)
-    slowest, rate = slowest_flow(data, scene), np.asarray(data["plastic_rate"].values, dtype=np.float64)
-    flows = (rate > slowest) & (_running_mean(rate, len(rate) // 20) > slowest)
-    share = np.where(flows, data["yielded_fraction"].values, 0.0)
+        low, high = elastic_core(array(data, "stress_mean"), array(data, "stress_bending"), limit)
+    slowest = slowest_flow(data, scene)
+    # Means over a twentieth of the run before and after each frame, less where it begins and ends.
+    total = np.concatenate([np.zeros((1, *rate.shape[1:])), np.cumsum(rate, axis=0)])
+    frame, reach = np.arange(len(rate)), len(rate) // 20
+    first, end = np.maximum(frame - reach, 0), np.minimum(frame + reach + 1, len(rate))
+    flows = (rate > slowest) & ((total[end] - total[first]) / (end - first)[:, None] > slowest)
+    share = np.where(flows, array(data, "yielded_fraction"), 0.0)
     return Yielding(np.where(flows, low, -1.0), np.where(flows, high, 1.0), share, slowest)
 
 
-def _running_mean(values: Floats, reach: int) -> Floats:
-    """Means over `reach` frames before and after each frame, fewer where the run begins and ends."""
-    total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
-    frame = np.arange(len(values))
-    first, end = np.maximum(frame - reach, 0), np.minimum(frame + reach + 1, len(values))
-    return np.asarray((total[end] - total[first]) / (end - first)[:, None])
-
-
 def quads_outside(section: Section, lower: Floats, upper: Floats) -> Floats:
-    """Quadrilaterals below and above the elastic core, cell by cell."""
-    ones = np.ones_like(lower)
-    return np.concatenate([_quads(section, -ones, lower), _quads(section, upper, ones)])
-
-
-def _quads(section: Section, low: Floats, high: Floats) -> Floats:
-    """Quads between two zeta limits per cell; empty bands are left out."""
-    left, right = slice(None, -1), slice(1, None)
-    corners = [section.at(low, left), section.at(low, right), section.at(high, right), section.at(high, left)]
-    return np.stack(corners, axis=1)[high > low]
-
-
-# A sag below this share of the span is exaggerated, until it or the thickness reaches these shares as drawn.
-_FLAT = 0.02
-_DRAWN_SAG = 0.10
-_DRAWN_THICKNESS = 0.12
+    """Quadrilaterals below and above the elastic core, cell by cell; empty ones are left out."""
+    left, right, ones = slice(None, -1), slice(1, None), np.ones_like(lower)
+    quads = []
+    for low, high in ((-ones, lower), (upper, ones)):
+        corners = [section.at(low, left), section.at(low, right), section.at(high, right), section.at(high, left)]
+        quads.append(np.stack(corners, axis=1)[high > low])
+    return np.concatenate(quads)
 
 
 def vertical_stretch(sag: float, thickness: float, span: float) -> float:
-    """Factor by which the vertical scale is stretched: 1, 2 or 5 times a power of ten."""
-    if sag <= 0 or sag >= _FLAT * span:
+    """Factor by which the vertical scale of what is too flat to see is stretched: 1, 2 or 5 times a power of ten.
+
+    A sag below 2 % of the span is drawn as up to 10 % of it, a thickness as up to 12 %.
+    """
+    if sag <= 0 or sag >= 0.02 * span:
         return 1.0
-    return max(1.0, nice_floor(min(_DRAWN_SAG * span / sag, _DRAWN_THICKNESS * span / thickness)))
+    return max(1.0, nice_floor(min(0.10 * span / sag, 0.12 * span / thickness)))

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cache
 from io import BytesIO
+from itertools import product
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
@@ -20,16 +21,18 @@ from matplotlib.font_manager import findfont, get_font
 from matplotlib.legend import Legend
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox, ScaledTranslation
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.plotting.units import Summary, time_unit
 
 if TYPE_CHECKING:
-    import xarray as xr
     from matplotlib.text import Text
 
     from softcat_sym.scene.scene import Scene
+
+Fields: TypeAlias = Mapping[Any, Any]
+"""What a run is drawn from: its fields, or its Dataset; arrays by the names of ``trajectory.nc``."""
 
 SCREEN: Final = "screen"
 STYLES: Final = {SCREEN: SCREEN, "publication": "column", "column": "column", "page": "page"}
@@ -143,14 +146,11 @@ def _glyphs() -> frozenset[int]:
 
 STAMP: Final = "REFUSED: "
 
-_USED: Final = ("", "solved")
-"""Outcomes of answers that may be used; nothing is known of one without outcome."""
-
 
 def refused(summary: Summary) -> str:
-    """Outcome of a result that is refused; empty of one that may be used."""
+    """Outcome of a result that is refused; empty of one that may be used, or of which nothing is known."""
     outcome = str(summary.get("outcome") or "")
-    return "" if outcome in _USED else outcome
+    return "" if outcome == "solved" else outcome
 
 
 def stamp(figure: Figure, summary: Summary) -> list[Text]:
@@ -159,43 +159,43 @@ def stamp(figure: Figure, summary: Summary) -> list[Text]:
     if not outcome:
         return []
     width, height = figure.get_size_inches()
-    lines = [STAMP + outcome, *([str(summary["not_drawn"])] if summary.get("not_drawn") else [])]
     texts = []
-    # Letters of a bold font are three quarters as wide as it is high.
-    big, small = (
-        min(size, 72 * 0.8 * width / (0.75 * len(line)))
-        for size, line in zip((30.0, 11.0), (lines * 2)[:2], strict=True)
-    )
-    for text, size, below in zip(lines, (big, small), (0.0, 1.1 * big / 72), strict=False):
+    for line, largest, below in ((STAMP + outcome, 30.0, 0.0), (str(summary.get("not_drawn") or ""), 11.0, 0.45)):
+        # Letters of a bold font are three quarters as wide as it is high.
+        size = min(largest, 72 * 0.8 * width / (0.75 * max(1, len(line))))
         texts.append(
             figure.text(
-                0.5, 0.5 - below / height, text, ha="center", va="center", fontsize=size, fontweight="bold",
+                0.5, 0.5 - below / height, line, ha="center", va="center", fontsize=size, fontweight="bold",
                 color=VERMILLION, alpha=0.75, zorder=100, parse_math=False, in_layout=False,
                 bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.6, "pad": 1.5},
             )
         )  # fmt: skip
-    return texts
+    return texts if summary.get("not_drawn") else texts[:1]
 
 
-def shown_part(data: xr.Dataset, summary: Summary) -> tuple[xr.Dataset, Summary]:
+def shown_part(data: Fields, summary: Summary) -> tuple[Fields, Summary]:
     """A run as it is drawn: one that is refused ends where it hangs deeper than it is long.
 
     A neck that runs away would otherwise scale the axes, as if its depth were an answer.
     """
     if not refused(summary):
         return data, summary
-    x, y = (np.asarray(data[name].values, dtype=np.float64) for name in ("x", "y"))
+    x, y, time = (np.asarray(data[name], dtype=np.float64) for name in ("x", "y", "time"))
     line = y[:, :1] + (y[:, -1:] - y[:, :1]) * np.linspace(0.0, 1.0, y.shape[1])
-    reach = np.maximum(np.ptp(data["X_node"].values), np.hypot(x[:, -1] - x[:, 0], y[:, -1] - y[:, 0]))
+    reach = np.maximum(np.ptp(np.asarray(data["X_node"])), np.hypot(x[:, -1] - x[:, 0], y[:, -1] - y[:, 0]))
     # Written so that what is not a number is beyond it too.
     beyond = ~(np.abs(y - line).max(axis=1) <= reach)
     if not beyond.any():
         return data, summary
     end = max(1, int(beyond.argmax()))
-    time = data["time"].values
-    said = time_unit(float(time[-1])).text(float(time[end - 1]))
-    words = f"not drawn after {said}: deeper than it is long"
-    return data.isel(time=slice(0, end)), {**summary, "not_drawn": words}
+    words = f"not drawn after {time_unit(float(time[-1])).text(float(time[end - 1]))}: deeper than it is long"
+    return first_frames(data, end), {**summary, "not_drawn": words}
+
+
+def first_frames(data: Fields, end: int) -> dict[str, NDArray[Any]]:
+    """The beginning of a run."""
+    whole = ("X_node", "X_cell")
+    return {name: np.asarray(data[name])[: None if name in whole else end] for name in (*data, "time", *whole)}
 
 
 HEADING = 0.62
@@ -293,11 +293,15 @@ def plain_log(axis: Axis, text: Callable[[float], str] = "{:g}".format, subs: Se
 
 
 def png(figure: Figure, *, titled: bool = True) -> bytes:
-    """Draw a figure."""
+    """Draw a figure; it is laid out once, as it is."""
     content = BytesIO()
     width, height = figure.get_size_inches()
     # Some settings are read only now: ticks are made, and fonts found, while drawing.
     with styled():
+        engine = figure.get_layout_engine()
+        if engine is not None:
+            engine.execute(figure)
+            figure.set_layout_engine("none")
         shown = None if titled else Bbox.from_extents(0.0, 0.0, width, height - _TITLE)
         figure.savefig(content, format="png", bbox_inches=shown)
     return content.getvalue()
@@ -313,81 +317,39 @@ def printed(name: str, figure: Figure, dpi: int) -> dict[str, bytes]:
     return drawn
 
 
-_FONT, _MARKER, _PAD = 7.5, 4.0, 1.0
-_NEAREST, _FAR, _FARTHEST, _STEP, _DIRECTIONS = 6.0, 60.0, 260.0, 3.0, 32
-
-_CLEARLY, _ALONE = 0.8, 0.6
-"""Of the distance to the next point: below the first a name is its own point's, below the second plainly so."""
-
-Pixel: TypeAlias = tuple[float, float]
+_FONT, _NEAREST, _FAR, _FARTHEST, _STEP, _DIRECTIONS = 7.5, 6.0, 60.0, 260.0, 3.0, 32
 
 
 def label_points(axes: Axes, points: Sequence[tuple[float, float]], names: Sequence[str]) -> None:
-    """Write a name beside each point, with a thin line to it where the name had to go farther away."""
+    """Write a name beside each point, at the nearest place that is free and no other point's, with a line from afar."""
     pixels = (axes.figure.dpi if axes.figure is not None else DPI) / 72
-    placed = [axes.transData.transform(point) for point in points]
-    places = [(float(x), float(y)) for x, y in placed]
-    taken = [_around(x, y, _MARKER * pixels) for x, y in places]
+    places = axes.transData.transform(points)
+    taken = [Bbox.from_extents(x - 4 * pixels, y - 4 * pixels, x + 4 * pixels, y + 4 * pixels) for x, y in places]
     inside = axes.get_window_extent()
+    angles = [2 * math.pi / _DIRECTIONS * ((k + 1) // 2) * (-1) ** k for k in range(_DIRECTIONS)]
     for k in sorted(range(len(names)), key=lambda k: (-places[k][1], places[k][0])):
         text = axes.text(0, 0, names[k], fontsize=_FONT, va="center", ha="center", transform=None, zorder=5)
         found = text.get_window_extent()
-        size = found.width, found.height
-        others = [place for place in places if place != places[k]]
-        centre, far = _free_place(places[k], others, size, taken, inside, pixels)
+        half = np.array([found.width, found.height]) / 2
+        best = None  # Centre, box, and whether it needs a line to its point
+        for radius, angle in product(np.arange(_NEAREST, _FARTHEST, _STEP), angles):
+            centre = places[k] + np.array([math.cos(angle), math.sin(angle)]) * (radius * pixels + [half[0], half[1]])
+            box = Bbox([centre - half - pixels, centre + half + pixels])
+            within = inside.x0 <= box.x0 and box.x1 <= inside.x1 and inside.y0 <= box.y0 and box.y1 <= inside.y1
+            if not within or any(box.overlaps(other) for other in taken):
+                continue
+            own, *others = (np.hypot(*(place - np.clip(place, box.min, box.max))) for place in (places[k], *places))
+            nearer = min((other for j, other in enumerate(others) if j != k), default=math.inf)
+            if own < 0.8 * nearer:
+                best = centre, box, radius > _NEAREST + _STEP or own > 0.6 * nearer
+                break
+            # Nearer to another point it would be read as that one's name: only where there is no better.
+            best = best or (centre, box, True)
+            if radius > _FAR:
+                break
+        centre, box, far = best or (places[k], Bbox([places[k] - half, places[k] + half]), False)
         text.set_position(centre)
-        box = _box(centre, size, _PAD * pixels)
         taken.append(box)
         if far:
-            line = zip(places[k], _nearest(places[k], box), strict=True)
+            line = zip(places[k], np.clip(places[k], box.min, box.max), strict=True)
             axes.plot(*line, transform=None, color=GREY, linewidth=0.5, zorder=2.5)
-
-
-def _free_place(
-    point: Pixel, others: Sequence[Pixel], size: Pixel, taken: Sequence[Bbox], inside: Bbox, pixels: float
-) -> tuple[Pixel, bool]:
-    """Centre of the nearest free box [pixel], and whether it needs a line to its point.
-
-    A box that is nearer to another point would be read as that one's name; only where there is no better is it taken.
-    """
-    second = None
-    for centre, radius in _candidates(point, size, pixels):
-        box = _box(centre, size, _PAD * pixels)
-        within = inside.x0 <= box.x0 and box.x1 <= inside.x1 and inside.y0 <= box.y0 and box.y1 <= inside.y1
-        if not within or any(box.overlaps(other) for other in taken):
-            continue
-        far = radius > _NEAREST + _STEP
-        own = math.dist(point, _nearest(point, box))
-        next_best = min((math.dist(other, _nearest(other, box)) for other in others), default=math.inf)
-        if own < _CLEARLY * next_best:
-            return centre, far or own > _ALONE * next_best
-        second = second or (centre, True)
-        if radius > _FAR:
-            break
-    return second or (point, False)
-
-
-def _candidates(point: Pixel, size: Pixel, pixels: float) -> Iterator[tuple[Pixel, float]]:
-    """Centres ever farther away and their distances [point]; at each to the right first, then round to either side."""
-    radius = _NEAREST
-    while radius < _FARTHEST:
-        for k in range(_DIRECTIONS):
-            angle = 2 * math.pi / _DIRECTIONS * ((k + 1) // 2) * (-1) ** k
-            across = math.cos(angle) * (radius * pixels + size[0] / 2)
-            up = math.sin(angle) * (radius * pixels + size[1] / 2)
-            yield (point[0] + across, point[1] + up), radius
-        radius += _STEP
-
-
-def _nearest(point: Pixel, box: Bbox) -> Pixel:
-    """The point of a box that is nearest to another point."""
-    return min(max(point[0], box.x0), box.x1), min(max(point[1], box.y0), box.y1)
-
-
-def _box(centre: Pixel, size: Pixel, pad: float) -> Bbox:
-    half = size[0] / 2 + pad, size[1] / 2 + pad
-    return Bbox.from_extents(centre[0] - half[0], centre[1] - half[1], centre[0] + half[0], centre[1] + half[1])
-
-
-def _around(x: float, y: float, half: float) -> Bbox:
-    return Bbox.from_extents(x - half, y - half, x + half, y + half)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class IntegrationProgress(Display):
-    """Tells the stages of a run, and how far its integration is."""
+    """Shows the stages of a run, and how far its integration is."""
 
     def __init__(
         self, duration: float, description: str = "", *, quiet: bool = False, console: Console | None = None
@@ -37,7 +37,7 @@ class IntegrationProgress(Display):
 
 
 class StepProgress(Display):
-    """Tells which of a known number of tasks is being done, such as the runs of a study."""
+    """Shows which of a known number of tasks is being done, such as the runs of a study."""
 
     def __init__(self, steps: int, description: str, *, quiet: bool = False, console: Console | None = None) -> None:
         super().__init__(quiet=quiet, console=console)
@@ -51,7 +51,7 @@ class StepProgress(Display):
 
 
 class FitProgressBar(Display):
-    """Tells what a fit is doing."""
+    """Shows what a fit is doing."""
 
     def __enter__(self) -> Self:
         self.doing("reading and compiling")
@@ -65,16 +65,10 @@ class FitProgressBar(Display):
             self.reach(done / total, f"{done + 1} of {total}")
 
 
-STAGES = ("build", "compile", "solve", "estimate", "write", "total")
-
 REFUSED = "NOT TO BE TRUSTED"
 """What stands on top of an answer that is refused."""
 
 _STYLES = {"warning": "bold yellow", "because": "bold red"}
-_STILL = 0.5
-"""Share of its largest distance below which a midpoint's error is told as a length: it swings, or has come back."""
-
-_NAMED, _NARROW = 2, 30
 
 Rows = list[tuple[str, str]]
 
@@ -92,34 +86,44 @@ def answer_rows(summary: Summary, scene: Scene) -> Rows:
     if refused:
         rows = [("because", str(summary["message"]))] if summary.get("message") else []
         rows.append(("advice", str(summary.get("advice") or "none")))
-    rows += _place(summary, scene, refused=refused)
+    if summary.get("midpoint_final_m") is not None:
+        rows.append(_place(summary, scene, refused=refused))
     if summary.get("regime"):
         rows.append(("regime", regime_words(str(summary["regime"]))))
     if "settled_s" in summary and not refused:
         rows.append(("settled", _settled(summary)))
     if _left_out_worth(summary) > summary.get("accuracy", float("inf")):
-        rows.append(("left out", _left_out(summary)))
-    rows.extend(("converted", str(text)) for text in summary.get("converted") or ())
-    rows.extend(("warning", str(text)) for text in summary.get("warnings") or ())
-    return rows
+        rows.append(_left_out(summary))
+    rows += [("converted", str(text)) for text in summary.get("converted") or ()]
+    return rows + [("warning", str(text)) for text in summary.get("warnings") or ()]
 
 
 def detail_rows(summary: Summary) -> Rows:
-    """Everything else that a summary tells; parameters as :func:`answer_rows`."""
-    rows = [("error", _estimate(summary.get("error_estimate")))]
+    """Everything else that a summary holds."""
+    estimate, text = summary.get("error_estimate"), "not estimated"
+    if estimate is not None:
+        names = {"space": "grid", "time": "time steps", "section": "fibres"}
+        parts = [f"{name} {error_percent(estimate[k])}" for k, name in names.items() if estimate.get(k) is not None]
+        total = estimate.get("total")
+        text = f"{error_percent(total)} of the largest midpoint" if total is not None else "not estimated in full"
+        text += f" ({', '.join(parts)})" if parts else ""
+    rows = [("error", text)]
     if summary.get("energy_residual") is not None:
         rows.append(("energy", f"balanced to {significant(summary['energy_residual'])} of the largest energy"))
-    rows.append(("effects", _effects(summary.get("effects"))))
+    effects = (summary.get("effects") or {}).items()
+    rows.append(
+        ("effects", "\n".join(f"{name}: on, {why}" if why else f"{name}: on" for name, why in effects) or "none")
+    )
     if summary.get("left_out"):
-        rows.append(("left out", _left_out(summary)))
-    rows.extend(("repeated", str(text)) for text in summary.get("repeats") or ())
-    rows.extend(("refined", str(text)) for text in summary.get("refinements") or ())
+        rows.append(_left_out(summary))
+    rows += [("repeated", str(text)) for text in summary.get("repeats") or ()]
+    rows += [("refined", str(text)) for text in summary.get("refinements") or ()]
     parts = [str(summary[key]) for key in ("solver", "backend") if summary.get(key)]
     if summary.get("cells") is not None:
         parts.append(f"{summary['cells']} cells a half span")
     rows.append(("solver", ", ".join(parts) or "not stated"))
-    rows.append(("wall time", _wall(summary.get("wall_s"))))
-    return rows
+    wall = [f"{name} {significant(seconds)} s" for name, seconds in (summary.get("wall_s") or {}).items()]
+    return [*rows, ("wall time", ", ".join(wall) or "not measured")]
 
 
 def print_summary(
@@ -135,13 +139,15 @@ def print_summary(
     from rich.text import Text
 
     out = console or Console()
-    sound = summary["outcome"] == "solved"
-    out.print(Text(headline(summary, scene), style="bold" if sound else "bold red"))
+    out.print(Text(headline(summary, scene), style="bold" if summary["outcome"] == "solved" else "bold red"))
     rows = answer_rows(summary, scene)
     if verbose:
         rows = [row for row in rows if row[0] != "left out"] + detail_rows(summary)
     if files:
-        rows.append(("files", _files(files, verbose=verbose)))
+        names, folder = [path.name for path in files], files[0].parent
+        few = verbose or len(names) <= 2
+        listed = f": {', '.join(names)}" if few else f" ({len(names)}: {', '.join(names[:2])}, ...)"
+        rows.append(("files", f"{folder}{listed}"))
     print_rows(rows, out)
 
 
@@ -150,16 +156,15 @@ def print_rows(rows: Rows, console: Console) -> None:
     from rich.text import Text
 
     indent = max(len(name) for name, _ in rows) + 2
+    room = max(30, console.width - indent)
     for name, text in rows:
         style = "bold green" if (name, text) == ("outcome", "solved") else ""
-        room = max(_NARROW, console.width - indent)
-        lines = [
-            part
+        wrapped = (
+            textwrap.wrap(line, room, break_long_words=False, break_on_hyphens=False) or [""]
             for line in text.splitlines() or [""]
-            for part in textwrap.wrap(line, room, break_long_words=False, break_on_hyphens=False) or [""]
-        ]
-        for number, line in enumerate(lines):
-            label = (name if number == 0 else "").ljust(indent)
+        )
+        for number, line in enumerate(line for lines in wrapped for line in lines):
+            label = ("" if number else name).ljust(indent)
             console.print(Text.assemble((label, _STYLES.get(name, "dim")), (line, style)), soft_wrap=True)
 
 
@@ -195,34 +200,28 @@ def text_table(
     return table
 
 
-def _place(summary: Summary, scene: Scene, *, refused: bool) -> Rows:
+def _place(summary: Summary, scene: Scene, *, refused: bool) -> tuple[str, str]:
     """Where the midpoint is in the end, with its error; the mean of what still swings."""
-    final = summary.get("midpoint_final_m")
-    if final is None:
-        return []
-    estimate = summary.get("error_estimate") or {}
-    rest = summary.get("midpoint_settled_m") or {}
-    place = float(final if rest.get("mean") is None else rest["mean"])
-    ruler = length_unit(abs(place), scene.filament.span)
-    error = _error(place, estimate.get("total"), float(summary.get("midpoint_largest_m", abs(place))))
-    ends = scene.ends
+    rest, ends = summary.get("midpoint_settled_m") or {}, scene.ends
+    total = (summary.get("error_estimate") or {}).get("total")
+    place = float(summary["midpoint_final_m"] if rest.get("mean") is None else rest["mean"])
     sags = place <= 0 and "free" not in (ends.left, ends.right) and ends.drop == 0 and not ends.motion
+    ruler = length_unit(abs(place), scene.filament.span)
     where = f"{ruler.text(abs(place))}{'' if sags else ' down' if place <= 0 else ' up'}"
+    if refused and total is None:
+        return "reached", f"midpoint {where} when the run ended: no answer"
+    largest = float(summary.get("midpoint_largest_m", abs(place)))
+    if total is None:
+        error = " (error not estimated)"
+    elif abs(place) < largest / 2:
+        # It swings, or has come back: a share of nearly nothing would mislead.
+        error = f" ± {length_unit(total * largest).text(total * largest)}"
+    else:
+        error = f" ± {error_percent(total * largest / abs(place) if total else 0.0)}"
     share = f"{float(f'{100 * abs(place) / scene.filament.span:.2g}'):g} % of the span"
-    if refused and estimate.get("total") is None:
-        return [("reached", f"midpoint {where} when the run ended: no answer")]
     swing = float(rest.get("amplitude") or 0.0)
     swings = f", swinging by {length_unit(swing).text(swing)} about it" if swing > abs(place) / 1000 else ""
-    return [("sag" if sags else "midpoint", f"{where}{error}, {share}{swings}")]
-
-
-def _error(place: float, total: float | None, largest: float) -> str:
-    """The error of a place, of which the estimate is a share of the largest."""
-    if total is None:
-        return " (error not estimated)"
-    if abs(place) < _STILL * largest:
-        return f" ± {length_unit(total * largest).text(total * largest)}"
-    return f" ± {error_percent(total * largest / abs(place) if total else 0.0)}"
+    return "sag" if sags else "midpoint", f"{where}{error}, {share}{swings}"
 
 
 def _settled(summary: Summary) -> str:
@@ -231,57 +230,24 @@ def _settled(summary: Summary) -> str:
     if when is not None:
         return f"from {time_unit(when).text(when)} on"
     least = float(summary.get("accuracy", 0.0)) * float(summary.get("midpoint_largest_m", 0.0))
+    moved = abs(float(summary.get("midpoint_last_fifth_m", 0.0)))
     if rest is not None and rest["amplitude"] > least:
         return "no: it still swings when the run ends"
-    moved = abs(float(summary.get("midpoint_last_fifth_m", 0.0)))
     if rest is not None and moved <= least:
         return "yes, to the accuracy asked"
     return f"no: it moved by {length_unit(moved).text(moved)} in the last fifth of the run"
 
 
-def _estimate(estimate: Mapping[str, Any] | None) -> str:
-    """The total and its parts, or that nothing has estimated it."""
-    if estimate is None:
-        return "not estimated"
-    named = {"space": "grid", "time": "time steps", "section": "fibres"}
-    parts = [f"{word} {error_percent(estimate[key])}" for key, word in named.items() if estimate.get(key) is not None]
-    total = estimate.get("total")
-    text = f"{error_percent(total)} of the largest midpoint" if total is not None else "not estimated in full"
-    return f"{text} ({', '.join(parts)})" if parts else text
-
-
-def _effects(reasons: Mapping[str, Any] | None) -> str:
-    """One name and its reason per line."""
-    return "\n".join(f"{name}: on, {why}" if why else f"{name}: on" for name, why in (reasons or {}).items()) or "none"
-
-
 def _left_out_worth(summary: Summary) -> float:
     """What all that was left out may change, of the largest midpoint: as the run shows it, else as expected."""
-    found = summary.get("checked") or summary.get("left_out") or {}
+    found: Mapping[str, float] = summary.get("checked") or summary.get("left_out") or {}
     return float(sum(found.values()))
 
 
-def _left_out(summary: Summary) -> str:
-    names, worth = list(summary["left_out"]), _left_out_worth(summary)
-    return left_out_words(names, worth)
+def _left_out(summary: Summary) -> tuple[str, str]:
+    return "left out", left_out_words(list(summary["left_out"]), _left_out_worth(summary))
 
 
 def left_out_words(names: Sequence[str], worth: float) -> str:
     """Effects that are left out, and one number for all of them."""
     return f"{', '.join(names)}: {'together ' if len(names) > 1 else ''}worth at most {error_percent(worth)} of the sag"
-
-
-def _wall(stages: Mapping[str, float] | None) -> str:
-    """Wall time of each stage, in the order in which they happen."""
-    if not stages:
-        return "not measured"
-    known = [name for name in STAGES if name in stages] + [name for name in stages if name not in STAGES]
-    return ", ".join(f"{name} {significant(stages[name])} s" for name in known if stages[name] is not None)
-
-
-def _files(files: Sequence[Path], *, verbose: bool) -> str:
-    """The folder, and what is in it."""
-    names, folder = [path.name for path in files], files[0].parent
-    if verbose or len(names) <= _NAMED:
-        return f"{folder}: {', '.join(names)}"
-    return f"{folder} ({len(names)}: {', '.join(names[:_NAMED])}, ...)"

@@ -20,6 +20,7 @@ class Unit:
 
     symbol: str  # Symbol written on the axis
     size: float  # Size of the unit in SI units
+    begin: float | None = None  # Values from which it is taken, where that is not its size
 
     def of(self, value: ArrayLike) -> NDArray[np.float64]:
         """Express SI values in this unit."""
@@ -32,37 +33,41 @@ class Unit:
 
 LENGTHS = (Unit("nm", 1e-9), Unit("µm", 1e-6), Unit("mm", 1e-3), Unit("m", 1.0), Unit("km", 1e3))
 # An hour and a minute begin late: 90 s and 100 min read better than 1.5 min and 1.67 h.
-TIMES = (Unit("µs", 1e-6), Unit("ms", 1e-3), Unit("s", 1.0), Unit("min", 60.0), Unit("h", 3600.0))
-TIMES_BEGIN = (1e-6, 1e-3, 1.0, 300.0, 10800.0)
+TIMES = (Unit("µs", 1e-6), Unit("ms", 1e-3), Unit("s", 1.0), Unit("min", 60.0, 300.0), Unit("h", 3600.0, 10800.0))
 ENERGIES = (Unit("pJ", 1e-12), Unit("nJ", 1e-9), Unit("µJ", 1e-6), Unit("mJ", 1e-3), Unit("J", 1.0), Unit("kJ", 1e3))
-SHARES = (Unit("ppb", 1e-9), Unit("ppm", 1e-6), Unit("%", 1e-2))
-SHARES_BEGIN = (1e-9, 1e-6, 1e-4)
+SHARES = (Unit("ppb", 1e-9), Unit("ppm", 1e-6), Unit("%", 1e-2, 1e-4))
 STRESSES = (Unit("mPa", 1e-3), Unit("Pa", 1.0), Unit("kPa", 1e3), Unit("MPa", 1e6), Unit("GPa", 1e9))
+
+
+def _choose(units: tuple[Unit, ...], largest: float) -> Unit:
+    """Take the last unit whose range has begun; the slack keeps 0.999999999999 s in seconds."""
+    reached = [unit for unit in units if abs(largest) >= (unit.begin or unit.size) * (1 - 1e-9)]
+    return reached[-1] if reached else units[0]
 
 
 def length_unit(largest: float, fallback: float = 1.0) -> Unit:
     """Choose nm, µm, mm, m or km for lengths up to ``largest`` [m]."""
-    return _choose(LENGTHS, tuple(unit.size for unit in LENGTHS), largest or fallback)
+    return _choose(LENGTHS, largest or fallback)
 
 
 def time_unit(largest: float) -> Unit:
     """Choose µs, ms, s, min (from 300 s) or h (from 3 h) for times up to ``largest`` [s]."""
-    return _choose(TIMES, TIMES_BEGIN, largest or 1.0)
+    return _choose(TIMES, largest or 1.0)
 
 
 def energy_unit(largest: float) -> Unit:
     """Choose a prefix of the joule for energies up to ``largest`` [J]."""
-    return _choose(ENERGIES, tuple(unit.size for unit in ENERGIES), largest or 1.0)
+    return _choose(ENERGIES, largest or 1.0)
 
 
 def share_unit(largest: float) -> Unit:
     """Choose ppb, ppm (from 1e-6) or per cent (from 1e-4) for shares up to ``largest``."""
-    return _choose(SHARES, SHARES_BEGIN, largest or 1.0)
+    return _choose(SHARES, largest or 1.0)
 
 
 def stress_unit(largest: float) -> Unit:
     """Choose a prefix of the pascal for stresses up to ``largest`` [Pa]."""
-    return _choose(STRESSES, tuple(unit.size for unit in STRESSES), largest or 1.0)
+    return _choose(STRESSES, largest or 1.0)
 
 
 def significant(value: float) -> str:
@@ -79,12 +84,6 @@ def nice_floor(value: float) -> float:
     power = 10.0 ** math.floor(math.log10(value))
     # The tiny slack keeps 0.02 / 0.01 a two, and not 1.9999999999999998.
     return max((step for step in (1.0, 2.0, 5.0) if step * power <= value * (1 + 1e-12)), default=1.0) * power
-
-
-def _choose(units: tuple[Unit, ...], begins: tuple[float, ...], largest: float) -> Unit:
-    """Take the last unit whose range has begun; the slack keeps 0.999999999999 s in seconds."""
-    reached = [unit for unit, begin in zip(units, begins, strict=True) if abs(largest) >= begin * (1 - 1e-9)]
-    return reached[-1] if reached else units[0]
 
 
 REGIMES = {
@@ -106,6 +105,5 @@ def regime_words(name: str) -> str:
 
 def error_percent(share: float) -> str:
     """An error in per cent with one digit, two if the first is a one: ``0.09 %``, ``1.1 %``."""
-    rough = f"{100 * share:.1e}"
-    digits = 2 if rough.startswith("1") else 1
+    digits = 2 if f"{100 * share:.1e}".startswith("1") else 1
     return f"{float(f'{100 * share:.{digits}g}'):g} %"

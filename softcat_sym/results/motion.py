@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -48,6 +48,9 @@ SEEN = 0.01
 _TURNS = 4
 """Fewer turning points make no ringing."""
 
+_NO_SAG = 1e-12
+"""Sag over span below which nothing has moved."""
+
 
 def swing_period(time: Floats, midpoint: Floats) -> float | None:
     """Period [s] with which the midpoint swings, by the turning points of its frames; None where it does not."""
@@ -70,8 +73,8 @@ def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float |
     if period is None:
         return None
     step = float(time[-1] - time[0]) / (len(time) - 1)
-    forecast = 2 * math.pi / frequency / step
-    return forecast if 0 < forecast < FRAMES_A_PERIOD else period / step
+    expected = 2 * math.pi / frequency / step
+    return expected if 0 < expected < FRAMES_A_PERIOD else period / step
 
 
 def too_few_frames(time: Floats, per_period: float | None) -> list[str]:
@@ -86,111 +89,79 @@ def too_few_frames(time: Floats, per_period: float | None) -> list[str]:
     ]
 
 
-_LEAST = 1e-12
-"""Sag over span below which nothing has moved."""
-
-
-def seen(
+def observed_motion(
     scene: Scene, effects: Effects, time: Floats, places: tuple[Floats, Floats], fields: Mapping[str, Floats]
 ) -> Motion:
     """Describe the motion of a finished run; what it cannot show, because its effect was left out, is as foreseen."""
-    span, length = scene.filament.span, np.diff(places[0])
-    midpoint, chord = _midpoint(scene, fields)
-    depth = np.abs(midpoint - chord) / span
-    sag = max(float(np.max(depth)), _LEAST)
+    span, length, y = scene.filament.span, np.diff(places[0]), fields["y"]
+    midpoint, expected = y[:, y.shape[1] // 2], forecast(scene)
+    depth = np.abs(midpoint - ((y[:, 0] + y[:, -1]) / 2 if is_held(scene) else 0.0)) / span
+    largest = float(np.max(np.abs(midpoint)))
+    sag = max(float(np.max(depth)), _NO_SAG)
     strain = float(np.max(np.abs((fields["stretch"] - 1) @ length))) / float(np.sum(length))
+    slope = float(np.max(np.abs(np.arctan2(np.diff(y, axis=1), np.diff(fields["x"], axis=1)))))
+    # Phase times amplitude of the ringing, over the largest sag: it travels four amplitudes in 2 pi.
+    travelled = float(np.sum(np.abs(np.diff(midpoint)))) - abs(float(midpoint[-1] - midpoint[0]))
+    # Of what was dissipated and the most that was stored; unknown where a solid dissipates too.
+    lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
+    relaxed = lost / (lost + stored) if lost > 0 and "solid-damping" not in effects.names else 0.0
+    limit, overstress = yield_stress_of(scene), np.inf
+    if limit is not None and "stress_mean" in fields:
+        overstress = float(np.max(np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"]))) / limit
     shared = tension_share(scene, sag)
-    shown = replace(
-        forecast(scene),
+    # Shear follows the transverse force, behind a viscous stress with its retardation time.
+    lag = retardation(scene) if "viscous-stress" in effects.names else 0.0
+    compliance = compliant_sag(scene, lagging(time, fields["shear_force"], lag), length)
+    motion = replace(
+        expected,
         sag=sag,
-        scale=max(float(np.max(np.abs(midpoint))) / span, _LEAST),
+        scale=max(largest / span, _NO_SAG),
         strain=strain,
-        slope=_slope(fields),
+        slope=slope,
         tension_share=shared,
-        swings=_swings(midpoint),
-        relaxed=max(forecast(scene).relaxed, _relaxed(effects, fields)),
-        overstress=_overstress(scene, fields),
+        swings=np.pi / 2 * max(0.0, travelled) / largest if largest else 0.0,
+        relaxed=max(expected.relaxed, relaxed),
+        overstress=overstress,
         flowing_overstress=flowing_overstress(scene, sag),
-        sheared=max(sheared_share(scene, sag, shared), _compliance(scene, effects, time, fields, length) / sag),
+        sheared=max(sheared_share(scene, sag, shared), compliance / sag),
         folds=_folds(scene, strain, time, fields),
-        capillary=_capillary(scene, depth, fields, length),
+        capillary=_capillary(scene, depth, fields, length, expected.capillary),
     )
-    return _what_was_left_out(scene, effects, time, midpoint, shown)
+    return _what_was_left_out(scene, effects, time, midpoint, motion)
 
 
-def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, shown: Motion) -> Motion:
+seen = observed_motion
+
+
+def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, motion: Motion) -> Motion:
     """The numbers that only a run without the effect shows."""
-    names = effects.names
+    names, shown = effects.names, dict[str, Any]()
+
+    def damped(decay: float) -> float:
+        """What a decay [1/s] would have taken from the swings that a run without it shows."""
+        swing = motion.swings / max(1.0, ringing(scene, lossless=True).frequency * scene.run.duration)
+        return float(-swing * np.expm1(-decay * scene.run.duration))
+
     if "inertia" not in names:
-        shown = replace(shown, missed=missed_by(scene, time, midpoint))
-    if "viscous-flow" not in names and np.isfinite(shown.overstress):
+        shown["missed"] = missed_by(scene, time, midpoint)
+    if "viscous-flow" not in names and np.isfinite(motion.overstress):
         # Below the yield stress nothing flows, whatever was foreseen.
-        shown = replace(shown, relaxed=1 - 1 / max(1.0, shown.overstress))
+        shown["relaxed"] = 1 - 1 / max(1.0, motion.overstress)
     if "viscous-stress" not in names and retardation(scene):
-        shown = replace(shown, retarded=max(shown.retarded, _lost(scene, shown.swings, ringing(scene).decay)))
+        shown["retarded"] = max(motion.retarded, damped(ringing(scene).decay))
     if "solid-damping" not in names and scene.material.has_loss:
-        shown = replace(shown, damped=max(shown.damped, _lost(scene, shown.swings, solid_decay(scene))))
+        shown["damped"] = max(motion.damped, damped(solid_decay(scene)))
     if "gravity-ramp" not in names and scene.load.ramp > 0:
         moved = np.abs(midpoint - midpoint[0] * is_slack(scene))
-        risen = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), _LEAST)
-        shown = replace(shown, risen=risen)
-    return shown
+        shown["risen"] = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), _NO_SAG)
+    return replace(motion, **shown)
 
 
-def _lost(scene: Scene, swings: float, decay: float) -> float:
-    """What a decay [1/s] would have taken from the swings that a run without it shows."""
-    swing = swings / max(1.0, ringing(scene, lossless=True).frequency * scene.run.duration)
-    return float(-swing * np.expm1(-decay * scene.run.duration))
-
-
-def _midpoint(scene: Scene, fields: Mapping[str, Floats]) -> tuple[Floats, Floats]:
-    """Height of the midpoint, and of the middle of the line between the ends [m]; with a free one, of the support."""
-    y = fields["y"]
-    line = (y[:, 0] + y[:, -1]) / 2 if is_held(scene) else np.zeros(len(y))
-    return y[:, y.shape[1] // 2], line
-
-
-def _slope(fields: Mapping[str, Floats]) -> float:
-    """Largest angle of any cell against the horizontal [rad]."""
-    rise, run = np.diff(fields["y"], axis=1), np.diff(fields["x"], axis=1)
-    return float(np.max(np.abs(np.arctan2(rise, run))))
-
-
-def _swings(midpoint: Floats) -> float:
-    """Phase times amplitude of the ringing, over the largest sag: it travels four amplitudes in 2 pi."""
-    largest = float(np.max(np.abs(midpoint)))
-    if largest == 0:
-        return 0.0
-    travelled = float(np.sum(np.abs(np.diff(midpoint)))) - abs(float(midpoint[-1] - midpoint[0]))
-    return np.pi / 2 * max(0.0, travelled) / largest
-
-
-def _relaxed(effects: Effects, fields: Mapping[str, Floats]) -> float:
-    """What flow has dissipated, of that and the most that was stored; unknown where a solid dissipates too."""
-    if "solid-damping" in effects.names:
-        return 0.0
-    lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
-    return lost / (lost + stored) if lost > 0 else 0.0
-
-
-def _compliance(scene: Scene, effects: Effects, time: Floats, fields: Mapping[str, Floats], length: Floats) -> float:
-    """Sag over span by shear that follows the transverse force, behind a viscous stress with its retardation time."""
-    lag = retardation(scene) if "viscous-stress" in effects.names else 0.0
-    return compliant_sag(scene, lagging(time, fields["shear_force"], lag), length)
-
-
-def _overstress(scene: Scene, fields: Mapping[str, Floats]) -> float:
-    limit = yield_stress_of(scene)
-    if limit is None or "stress_mean" not in fields:
-        return np.inf
-    return float(np.max(np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"]))) / limit
-
-
-def _capillary(scene: Scene, depth: Floats, fields: Mapping[str, Floats], length: Floats) -> float:
+def _capillary(scene: Scene, depth: Floats, fields: Mapping[str, Floats], length: Floats, expected: float) -> float:
     """Largest share of the pull of the surface in the axial force, times the share of the load carried by that."""
     load, pull = weight_stress(scene) * load_factor(scene), surface_stress(scene)
     if pull == 0 or load == 0 or not is_held(scene):
-        return forecast(scene).capillary
+        return expected
     shrinks = SURFACES[scene.filament.section].shrinks
     surface = pull * (1 / np.sqrt(fields["stretch"]) if shrinks else np.ones_like(fields["stretch"]))
     taut = np.maximum(fields["tension"], 0.0) / undeformed_area(scene)
@@ -207,8 +178,7 @@ def _folds(scene: Scene, strain: float, time: Floats, fields: Mapping[str, Float
         return strain
     stress = np.maximum(fields["stress_mean"] + pull_of_surface(scene) / 2, 0.0)
     rate = stress * fields["yielded_fraction"] / viscosity
-    grown = np.trapezoid(rate, time, axis=0)
-    return max(strain, float(np.max(grown)))
+    return max(strain, float(np.max(np.trapezoid(rate, time, axis=0))))
 
 
 PERIODS = 5
@@ -221,7 +191,7 @@ NOISE = 0.01
 """Share of the accuracy below which a change of the mean is none: the time steps err by about as much."""
 
 MIN_PERIODS = 10.0
-"""In a run of which height and amplitude are told, and no phase, where it rings on to the end."""
+"""A run that rings on to its end for so long is described by height and amplitude, without a phase."""
 
 _SAMPLES = 200
 _FRAMES_PER_PERIOD = 8
@@ -284,19 +254,18 @@ def ringing_at_last(
     if (len(time) - 1 - frame) >= _FRAMES_PER_PERIOD * periods:
         return asdict(ringing_of(heights[frame:])), ""
     again = float(time[-1] - time[frame])
-    if again > max(2 * PERIODS * period, _WORTH * float(time[-1])):
-        return None, "the frames are too far apart to show the ringing: more run.frames would"
-    start = Start(solution.x[:, frame], solution.z[:, frame])
-    piece = prepared.piece(start, (float(time[frame]), begin, float(time[-1])), _SAMPLES, progress)
-    if not piece.outcome.is_success:
-        return None, "the frames are too far apart to show the ringing: more run.frames would"
-    return asdict(ringing_of(midpoint_heights(prepared.graph, piece)[1:] * rest_length(scene) + 0.0)), ""
+    if again <= max(2 * PERIODS * period, _WORTH * float(time[-1])):
+        start = Start(solution.x[:, frame], solution.z[:, frame])
+        piece = prepared.piece(start, (float(time[frame]), begin, float(time[-1])), _SAMPLES, progress)
+        if piece.outcome.is_success:
+            return asdict(ringing_of(midpoint_heights(prepared.graph, piece)[1:] * rest_length(scene) + 0.0)), ""
+    return None, "the frames are too far apart to show the ringing: more run.frames would"
 
 
-def rings_on(scene: Scene, told: dict[str, float] | None, largest: float) -> bool:
-    """Whether a run rings for so long, and to its end, that height and amplitude are all that an answer tells of it."""
+def rings_on(scene: Scene, settled: dict[str, float] | None, largest: float) -> bool:
+    """Whether a run rings for so long, and to its end, that height and amplitude are its whole answer."""
     long = scene.load.shake == 0 and scene.run.duration >= MIN_PERIODS * period_of(scene)
-    return told is not None and long and told["amplitude"] > scene.run.accuracy * largest
+    return settled is not None and long and settled["amplitude"] > scene.run.accuracy * largest
 
 
 def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: Progress) -> float | None:
@@ -314,7 +283,6 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
         return None
     if prepared.integration is None:
         return loaded if 0 < loaded < scene.run.duration else None
-    unit = rest_length(scene)
     flows = "viscous-flow" in effects.names
     window = PERIODS * period_of(scene)
     state, reached, elapsed = prepared.start, 0.0, window
@@ -325,7 +293,7 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
         piece = prepared.piece(state, (reached / scale, samples / scale, end / scale), _SAMPLES, progress)
         if not piece.outcome.is_success:
             return None
-        heights = midpoint_heights(prepared.graph, piece)[1:] * unit
+        heights = midpoint_heights(prepared.graph, piece)[1:] * rest_length(scene)
         largest = max(largest, float(np.max(np.abs(heights))))
         means.append(ringing_of(heights).mean)
         least, left = scene.run.accuracy * largest, scene.run.duration - loaded
@@ -393,25 +361,18 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
 
 def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
     """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`."""
-    pace = _pace(scene)
-    if not pace:
+    material, yield_stress, viscosity = scene.material, yield_stress_of(scene), effective_viscosity(scene)
+    if not yield_stress or not viscosity:
         return False
+    # Plastic strain rate at an overstress as large as the yield stress: sigma_Y/eta, (sigma_Y/K)^(1/n).
+    pace = yield_stress / viscosity
+    if material.viscosity is not None:
+        pace = float((yield_stress / material.viscosity) ** (1 / material.index))
     frames, share = len(plastic_rate), ARREST_TIME
     if scene.load.shake > 0:
         share = min(1.0, max(share, 1 / (scene.load.shake_frequency * scene.run.duration)))
     last = plastic_rate[min(frames - 1, int((1 - share) * (frames - 1))) :]
     return bool(np.max(last) < ARREST_RATE * pace)
-
-
-def _pace(scene: Scene) -> float:
-    """Plastic strain rate at an overstress as large as the yield stress [1/s]: sigma_Y/eta, (sigma_Y/K)^(1/n)."""
-    yield_stress, viscosity = yield_stress_of(scene), effective_viscosity(scene)
-    if not yield_stress or not viscosity:
-        return 0.0
-    material = scene.material
-    if material.viscosity is None:
-        return yield_stress / viscosity
-    return float((yield_stress / material.viscosity) ** (1 / material.index))
 
 
 def turned_back(midpoint: Floats) -> float:

@@ -1,32 +1,64 @@
-"""What a run returns: the trajectory, judged."""
+"""What a run returns: the trajectory, judged; written and read again."""
 
 from __future__ import annotations
 
+import importlib.metadata
+import io
 import json
+import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import damping_note, ringing
-from softcat_sym.results.fields import energy_residual, min_energy, node_positions, whole_span_fields
-from softcat_sym.results.motion import SEEN, frames_a_period, regime_of, ringing_at_last, rings_on, seen, too_few_frames
+from softcat_sym.errors import SoftcatError
+from softcat_sym.results.fields import (
+    COORDINATES,
+    VARIABLES,
+    energy_residual,
+    min_energy,
+    node_positions,
+    whole_span_fields,
+)
+from softcat_sym.results.motion import (
+    SEEN,
+    frames_a_period,
+    observed_motion,
+    regime_of,
+    ringing_at_last,
+    rings_on,
+    too_few_frames,
+)
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence, Solution
+from softcat_sym.store import Form, packed, unpacked
 
 if TYPE_CHECKING:
+    import os
+
+    import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
 
+REFERENCES: Final = (
+    "K. Kamrin and L. Mahadevan, Soft catenaries, J. Fluid Mech. (2012)",
+    "J. A. E. Andersson et al., CasADi, Math. Prog. Comp. 11, 1-36 (2019)",
+    "A. C. Hindmarsh et al., SUNDIALS, ACM Trans. Math. Softw. 31, 363-396 (2005)",
+    "A. Meurer et al., SymPy, PeerJ Comput. Sci. 3, e103 (2017)",
+)
+_VERSIONS: Final = ("softcat_sym", "casadi", "sympy", "numpy")
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Trajectory:
     """A finished run.
 
@@ -34,8 +66,10 @@ class Trajectory:
     ----------
     scene : Scene
         What was asked.
+    fields : mapping of str to ndarray
+        What ``trajectory.nc`` holds, by name, coordinates too.
     data : xarray.Dataset
-        Dims ``time``, ``node``, ``cell``; variables in SI units with ``units`` attributes.
+        The same; dims ``time``, ``node``, ``cell``; variables in SI units with ``units`` attributes.
     summary : dict
         What ``summary.json`` holds.
     outcome : Outcome
@@ -45,26 +79,55 @@ class Trajectory:
         with success.
     heights : ndarray or None
         Midpoint at more times than the frames [m], evenly spaced, where these do not show its ringing.
+    versions : str
+        Of this package and of those it calculates with, as JSON; those of the file, of a run that was read.
     """
 
     scene: Scene
-    data: xr.Dataset
+    fields: Mapping[str, Floats]
     summary: dict[str, Any]
     outcome: Outcome
     missing_effect: dict[str, str]
-    heights: Floats | None = field(default=None, compare=False)
+    heights: Floats | None = None
+    versions: str = field(
+        default_factory=lambda: json.dumps({name: importlib.metadata.version(name) for name in _VERSIONS})
+    )
+
+    @cached_property
+    def data(self) -> xr.Dataset:
+        """The fields as a Dataset."""
+        import xarray as xr
+
+        arrays = {
+            name: (VARIABLES[name].dims, values, variable_attrs(name))
+            for name, values in self.fields.items()
+            if name in VARIABLES
+        }
+        coordinates = {name: arrays.pop(name) for name in COORDINATES}
+        return xr.Dataset(arrays, coords=coordinates, attrs=self._attrs())
+
+    def _attrs(self) -> dict[str, str]:
+        attrs = {
+            "title": self.scene.title,
+            "scene": self.scene.to_toml(),
+            "effects": json.dumps(self.summary.get("effects", {})),
+            "versions": self.versions,
+            "references": "; ".join(REFERENCES),
+            "outcome": self.outcome.name,
+        }
+        return attrs | ({"wall_s": json.dumps(self.summary["wall_s"])} if "wall_s" in self.summary else {})
 
     def __repr__(self) -> str:
-        told, sizes = self.summary, self.data.sizes
-        midpoint = float(self.data["midpoint"].values[-1])
-        share = (told.get("error_estimate") or {}).get("total")
+        summary, time = self.summary, self.fields["time"]
+        share = (summary.get("error_estimate") or {}).get("total")
         error = "not estimated" if share is None else f"{100 * share:.2g} % of the largest"
-        notes = [f"warnings: {len(told['warnings'])}"] if told.get("warnings") else []
+        notes = [f"warnings: {len(summary['warnings'])}"] if summary.get("warnings") else []
+        sizes = {"time": len(time), "node": len(self.fields["X_node"]), "cell": len(self.fields["X_cell"])}
         lines = (
             f"Trajectory {self.scene.title!r}: {', '.join([self.outcome.name, *notes])}",
-            f"midpoint {midpoint:.4g} m at {float(self.data['time'].values[-1]):.4g} s; error {error}",
-            f"regime {told.get('regime') or 'none'}",
-            f"effects {', '.join(told.get('effects') or ['not told'])}",
+            f"midpoint {self.fields['midpoint'][-1]:.4g} m at {time[-1]:.4g} s; error {error}",
+            f"regime {summary.get('regime') or 'none'}",
+            f"effects {', '.join(summary.get('effects') or ['unknown'])}",
             f".data: {', '.join(f'{name} {count}' for name, count in sizes.items())}; .summary, .scene, .outcome",
         )
         return "\n  ".join(lines)
@@ -74,41 +137,35 @@ class Trajectory:
         warnings = [*self.summary["warnings"]]
         if len(repeats) > 1:
             warnings.append(f"repeated {len(repeats)} times: an estimate is wrong for this scene, please report it")
-        outcome = self.outcome
-        if self.missing_effect and outcome.is_success:
-            outcome = Outcome.missing_effect
-        changed: dict[str, Any] = {"repeats": repeats, "warnings": warnings}
-        changed |= {"outcome": outcome.name, "advice": outcome.value}
-        if outcome is not self.outcome:
-            message = "; ".join(f"{name}: {how}" for name, how in self.missing_effect.items())
-            changed |= {"message": message, "regime": None}
-        self.data.attrs["outcome"] = outcome.name
-        return replace(self, summary=self.summary | changed, outcome=outcome)
+        message = "; ".join(f"{name}: {how}" for name, how in self.missing_effect.items())
+        outcome = Outcome.missing_effect if message else None
+        return self._judged_anew({"repeats": repeats, "warnings": warnings}, outcome, message)
 
-    def settled(self, scene: Scene, time: float | None) -> Trajectory:
-        """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
-        self.data.attrs["scene"] = scene.to_toml()
-        return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
-
-    def estimated(self, told: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Trajectory:
+    def estimated(self, errors: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Trajectory:
         """The same run with what its companions tell about its error.
 
         Parameters
         ----------
-        told : mapping
+        errors : mapping
             ``error_estimate``, ``resolution``, ``refinements`` and ``wall_s`` of the summary.
         warnings : sequence of str
             What could not be estimated, and what the user fixed that misses the accuracy.
         missed : str
             By how much the accuracy was missed although everything was tried; empty if it was not.
         """
-        outcome = Outcome.inaccurate if missed and self.outcome.is_success else self.outcome
-        changed: dict[str, Any] = {**told, "outcome": outcome.name, "advice": outcome.value}
-        changed["warnings"] = [*self.summary["warnings"], *warnings]
-        if outcome is not self.outcome:
-            changed |= {"message": missed, "regime": None}
-        self.data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(told["wall_s"])}
+        changed = {**errors, "warnings": [*self.summary["warnings"], *warnings]}
+        return self._judged_anew(changed, Outcome.inaccurate if missed else None, missed)
+
+    def _judged_anew(self, changed: dict[str, Any], outcome: Outcome | None, message: str) -> Trajectory:
+        """The same run, which is refused for another reason if it was sound; what is refused has no regime."""
+        if outcome is None or not self.outcome.is_success:
+            return replace(self, summary=self.summary | changed)
+        changed |= {"outcome": outcome.name, "advice": outcome.value, "message": message, "regime": None}
         return replace(self, summary=self.summary | changed, outcome=outcome)
+
+    def settled(self, scene: Scene, time: float | None) -> Trajectory:
+        """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
+        return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
 
     def plot(self, what: str = "midpoint") -> Figure:
         """Draw one picture of the run.
@@ -126,12 +183,38 @@ class Trajectory:
         from softcat_sym.plotting.notebook import drawn
         from softcat_sym.plotting.run import FIGURES
 
-        return drawn(FIGURES, what, self.data, self.summary, self.scene)
+        return drawn(FIGURES, what, self.fields, self.summary, self.scene)
+
+    def figures(self) -> dict[str, Figure]:
+        """All pictures of the run, by name."""
+        from softcat_sym.plotting.run import FIGURES
+
+        return {what: draw(self.fields, self.summary, self.scene) for what, draw in FIGURES.items()}
+
+    def to_frame(self) -> pd.DataFrame:
+        """What ``midpoint.csv`` holds."""
+        import pandas as pd
+
+        from softcat_sym.plotting.run import midpoint_table
+
+        return pd.DataFrame(midpoint_table(self.fields, self.summary))
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``summary.json`` holds."""
+        return self.summary
 
     def _repr_html_(self) -> str:
         from softcat_sym.plotting.notebook import html
 
         return html(repr(self), self.plot())
+
+    def files(self) -> dict[str, Any]:
+        """What a folder of the run holds, pictures apart."""
+        return {
+            "trajectory.nc": self.to_netcdf(),
+            "summary.json": self.summary,
+            "scene.toml": self.scene.to_toml(),
+        }
 
     def save(self, directory: str | Path) -> list[Path]:
         """Write ``trajectory.nc``, ``summary.json`` and ``scene.toml``; files of the same name are replaced whole.
@@ -141,21 +224,44 @@ class Trajectory:
         OSError
             If the directory cannot be made or written.
         """
-        from softcat_sym.results.files import write_scene, write_summary, write_trajectory
+        from softcat_sym.plotting.files import write_results
 
-        folder = Path(directory)
-        folder.mkdir(parents=True, exist_ok=True)
-        return [
-            write_trajectory(self.data, folder),
-            write_summary(self.summary, folder),
-            write_scene(self.scene.to_toml(), folder),
-        ]
+        return write_results(directory, self.files())
+
+    def to_netcdf(self) -> bytes:
+        """``trajectory.nc``, as xarray would write it, which would have to be loaded.
+
+        It is made in memory: where the disk is full, HDF5 would not only fail, but end the program as it closes the
+        file.
+        """
+        import h5netcdf
+
+        stream = io.BytesIO()
+        with h5netcdf.File(stream, "w") as file:
+            sizes = {"time": self.fields["time"], "node": self.fields["X_node"], "cell": self.fields["X_cell"]}
+            file.dimensions = {name: len(values) for name, values in sizes.items()}
+            file.attrs.update(self._attrs())
+            for name, variable in VARIABLES.items():
+                if name not in self.fields:
+                    continue
+                grid = len(variable.dims) > 1
+                packing: dict[str, Any] = {"compression": "gzip", "compression_opts": 1} if grid else {}
+                written = file.create_variable(
+                    name, variable.dims, data=np.asarray(self.fields[name]), fillvalue=np.nan, **packing
+                )
+                written.attrs.update(variable_attrs(name))
+                if grid:
+                    written.attrs["coordinates"] = f"X_{variable.dims[1]}"
+        return stream.getvalue()
+
+
+def variable_attrs(name: str) -> dict[str, str]:
+    """Attributes of a variable in the file."""
+    return {"units": VARIABLES[name].unit, "long_name": VARIABLES[name].meaning}
 
 
 def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, wall: dict[str, float]) -> Trajectory:
     """Turn a raw solution into a Trajectory, and decide whether it may be trusted."""
-    from softcat_sym.results.fields import dataset_of
-
     fields = whole_span_fields(scene, prepared, solution)
     places, time = node_positions(prepared.graph, rest_length(scene)), solution.time * prepared.scale
     residual = energy_residual(fields, min_energy(scene))
@@ -167,18 +273,19 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         # The run ends there: what follows is no filament.
         sound = max(1, rupture_frame(scene, fields["stretch"]) or 0)
         time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
-    data = dataset_of(scene, effects, time, places, fields)
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     largest = float(np.max(np.abs(midpoint)))
     rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
-    motion = replace(seen(scene, effects, time, places, fields), rings_on=rings_on(scene, rings, largest))
-    measured = measures(scene, effects, motion)
+    motion = observed_motion(scene, effects, time, places, fields)
+    measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, largest)))
     per_period = frames_a_period(time, midpoint, ringing(scene).frequency)
     fades = rings is not None and rings["amplitude"] < SEEN * largest
     warnings = [
         *warnings_of(scene, effects, motion.capillary, places[0], fields, carried),
         *(too_few_frames(time, per_period) if outcome.is_success and not fades else []),
+        *saved(scene, effects, measured),
     ]
+    grid, settings = prepared.graph.grid, prepared.settings
     summary = {
         "schema": 2,
         "title": scene.title,
@@ -205,19 +312,6 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "checked": {name: measure.value for name, measure in measured.items()},
         "repeats": [],
         "closure": scene.run.closure,
-        **_numerics(prepared, solution),
-        "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
-        "warnings": [*warnings, *saved(scene, effects, measured)],
-        "wall_s": wall,
-    }
-    data.attrs |= {"outcome": outcome.name, "wall_s": json.dumps(wall)}
-    return Trajectory(scene, data, summary, outcome, missing_effect(scene, effects, measured, outcome))
-
-
-def _numerics(prepared: Prepared, solution: Solution) -> dict[str, Any]:
-    """What the summary tells of grid and integrator."""
-    grid, settings = prepared.graph.grid, prepared.settings
-    return {
         "cells": grid.cells if grid.is_half else grid.cells // 2,
         "solver": settings.solver,
         "solver_reason": settings.reason,
@@ -225,4 +319,115 @@ def _numerics(prepared: Prepared, solution: Solution) -> dict[str, Any]:
         "steps": solution.steps,
         "backend": "compiled" if prepared.backend.compiled else "interpreted",
         "backend_reason": prepared.backend.reason,
+        "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
+        "warnings": warnings,
+        "wall_s": wall,
     }
+    fields |= {"time": time, "X_node": places[0], "X_cell": places[1], "midpoint": midpoint}
+    return Trajectory(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome))
+
+
+_SUMMARY = "summary"
+
+
+def trajectory_form(scene: Scene) -> Form[Trajectory]:
+    """Return the form in which runs of a scene are stored, whatever its title was when it was run."""
+
+    def write(run: Trajectory) -> bytes:
+        about = json.dumps([run.summary, run.outcome.name, run.missing_effect])
+        return packed({_SUMMARY: np.array(about), **run.fields})
+
+    def read(content: bytes) -> Trajectory:
+        arrays = unpacked(content)
+        summary, outcome, missing = json.loads(str(arrays.pop(_SUMMARY)))
+        return Trajectory(scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
+
+    return Form(write, read)
+
+
+_DRAWN: Final = (*COORDINATES, "x", "y", "midpoint", "thickness")
+_NEEDED: Final = (
+    *_DRAWN, "stress_mean", "stress_bending", "yielded_fraction", "energy_kinetic", "energy_elastic",
+    "energy_potential", "energy_dissipated", "energy_gradient", "work_external",
+)  # fmt: skip
+_ACCEPTED = "accepted: a trajectory.nc that softcat run wrote, or the folder that holds it"
+
+
+def open_run(directory: str | os.PathLike[str]) -> Trajectory:
+    """Read a finished run again, as :func:`softcat_sym.simulate` returned it.
+
+    Parameters
+    ----------
+    directory : str or path
+        Folder into which ``softcat run`` or ``run.save`` wrote, or its ``trajectory.nc``.
+
+    Returns
+    -------
+    Trajectory
+        ``.data``, ``.scene``, ``.outcome``; ``.summary`` is that of the ``summary.json`` beside it, without one of this
+        run it holds title and outcome only.
+
+    Raises
+    ------
+    SoftcatError
+        If there is no run of this program, or it is damaged.
+    """
+    path = Path(directory)
+    path = path / "trajectory.nc" if path.is_dir() else path
+    if not path.is_file():
+        raise SoftcatError(f"{path}: no such file; {_ACCEPTED}")
+    try:
+        fields, attrs = _read_netcdf(path)
+    except OSError as error:
+        raise SoftcatError(f"{path}: cannot be read as netCDF4 ({error}); {_ACCEPTED}") from None
+    if "energy_gradient" in fields:
+        # Of a run from before there was surface tension.
+        fields.setdefault("energy_surface", 0 * fields["energy_gradient"])
+    missing = [name for name in _NEEDED if name not in fields]
+    text = attrs.get("scene")
+    if missing or not isinstance(text, str) or not len(fields["time"]):
+        lacking = ", ".join(missing) or ("its scene" if not isinstance(text, str) else "frames")
+        raise SoftcatError(f"{path}: is no trajectory, it lacks {lacking}; {_ACCEPTED}")
+    outcome = Outcome.__members__.get(str(attrs.get("outcome")))
+    if outcome is None:
+        raise SoftcatError(f"{path}: its outcome {attrs.get('outcome')!r} is not known; {_ACCEPTED}")
+    try:
+        scene = Scene.model_validate(tomllib.loads(text))
+    except tomllib.TOMLDecodeError as error:
+        raise SoftcatError(f"{path}: its scene cannot be read ({error}); {_ACCEPTED}") from None
+    summary: dict[str, Any] = {"title": attrs.get("title", ""), "outcome": outcome.name}
+    try:
+        beside = json.loads(path.with_name("summary.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        beside = None
+    # Only if that is of the same run.
+    if isinstance(beside, dict) and beside.get("midpoint_final_m") == float(fields["midpoint"][-1]):
+        summary = beside
+    return Trajectory(scene, fields, summary, outcome, {}, versions=str(attrs.get("versions", "")))
+
+
+def _read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:
+    """Arrays and attributes of a netCDF file; OSError, in one line, if it is none."""
+    import h5netcdf
+    import h5py
+
+    try:
+        # A file that fails here would fail h5netcdf half made, which then complains a second time as it is closed.
+        with h5py.File(path, "r") as raw:
+            raw.attrs.get("_nc3_strict")
+        with h5netcdf.File(path, "r") as file:
+            fields = {
+                name: np.asarray(variable[...], dtype=float)
+                for name, variable in file.variables.items()
+                if name in VARIABLES and variable.dimensions == VARIABLES[name].dims
+            }
+            return fields, dict(file.attrs)
+    except (OSError, ValueError, LookupError, RuntimeError, TypeError, AttributeError, OverflowError) as error:
+        raise OSError(" ".join(str(error).split())[:120] or type(error).__name__) from error
+
+
+def check_drawable(run: Trajectory) -> None:
+    """Refuse a run that is not finite everywhere."""
+    for name in _DRAWN:
+        if not np.isfinite(run.fields[name]).all():
+            raise SoftcatError(f"{name} is not finite everywhere, so there is nothing to draw; {_ACCEPTED}")

@@ -15,8 +15,6 @@ from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
-from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.results.fields import min_energy
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
@@ -48,8 +46,8 @@ def missing_effect(scene: Scene, effects: Effects, measured: dict[str, Estimate]
     if not outcome.is_success and outcome is not Outcome.energy_drift:
         # Without rotary inertia the angles of sheared sections are algebraic: a stiff pull may leave them no solution.
         turning = set(ROTARY_INERTIA.needs) <= set(effects.names)
-        wanted = [e for e in omitted if e.in_paper or (turning and e is ROTARY_INERTIA)]
-        return {e.name: "the run without it failed" for e in wanted}
+        called_for = [e for e in omitted if e.in_paper or (turning and e is ROTARY_INERTIA)]
+        return {e.name: "the run without it failed" for e in called_for}
     return {
         effect.name: f"the run without it shows that it is worth {measured[effect.name]}"
         for effect in omitted
@@ -89,8 +87,27 @@ elements stop too; for G = 0.4 it ruptures on every grid (tests/acceptance/test_
 _SMOOTH = 0.3
 """Of the neighbours' strain: what a cell much longer than a neck may exceed them by without one."""
 
-_NEGLIGIBLE_ELONGATION = 1e-9
-_RUPTURED = 10.0  # strain beyond which only a thread is left: no number is worth telling
+_RUPTURED = 10.0  # strain beyond which only a thread is left: its number means nothing
+
+THREAD = 1000.0
+"""Stretch beyond which only a thread is left of a fluid: a thirtieth of the thickness, and nothing of the theory."""
+
+STRONGEST = math.e
+"""Stretch at which a bar of true strain is strongest, A0 E log(s)/s: an elastic solid drawn further runs away."""
+
+_GAIN = 0.2
+"""Share by which the energy of a filament may exceed what weight and supports gave it, where the closure is the paper's
+printed one and its balance is no more than approximate; a filament that has run away exceeds it a millionfold."""
+
+_NOISE = 0.01
+"""Of the largest energy: the first frames hold next to nothing, to no accuracy."""
+
+SHORTEST_CELL = 1 / 18
+"""Of the thickness. A ringing filament whose hinge has cells of h0/17 stops where elements do, on 40, 80 and 160 cells;
+with cells of h0/19 to h0/35 it sags a tenth to four times further, differently on every grid."""
+
+_COMPRESSION = 0.02
+"""Of the largest tension: what a string that does not bend may be compressed by."""
 
 
 def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
@@ -105,7 +122,7 @@ def largest_share_of_one_cell(stretch: Floats, length: Floats) -> float:
     shares = [
         float(np.max(excess[half])) / float(np.sum(elongation[half]))
         for half in (slice(None, middle), slice(middle, None))
-        if float(np.sum(elongation[half])) > _NEGLIGIBLE_ELONGATION * float(np.sum(length))
+        if float(np.sum(elongation[half])) > 1e-9 * float(np.sum(length))
     ]
     return max(shares, default=0.0)
 
@@ -130,33 +147,22 @@ def neck_strain(stretch: Floats, length: Floats, neck: float) -> float:
     return float(np.max(np.where(np.isfinite(excess), excess, 0.0) * window / neck))
 
 
-def neck_that_the_grid_decides(stretch: Floats, length: Floats, neck: float | None) -> str:
+def neck_that_the_grid_decides(stretch: Floats, nodes: Floats, neck: float | None) -> str:
     """What is wrong with a neck, or an empty text."""
-    edges = np.concatenate([[0.0], np.cumsum(length)])
-    cell = int(np.argmax(stretch))
-    where = f"X/L = {(edges[cell] + edges[cell + 1]) / 2 / edges[-1] - 0.5:.4g}"
-    if neck is not None:
-        strain = neck_strain(stretch, length, neck)
-        far = f"by {strain:.0%} of its length" if strain < _RUPTURED else f"to more than {_RUPTURED:g} times its length"
-        drawn = f"the neck at {where} is drawn out {far} beyond its neighbourhood: near rupture"
-        return drawn if strain > DRAWN_OUT else ""
-    share = largest_share_of_one_cell(stretch, length)
-    gathered = f"the cell at {where} carries {share:.0%} of the elongation of its half beyond its neighbour"
-    return gathered if share > SHARE_OF_ONE_CELL else ""
+    length, where = np.diff(nodes), f"X/L = {_place(nodes, int(np.argmax(stretch))):.4g}"
+    if neck is None:
+        share = largest_share_of_one_cell(stretch, length)
+        text = f"the cell at {where} carries {share:.0%} of the elongation of its half beyond its neighbour"
+        return text if share > SHARE_OF_ONE_CELL else ""
+    strain = neck_strain(stretch, length, neck)
+    far = f"by {strain:.0%} of its length" if strain < _RUPTURED else f"to more than {_RUPTURED:g} times its length"
+    text = f"the neck at {where} is drawn out {far} beyond its neighbourhood: near rupture"
+    return text if strain > DRAWN_OUT else ""
 
 
-THREAD = 1000.0
-"""Stretch beyond which only a thread is left of a fluid: a thirtieth of the thickness, and nothing of the theory."""
-
-STRONGEST = math.e
-"""Stretch at which a bar of true strain is strongest, A0 E log(s)/s: an elastic solid drawn further runs away."""
-
-_GIFT = 0.2
-"""Share by which the energy of a filament may exceed what weight and supports gave it, where the closure is the paper's
-printed one and its balance is no more than approximate; a filament that has run away exceeds it a millionfold."""
-
-_NOISE = 0.01
-"""Of the largest energy: the first frames hold next to nothing, to no accuracy."""
+def _place(nodes: Floats, cell: int) -> float:
+    """X/L amid a cell, 0 at midspan."""
+    return round(float((nodes[cell] + nodes[cell + 1] - nodes[0] - nodes[-1]) / 2 / (nodes[-1] - nodes[0])), 6) + 0.0
 
 
 def largest_stretch(scene: Scene) -> float:
@@ -175,8 +181,7 @@ def rupture(scene: Scene, time: Floats, stretch: Floats, nodes: Floats) -> str:
     frame = rupture_frame(scene, stretch)
     if frame is None:
         return ""
-    cell = int(np.argmax(np.nan_to_num(stretch[frame], nan=np.inf)))
-    where = round(float((nodes[cell] + nodes[cell + 1]) / 2 / (nodes[-1] - nodes[0])), 6) + 0.0
+    where = _place(nodes, int(np.argmax(np.nan_to_num(stretch[frame], nan=np.inf))))
     return (
         f"by t = {time[frame]:.6g} s the cell at X/L = {where:.4g} is drawn to more than {largest_stretch(scene):.4g} "
         "times its length"
@@ -192,7 +197,7 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
     stored = fields["energy_potential"] + fields["energy_surface"]
     given = held[0] + stored[0] - stored + fields["work_external"]
     noise = _NOISE * np.max(held) + least
-    excess = held - (1 + _GIFT) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
+    excess = held - (1 + _GAIN) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
     frame = int(np.argmax(excess))
     if not excess[frame] > 0:
         return ""
@@ -202,20 +207,17 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
     )
 
 
-SHORTEST_CELL = 1 / 18
-"""Of the thickness. A ringing filament whose hinge has cells of h0/17 stops where elements do, on 40, 80 and 160 cells;
-with cells of h0/19 to h0/35 it sags a tenth to four times further, differently on every grid."""
-
-
-def warnings_of(
-    scene: Scene, effects: Effects, capillary: float, nodes: Floats, fields: dict[str, Floats], residual: float
-) -> list[str]:
-    """Warnings in words, none if the theory holds."""
-    return [
-        *filter(None, (neglected_surface(scene, capillary), rounded_corners(scene))),
-        *_short_hinge_cells(scene, effects, nodes, fields["yielded_fraction"]),
-        *_swelling(scene, effects, residual),
-    ]
+def pushed_string(time: Floats, tension: Floats) -> str:
+    """When a string without bending is pushed together, or an empty text: it has no stiffness against folds."""
+    # Waves along a string leave traces of compression in the first order of the grid.
+    pushed = np.flatnonzero(np.min(tension, axis=1) < -_COMPRESSION * np.max(tension))
+    if not len(pushed):
+        return ""
+    share = -float(np.min(tension[pushed[0]])) / float(np.max(tension))
+    return (
+        f"by t = {time[pushed[0]]:.6g} s the string is pushed together with {share:.0%} of its largest tension: "
+        "without bending that is ill-posed"
+    )
 
 
 def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: Floats) -> float | None:
@@ -227,8 +229,8 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     """
     if not {"yielding", "bending"} <= set(effects.names) or not {"shear", "fibres"} & set(effects.names):
         return None
-    asked = scene.numerics.grading
-    if asked is None or asked <= choose_grading(scene, (len(nodes) - 1) // 2, effects):
+    requested = scene.numerics.grading
+    if requested is None or requested <= choose_grading(scene, (len(nodes) - 1) // 2, effects):
         return None
     ends = [place for place, end in ((0, scene.ends.left), (-1, scene.ends.right)) if end == "clamped"]
     lengths = np.diff(nodes) / scene.filament.thickness
@@ -236,72 +238,52 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     return min(short, default=None)
 
 
-def _short_hinge_cells(scene: Scene, effects: Effects, nodes: Floats, yielded: Floats) -> list[str]:
-    shortest = shortest_hinge_cell(scene, effects, nodes, yielded)
-    if shortest is None:
-        return []
-    return [
-        f"cells of the hinge at a clamp are 1/{1 / shortest:.0f} of the thickness long: below "
-        f"1/{1 / SHORTEST_CELL:.0f} a hinge may neck as the grid lets it; leave out numerics.grading or take fewer "
-        "numerics.cells"
-    ]
-
-
-def _swelling(scene: Scene, effects: Effects, residual: float) -> list[str]:
-    """Without thinning a section swells as it is drawn: the energy that this stores, no force gives back."""
+def warnings_of(
+    scene: Scene, effects: Effects, capillary: float, nodes: Floats, fields: Mapping[str, Floats], residual: float
+) -> list[str]:
+    """Warnings in words, none if the theory holds."""
+    warnings = [*filter(None, (neglected_surface(scene, capillary), rounded_corners(scene)))]
+    shortest = shortest_hinge_cell(scene, effects, nodes, fields["yielded_fraction"])
+    if shortest is not None:
+        warnings.append(
+            f"cells of the hinge at a clamp are 1/{1 / shortest:.0f} of the thickness long: below "
+            f"1/{1 / SHORTEST_CELL:.0f} a hinge may neck as the grid lets it; leave out numerics.grading or take fewer "
+            "numerics.cells"
+        )
+    # Without thinning a section swells as it is drawn: the energy that this stores, no force gives back.
     swells = "finite-stretch" in effects.names and "thinning" not in effects.names
-    if not swells or scene.run.closure != "material" or residual <= scene.run.accuracy:
-        return []
-    return [
-        f"the energy residual, {residual:.2g}, exceeds the accuracy of {scene.run.accuracy:g}: with finite-stretch and "
-        "without thinning the section swells as it is drawn, and energy is not conserved; add thinning to run.effects"
-    ]
-
-
-_COMPRESSION = 0.02
-"""Of the largest tension: what a string that does not bend may be compressed by."""
+    if swells and scene.run.closure == "material" and residual > scene.run.accuracy:
+        warnings.append(
+            f"the energy residual, {residual:.2g}, exceeds the accuracy of {scene.run.accuracy:g}: with finite-stretch "
+            "and without thinning the section swells as it is drawn, and energy is not conserved; add thinning to "
+            "run.effects"
+        )
+    return warnings
 
 
 def verdict(
-    scene: Scene, effects: Effects, solution: Solution, fields: dict[str, Floats], nodes: Floats, residual: float
+    scene: Scene, effects: Effects, solution: Solution, fields: Mapping[str, Floats], nodes: Floats, residual: float
 ) -> tuple[Outcome, str]:
     """Decide: a neck that the grid decides, a rupture, a failed integration, an energy balance that stays open."""
     if solution.outcome is Outcome.no_equilibrium and not solution.steps:
         # Nothing was found to begin from: what the frame holds is no state of the filament.
         return solution.outcome, solution.message
+    names, time, stretch = set(effects.names), solution.time * time_scale(scene), fields["stretch"]
     # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
-    runs_away = {NECKING_GRADIENT.name, YIELDING.name} <= set(effects.names)
-    length = neck_length(scene) if runs_away else None
+    neck = neck_length(scene) if {"necking-gradient", "yielding"} <= names else None
     # An elastic filament is as uneven as its load: only flow gathers strain.
-    flows = VISCOUS_FLOW.name in effects.names
-    neck = neck_that_the_grid_decides(fields["stretch"][-1], np.diff(nodes), length) if flows else ""
-    if neck:
-        return Outcome.localised, "; ".join(filter(None, [neck, solution.message]))
-    torn = rupture(scene, solution.time * time_scale(scene), fields["stretch"], nodes)
+    necked = neck_that_the_grid_decides(stretch[-1], nodes, neck) if "viscous-flow" in names else ""
+    if necked:
+        return Outcome.localised, "; ".join(filter(None, [necked, solution.message]))
+    torn = rupture(scene, time, stretch, nodes)
     if torn:
         return Outcome.ruptured, "; ".join(filter(None, [torn, solution.message]))
     if not solution.outcome.is_success:
         return solution.outcome, solution.message
-    if "bending" not in effects.names:
-        pushed = _pushed_string(solution.time * time_scale(scene), fields.get("axial_force", fields["tension"]))
-        if pushed:
-            return Outcome.compressed, pushed
+    pushed = pushed_string(time, fields.get("axial_force", fields["tension"])) if "bending" not in names else ""
+    if pushed:
+        return Outcome.compressed, pushed
     gained = gained_energy(fields, min_energy(scene)) if solution.steps else ""
-    if gained:
-        return Outcome.energy_drift, gained
-    if residual > scene.run.accuracy:
-        return Outcome.energy_drift, f"energy residual {residual:.2g} against an accuracy of {scene.run.accuracy:g}"
-    return Outcome.solved, ""
-
-
-def _pushed_string(time: Floats, tension: Floats) -> str:
-    """When a string without bending is pushed together, or an empty text: it has no stiffness against folds."""
-    # Waves along a string leave traces of compression in the first order of the grid.
-    pushed = np.flatnonzero(np.min(tension, axis=1) < -_COMPRESSION * np.max(tension))
-    if not len(pushed):
-        return ""
-    share = -float(np.min(tension[pushed[0]])) / float(np.max(tension))
-    return (
-        f"by t = {time[pushed[0]]:.6g} s the string is pushed together with {share:.0%} of its largest tension: "
-        "without bending that is ill-posed"
-    )
+    if not gained and residual > scene.run.accuracy:
+        gained = f"energy residual {residual:.2g} against an accuracy of {scene.run.accuracy:g}"
+    return (Outcome.energy_drift, gained) if gained else (Outcome.solved, "")

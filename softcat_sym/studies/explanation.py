@@ -9,7 +9,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
-from softcat_sym.discretization.graph import Graph, parameter_values
+from softcat_sym.discretization.graph import parameter_values
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain
@@ -102,14 +102,14 @@ class Unknown:
 
 @dataclass(frozen=True, slots=True)
 class GraphSize:
-    """Size of what is integrated; `cells` and `nodes` are those of the half span where it is symmetric."""
+    """Size of what is integrated; `cells` are those of the half span where it is symmetric."""
 
     cells: int
     half: bool
     differential: int
     algebraic: int
     instructions: int
-    parameters: tuple[tuple[str, float], ...]
+    parameters: dict[str, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,10 +129,8 @@ class Explanation:
 
     Attributes
     ----------
-    title, law, model, closure : str
+    title, law, model, closure, accuracy : str or float
         What is asked.
-    accuracy : float
-        Likewise.
     groups : tuple of Group
         Those that the law has.
     regime : ExpectedRegime
@@ -179,11 +177,9 @@ class Explanation:
         """Names of the effects in force."""
         return tuple(decided.effect for decided in self.effects if decided.in_force)
 
-    def as_dict(self) -> dict[str, Any]:
-        """The same as nested dictionaries and lists, fit for JSON."""
-        plain = dataclasses.asdict(self)
-        plain["graph"]["parameters"] = dict(self.graph.parameters)
-        return plain
+    def to_dict(self) -> dict[str, Any]:
+        """What ``explain.json`` holds."""
+        return dataclasses.asdict(self)
 
 
 def explain(scene: SceneLike) -> Explanation:
@@ -207,52 +203,66 @@ def explain(scene: SceneLike) -> Explanation:
     scene = as_scene(scene)
     effects = choose_effects(scene)
     filament = assembled(scene, effects)
-    equations, graph = filament.equations, filament.graph
-    regime = expected_regime(scene, effects.names)
-    decisions = tuple(
-        Decided(
-            effect=decision.effect.name,
-            summary=decision.effect.summary,
-            in_force=decision.in_force,
-            estimate=decision.estimate.value if decision.estimate else None,
-            meaning=decision.estimate.meaning if decision.estimate else "",
-            formula=decision.estimate.formula if decision.estimate else "",
-            reason=decision.why,
+    graph, regime = filament.graph, expected_regime(scene, effects.names)
+    decisions = []
+    for decision in effects.decisions:
+        guess = decision.estimate
+        worth: tuple[Any, str, str] = (guess.value, guess.meaning, guess.formula) if guess else (None, "", "")
+        decisions.append(
+            Decided(decision.effect.name, decision.effect.summary, decision.in_force, *worth, decision.why)
         )
-        for decision in effects.decisions
+    groups = groups_of(scene)
+    known = {name: getattr(groups, name) for name in GROUP_MEANINGS}
+    # The plastic states of all points through the thickness are one kind of unknown, and so of all modes.
+    unknowns = [
+        Unknown(kind, KINDS.get(kind, "plastic strains"), number, algebraic)
+        for kinds, algebraic in ((graph.x_kinds, False), (graph.z_kinds, True))
+        for kind, number in Counter(_NUMBERS.sub("", kind) or kind for kind in kinds).items()
+    ]
+    values = parameter_values(scene)
+    size = GraphSize(
+        cells=graph.grid.cells,
+        half=graph.grid.is_half,
+        differential=int(graph.x.numel()),
+        algebraic=int(graph.z.numel()),
+        instructions=graph.instructions,
+        parameters={name: float(values[name]) for name in graph.parameters},
     )
+    backend = choose_backend(scene, effects)
+    settings = settings_for(scene, effects, compiled=backend.compiled)
     return Explanation(
         title=scene.title,
         law=scene.material.law,
         model=scene.model,
         closure=scene.run.closure,
         accuracy=scene.run.accuracy,
-        groups=_groups(scene),
+        groups=tuple(
+            Group(name, float(value) if value < math.inf else None, GROUP_MEANINGS[name])
+            for name, value in known.items()
+            if value is not None
+        ),
         regime=regime,
         sag=expected_sag(scene),
         strain=expected_strain(scene),
-        effects=decisions,
-        equations=equations_in_force(equations, reduced=scene.model == "small-deflection"),
-        unknowns=_unknowns(graph),
-        graph=_size(scene, graph),
-        integrator=_integrator(scene, effects),
+        effects=tuple(decisions),
+        equations=equations_in_force(filament.equations, reduced=scene.model == "small-deflection"),
+        unknowns=tuple(unknowns),
+        graph=size,
+        integrator=Integrator(settings.solver, str(backend), settings.rtol, settings.atol, settings.reason),
         damping=damping_note(scene),
-        ringing=_ringing(scene, effects, graph),
+        ringing=_ringing(scene, effects, size),
         warnings=theory_limits(scene, regime),
     )
 
 
-def _ringing(scene: Scene, effects: Effects, graph: Graph) -> str:
+def _ringing(scene: Scene, effects: Effects, size: GraphSize) -> str:
     """For how many periods of the first mode the filament rings, and the seconds of the processor that takes.
 
     Right to a factor of two or three where it is compiled; see :data:`STEPS_PER_PERIOD`.
     """
     vibration, rings = first_vibration(scene), ringing(scene)
-    if (
-        vibration is None
-        or "inertia" not in effects.names
-        or rings.amplitude < scene.run.accuracy * expected_sag(scene)
-    ):
+    audible = rings.amplitude >= scene.run.accuracy * expected_sag(scene)
+    if vibration is None or "inertia" not in effects.names or not audible:
         return ""
     frequency = vibration.frequency / (2 * math.pi)
     damped = rings.decay > 0
@@ -260,44 +270,7 @@ def _ringing(scene: Scene, effects: Effects, graph: Graph) -> str:
     at_first, growth, power = STEPS_PER_PERIOD["damped" if damped else "ramp" if scene.load.ramp > 0 else "sudden"]
     steps = at_first * (frequency * lasts) ** growth * (0.01 / scene.run.accuracy) ** power
     runs = BESIDE if scene.numerics.estimate else 1.0
-    seconds = steps * (graph.x.numel() + graph.z.numel()) * SECONDS_PER_UNKNOWN * runs
-    told = float(f"{seconds:.1g}")
-    text = f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {told:g} s of the processor"
+    seconds = steps * (size.differential + size.algebraic) * SECONDS_PER_UNKNOWN * runs
+    about = float(f"{seconds:.1g}")
+    text = f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {about:g} s of the processor"
     return text if damped or seconds < LONG else f"{text}; set load.ramp or material.loss_tangent"
-
-
-def _groups(scene: Scene) -> tuple[Group, ...]:
-    known = groups_of(scene)
-    values = {name: getattr(known, name) for name in GROUP_MEANINGS}
-    return tuple(
-        Group(name, float(value) if value < float("inf") else None, GROUP_MEANINGS[name])
-        for name, value in values.items()
-        if value is not None
-    )
-
-
-def _unknowns(graph: Graph) -> tuple[Unknown, ...]:
-    """Kinds of unknown; the plastic states of all points through the thickness are one kind, and so of all modes."""
-    found: list[Unknown] = []
-    for kinds, algebraic in ((graph.x_kinds, False), (graph.z_kinds, True)):
-        for kind, number in Counter(_NUMBERS.sub("", kind) or kind for kind in kinds).items():
-            found.append(Unknown(kind, KINDS.get(kind, "plastic strains"), number, algebraic))
-    return tuple(found)
-
-
-def _size(scene: Scene, graph: Graph) -> GraphSize:
-    values = parameter_values(scene)
-    return GraphSize(
-        cells=graph.grid.cells,
-        half=graph.grid.is_half,
-        differential=int(graph.x.numel()),
-        algebraic=int(graph.z.numel()),
-        instructions=graph.instructions,
-        parameters=tuple((name, float(values[name])) for name in graph.parameters),
-    )
-
-
-def _integrator(scene: Scene, effects: Effects) -> Integrator:
-    backend = choose_backend(scene, effects)
-    settings = settings_for(scene, effects, compiled=backend.compiled)
-    return Integrator(settings.solver, str(backend), settings.rtol, settings.atol, settings.reason)

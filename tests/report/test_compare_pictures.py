@@ -52,9 +52,8 @@ def run_away(comparison: Comparison) -> Comparison:
     time, elements = comparison.elements.time, comparison.elements.midpoint
     own, material, printed = comparison.filaments
     half = np.where(time <= time[-1] / 2, own.midpoint, np.nan)
-    trajectory = replace(
-        own.trajectory, data=own.trajectory.data.isel(time=slice(0, 11)), outcome=Outcome.no_convergence
-    )
+    fields = style.first_frames(own.trajectory.fields, 11)
+    trajectory = replace(own.trajectory, fields=fields, outcome=Outcome.no_convergence)
     own = with_midpoint(replace(own, trajectory=trajectory), time, half, elements)
     return replace(comparison, filaments=(own, material, with_midpoint(printed, time, 1e4 * elements, elements)))
 

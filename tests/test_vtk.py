@@ -18,10 +18,16 @@ from softcat_sym.plotting import vtk
 from softcat_sym.plotting.vtk import write_vtk
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.reference.elements import ElementRun, element_fields, run_elements
-from tests.reference.strips import shortened
+from softcat_sym.scene.scene import Scene, elastic_time
 
 meshio = pytest.importorskip("meshio")
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler: install gcc, or set CC")
+
+
+def shortened(scene: Scene, elastic_times: float, frames: int) -> Scene:
+    """The scene over another time, in L sqrt(rho/E)."""
+    return scene.replace({"run.duration": f"{elastic_times * elastic_time(scene)!r} s", "run.frames": frames})
+
 
 SCENE = shortened(sc.load_scene("continual-descent"), 15.0, 4)
 
@@ -37,42 +43,32 @@ def read(folder: Path) -> list[tuple[float, Any]]:
     return [(float(row.attrib["timestep"]), meshio.read(folder / row.attrib["file"])) for row in rows]
 
 
-def test_series_reads_back(run: ElementRun, tmp_path: Path) -> None:
+def test_series_reads_back_with_the_deformed_centreline_of_the_run(run: ElementRun, tmp_path: Path) -> None:
     written = write_vtk(SCENE, run, tmp_path / "vtk")
     assert sorted(written) == sorted((tmp_path / "vtk").iterdir())
     found = read(tmp_path / "vtk")
     assert [time for time, _ in found] == pytest.approx(list(run.rate_time), abs=0)
     for (_, mesh), rate in zip(found, run.rate, strict=True):
-        assert mesh.cells[0].type == "quad8"
-        assert len(mesh.cells[0].data) == 24
+        assert mesh.cells[0].type == "quad8" and len(mesh.cells[0].data) == 24
         assert mesh.cell_data["plastic_shear_rate_at_points"][0] == pytest.approx(math.sqrt(3) * rate, abs=0)
     assert run.rate[-1].max() > 0
-
-
-def test_deformed_centreline_is_that_of_the_run(run: ElementRun, tmp_path: Path) -> None:
-    write_vtk(SCENE, run, tmp_path)
-    mesh = read(tmp_path)[-1][1]
+    mesh = found[-1][1]
     centre = np.isclose(mesh.points[:, 1], 0, atol=1e-12)
     order = np.argsort(mesh.points[centre, 0])
     place = (mesh.points + mesh.point_data["displacement"])[centre][order]
     assert place[:, 0] == pytest.approx(run.x[-1], rel=1e-12)
     assert place[:, 1] == pytest.approx(run.y[-1], rel=1e-12)
-
-
-def test_elements_are_wound_and_numbered_as_vtk_wants(run: ElementRun, tmp_path: Path) -> None:
-    """Corners counter-clockwise, then the middle of each side; the areas add up to half the filament."""
-    write_vtk(SCENE, run, tmp_path)
-    mesh = read(tmp_path)[0][1]
-    at = mesh.points[mesh.cells[0].data]
+    # Corners counter-clockwise, then the middle of each side; the areas add up to half the filament.
+    at = found[0][1].points[found[0][1].cells[0].data]
     corner, middle = at[:, :4], at[:, 4:]
-    assert middle == pytest.approx((corner + np.roll(corner, -1, axis=1)) / 2, abs=1e-15)
     following = np.roll(corner, -1, axis=1)
+    assert middle == pytest.approx((corner + following) / 2, abs=1e-15)
     area = 0.5 * (corner[..., 0] * following[..., 1] - corner[..., 1] * following[..., 0]).sum(axis=1)
     assert area.min() > 0
     assert area.sum() == pytest.approx(SCENE.filament.span * SCENE.filament.thickness / 2, rel=1e-12)
 
 
-def test_stress_of_a_field_gives_the_rate_that_was_recorded(run: ElementRun) -> None:
+def test_stress_gives_the_rate_that_was_recorded_and_its_mean_is_in_the_file(run: ElementRun, tmp_path: Path) -> None:
     """Bingham's law by hand, rate = (sigma_eq - sY)/eta, with the stress from displacements and plastic state."""
     *_, field = element_fields(SCENE, run)
     along, shear, across = field.stress[..., 0, 0], field.stress[..., 0, 1], field.stress[..., 1, 1]
@@ -80,25 +76,20 @@ def test_stress_of_a_field_gives_the_rate_that_was_recorded(run: ElementRun) -> 
     rate = np.maximum(equivalent - SCENE.material.yield_stress, 0) / SCENE.material.viscosity
     assert rate.max() > 0
     assert math.sqrt(3) * rate == pytest.approx(field.shear_rate, abs=2e-3 * math.sqrt(3) * rate.max())
-
-
-def test_stress_in_the_file_is_the_mean_of_the_points(run: ElementRun, tmp_path: Path) -> None:
     write_vtk(SCENE, run, tmp_path)
-    *_, field = element_fields(SCENE, run)
     written = read(tmp_path)[-1][1].cell_data["cauchy_stress"][0].reshape(-1, 3, 3)
     assert written[:, :2, :2] == pytest.approx(field.stress.mean(axis=1), rel=1e-12)
     assert not written[:, 2].any() and not written[:, :, 2].any()
 
 
-def test_instants_from_before_displacements_were_kept_are_left_out(run: ElementRun, tmp_path: Path) -> None:
-    """A checkpoint of an earlier version has none; what was kept since is written."""
+def test_instants_without_displacements_are_left_out_and_such_a_checkpoint_is_still_read(
+    run: ElementRun, tmp_path: Path
+) -> None:
+    """A checkpoint of an earlier version has none; what was recorded since is written."""
     displacement = run.displacement.copy()
     displacement[:2] = np.nan
     write_vtk(SCENE, replace(run, displacement=displacement), tmp_path)
     assert [time for time, _ in read(tmp_path)] == pytest.approx(list(run.rate_time[2:]), abs=0)
-
-
-def test_a_checkpoint_without_displacements_is_still_read(tmp_path: Path) -> None:
     scene, path = shortened(SCENE, 2.0, 3), tmp_path / "elements.npz"
     whole = run_elements(scene, Mesh(4, 2), checkpoint=path)
     with np.load(path) as archive:

@@ -1,4 +1,4 @@
-"""Finished runs, one of each kind, computed once."""
+"""Short, coarse scenes of one law, and finished runs, one of each kind, computed once."""
 
 from __future__ import annotations
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
-import xarray as xr
+
+Fields = dict[str, np.ndarray]
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ def catenary(sag: float, span: float, x: np.ndarray) -> np.ndarray:
     return 2 * high * (np.sinh(x / (2 * high)) ** 2 - np.sinh(span / (4 * high)) ** 2)
 
 
-def run_of(scene: Scene, sags: np.ndarray, times: np.ndarray, cells: int = 160) -> xr.Dataset:
+def run_of(scene: Scene, sags: np.ndarray, times: np.ndarray, cells: int = 160) -> Fields:
     """Nodes sink vertically along catenaries, thinning as h0 s^-1/2.
 
     The stress is yield * (u + 2 u c(X) zeta) with u the sag over the largest and c = 2 (2X/L)^6 - 0.4, so that the ends
@@ -95,16 +96,8 @@ def run_of(scene: Scene, sags: np.ndarray, times: np.ndarray, cells: int = 160) 
         "energy_surface": 0 * dissipated,
         "work_external": kinetic + elastic + potential + dissipated - residual,
     }
-    return xr.Dataset(
-        {
-            "x": (("time", "node"), x.copy()),
-            "y": (("time", "node"), y),
-            "midpoint": ("time", -sags.astype(float)),
-            **{name: (("time", "cell"), value) for name, value in per_cell.items()},
-            **{name: ("time", value) for name, value in energies.items()},
-        },
-        coords={"time": times, "X_node": ("node", X), "X_cell": ("cell", Xc)},
-    )
+    places = {"time": times, "X_node": X, "X_cell": Xc, "x": x.copy(), "y": y, "midpoint": -sags.astype(float)}
+    return {**places, "stretch": stretch, **per_cell, **energies}
 
 
 @pytest.fixture
@@ -123,12 +116,12 @@ def make_scene() -> Callable[..., Scene]:
 
 
 @pytest.fixture
-def make_run() -> Callable[..., xr.Dataset]:
+def make_run() -> Callable[..., Fields]:
     return run_of
 
 
 @pytest.fixture
-def descent(scene: Scene) -> xr.Dataset:
+def descent(scene: Scene) -> Fields:
     """A quarter of the span in two seconds, slower and slower."""
     times = np.linspace(0, 2, 201)
     return run_of(scene, 0.25 * scene.filament.span * (1 - np.exp(-3 * times)) / (1 - np.exp(-6)), times)

@@ -1,0 +1,375 @@
+"""Films and the gallery: what is drawn is what the trajectory says, what a lesson says is what the run shows."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from importlib.util import find_spec
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib import colormaps
+from matplotlib.image import imread
+from PIL import Image
+
+import softcat_sym as sc
+from softcat_sym.errors import SoftcatError
+from softcat_sym.plotting.animation import Animation, film_order, write_film
+from softcat_sym.plotting.gallery import contact_sheet, exhibit_of
+from softcat_sym.plotting.section import Floats
+from softcat_sym.plotting.style import first_frames, new_figure, png
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.scene.bundled import bundled_lesson, bundled_text
+from tests.cli.in_process import Softcat
+
+from .common.catenary import descent, make_run, make_scene, scene, summary
+
+__all__ = ["descent", "make_run", "make_scene", "scene", "summary"]
+
+HAS_FFMPEG = shutil.which("ffmpeg") is not None or find_spec("imageio_ffmpeg") is not None
+KINDS = ["gif", pytest.param("mp4", marks=pytest.mark.skipif(not HAS_FFMPEG, reason="ffmpeg"))]
+
+
+def pulled(scene, stretch: float, stress: float = 5e3) -> dict[str, Floats]:
+    """A straight filament that is pulled evenly, as wide as before: h = h0/stretch, axial stress growing with it."""
+    span, thickness, cells = scene.filament.span, scene.filament.thickness, 20
+    time = np.linspace(0, 1, 11)
+    by = 1 + (stretch - 1) * time[:, None]
+    X = np.linspace(-span / 2, span / 2, cells + 1)
+    ones = np.ones((time.size, cells))
+    places = {"time": time, "X_node": X, "X_cell": 0.5 * (X[1:] + X[:-1]), "x": by * X, "y": 0 * by * X}
+    cell = {"thickness": thickness / by * ones, "stress_mean": stress * time[:, None] * ones, "plastic_rate": ones}
+    return {**places, "midpoint": -1e-3 * time, **cell, "stress_bending": 0 * ones, "yielded_fraction": 0 * ones}
+
+
+def column(animation: Animation, picture: np.ndarray, x: float) -> tuple[np.ndarray, int]:
+    """Pixels of the picture from top to bottom at a place of the filament [mm], and the row of the axis y = 0."""
+    across, up = animation.axes.transData.transform((x, 0.0))
+    return picture[:, round(across)].astype(int), picture.shape[0] - 1 - round(up)
+
+
+def reddish(picture: np.ndarray) -> np.ndarray:
+    red, green, blue = np.moveaxis(picture.astype(int), 2, 0)
+    return (red > green + 60) & (red > blue + 60)
+
+
+def test_the_drawn_thickness_is_the_first_over_the_stretch_within_a_pixel(make_scene, summary):
+    thick = make_scene(thickness=0.04)
+    animation = Animation(pulled(thick, 2.0, stress=0.0), summary, thick, 11)
+    across, up = (
+        np.diff(animation.axes.transData.transform([(0, 0), end]), axis=0)[0, k]
+        for k, end in enumerate([(1, 0), (0, 1)])
+    )
+    assert across == pytest.approx(up)  # pixel per mm
+    for number, stretch in ((0, 1.0), (5, 1.5), (10, 2.0)):
+        pixels, axis = column(animation, animation.picture(number), 10.0)
+        # The edges are dark and 1.25 pixels wide: their centres of darkness. Farther out is the shape at the start.
+        darkness = np.clip(130 - pixels.max(axis=1), 0, None).astype(float)
+        rows, reach = np.arange(len(pixels)), 0.7 * 40 / stretch * up
+        above, below = (rows < axis) & (rows > axis - reach), (rows > axis) & (rows < axis + reach)
+        edges = [np.average(rows[side], weights=darkness[side]) for side in (above, below)]
+        assert edges[1] - edges[0] == pytest.approx(40 / stretch * up, abs=1.0)
+
+
+def test_the_colour_is_the_stress_and_what_yields_is_hatched(make_scene, summary):
+    thick = make_scene(thickness=0.04, limit=1e4)
+    animation = Animation(pulled(thick, 1.2), summary, thick, 11)
+    for number, share in ((2, 0.2), (6, 0.6)):
+        pixels, axis = column(animation, animation.picture(number), 13.0)
+        np.testing.assert_allclose(pixels[axis - 12], 255 * np.array(colormaps["YlGnBu"](share)[:3]), atol=3)
+    for limit, hatched in ((6e3, False), (4e3, True)):
+        strong = make_scene(thickness=0.04, limit=limit)
+        count = int(reddish(Animation(pulled(strong, 1.2), summary, strong, 11).picture(10)[:250]).sum())
+        assert count > 1000 if hatched else count == 0
+    # The core of a bent section is not hatched: beyond the yield stress where |zeta| > 1/2.
+    run = pulled(thick, 1.0, stress=0.0)
+    bent = Animation(run | {"stress_bending": run["stress_bending"] + 2e4}, summary, thick, 3)
+    picture = bent.picture(2)
+    (left, low), (right, high) = bent.axes.transData.transform([(-80, -20), (80, 20)]).round().astype(int)
+    tall = picture.shape[0] - 1
+    hatched_rows = reddish(picture[tall - high : tall - low, left:right]).mean(axis=1)
+    zeta = np.linspace(1, -1, len(hatched_rows))
+    assert np.all(hatched_rows[np.abs(zeta) < 0.45] == 0)
+    for side in (zeta, -zeta):
+        assert hatched_rows[(side > 0.55) & (side < 0.95)].mean() > 0.02
+
+
+def test_pictures_stand_at_equal_times_between_frames_and_leave_no_trace(descent, summary, scene):
+    animation = Animation(descent, summary, scene, 25, width=640)
+    np.testing.assert_allclose(animation.times, np.linspace(0, 2, 25))
+    first = animation.picture(0)
+    assert np.any(first != animation.picture(24))
+    np.testing.assert_array_equal(animation.picture(0), first)
+    assert first.shape[1::-1] == animation.size
+    assert first.shape[1] == 640 and first.shape[0] % 2 == 0
+    whole = ("X_node", "X_cell")
+    thinned = {name: values if name in whole else values[::100] for name, values in descent.items()}
+    film = Animation(thinned, summary, scene, 5)._film
+    assert film.moment(1).midpoint == pytest.approx(0.5 * (descent["midpoint"][0] + descent["midpoint"][100]))
+    assert film.moment(4).midpoint == descent["midpoint"][-1]
+    bad = Animation(descent, summary | {"outcome": "localised"}, scene, 3, width=640)
+    good = Animation(descent, summary, scene, 3, width=640)
+    for number in range(3):
+        differs = np.any(bad.picture(number) != good.picture(number), axis=2)
+        assert differs[len(differs) // 3 : 2 * len(differs) // 3].mean() > 0.02, "every moment is stamped"
+
+
+def test_the_curve_has_every_frame_of_the_run_and_a_film_that_cannot_show_the_ringing_says_so(
+    descent, summary, scene, make_run
+):
+    """Twenty pictures of a run that rings 108 times: the curve is the run's, not the pictures'."""
+    times = np.linspace(0, 2, 2001)
+    run = make_run(scene, 0.02 - 0.01 * np.cos(2 * np.pi * 53.75 * times), times, cells=20)
+    animation = Animation(run, summary | {"frames_a_period": 1000 / 53.75}, scene, 20, width=640)
+    (panel,) = (axes for axes in animation.figure.axes if axes.get_ylabel().startswith("midpoint"))
+    np.testing.assert_allclose(panel.lines[0].get_xdata(), times)
+    np.testing.assert_allclose(panel.lines[0].get_ydata(), 1e3 * run["midpoint"])
+    animation.picture(10)
+    past = animation._past.get_xdata()
+    assert len(past) > 1000 and past[-1] == pytest.approx(animation.times[10])
+    for per_period, moments, text in (
+        (1000 / 53.75, 100, "rings at 53.8 Hz: pictures 20.2 ms apart do not show that, the curve does; a film 4.3"),
+        (1000 / 53.75, 500, ""),
+        (3.0, 100, "rings at 333 Hz: the 2001 frames of the run are too few"),
+        (None, 100, ""),
+    ):
+        animation = Animation(run, summary | {"frames_a_period": per_period}, scene, moments, width=640)
+        assert text in animation.note and bool(text) == bool(animation.note)
+        assert not text or animation.note in [shown.get_text() for shown in animation.figure.texts]
+    flat = Animation(make_run(scene, 1e-4 * times[::200], times[::200]), summary, scene, 3)
+    assert "vertical scale × " in flat.axes.get_xlabel()
+    assert "scale" not in Animation(descent, summary, scene, 3).axes.get_xlabel()
+    runaway = make_run(scene, 0.01 + 4.905 * np.maximum(times - 0.5, 0.0) ** 2, times, cells=40)
+    short = Animation(runaway, summary | {"outcome": "localised"}, scene, 5, width=640)
+    assert short.times[-1] < 0.8 and short.axes.get_ylim()[0] > -300
+
+
+def test_a_gif_holds_every_picture_for_its_time(descent, summary, scene, make_run, make_scene, tmp_path):
+    steps: list[str] = []
+    path, note = write_film(film_order("ink.gif", 2.0), tmp_path, (descent, summary, scene), steps.append, width=640)
+    assert note == "" and [entry.name for entry in tmp_path.iterdir()] == ["ink.gif"]
+    assert steps == [f"picture {k} of 25" for k in range(1, 26)]
+    with Image.open(path) as film:
+        assert (film.n_frames, film.info["loop"], film.size[0]) == (25, 0, 640)
+        pauses = []
+        for k in range(film.n_frames):
+            film.seek(k)
+            pauses.append(film.info["duration"])
+        assert pauses[:-1] == [80] * 24
+        last = np.asarray(film.convert("RGB")).astype(int)
+    drawn = Animation(descent, summary, scene, 25, width=640).picture(24).astype(int)
+    assert np.abs(last - drawn).mean() < 2  # 128 colours
+    assert path.stat().st_size < 1_000_000
+    # A single frame and a law without yield stress make a film, too.
+    plain = make_scene(law="maxwell", limit=None)
+    run = make_run(plain, np.array([0.02]), np.array([0.0]))
+    path, _ = write_film(film_order("gif", 0.5), tmp_path, (run, summary, plain), width=320)
+    assert Image.open(BytesIO(path.read_bytes())).format == "GIF"
+
+
+@pytest.mark.skipif(not HAS_FFMPEG, reason="needs ffmpeg, or the package imageio-ffmpeg")
+def test_an_mp4_holds_every_picture_and_an_ffmpeg_that_fails_is_quoted(descent, summary, scene, tmp_path):
+    order = film_order("mp4", 1.0)
+    path, _ = write_film(order, tmp_path, (descent, summary, scene), width=320)
+    wide, tall = Animation(descent, summary, scene, 2, width=320).size
+    command = [order.ffmpeg, "-loglevel", "error", "-i", str(path), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"]
+    read = subprocess.run(command, capture_output=True, check=True).stdout
+    pictures = np.frombuffer(read, dtype=np.uint8).reshape(-1, tall, wide, 3)
+    assert len(pictures) == 25
+    drawn = Animation(descent, summary, scene, 25, width=320).picture(12)
+    assert np.abs(pictures[12].astype(int) - drawn).mean() < 4
+    failing, out = tmp_path / "ffmpeg", tmp_path / "out"
+    failing.write_text("#!/bin/sh\necho Unknown encoder libx264 >&2\nexit 1\n")
+    failing.chmod(0o755)
+    out.mkdir()
+    with pytest.raises(SoftcatError, match="Unknown encoder libx264"):
+        write_film(replace(order, ffmpeg=str(failing)), out, (descent, summary, scene), width=320)
+    assert list(out.iterdir()) == []
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_interrupted_it_leaves_the_old_film_and_nothing_else(descent, summary, scene, tmp_path, kind):
+    order = film_order(kind, 1.0)
+    (tmp_path / order.name).write_bytes(b"old")
+
+    def stop(what: str) -> None:
+        if "picture 3 " in what:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        write_film(order, tmp_path, (first_frames(descent, 50), summary, scene), stop, width=320)
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [(order.name, b"old")]
+
+
+def test_what_is_no_film_is_refused(monkeypatch):
+    for asked in ("avi", "film.webm", "a/b.gif", "../x.mp4", ".gif", "", "film.gif/"):
+        with pytest.raises(SoftcatError, match="accepted: gif, mp4"):
+            film_order(asked, 8.0)
+    for seconds in (0.0, -1.0, 1e9, float("nan"), float("inf")):
+        with pytest.raises(SoftcatError, match="more than 0 and at most 120 s"):
+            film_order("gif", seconds)
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    with pytest.raises(SoftcatError, match=r"apt install ffmpeg.*softcat_sym\[movies\]"):
+        film_order("mp4", 8.0)
+    assert film_order("gif", 8.0).pictures == 100
+
+
+FINAL = {"gallery.html", "gallery.png", "gallery.csv", "gallery.json"}
+QUICK = ("--set", "numerics.cells=4", "--set", "run.frames=5", "--set", "run.effects=paper")
+UNITS = {"um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}
+# What a lesson may state as a number, and where it is read in the run.
+STATED: dict[str, Callable[[Trajectory], float]] = {
+    r"largest sag (NUMBER) (um|mm)": lambda run: -run.fields["midpoint"].min(),
+    r"sag of (NUMBER) (um|mm)": lambda run: -run.fields["midpoint"][-1],
+    r"(NUMBER) (%) of its span deep": lambda run: -run.fields["midpoint"][-1] / run.scene.filament.span,
+    r"(NUMBER) (mm) deep": lambda run: -run.fields["midpoint"][0],
+    r"goes down to (NUMBER) (mm)": lambda run: -run.fields["y"].min(),
+    r"holds? it (NUMBER) (mm) above": lambda run: run.fields["midpoint"][0],
+    r"rises (NUMBER) (mm)": lambda run: run.fields["y"][0, -1],
+    r"stretched (NUMBER)() times": lambda run: run.fields["stretch"][-1].max(),
+    r"in (NUMBER) (s)": lambda run: run.scene.run.duration,
+    r"Index (NUMBER)()": lambda run: run.scene.material.index,
+    r"G = (NUMBER)()": lambda run: (
+        run.scene.filament.density * run.scene.load.gravity * run.scene.filament.span / run.scene.material.yield_stress
+    ),
+    r"10 ms to (NUMBER) (s)": lambda run: (
+        run.scene.material.modes[-1].viscosity / run.scene.material.modes[-1].youngs_modulus
+    ),
+}
+# Names and formulas that hold digits, and are no measurement; the shaken strand's two are held by tests of shaking.
+FORMULAS = ("3/4 of its first frequency", "sqrt 2", "1/3 law", "4/3", "ASTM C598", "w L^3/(E I)", "c/(2 L)")
+REGIMES = {
+    r"\bstops\b": ("arrested-overdamped", "arrested-underdamped"),
+    r"for ever": ("descending",),
+    r"no fibre ever yields": ("no-yield",),
+}
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    monkeypatch.setenv("COLUMNS", "160")
+    return Softcat(monkeypatch, capsys)
+
+
+def check_lesson(lesson: str, run: Trajectory) -> int:
+    """Hold every number and regime of a lesson against the run; how many numbers there were."""
+    left, count = lesson, 0
+    for name in FORMULAS:
+        left = left.replace(name, "")
+    for pattern, measured in STATED.items():
+        found = re.search(pattern.replace("NUMBER", r"[\d.]*\d"), left)
+        if found is None:
+            continue
+        text, unit = found[1], UNITS[found[2]]
+        # Rounded, from a run whose error is not estimated: half a digit and two per cent.
+        allowed = 0.5 * 10.0 ** -len(text.partition(".")[2]) * unit + 0.02 * float(text) * unit
+        assert abs(measured(run) - float(text) * unit) <= allowed, f"{found[0]}: {measured(run)}"
+        left, count = left.replace(found[0], ""), count + 1
+    for pattern, regimes in REGIMES.items():
+        assert not re.search(pattern, lesson) or run.summary["regime"] in regimes, (pattern, run.summary["regime"])
+    bad = not run.outcome.is_success
+    assert bad == lesson.startswith("Refused as "), run.outcome
+    assert not bad or lesson.startswith(f"Refused as {run.outcome.name}:")
+    left = left.replace("10 ms", "") if count else left
+    assert not re.search(r"\d", left), f"a number that nothing checks: {left}"
+    return count
+
+
+def test_every_scene_teaches_something_of_its_own_in_a_line(softcat: Softcat) -> None:
+    lessons = [bundled_lesson(name) for name in sc.bundled_names()]
+    assert len(set(lessons)) == len(lessons)
+    for name, lesson in zip(sc.bundled_names(), lessons, strict=True):
+        assert 30 <= len(lesson) <= 100 and lesson.endswith("."), name
+        assert lesson not in bundled_text(name).replace(f"# Lesson: {lesson}", ""), name
+    done = softcat("scenes")
+    assert (done.status, done.err) == (0, "")
+    lines = done.out.splitlines()
+    assert [line.split()[0] for line in lines[::2]] == list(sc.bundled_names())
+    assert [line.strip() for line in lines[1::2]] == lessons
+
+
+def test_what_a_lesson_says_is_what_the_run_shows_and_a_wrong_one_is_noticed() -> None:
+    for name in ("continual-descent", "slime-slope", "cold-honey"):
+        _, run = exhibit_of(name)
+        assert check_lesson(bundled_lesson(name), run) >= 1
+    for wrong in ("It hangs 40 % of its span deep.", "It stops at once.", "Refused as localised: no.", "It has 7."):
+        with pytest.raises(AssertionError):
+            check_lesson(wrong, run)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sc.bundled_names())
+def test_what_every_lesson_says_is_what_the_run_shows(name: str) -> None:
+    check_lesson(bundled_lesson(name), exhibit_of(name)[1])
+
+
+def test_gallery_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
+    output, names = tmp_path / "deep" / "gallery", ["cold-honey", "stretched-rubber-band"]
+    done = softcat("scenes", "-o", str(output), "--only", names[0], "--only", names[1], *QUICK)
+    assert (done.status, done.err) == (0, "")
+    assert {path.name for path in output.iterdir()} == FINAL | {f"{n}.{e}" for n in names for e in ("png", "toml")}
+    found = json.loads((output / "gallery.json").read_text())["scenes"]
+    assert [row["name"] for row in found] == names
+    changes = [text for text in QUICK if text != "--set"]
+    honey = sc.simulate(sc.load_scene(names[0], [*changes, "numerics.estimate=false"]))
+    assert found[0]["sag_final_m"] == pytest.approx(-honey.summary["midpoint_final_m"], rel=1e-9)
+    assert [found[0][key] for key in ("regime", "outcome", "law")] == ["viscous", "solved", "newtonian"]
+    assert sc.load_scene(output / "cold-honey.toml") == sc.load_scene(names[0], changes)
+    with (output / "gallery.csv").open(newline="") as stream:
+        table = list(csv.DictReader(stream))
+    assert [float(line["sag_final_m"]) for line in table] == [row["sag_final_m"] for row in found]
+    page = (output / "gallery.html").read_text()
+    assert page.count("data:image/png;base64,") == 2
+    assert not re.search(r'(src|href)="(?!data:)', page), "the page needs another file"
+    tiles = [imread(output / f"{name}.png")[..., :3] for name in names]
+    assert np.array_equal(imread(output / "gallery.png")[..., :3], np.concatenate(tiles, axis=1))
+    high, wide, _ = imread(BytesIO(contact_sheet([png(new_figure(0.2, 0.1))] * 7, columns=3)), format="png").shape
+    assert (high, wide) == (3 * 15, 3 * 30)
+
+
+def test_finished_scenes_are_not_run_again_and_faults_write_nothing(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command = ("scenes", "-o", str(tmp_path), "--only", "cold-honey", *QUICK)
+    assert softcat(*command).status == 0
+    first = (tmp_path / "gallery.json").read_text()
+    with monkeypatch.context() as patch:
+        patch.setattr(sys.modules["softcat_sym.simulate"], "simulated", None)
+        assert softcat(*command).status == 0
+    assert (tmp_path / "gallery.json").read_text() == first
+    assert softcat(*command, "--set", "run.duration=0.1 s").status == 0
+    sags = [json.loads(text)["scenes"][0]["sag_final_m"] for text in ((tmp_path / "gallery.json").read_text(), first)]
+    assert sags[0] < sags[1]
+    for arguments in (("--only", "cold-hony"), ("--set", "filament.spam=1 m")):
+        done = softcat("scenes", "-o", str(tmp_path / "out"), *arguments)
+        assert done.status == 2 and done.err and not (tmp_path / "out").exists()
+    assert softcat("scenes", "--set", "run.frames=5").status == 2
+
+
+def test_ctrl_c_writes_nothing_and_the_same_command_goes_on(
+    softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command = ("scenes", "-o", str(tmp_path / "out"), "--only", "cold-honey", "--only", "no-yield", *QUICK)
+    simulated, names = sys.modules["softcat_sym.simulate"].simulated, list[str]()
+
+    def stop(asked: sc.Scene, *rest: object) -> Trajectory:
+        names.append(asked.title)
+        if len(names) == 2:
+            raise KeyboardInterrupt
+        return simulated(asked, *rest)
+
+    monkeypatch.setattr(sys.modules["softcat_sym.simulate"], "simulated", stop)
+    done = softcat(*command)
+    assert done.status == 130 and "the same command goes on" in done.err
+    assert not (tmp_path / "out").exists()
+    assert softcat(*command).status == 0
+    assert len(names) == 3 and names[2] == names[1], "only the second is run again"

@@ -1,0 +1,309 @@
+"""A run's fields, its files and the store: what the contract says, whole span, SI units, and back to the last bit."""
+
+from __future__ import annotations
+
+import dataclasses
+import errno
+import json
+import math
+import os
+import re
+import sys
+from pathlib import Path
+from typing import Any, NoReturn
+
+import numpy as np
+import pint
+import pytest
+import xarray as xr
+
+import softcat_sym as sc
+from softcat_sym import store
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.results.fields import VARIABLES, mirrored
+from softcat_sym.results.trajectory import open_run, trajectory_form
+from softcat_sym.scene.scene import Scene, undeformed_area
+from softcat_sym.simulate import identity_of, recalled
+from softcat_sym.solvers import settings
+from softcat_sym.solvers.outcome import Outcome
+
+from .common.runs import run, scene_of
+
+CONTRACT = {
+    **dict.fromkeys(("x", "y"), ("m", "node")),
+    **dict.fromkeys(("stretch", "shear", "yielded_fraction"), ("1", "cell")),
+    **dict.fromkeys(("tension", "shear_force"), ("N", "cell")),
+    **{"curvature": ("1/m", "cell"), "moment": ("N*m", "cell"), "plastic_rate": ("1/s", "cell"), "midpoint": ("m", "")},
+    **dict.fromkeys(("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated"), ("J", "")),
+    "work_external": ("J", ""),
+}
+SUMMARY = {
+    "outcome", "advice", "regime", "midpoint_final_m", "error_estimate", "energy_residual", "effects", "left_out",
+    "cells", "solver", "backend", "wall_s",
+}  # fmt: skip
+FILES = ["scene.toml", "summary.json", "trajectory.nc"]
+STAGES = {"build", "compile", "solve", "estimate", "write"}
+
+
+@pytest.fixture(scope="module")
+def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("run") / "deep" / "er"
+    assert sorted(path.name for path in run().save(folder)) == FILES
+    return folder
+
+
+def reread(folder: Path) -> xr.Dataset:
+    with xr.open_dataset(folder / "trajectory.nc", engine="h5netcdf") as data:
+        return data.load()
+
+
+def test_dimensions_coordinates_units_and_types_are_the_contract_s(saved: Path) -> None:
+    data, registry = reread(saved), pint.UnitRegistry()  # type: ignore[var-annotated]
+    assert dict(data.sizes) == {"time": 13, "node": 13, "cell": 12}
+    assert set(data.coords) == {"time", "X_node", "X_cell"}
+    assert [data[name].attrs["units"] for name in ("time", "X_node", "X_cell")] == ["s", "m", "m"]
+    np.testing.assert_allclose(data["time"], np.linspace(0, 0.12, 13), rtol=1e-12)
+    nodes = data["X_node"].values
+    np.testing.assert_allclose(nodes, -nodes[::-1], atol=1e-16)
+    np.testing.assert_allclose(nodes[[0, 6, 12]], [-0.1, 0, 0.1], atol=1e-16)
+    assert np.all(np.diff(nodes[:7], 2) > 0), "shorter towards the clamps"
+    np.testing.assert_allclose(data["X_cell"], (nodes[1:] + nodes[:-1]) / 2, atol=1e-16)
+    for name, (unit, place) in CONTRACT.items():
+        assert data[name].dims == (("time", place) if place else ("time",)), name
+        assert (data[name].attrs["units"], bool(data[name].attrs["long_name"])) == (unit, True), name
+        assert np.all(np.isfinite(data[name])), name
+    # Pint symbols, which xarray leaves alone.
+    for name in data.variables:
+        registry.parse_units(data[name].attrs["units"])
+        assert data[name].dtype == np.float64, name
+
+
+def test_values_attributes_and_scene_survive_to_the_last_bit(saved: Path, tmp_path: Path) -> None:
+    assert sorted(path.name for path in saved.iterdir()) == FILES
+    data = reread(saved)
+    xr.testing.assert_identical(data, run().data)
+    assert data.attrs["title"] == "A short one"
+    assert set(json.loads(data.attrs["effects"])) == set(choose_effects(run().scene).names)
+    assert {"softcat_sym", "casadi", "sympy", "numpy"} <= set(json.loads(data.attrs["versions"]))
+    assert "Soft catenaries" in data.attrs["references"]
+    assert set(json.loads(data.attrs["wall_s"])) >= {"build", "solve"}
+    (tmp_path / "again.toml").write_text(data.attrs["scene"], encoding="utf-8")
+    for path in (tmp_path / "again.toml", saved / "scene.toml"):
+        assert sc.load_scene(path) == run().scene
+    again = open_run(saved)
+    assert (again.summary, again.scene, again.outcome) == (run().summary, run().scene, run().outcome)
+    xr.testing.assert_identical(again.data, run().data)
+
+
+def test_the_summary(saved: Path) -> None:
+    summary = json.loads((saved / "summary.json").read_text(encoding="utf-8"))
+    assert set(summary) >= SUMMARY
+    assert summary == json.loads(json.dumps(run().summary))
+    assert (summary["outcome"], summary["advice"]) == ("solved", Outcome.solved.value)
+    assert summary["midpoint_final_m"] == float(run().data["midpoint"][-1]) < 0
+    assert summary["error_estimate"] is None
+    assert 0 <= summary["energy_residual"] < 1e-3
+    assert summary["backend"] in ("compiled", "interpreted")
+    assert summary["solver"] in ("cvodes", "idas", "rosenbrock")
+    assert set(summary["wall_s"]) == STAGES | {"total"}
+    assert summary["wall_s"]["total"] == pytest.approx(math.fsum(summary["wall_s"][stage] for stage in STAGES))
+    assert summary["effects"] == dict(choose_effects(run().scene).reasons)
+    assert set(summary["left_out"]) == {"rotary-inertia"}
+    # Cells of a lopsided run are counted per half, too.
+    lopsided = run("bingham", "pinned")
+    assert summary["cells"] == lopsided.summary["cells"] == 6
+    assert dict(lopsided.data.sizes) == {"time": 13, "node": 13, "cell": 12}
+
+
+def test_what_a_list_leaves_out_and_what_was_converted_is_in_the_summary() -> None:
+    published = choose_effects(scene_of(run={"effects": "paper"}))
+    names = [name for name in published.names if name not in ("thinning", "large-rotation")]
+    summary = sc.simulate(scene_of(run={"effects": names})).summary
+    assert set(summary["effects"]) == set(names)
+    assert set(summary["left_out"]) == {"thinning", "large-rotation", *published.left_out}
+    assert all(value > 0 for value in summary["left_out"].values())
+    given = {"law": "herschel-bulkley", "youngs_modulus": "1 MPa", "shear_yield_stress": "200 Pa", "index": 0.5}
+    table = scene_of(run={"effects": "paper"}).given()
+    scene = Scene.model_validate({**table, "material": {**given, "shear_consistency": "100 Pa*s^0.5"}})
+    converted = " ".join(sc.simulate(scene).summary["converted"])
+    assert "sqrt(3)" in converted and f"{scene.material.viscosity:.6g}" in converted
+    assert scene.material.viscosity == pytest.approx(3**0.75 * 100)
+
+
+def test_saving_replaces_whole_files_that_others_can_read_or_leaves_the_old_ones(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "trajectory.nc").write_text("old")
+
+    def half(self: Path, mode: str) -> NoReturn:
+        handle = os.open(self, os.O_CREAT | os.O_WRONLY)
+        os.write(handle, b"new, but not all of it")
+        os.close(handle)
+        raise OSError(errno.ENOSPC, "disk full")
+
+    def busy(self: Path, target: Path) -> NoReturn:
+        raise OSError("busy")
+
+    for name, fault, message in (("open", half, "disk full"), ("replace", busy, "busy")):
+        with monkeypatch.context() as broken:
+            broken.setattr(Path, name, fault)
+            with pytest.raises(OSError, match=message):
+                run().save(tmp_path)
+        assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("trajectory.nc", "old")]
+    for _ in range(2):
+        assert all(path.stat().st_mode & 0o444 == 0o444 for path in run().save(tmp_path))
+    assert (reread(tmp_path).sizes["time"], len(list(tmp_path.iterdir()))) == (13, 3)
+    with pytest.raises(OSError, match=r"summary\.json"):
+        run().save(tmp_path / "summary.json" / "out")
+
+
+def test_a_failed_run_is_written_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with monkeypatch.context() as few:
+        few.setattr(settings, "_STEPS_PER_FRAME", 2)
+        failed = sc.simulate(scene_of(numerics={"solver": "cvodes"}, run={"effects": "paper"}))
+    failed.save(tmp_path)
+    summary = json.loads((tmp_path / "summary.json").read_text(encoding="utf-8"))
+    assert summary["outcome"] == "step_limit" == failed.outcome.name
+    assert summary["advice"] == Outcome.step_limit.value
+    assert "stopped after t" in summary["message"]
+    assert reread(tmp_path).sizes["time"] == len(failed.data["time"]) < 13
+    assert summary["time_final_s"] == float(failed.data["time"][-1])
+    names = [
+        name
+        for name in choose_effects(scene_of(run={"effects": "paper"})).names
+        if name not in ("inertia", "bending")
+    ]  # fmt: skip
+    nowhere = sc.simulate(scene_of(run={"effects": names}))
+    assert nowhere.outcome is Outcome.no_equilibrium
+    nowhere.save(tmp_path)
+    assert reread(tmp_path).sizes["time"] == 1
+
+
+def test_a_trajectory_is_frozen() -> None:
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        run().outcome = Outcome.localised  # type: ignore[misc]
+
+
+HALF = np.array([[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]])
+CELLS = ("stretch", "curvature", "shear", "tension", "moment", "shear_force", "yielded_fraction", "plastic_rate",
+         "thickness", "stress_mean", "stress_bending")  # fmt: skip
+
+
+def test_the_half_is_mirrored_about_the_midspan() -> None:
+    np.testing.assert_array_equal(mirrored("y", HALF), [[2, 1, 0, 1, 2], [5, 4, 3, 4, 5]])
+    np.testing.assert_array_equal(mirrored("x", HALF), [[-2, -1, 0, 1, 2], [-5, -4, 3, 4, 5]])
+    np.testing.assert_array_equal(mirrored("stretch", HALF), [[2, 1, 0, 0, 1, 2], [5, 4, 3, 3, 4, 5]])
+    np.testing.assert_array_equal(mirrored("shear_force", HALF[:1]), [[-2, -1, 0, 0, 1, 2]])
+    for name in ["x", "y", *CELLS]:
+        values = run().data[name].values
+        np.testing.assert_array_equal(values[:, ::-1], (-1 if name in ("x", "shear", "shear_force") else 1) * values)
+    # Gravity still pulls down on the left half, and the transverse force changes sign.
+    lopsided = run("bingham", "pinned").data
+    assert np.all(np.diff(lopsided["x"].values, axis=1) > 0)
+    assert lopsided["shear_force"].values[-1, 0] * lopsided["shear_force"].values[-1, -1] < 0
+
+
+def test_ends_stay_the_midpoint_is_at_zero_and_the_first_frame_at_rest() -> None:
+    data = run().data
+    for end in (0, -1):
+        np.testing.assert_allclose(data["x"][:, end], data["X_node"][end], atol=1e-15)
+        np.testing.assert_array_equal(data["y"][:, end], 0.0)
+    (middle,) = np.flatnonzero(np.abs(data["X_node"].values) < 1e-12)
+    np.testing.assert_array_equal(data["midpoint"], data["y"][:, middle])
+    assert float(data["midpoint"][-1]) == float(data["y"][-1].min()) < 0
+    first = data.isel(time=0)
+    np.testing.assert_allclose(first["x"], first["X_node"], atol=1e-15)
+    energies = [name for name, variable in VARIABLES.items() if variable.unit == "J"]
+    assert len(energies) == 7
+    for name in ("y", "curvature", "tension", "moment", "shear_force", "yielded_fraction", "plastic_rate", *energies):
+        np.testing.assert_array_equal(first[name], 0.0, err_msg=name)
+    np.testing.assert_array_equal(first["stretch"], 1.0)
+
+
+def test_stretch_thickness_stress_and_energy_belong_together() -> None:
+    paper, data = sc.simulate(scene_of(run={"effects": "paper"})).data, run().data
+    lengths = np.hypot(np.diff(paper["x"], axis=1), np.diff(paper["y"], axis=1)) / np.diff(paper["X_node"])
+    np.testing.assert_allclose(paper["stretch"], lengths, rtol=1e-12)
+    np.testing.assert_allclose(paper["thickness"], 0.006 / np.sqrt(lengths), rtol=1e-12)
+    np.testing.assert_array_equal(paper["shear"], 0.0)
+    # A sheared section thins with the stretch along its normal.
+    assert float(np.max(np.abs(data["shear"]))) > 1e-4
+    normal = data["stretch"].values / np.hypot(1, data["shear"].values)
+    np.testing.assert_allclose(data["thickness"], 0.006 / np.sqrt(normal), rtol=1e-12)
+    area = data["thickness"].values ** 2
+    np.testing.assert_allclose(data["tension"], area * data["stress_mean"], rtol=1e-12, atol=1e-12)
+    second = area * data["thickness"].values / 6
+    np.testing.assert_allclose(data["moment"], second * data["stress_bending"], rtol=1e-12, atol=1e-12)
+    half = 1900 * 0.006**2 * np.diff(data["X_node"].values) / 2
+    weights = np.append(half, 0) + np.append(0, half)
+    work = 9.81 * float(np.sum(weights * data["y"].values[-1]))
+    assert float(data["energy_potential"][-1]) == pytest.approx(work, rel=1e-12)
+
+
+def test_a_wider_filament_of_the_same_material_only_carries_more() -> None:
+    assert undeformed_area(scene_of()) == pytest.approx(0.006**2)
+    assert undeformed_area(scene_of(filament={"width": "2 mm"})) == pytest.approx(0.006 * 0.002)
+    assert undeformed_area(scene_of(filament={"section": "circle"})) == pytest.approx(math.pi * 0.006**2 / 4)
+    plain = [name for name in choose_effects(scene_of()).names if name != "necking-gradient"]
+    wide = sc.simulate(scene_of(filament={"width": "12 mm"}, run={"effects": plain})).data
+    data = sc.simulate(scene_of(run={"effects": plain})).data
+    for name in map(str, data.data_vars):
+        factor = 2.0 if VARIABLES[name].per_area else 1.0
+        np.testing.assert_allclose(wide[name], factor * data[name], rtol=1e-12, atol=1e-300, err_msg=name)
+
+
+def test_a_run_is_recalled_to_the_last_bit_under_any_title(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = sc.load_scene("cold-honey", ["numerics.cells=4", "run.frames=4", "run.duration=0.02 s"])
+    first = recalled(scene)
+    monkeypatch.setattr(sys.modules["softcat_sym.simulate"], "_with_all_that_matters", None)
+    again = recalled(scene.replace({"title": "another"}))
+    assert again.summary == first.summary | {"title": "another"}
+    assert (again.data.attrs["title"], again.scene.title) == ("another", "another")
+    assert again.data.identical(first.data.assign_attrs(again.data.attrs))
+    assert trajectory_form(scene).write(first) == trajectory_form(scene).write(recalled(scene))
+    with store.fresh(), pytest.raises(TypeError):
+        recalled(scene)
+
+
+def test_what_decides_a_run_decides_its_key() -> None:
+    scene = sc.load_scene("cold-honey")
+    changes: tuple[dict[str, Any], ...] = ({}, {"run.frames": 7}, {"title": "x"})
+    assert len({store.key_of("run", identity_of(scene.replace(change))) for change in changes}) == 2
+    parts: tuple[object, ...] = (1, 1.5, "1", [1], b"1", np.ones(1), np.ones(1, int), np.ones((1, 1)), None)
+    assert len({store.key_of("run", part) for part in parts}) == len(parts)
+    assert store.key_of("run", 1) != store.key_of("sag", 1)
+    with pytest.raises(TypeError, match="no part of a key: object"):
+        store.key_of("run", object())
+    form = store.json_form(list, list)
+    assert re.findall("Infinity", json.dumps(form.read(form.write([float("inf"), 0.1, None])))) == ["Infinity"]
+
+
+def test_what_is_harmed_or_in_another_place_is_not_stored_and_the_limit_holds(
+    results_of_studies: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    key, other = store.key_of("one"), store.key_of("other")
+    assert store.recall(key) is None
+    store.keep(key, b"content" * 100)
+    assert store.recall(key) == b"content" * 100
+    path = results_of_studies / key
+    path.rename(results_of_studies / other)
+    assert store.recall(other) is None
+    store.keep(key, b"content")
+    for content in (b"", path.read_bytes()[:-1], bytes(100)):
+        path.write_bytes(content)
+        assert store.recall(key) is None
+    assert store.clear() > 0 and store.entries() == []
+    monkeypatch.setattr(store, "LIMIT", 100)
+    for number in range(5):
+        store.keep(f"ff{number}", b"content")
+        os.utime(results_of_studies / f"ff{number}", (number, number))
+    store.keep("00", b"content")
+    left = {path.name for path, _ in store.entries()}
+    assert "00" in left and "ff4" in left and "ff0" not in left
+
+
+def test_a_full_disk_ends_no_study(results_of_studies: Path) -> None:
+    results_of_studies.write_text("no folder")
+    store.keep("00", b"content")
+    assert store.recall("00") is None
+    results_of_studies.unlink()

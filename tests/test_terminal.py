@@ -1,0 +1,225 @@
+"""What is on the screen while a command works, and after a run."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import io
+import itertools
+import re
+import time
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+import softcat_sym as sc
+from softcat_sym import progress
+from softcat_sym.ensemble.ensemble import MembersBar
+from softcat_sym.plotting.terminal import (
+    REFUSED,
+    FitProgressBar,
+    IntegrationProgress,
+    StepProgress,
+    answer_rows,
+    detail_rows,
+    headline,
+    print_summary,
+)
+
+from .common.catenary import make_scene, scene, summary
+
+__all__ = ["make_scene", "scene", "summary"]
+
+
+def console(width: int = 80, terminal: bool = False) -> Console:
+    return Console(file=io.StringIO(), force_terminal=terminal, width=width, color_system=None)
+
+
+def written(screen: Console) -> str:
+    return screen.file.getvalue()  # type: ignore[attr-defined, no-any-return]
+
+
+@pytest.fixture
+def quickly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Everything is shown at once and looked at all the time."""
+    for name, seconds in (("LOOK", 0.005), ("_DELAY", 0.0), ("_PLAIN_DELAY", 0.0), ("_PLAIN_EVERY", 0.05)):
+        monkeypatch.setattr(progress, name, seconds)
+
+
+def until_shown(screen: Console, pattern: str) -> None:
+    limit = time.monotonic() + 20
+    while not re.search(pattern, written(screen)):
+        assert time.monotonic() < limit, written(screen)
+        time.sleep(0.005)
+
+
+def test_on_a_terminal_there_is_a_line_for_each_stage_and_none_is_left(quickly, monkeypatch):
+    monkeypatch.setattr(progress, "_WORTH", 0.0)
+    screen = console(terminal=True)
+    with IntegrationProgress(2.0, "[red]run[/]", console=screen) as bar:
+        bar.doing("compiling")
+        until_shown(screen, "compiling")
+        bar.doing("solving")
+        bar.update(0.5, 1e-3)
+        until_shown(screen, r"0\.500 of 2\.00 s")
+        bar.stage("refining to 80 cells")
+        until_shown(screen, "done")
+    assert "[red]run[/]" in written(screen), "names are no markup"
+    assert "\x1b[1A\x1b[2K" in written(screen), "its lines are taken away"
+    assert not bar._thread.is_alive()
+    with pytest.raises(ZeroDivisionError), IntegrationProgress(2.0, console=screen) as bar:
+        _ = 1 / 0
+    assert not bar._thread.is_alive()
+
+
+def test_without_a_terminal_plain_lines_come_now_and_then(quickly):
+    screen = console(200)
+    with StepProgress(2, "two runs", console=screen) as steps:
+        steps.step("the first")
+        until_shown(screen, r"softcat: two runs for \d+ s, 1 of 2, the first\n")
+    with MembersBar("members", console=screen) as members:
+        members.update(3, 30, 54.0)
+        until_shown(screen, r"softcat: members for \d+ s, 3 of 30")
+    with FitProgressBar(console=screen) as fit:
+        until_shown(screen, r"softcat: reading and compiling for \d+ s\n")
+        fit.stage("starts", 1, 4)
+        fit.stage("starts", 2, 4)
+        until_shown(screen, r"softcat: starts for \d+ s, 3 of 4\n")
+    assert [stage.name for stage in fit.stages] == ["reading and compiling", "starts"]
+
+
+def test_quiet_or_soon_over_it_shows_nothing(monkeypatch, capsys):
+    for terminal in (True, False):
+        screen = console(terminal=terminal)
+        with IntegrationProgress(2.0, console=screen) as bar:
+            bar.doing("solving")
+        monkeypatch.setattr(progress, "_DELAY", 0.0)
+        with IntegrationProgress(2.0, quiet=True, console=screen) as bar:
+            time.sleep(0.05)
+        assert written(screen) == ""
+        monkeypatch.undo()
+    # What redirects standard error meanwhile does not swallow it.
+    monkeypatch.setattr(progress, "_DELAY", 0.0)
+    monkeypatch.setattr(progress, "_PLAIN_DELAY", 0.0)
+    with contextlib.redirect_stderr(io.StringIO()) as taken, IntegrationProgress(2.0) as bar:
+        bar.doing("solving")
+        with contextlib.redirect_stderr(io.StringIO()) as inner:
+            limit = time.monotonic() + 20
+            while not taken.getvalue() and time.monotonic() < limit:
+                time.sleep(0.01)
+    assert re.fullmatch(r"softcat: solving for \d+ s\n", taken.getvalue()) and inner.getvalue() == ""
+
+
+class Timed(io.StringIO):
+    """Remembers when it was written to."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.times: list[float] = []
+
+    def write(self, text: str) -> int:
+        self.times.append(time.monotonic())
+        return super().write(text)
+
+
+def test_no_stage_of_a_run_with_refinement_is_silent(monkeypatch):
+    """Every stage is told by whoever does it, and the screen is renewed all the while, whatever holds the thread."""
+    monkeypatch.setattr(progress, "_DELAY", 0.0)
+    scene, screen = sc.load_scene("glass-rod", {"run.accuracy": 1e-5}), Timed()
+    terminal = Console(file=screen, force_terminal=True, width=80, color_system=None)
+    with IntegrationProgress(scene.run.duration, console=terminal) as bar:
+        run = sc.simulate(scene, bar)
+    assert len(run.summary["refinements"]) == 1
+    first, *rest = [stage.name for stage in bar.stages]
+    assert first == "building"
+    assert [name for name in rest if name != "compiling"] == [
+        "solving",
+        "checking the answer",
+        "estimating 1 of 2",
+        "estimating 2 of 2",
+        f"refining to {run.summary['cells']} cells",
+        # The error of the time steps is far below what was asked, and known from before the grid was made finer.
+        "estimating 1 of 2",
+    ]
+    ends = (bar.stages[0].began, *screen.times, time.monotonic())
+    assert max(later - sooner for sooner, later in itertools.pairwise(ends)) < 3.0
+    assert f"refining to {run.summary['cells']} cells" in screen.getvalue()
+
+
+ESTIMATE = {"total": 8e-4, "space": 6e-4, "time": 1e-4, "section": None, "effects": 1e-4}
+
+
+def test_the_screen_says_what_is_asked_and_all_else_in_detail(summary, scene):
+    details = dict(detail_rows(summary))
+    assert details["error"] == "not estimated"
+    assert details["energy"] == "balanced to 2.50e-05 of the largest energy"
+    assert details["effects"].splitlines() == ["inertia: on, always", "yielding: on, the law yields [at 9.32 kPa]"]
+    assert details["left out"] == "shear: worth at most 2 % of the sag"
+    assert details["solver"] == "cvodes, interpreted, 80 cells a half span"
+    assert details["wall time"].startswith("build 0.500 s, compile 0 s, solve 0.210 s")
+    summary |= {"error_estimate": ESTIMATE, "refinements": ["40 -> 96 cells: estimated error 0.004 against 0.001"]}
+    assert answer_rows(summary, scene) == [
+        ("outcome", "solved"),
+        ("sag", "50.0 mm ± 0.08 %, 25 % of the span"),
+        ("regime", "it does not stop within this run (descending)"),
+        ("warning", "surface tension: Ca = 0.3"),
+    ]
+    details = dict(detail_rows(summary))
+    assert details["refined"] == summary["refinements"][0]
+    assert details["error"] == "0.08 % of the largest midpoint (grid 0.06 %, time steps 0.01 %)"
+    summary["error_estimate"] = {"total": None, "space": 6e-4, "time": None, "section": None, "effects": 0.0}
+    assert dict(detail_rows(summary))["error"] == "not estimated in full (grid 0.06 %)"
+    # What was left out is one number, shown where it exceeds the accuracy.
+    summary |= {"left_out": {"shear": 0.021, "rotary-inertia": 1e-4}, "checked": {"shear": 0.03, "rotary-inertia": 0.0}}
+    row = ("left out", "shear, rotary-inertia: together worth at most 3 % of the sag")
+    shown = [row in answer_rows({**summary, "accuracy": accuracy}, scene) for accuracy in (0.05, 0.01)]
+    assert row in detail_rows(summary) and shown == [False, True]
+
+
+def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scene):
+    for final, largest, ends, row in (
+        (-0.05, 0.05, {}, ("sag", "50.0 mm ± 1.1 %, 25 % of the span")),
+        (-0.05, 0.09, {}, ("sag", "50.0 mm ± 2 %, 25 % of the span")),
+        (-0.005, 0.05, {}, ("sag", "5.00 mm ± 560 µm, 2.5 % of the span")),
+        (0.0, 0.0, {}, ("sag", "0 mm ± 0 %, 0 % of the span")),
+        (0.02, 0.02, {}, ("midpoint", "20.0 mm up ± 1.1 %, 10 % of the span")),
+        (-0.05, 0.05, {"drop": 0.1}, ("midpoint", "50.0 mm down ± 1.1 %, 25 % of the span")),
+        (-0.05, 0.05, {"right": "free"}, ("midpoint", "50.0 mm down ± 1.1 %, 25 % of the span")),
+        (-0.05, 0.05, {"motion": ((1.0, 0.1, 0.0),)}, ("midpoint", "50.0 mm down ± 1.1 %, 25 % of the span")),
+    ):
+        held = dataclasses.replace(scene, ends=dataclasses.replace(scene.ends, **ends))
+        found = {"midpoint_final_m": final, "midpoint_largest_m": largest}
+        found["error_estimate"] = {"total": 0.0112 if final else 0.0}
+        assert row in answer_rows(summary | found, held)
+    summary |= {"midpoint_settled_m": {"mean": -0.049, "amplitude": 2e-3}, "settled_s": None}
+    words = dict(answer_rows(summary, scene))
+    assert words["sag"] == "49.0 mm (error not estimated), 24 % of the span, swinging by 2.00 mm about it"
+    assert words["settled"] == "no: it still swings when the run ends"
+    summary |= {"midpoint_settled_m": {"mean": -0.05, "amplitude": 1e-9}, "settled_s": 0.32}
+    words = dict(answer_rows(summary, scene))
+    assert words["sag"] == "50.0 mm (error not estimated), 25 % of the span"
+    assert words["settled"] == "from 320 ms on"
+
+
+def test_a_summary_is_short_or_in_full_and_a_refused_one_stamped(summary, scene, make_scene):
+    files = [Path("/somewhere") / name for name in ("trajectory.nc", "summary.json", "scene.toml", "midpoint.csv")]
+    short, full = console(), console()
+    print_summary(summary | {"warnings": []}, scene, files, console=short)
+    print_summary(summary, make_scene(title="[red]ink[/] at [5 mm]"), files, verbose=True, console=full)
+    assert len(written(short).splitlines()) <= 6
+    assert "files    /somewhere (4: trajectory.nc, summary.json, ...)" in written(short).splitlines()
+    for text in ("midpoint.csv", "inertia: on, always", "[red]ink[/] at [5 mm]", "the law yields [at 9.32 kPa]"):
+        assert text in written(full) and text not in written(short)
+    bad = summary | {"outcome": "localised", "regime": None, "message": "a neck " * 20, "advice": "do not trust it"}
+    screen = console(60)
+    print_summary(bad, scene, [Path("a") / "b"], verbose=True, console=screen)
+    lines = written(screen).splitlines()
+    assert lines[0] == f"{REFUSED} (localised): Growing catenary"
+    assert any(line.startswith("reached    midpoint 50.0 mm when the run ended: no") for line in lines)
+    assert not any(line.startswith(("sag", "outcome")) for line in lines)
+    assert all(len(line) <= 60 and line == line.rstrip() for line in lines)
+    assert headline({"outcome": "solved"}, scene) == "Growing catenary"
+    screen = console()
+    print_summary({"outcome": "localised"}, scene, console=screen)
+    assert "localised" in written(screen), "of a failed run that holds no more"

@@ -1,0 +1,555 @@
+"""Regimes, necks, rupture, energy and warnings of fields made by hand; what was left out, and runs that call for it."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+
+from softcat_sym import clock, load_scene, simulate
+from softcat_sym.effects import choosing
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.effect import Estimate
+from softcat_sym.effects.forecast import forecast
+from softcat_sym.results import trajectory, verdict
+from softcat_sym.results.fields import energy_residual
+from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, is_arrested, regime_of, turned_back
+from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.verdict import (
+    SHARE_OF_ONE_CELL,
+    SHORTEST_CELL,
+    gained_energy,
+    largest_share_of_one_cell,
+    largest_stretch,
+    missing_effect,
+    neck_strain,
+    neck_that_the_grid_decides,
+    rupture,
+    rupture_frame,
+    warnings_of,
+)
+from softcat_sym.scene.scene import Scene, rest_length
+from softcat_sym.simulate import without_estimate
+from softcat_sym.solvers.outcome import Outcome
+
+from .common.runs import run, scene_of
+
+Array = np.ndarray[Any, Any]
+
+FRAMES, CELLS = 41, 8
+RATE = 1960 / 13840  # yield stress over viscosity of the scene
+SINKING = -0.05 * np.linspace(0, 1, FRAMES) ** 0.3
+DYING = 3 * RATE * np.exp(-np.linspace(0, 8, FRAMES))
+
+
+def fields(rate: Array, yielded: float = 0.2, lost: float = 1e-3) -> dict[str, Array]:
+    """Fields whose plastic rate is `rate` (frames,) in every cell."""
+    return {
+        "plastic_rate": np.repeat(rate[:, None], CELLS, axis=1),
+        "yielded_fraction": np.full((FRAMES, CELLS), yielded),
+        "energy_dissipated": np.linspace(0, lost, FRAMES),
+    }
+
+
+def label(given: dict[str, Array], scene: Scene | None = None, midpoint: Array = SINKING) -> str:
+    scene = scene or scene_of()
+    return regime_of(scene, choose_effects(scene), given, midpoint)
+
+
+def test_regimes() -> None:
+    still, time = np.zeros(FRAMES), np.linspace(0, 20, FRAMES)
+    calm = fields(still, yielded=0.0, lost=0.0)
+    once = {**calm, "yielded_fraction": calm["yielded_fraction"].copy()}
+    once["yielded_fraction"][3, 5] = 0.01
+    assert label(fields(still), scene_of("elastic")) == "elastic"
+    assert label(fields(np.ones(FRAMES)), scene_of("maxwell")) == "viscous"
+    assert label(calm) == "no-yield"
+    assert label(once) != "no-yield", "one fibre once is yielding"
+    assert label(fields(still, yielded=0.0, lost=1e-9)) != "no-yield", "it shows in the plastic work between frames"
+    assert label(fields(np.full(FRAMES, 2 * RATE))) == "descending"
+    assert label(fields(DYING)) == "arrested-overdamped"
+    swinging = -0.05 * (1 - np.exp(-0.1 * time) * np.cos(time))
+    hardly = -0.05 * (1 - 0.01 * np.cos(time) - np.exp(-time))
+    assert label(fields(DYING), midpoint=swinging) == "arrested-underdamped"
+    assert label(fields(DYING), midpoint=hardly) == "arrested-overdamped"
+    for law, regime in (("elastic", "elastic"), ("maxwell", "viscous"), ("bingham", "descending")):
+        assert run(law).summary["regime"] == regime
+    for section in ("rectangle", "circle"):
+        strong = simulate(scene_of(material={"yield_stress": "1 MPa"}, filament={"section": section}))
+        assert strong.summary["regime"] == "no-yield"
+        assert float(strong.data["energy_dissipated"][-1]) == float(strong.data["yielded_fraction"].max()) == 0
+
+
+def test_arrest_is_slow_everywhere_for_the_stated_time() -> None:
+    scene = scene_of()
+    for factor, arrested in ((0.99, True), (1.01, False)):
+        assert is_arrested(scene, np.full((FRAMES, CELLS), factor * ARREST_RATE * RATE)) is arrested
+    # The last tenth of forty intervals is the last five frames.
+    assert pytest.approx(0.1) == ARREST_TIME
+    for frame, arrested in ((-6, True), (-5, False), (-1, False)):
+        rate = np.zeros((FRAMES, CELLS))
+        rate[frame, 2] = RATE
+        assert is_arrested(scene, rate) is arrested
+    assert is_arrested(scene, np.zeros((1, CELLS)))
+    assert not is_arrested(scene, np.full((1, CELLS), RATE))
+
+
+def test_what_is_shaken_must_rest_for_a_whole_period_and_is_never_called_arrested() -> None:
+    """One that flowed at 0.85 of the run: within the last of three periods, and before the last of eight."""
+
+    def shaken(cycles: int) -> Scene:
+        scene = scene_of()
+        return scene.replace({"load.shake": 0.5, "load.shake_frequency": f"{cycles / scene.run.duration!r} Hz"})
+
+    rate = np.zeros((FRAMES, CELLS))
+    rate[-7] = RATE
+    assert [is_arrested(scene, rate) for scene in (shaken(3), shaken(8), scene_of())] == [False, True, True]
+    assert label(fields(np.zeros(FRAMES)), shaken(20)) == "shaken"
+    assert label(fields(np.full(FRAMES, 2 * RATE)), shaken(20)) == "descending"
+    assert label(fields(np.zeros(FRAMES), yielded=0.0, lost=0.0), shaken(20)) == "no-yield"
+
+
+def test_how_far_the_midpoint_turned_back() -> None:
+    for heights, share in (([0.0, -1, -2], 0), ([0.0, -2, -1.5, -1.8], 0.25), ([0.0, -1, -0.5, -4], 0.125), ([0.0], 0)):
+        assert turned_back(np.array(heights)) == pytest.approx(share)
+    assert 0 < TURNED_BACK < 0.25
+
+
+def profile(half: Sequence[float]) -> tuple[Array, Array]:
+    stretch = 1 + np.array([*half[::-1], *half])
+    return stretch, np.full(len(stretch), 0.1)
+
+
+def test_a_cell_that_gathers_the_strain_of_its_half_is_a_neck() -> None:
+    smooth = ([0.1] * 10, list(np.linspace(0.0, 0.3, 10)), list(np.exp(np.linspace(-3, 0, 10)) / 10))
+    for half in smooth:
+        assert largest_share_of_one_cell(*profile(half)) < SHARE_OF_ONE_CELL
+    for half, share in (
+        ([0.0] * 9 + [2.0], 1.0),
+        ([0.0, 0.0, 2.0, 0.0], 1.0),
+        ([0.1] * 9 + [1.0], 0.9 / 1.9),
+        ([0.0] * 5, 0.0),
+        ([-0.1] * 4 + [-0.05], 0.0),
+    ):
+        stretch, length = profile(half)
+        found = largest_share_of_one_cell(stretch, length)
+        assert found == pytest.approx(share) == largest_share_of_one_cell(stretch, 1e3 * length)
+    assert 0.9 / 1.9 > SHARE_OF_ONE_CELL
+    stretch, length = profile([0.1] * 10)
+    stretch[0] += 5
+    for one_half in (stretch, stretch[::-1]):
+        assert largest_share_of_one_cell(one_half, length) == pytest.approx(5 / 6)
+
+
+def test_the_strain_of_a_neck_does_not_depend_on_the_grid() -> None:
+    """A hinge at each clamp that opens by a given length: spread over a neck, whatever the cells."""
+    neck, opening = 0.04, 0.012
+    for cells in (10, 40, 160):
+        length, stretch = np.full(2 * cells, 0.5 / cells), np.full(2 * cells, 1.02)
+        near = max(1, round(neck / 2 / length[0]))
+        for end in (slice(None, near), slice(-near, None)):
+            stretch[end] += opening / (near * length[0])
+        assert neck_strain(stretch, length, neck) == pytest.approx(opening / neck, rel=0.02)
+    where = np.linspace(-1, 1, 80)
+    assert neck_strain(1 + 0.3 * where**2, np.full(80, 0.01), 0.02) < 0.05
+    # A thin string yields most at its supports: from cell to cell by far more than a neck of its thickness holds.
+    length = np.full(80, 0.5 / 40)
+    smooth = 1 + 0.1 * (np.abs(np.arange(80) - 39.5) / 40) ** 2
+    assert neck_strain(smooth, length, 1e-5) < 0.1
+    smooth[0] += 0.1
+    assert neck_strain(smooth, length, 1e-5) > 10
+    for opening, refused in ((0.39, False), (0.41, True)):
+        stretch, length = profile([0.0] * 9 + [opening])
+        nodes = np.concatenate([[0.0], np.cumsum(length)])
+        message = neck_that_the_grid_decides(stretch, nodes, length[0])
+        assert (bool(message), "X/L = " in message) == (refused, refused)
+        assert "carries 100%" in neck_that_the_grid_decides(stretch, nodes, None)
+
+
+def test_a_viscous_thread_that_thins_at_its_clamps_is_not_refused() -> None:
+    """Without a yield stress a neck only grows with the strain itself, and the sag does not depend on the grid."""
+    coarse = {"run.accuracy": 1e-5, "numerics.cells": 12, "numerics.estimate": False, "run.frames": 21}
+    thread = simulate(load_scene("silicone-thread", coarse))
+    assert "necking-gradient" in thread.summary["effects"]
+    assert float(thread.data.stretch.values[-1].max()) > 3
+    assert thread.outcome is Outcome.solved
+
+
+def test_a_filament_too_weak_for_its_weight_ends_at_its_rupture() -> None:
+    """A solid is strongest at e, a fluid ends as a thread; the first frame beyond counts."""
+    assert (largest_stretch(scene_of("elastic")), largest_stretch(scene_of("maxwell"))) == (math.e, 1000)
+    stretch = np.ones((4, 3))
+    stretch[2:, 1] = 2.8
+    assert rupture_frame(scene_of("elastic"), stretch) == 2
+    assert rupture_frame(scene_of("maxwell"), stretch) is None
+    assert rupture_frame(scene_of("maxwell"), np.full((2, 3), np.nan)) == 0
+    text = rupture(scene_of("elastic"), np.arange(4.0), stretch, np.linspace(-0.5, 0.5, 4))
+    assert "t = 2 s" in text and "X/L = 0 " in text
+    changes = {"material.youngs_modulus": "2 kPa", "run.effects": "paper", "load.ramp": "0 s", "run.duration": "1 s"}
+    weak = without_estimate(scene_of("elastic").replace(changes))
+    torn = simulate(weak)
+    assert (torn.outcome, torn.summary["regime"]) == (Outcome.ruptured, None)
+    assert float(torn.data["stretch"].max()) <= math.e
+    assert torn.summary["time_final_s"] < weak.run.duration
+
+
+ENERGY = ("kinetic", "elastic", "potential", "dissipated", "work", "gradient", "surface")
+
+
+def energies(**given: Sequence[float]) -> dict[str, Array]:
+    """Energies of some frames; what is not given is zero."""
+    frames = len(next(iter(given.values())))
+    values = {name: np.array(given.get(name, [0.0] * frames)) for name in ENERGY}
+    return {"work_external" if name == "work" else f"energy_{name}": value for name, value in values.items()}
+
+
+def test_the_residual_is_the_worst_imbalance_over_the_largest_energy() -> None:
+    balanced = {"kinetic": [0, 1, 2], "elastic": [0, 2, 1], "potential": [0, -4, -5], "dissipated": [0, 1, 3]}
+    for given, residual in (
+        ({**balanced, "work": [0, 0, 1]}, 0),
+        ({"kinetic": [0, 1], "elastic": [0, 2], "potential": [0, -4], "dissipated": [0, 1.1]}, 0.1 / 4),
+        ({"kinetic": [0, 1], "elastic": [0, 2], "potential": [0, -4], "dissipated": [0, 1], "work": [0, 8]}, 1),
+        ({"kinetic": [0, 1], "potential": [0, -3], "dissipated": [0, 1], "gradient": [0, 1]}, 0),
+        ({"kinetic": [0, 1, 0], "potential": [0, 0, -4], "dissipated": [0, 0, 4]}, 0.25),
+        ({"elastic": [5, 5], "potential": [-1, -1]}, 0),
+        ({"kinetic": [0, 0]}, 0),
+    ):
+        assert energy_residual(energies(**given)) == pytest.approx(residual), given
+
+
+def test_nothing_holds_more_than_it_was_given() -> None:
+    for kinetic, elastic, potential, work, surface, least, gains in (
+        (0.5, 0.4, -1.0, 0.0, 0.0, 0.0, False),
+        (0.5, 1.4, -1.0, 1.0, 0.0, 0.0, False),
+        (1.0, 0.4, -1.0, 0.0, 0.0, 0.0, True),
+        (1.0, 0.4, -1.0, 0.0, -0.4, 0.0, False),
+        (1e-9, 0.0, 0.0, 0.0, 0.0, 1e-8, False),
+    ):
+        given = {"kinetic": kinetic, "elastic": elastic, "potential": potential, "work": work, "surface": surface}
+        text = gained_energy(energies(**{name: [0.0, value] for name, value in given.items()}), least)
+        assert bool(text) is gains
+        assert not gains or "weight and supports gave 1 J" in text
+
+
+def test_a_balance_that_does_not_close_is_a_failure_unless_the_closure_has_none(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with monkeypatch.context() as open_balance:
+        open_balance.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
+        drifted = simulate(scene_of())
+        assert drifted.outcome is Outcome.energy_drift and "0.5" in drifted.summary["message"]
+        assert simulate(scene_of(run={"closure": "printed"})).outcome is Outcome.solved
+        # A neck is worse than any other verdict.
+        open_balance.setattr(verdict, "neck_that_the_grid_decides", lambda *_: "a neck at X")
+        necked = simulate(scene_of())
+        assert necked.outcome is Outcome.localised and "a neck at X" in necked.summary["message"]
+    # Finite stretch without thinning has no stored energy whose gradient the force is: reported, not failed.
+    soft = scene_of("elastic", material={"youngs_modulus": "0.1 MPa"}, run={"duration": "0.3 s"})
+    for absent in [(), ("thinning",), ("finite-stretch",), ("thinning", "finite-stretch")]:
+        names = [name for name in choose_effects(soft.replace({"run.effects": "paper"})).names if name not in absent]
+        assert simulate(soft.replace({"run.effects": names})).outcome is Outcome.solved
+
+
+def test_surface_tension_left_out_by_name_is_told_and_else_not_a_word() -> None:
+    thin: dict[str, dict[str, Any]] = {
+        "filament": {"span": "5 mm", "thickness": "0.2 mm"},
+        "run": {"duration": "5 ms", "effects": "paper"},
+        "load": {"ramp": "2 ms"},
+        "surroundings": {"surface_tension": "0.5 N/m"},
+    }
+    (text,) = simulate(scene_of("elastic", **thin)).summary["warnings"]
+    assert "surface tension is left out by run.effects, but would take about" in text
+    taken = simulate(scene_of("elastic", **thin | {"run": {"duration": "5 ms"}}))
+    assert "surface-tension" in taken.summary["effects"]
+    small = simulate(scene_of(surroundings={"surface_tension": "0.2 mN/m"}))
+    assert "surface-tension" in small.summary["left_out"]
+    assert taken.summary["warnings"] == small.summary["warnings"] == run().summary["warnings"] == []
+
+
+def test_cells_of_a_hinge_graded_too_short_by_hand_are_warned_of() -> None:
+    for by_hand in (True, False):
+        scene = load_scene("arrested-underdamped", {"numerics.grading": 100} if by_hand else {})
+        half = rest_length(scene) / 2
+        for of_the_limit in (0.8, 1.3):
+            shortest = of_the_limit * SHORTEST_CELL * scene.filament.thickness
+            nodes = np.array([-half, -half + shortest, 0.0, half - shortest, half])
+            for yielded in (1.0, 0.2):
+                given = {"yielded_fraction": np.full((2, 4), yielded)}
+                warnings = warnings_of(scene, choose_effects(scene), 0.0, nodes, given, 0.0)
+                expected = by_hand and of_the_limit < 1 and yielded > 0.5
+                assert ["numerics.grading" in text for text in warnings] == [True] * expected
+
+
+CABLE = ("bending", "extensibility", "finite-stretch", "thinning", "large-rotation")
+WEIGHT = 1e4
+"""rho g L [Pa], L = 1 m."""
+GUIDED = {"clamped": 32.0, "pinned": 6.4, "free": 32 * 12 / 204}
+"""E (h0/L)^2 H over rho g L^2 of the linear beam: 384/12, 384/60 and, of the middle of a cantilever, 384/204."""
+FACTOR = 5.0
+
+
+def beam(effects: Sequence[str], thickness: float, E: float, right: str = "clamped", **tables: Any) -> Scene:
+    """An elastic filament of span 1 m at rest under its weight, unless tables say otherwise."""
+    table: dict[str, Any] = {
+        "filament": {"span": "1 m", "thickness": f"{thickness!r} m", "density": "1000 kg/m^3"},
+        "material": {"law": "elastic", "youngs_modulus": f"{float(E)!r} Pa"},
+        "ends": {"left": "clamped" if right == "free" else right, "right": right},
+        "load": {"gravity": "10 m/s^2"},
+        "run": {"duration": "1 s", "frames": 2, "effects": list(effects)},
+        "numerics": {"cells": 20, "estimate": False},
+    }
+    for name, values in tables.items():
+        table[name] = table.get(name, {}) | values
+    return Scene.model_validate(table)
+
+
+def modulus(thickness: float, sag: float, right: str = "clamped") -> float:
+    """Young's modulus at which the linear beam sags so far."""
+    return WEIGHT / (GUIDED[right] * thickness**2 * sag)
+
+
+@cache
+def finished(scene: Scene) -> Trajectory:
+    done = simulate(scene)
+    assert done.outcome.is_success, done.summary["message"]
+    return done
+
+
+def measured_and_true(scene: Scene, absent: str, first: int = 0) -> tuple[float, float]:
+    """The measure of an effect on a run without it, and the change of the midpoint from a first frame on."""
+    names = [name for name in scene.run.effects if name != absent]
+    whole, reduced = finished(scene), finished(scene.replace({"run.effects": names}))
+    y, without = (done.fields["midpoint"][first:] for done in (whole, reduced))
+    change = float(np.max(np.abs(without - y)) / np.max(np.abs(y)))
+    return float(reduced.summary["checked"][absent]), change
+
+
+def assert_tells(scene: Scene, absent: str, least: float = 1 / FACTOR, most: float = FACTOR, first: int = 0) -> None:
+    """The measure is the change, to within factors."""
+    measure, change = measured_and_true(scene, absent, first)
+    assert change > 1e-4, "nothing to measure"
+    assert least < measure / change < most, (absent, measure, change)
+
+
+def test_inertia_left_out_of_a_beam_that_is_loaded_slowly_or_rings() -> None:
+    thickness, E = 0.05, modulus(0.05, 0.005)
+    period = 2 * np.pi / (4.730041**2 * np.sqrt(E * thickness**2 / 12 / 1000))
+    effects = ["inertia", "gravity-ramp", "bending"]
+    for periods in (2, 5, 10):
+        ramp = float(periods * period)
+        during = {"duration": f"{1.2 * ramp!r} s", "frames": 101, "effects": effects}
+        assert_tells(beam((), thickness, E, load={"ramp": f"{ramp!r} s"}, run=during), "inertia")
+    ringing = {"frames": 41, "duration": "0.3 s", "effects": ["inertia", "bending"]}
+    assert min(measured_and_true(beam((), thickness, E, run=ringing), "inertia")) > 0.4
+
+
+def test_geometry_left_out_is_measured() -> None:
+    for effect in ("finite-stretch", "thinning", "large-rotation"):
+        for E in (100 * WEIGHT, 1000 * WEIGHT):
+            assert_tells(beam(CABLE, 1e-3, E), effect)
+    assert_tells(beam(CABLE, 0.05, modulus(0.05, 0.1, "free"), "free"), "large-rotation")
+    for thickness in (0.003, 0.01):
+        assert_tells(beam(CABLE, thickness, 100 * WEIGHT), "bending")
+    for right in GUIDED:
+        assert_tells(beam((*CABLE, "shear"), 0.1, modulus(0.1, 0.005, right), right), "shear")
+    # It is 14 % between clamps and more than a third between pins; nothing of a cantilever.
+    stretching = ("bending", "extensibility")
+    for right in ("clamped", "pinned"):
+        assert_tells(beam(stretching, 0.05, modulus(0.05, 0.025, right), right), "extensibility", least=0.8, most=1.5)
+    measure, change = measured_and_true(beam(stretching, 0.05, modulus(0.05, 0.025, "free"), "free"), "extensibility")
+    assert change < 1e-9 and measure < 1e-3
+    checked = finished(beam(stretching, 0.05, modulus(0.05, 0.025))).summary["checked"]
+    assert {"inertia", "shear", "thinning", "finite-stretch", "large-rotation", "rotary-inertia"} <= set(checked)
+    assert not {"bending", "extensibility", "viscous-flow", "yielding", "gravity-ramp"} & set(checked)
+    assert all(np.isfinite(value) and value >= 0 for value in checked.values())
+
+
+def test_flow_left_out_is_measured() -> None:
+    """Of a beam whose law gives way within a second, or of a solid that comes to rest late."""
+    E = modulus(0.05, 0.005)
+
+    def flowing(law: str, eta: float, *effects: str, **tables: Any) -> Scene:
+        material, during = {"law": law, "viscosity": f"{eta * E!r} Pa*s"}, {"frames": 21, "effects": list(effects)}
+        return beam((), 0.05, E, material=material, run=during, **tables)
+
+    for eta in (3.0, 30.0):
+        assert_tells(flowing("maxwell", eta, "bending", "viscous-flow"), "viscous-flow")
+    for eta in (0.03, 0.3):
+        # exp(-E t/eta) is missing, most at the first frame after the load.
+        scene = flowing("kelvin-voigt", eta, "bending", "viscous-stress")
+        assert_tells(scene, "viscous-stress", least=0.8, most=1.2, first=1)
+    ramp = {"load": {"ramp": "0.5 s"}}
+    assert_tells(flowing("maxwell", 3.0, "bending", "viscous-flow", "gravity-ramp", **ramp), "gravity-ramp")
+    # Without inertia and flow the whole sag is there from the first frame on.
+    at_once = beam((), 0.05, E, load={"ramp": "0.5 s"}, run={"frames": 21, "effects": ["bending", "gravity-ramp"]})
+    measure, change = measured_and_true(at_once, "gravity-ramp")
+    assert change == pytest.approx(1, rel=1e-3) and measure > 0.5
+
+
+def test_what_the_program_left_out_and_matters_is_missing_and_what_the_user_left_out_is_not() -> None:
+    E = modulus(0.01, 1e-5)
+    during = {"effects": "auto", "accuracy": 0.01}
+    scene = beam((), 0.01, E, load={"ramp": "0.5 s"}, run=during)
+    effects = choose_effects(scene)
+    assert "thinning" not in effects.names
+    for value, missing in ((0.0101, {"thinning"}), (0.0099, set())):
+        found = missing_effect(scene, effects, {"thinning": Estimate(value, "half the strain")}, Outcome.solved)
+        assert set(found) == missing
+        assert all("worth about 1 % of the sag" in text for text in found.values())
+    for named in ({"run.effects": "paper"}, {"run.effects": ["bending"]}, {"run.closure": "printed"}):
+        by_user = scene.replace(named)
+        for outcome in (Outcome.solved, Outcome.no_convergence):
+            assert missing_effect(by_user, choose_effects(by_user), {"shear": Estimate(1.0, "much")}, outcome) == {}
+    # A run that fails wants the published theory, a neck its gradient and nothing else.
+    measured = {name: Estimate(1e-9, "nothing") for name in ("thinning", "large-rotation", "shear", "rotary-inertia")}
+    for outcome in (Outcome.no_convergence, Outcome.no_equilibrium, Outcome.step_limit, Outcome.non_finite):
+        assert set(missing_effect(scene, effects, measured, outcome)) == {"thinning", "large-rotation"}
+    assert missing_effect(scene, effects, measured, Outcome.energy_drift) == {}
+    maxwell = {"law": "maxwell", "viscosity": f"{1e6 * E!r} Pa*s"}
+    fluid = beam((), 0.01, E, load={"ramp": "0.5 s"}, run=during, material=maxwell)
+    assert not {"necking-gradient", "thinning"} & set(choose_effects(fluid).names)
+    measured = {name: Estimate(0.0, "") for name in ("necking-gradient", "thinning")}
+    assert set(missing_effect(fluid, choose_effects(fluid), measured, Outcome.localised)) == {"necking-gradient"}
+
+
+ACCURACY = 0.01
+UNFORESEEN = ("tension_share", "sheared", "relaxed", "strain", "slope", "missed", "swings", "risen", "folds")
+
+
+def slow_beam(thickness: float, sag: float, law: str = "elastic", effects: Any = "auto") -> Scene:
+    """A beam between clamps that is loaded slowly and sags so far; a Maxwell fluid relaxes in 3 s."""
+    E = modulus(thickness, sag)
+    material = {"law": law} | ({"viscosity": f"{3 * E!r} Pa*s"} if law == "maxwell" else {})
+    during = {"frames": 5, "effects": effects, "accuracy": ACCURACY}
+    return beam((), thickness, E, load={"ramp": "0.5 s"}, run=during, material=material)
+
+
+def blind(monkeypatch: pytest.MonkeyPatch, *numbers: str) -> None:
+    """What is foreseen of the effects is nothing; what is seen is seen all the same."""
+    nothing = dict.fromkeys(numbers, 0.0)
+    monkeypatch.setattr(choosing, "forecast", lambda scene: dataclasses.replace(forecast(scene), **nothing))
+
+
+CASES = {
+    "extensibility": (slow_beam(0.01, 0.005), ("tension_share",)),
+    "shear": (slow_beam(0.1, 0.001), ("sheared",)),
+    "viscous-flow": (slow_beam(0.01, 1e-4, "maxwell"), ("relaxed",)),
+}
+
+
+def assert_same(first: Trajectory, second: Trajectory) -> None:
+    for name, values in first.fields.items():
+        np.testing.assert_array_equal(values, second.fields[name], err_msg=name)
+
+
+@pytest.mark.parametrize("effect", CASES)
+def test_what_a_run_shows_to_matter_is_taken_in(effect: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    scene, numbers = CASES[effect]
+    foresighted = simulate(scene)
+    assert foresighted.summary["repeats"] == [] and effect in foresighted.summary["effects"]
+    blind(monkeypatch, *numbers)
+    assert effect not in choose_effects(scene).names
+    done = simulate(scene)
+    (text,) = done.summary["repeats"]
+    assert text.startswith(f"{effect}: the run without it shows that it is worth")
+    assert text.removeprefix(f"{effect}: ") in done.summary["effects"][effect]
+    assert (done.outcome, done.summary["warnings"], done.missing_effect) == (Outcome.solved, [], {})
+    assert effect not in done.summary["checked"]
+    # Whichever way it was chosen, it is the same filament, also with its effects named.
+    names = list(done.summary["effects"])
+    assert names == list(foresighted.summary["effects"])
+    assert_same(done, foresighted)
+    assert_same(done, simulate(scene.replace({"run.effects": names})))
+
+
+def test_named_effects_are_never_repeated() -> None:
+    named = (["bending", "gravity-ramp"], ["inertia", "bending", "gravity-ramp"])
+    for scene, absent in (
+        *((slow_beam(0.01, 0.005, effects=names), "extensibility") for names in named),
+        (slow_beam(0.1, 0.001, effects="paper"), "shear"),
+    ):
+        done = simulate(scene)
+        assert done.summary["checked"][absent] > 10 * ACCURACY
+        assert (done.outcome, done.summary["repeats"]) == (Outcome.solved, [])
+        assert scene.run.effects in ("paper", tuple(done.summary["effects"]))
+
+
+def test_the_trial_is_no_part_of_the_accepted_run_s_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A clock that strikes once whenever it is read: one each for building and solving, two for the trial."""
+    ticks: Iterator[float] = iter(map(float, range(100)))
+    monkeypatch.setattr(clock.time, "perf_counter", lambda: next(ticks))
+    scene, numbers = CASES["extensibility"]
+    scene = scene.replace({"numerics.backend": "interpreted"})
+    stages = ("build", "solve", "estimate", "total")
+    without = simulate(scene).summary["wall_s"]
+    blind(monkeypatch, *numbers)
+    wall = simulate(scene).summary["wall_s"]
+    assert [[wall[stage] for stage in stages] for wall in (without, wall)] == [[1, 1, 0, 2], [1, 1, 2, 4]]
+
+
+def test_two_repeats_are_worth_a_warning_and_a_third_is_no_success(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What flows only shows how late its load comes once it flows."""
+    blind(monkeypatch, *UNFORESEEN)
+    scene = slow_beam(0.01, 1e-4, "maxwell")
+    found = iter([{"viscous-flow": "seen first"}, {"gravity-ramp": "seen then"}, {}])
+    monkeypatch.setattr(trajectory, "missing_effect", lambda *_: next(found))
+    done = simulate(scene)
+    assert done.outcome is Outcome.solved
+    assert done.summary["repeats"] == ["viscous-flow: seen first", "gravity-ramp: seen then"]
+    assert {"viscous-flow", "gravity-ramp"} < set(done.summary["effects"])
+    (warning,) = done.summary["warnings"]
+    assert "repeated 2 times" in warning
+    order, runs = ("viscous-flow", "gravity-ramp", "extensibility", "shear"), list[tuple[str, ...]]()
+
+    def always_one_more(scene: Scene, effects: Any, *_: Any) -> dict[str, str]:
+        runs.append(effects.names)
+        return {order[len(runs) - 1]: "there something = 0.3"}
+
+    monkeypatch.setattr(trajectory, "missing_effect", always_one_more)
+    done = simulate(scene)
+    added = [set(later) - set(earlier) for earlier, later in pairwise(runs)]
+    assert added == [{"viscous-flow"}, {"gravity-ramp"}]
+    assert done.outcome is Outcome.missing_effect and not done.outcome.is_success
+    assert done.summary["outcome"] == done.data.attrs["outcome"] == "missing_effect"
+    assert (done.summary["regime"], done.summary["message"]) == (None, "extensibility: there something = 0.3")
+    assert "run.effects" in done.summary["advice"]
+    assert (len(done.summary["repeats"]), len(done.summary["warnings"])) == (2, 1)
+
+
+def test_a_run_that_fails_is_repeated_with_what_it_lacks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A soft shear-thinning thread drawn down by a mass: without rotary inertia its section angles are algebraic."""
+    thread = Scene.model_validate(
+        {
+            "filament": {"span": "3.73 m", "thickness": "91 mm", "width": "66 mm", "density": "3772 kg/m^3"},
+            "material": {
+                "law": "power-law",
+                "youngs_modulus": "793.5 kPa",
+                "viscosity": "107.2 MPa*s**0.862",
+                "index": 0.862,
+                "poisson": 0.397,
+            },
+            "ends": {"left_angle": "-9.5 deg", "right_angle": "7.6 deg"},
+            "load": {"gravity": "4.546 m/s^2", "point_mass": "93.8 kg"},
+            "run": {"duration": "6.6 s", "frames": 7, "accuracy": 0.1},
+            "numerics": {"cells": 11, "estimate": False},
+        }
+    )
+    found, finer = simulate(thread), simulate(thread.replace({"run.accuracy": 0.01}))
+    assert found.outcome is finer.outcome is Outcome.solved
+    assert found.summary["repeats"] == ["rotary-inertia: the run without it failed"]
+    assert found.summary["midpoint_final_m"] == pytest.approx(finer.summary["midpoint_final_m"], rel=0.05)
+    # A straight string without inertia has nothing to begin with; an accuracy of 20 % does not ask for bending.
+    honey = load_scene("cold-honey", {"run.accuracy": 0.2, "filament.thickness": "0.2 mm"})
+    blind(monkeypatch, "missed", "swings")
+    assert not {"inertia", "bending"} & set(choose_effects(honey).names)
+    done = simulate(honey)
+    (text,) = done.summary["repeats"]
+    assert done.outcome is Outcome.solved
+    assert "bending: the run without it failed" in text and "bending" in done.summary["effects"]
+    assert_same(done, simulate(honey.replace({"run.effects": list(done.summary["effects"])})))
