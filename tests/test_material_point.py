@@ -17,7 +17,7 @@ from softcat_sym.errors import PrintingError, SoftcatError
 from softcat_sym.physics.symbols import sigma
 from softcat_sym.reference.material_point import LAWS, MaterialPoint, PointLaw, point_code
 from tests.acceptance.table import show
-from tests.acceptance.paths import BINGHAM, ELASTIC, MAXWELL, Floats, cycle, march, shear_and_stretch
+from tests.reference.paths import BINGHAM, ELASTIC, MAXWELL, Floats, cycle, march, shear_and_stretch
 
 STRICT = ("-Wall", "-Wextra", "-pedantic", "-Werror", "-Wshadow", "-Wconversion", "-Wstrict-prototypes")
 # An element loop in small: the point in its own translation unit.
