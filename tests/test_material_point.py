@@ -85,10 +85,10 @@ def test_what_a_point_does_not_take_is_refused() -> None:
         point.step(np.eye(3), 0.1)
 
 
-LAWS = [("elastic", ELASTIC), ("maxwell", MAXWELL), ("bingham", BINGHAM)]
+POINTS = [("elastic", ELASTIC), ("maxwell", MAXWELL), ("bingham", BINGHAM)]
 
 
-@pytest.mark.parametrize(("law", "constants"), LAWS, ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(("law", "constants"), POINTS, ids=lambda value: value if isinstance(value, str) else "")
 def test_the_stress_is_the_slope_of_the_energy(law: str, constants: dict[str, float]) -> None:
     point = march(MaterialPoint(law, constants), shear_and_stretch, 40)
     point.step(point.deformation, 0.0)
@@ -130,7 +130,7 @@ def test_a_held_maxwell_point_relaxes_exponentially() -> None:
     assert errors[2].max() < 2e-3
 
 
-@pytest.mark.parametrize(("law", "constants"), LAWS[1:], ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(("law", "constants"), POINTS[1:], ids=lambda value: value if isinstance(value, str) else "")
 def test_flow_never_gives_energy_back(law: str, constants: dict[str, float]) -> None:
     rng, done = np.random.default_rng(9), 0.0
     point = MaterialPoint(law, constants)
@@ -143,7 +143,7 @@ def test_flow_never_gives_energy_back(law: str, constants: dict[str, float]) -> 
     assert done > 0.1
 
 
-@pytest.mark.parametrize(("law", "constants"), LAWS, ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(("law", "constants"), POINTS, ids=lambda value: value if isinstance(value, str) else "")
 def test_the_energy_of_a_cycle_balances(law: str, constants: dict[str, float]) -> None:
     rows, misses = [], []
     for steps in (200, 400, 800, 1600):
