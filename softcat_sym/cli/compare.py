@@ -37,83 +37,56 @@ class Engine(StrEnum):
     BOTH = "both"
 
 
-def compare_in_calculix(
-    asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, deck_only: bool, fresh: bool, quiet: bool
-) -> None:
-    """Run CalculiX and the filament, with our elements if wanted; write, print and judge. Or write the deck alone."""
-    if deck_only:
-        _write_deck(asked, output, mesh, clamp, quiet=quiet)
-        return
-    from softcat_sym.plotting.compare import calculix_table, write_calculix_comparison
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.studies.compare import compare_with_calculix
-
-    checkpoint = output / "elements.npz" if engine is Engine.BOTH else None
-    if fresh and checkpoint is not None:
-        checkpoint.unlink(missing_ok=True)
-    with study(output, fresh=fresh):
-        comparison = compare_with_calculix(
-            asked,
-            mesh,
-            clamp=clamp,
-            with_elements=engine is Engine.BOTH,
-            checkpoint=checkpoint,
-            progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
-        )
-        written = write_calculix_comparison(comparison, output)
-    if not quiet:
-        from rich.console import Console
-
-        Console().print(calculix_table(comparison))
-        for warning in comparison.warnings:
-            typer.echo(f"note: {warning}")
-        typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
-    judge(comparison.trajectory.outcome, comparison.trajectory.summary["message"], quiet=quiet)
-
-
 def _write_deck(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
     """Write the deck of CalculiX, which need not be installed."""
-    from softcat_sym.plotting.compare import write_deck
+    from softcat_sym.files import write_all
     from softcat_sym.reference.calculix import calculix_deck
 
-    written = write_deck(asked, calculix_deck(asked, mesh, clamp=clamp), output)
+    deck = calculix_deck(asked, mesh, clamp=clamp)
+    written = write_all(output / "calculix", {"deck.inp": deck.text.encode("ascii")})
+    written += write_all(output, {"scene.toml": asked.to_toml().encode()})
     if not quiet:
         typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
 
 
-def compare_with_elements(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, fresh: bool, quiet: bool) -> None:
-    """Run the elements, or go on with them, and the filament; write, print and judge."""
-    from softcat_sym.plotting.compare import write_comparison
+def _compare_one(
+    asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, fresh: bool, quiet: bool
+) -> None:
+    """Run the reference, resuming our elements, and the filament; write, print and judge."""
+    from softcat_sym.plotting.compare import print_comparison, write_comparison
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.plotting.vtk import vtk_available, write_vtk
-    from softcat_sym.studies.compare import compare as against_elements
+    from softcat_sym.studies.compare import compare as compare_with_elements
+    from softcat_sym.studies.compare import compare_with_calculix
 
-    checkpoint = output / "elements.npz"
-    if fresh:
+    checkpoint = None if engine is Engine.CALCULIX else output / "elements.npz"
+    if fresh and checkpoint is not None:
         checkpoint.unlink(missing_ok=True)
-    if checkpoint.is_file() and not quiet:
+    if checkpoint is not None and checkpoint.is_file() and not quiet:
         typer.echo(f"the elements go on from {checkpoint}")
-    with study(output, fresh=fresh):
-        comparison = against_elements(
-            asked,
-            mesh,
-            clamp=clamp,
-            checkpoint=checkpoint,
-            progress=lambda what: IntegrationProgress(asked.run.duration, what, quiet=quiet),
-        )
-    written = write_comparison(comparison, output)
-    if vtk_available():
-        written.append(write_vtk(asked, comparison.elements, output / "vtk")[0])
-    if not quiet:
-        from softcat_sym.plotting.compare import print_comparison
 
-        print_comparison(comparison)
+    def listening(what: str) -> IntegrationProgress:
+        return IntegrationProgress(asked.run.duration, what, quiet=quiet)
+
+    with study(output, fresh=fresh):
+        if engine is Engine.ELEMENTS:
+            found = compare_with_elements(asked, mesh, clamp=clamp, checkpoint=checkpoint, progress=listening)
+        else:
+            both = engine is Engine.BOTH
+            found = compare_with_calculix(
+                asked, mesh, clamp=clamp, with_elements=both, checkpoint=checkpoint, progress=listening
+            )
+        written = write_comparison(found, output)
+    if engine is Engine.ELEMENTS and vtk_available():
+        written.append(write_vtk(asked, found.elements, output / "vtk")[0])
+    if not quiet:
+        print_comparison(found)
         typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
-    own = comparison.filament.trajectory
+    own = found.filament.trajectory
     judge(own.outcome, own.summary["message"], quiet=quiet)
 
 
-def compare_varied(
+def _compare_varied(
     name: str,
     changes: list[str] | None,
     vary: str,
@@ -124,32 +97,26 @@ def compare_varied(
     fresh: bool,
     quiet: bool,
 ) -> None:
-    """Measure the theories at every value; compare.json, a chart and tables in DIR.
-
-    The elements keep their states in DIR/elements: what is finished there is not run again.
-    """
+    """Measure the theories at every value; the elements store their states in DIR/elements."""
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.plotting.theory_end import print_theory_end, write_theory_end
     from softcat_sym.studies.theory_end import read_variation, where_theory_ends
 
     variation = read_variation(vary)
     asked, output = scene_and_directory(name, changes, output, "compare")
-
-    def listening(value: str, scene: Scene) -> Listening:
-        return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
-
-    def scene_with(change: str) -> Scene:
-        return scene_of(name, [*(changes or []), change])
-
     folder = output / "elements"
     if fresh:
         for path in folder.glob("*.npz"):
             path.unlink()
+
+    def listening(value: str, scene: Scene) -> Listening:
+        return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
+
     with study(output, fresh=fresh):
         end = where_theory_ends(
             asked,
             variation,
-            scene_with,
+            lambda change: scene_of(name, [*(changes or []), change]),
             folder,
             along=mesh.along,
             through=mesh.through,
@@ -220,14 +187,14 @@ def compare(
     if vary is not None:
         if deck_only or engine is not Engine.ELEMENTS:
             raise typer.BadParameter("it varies the runs of our own elements only", param_hint="--vary")
-        compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
+        _compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
         return
     asked, output = scene_and_directory(scene, changes, output, "compare")
     size = _mesh(mesh or "64x4")
-    if deck_only or engine is not Engine.ELEMENTS:
-        compare_in_calculix(asked, output, size, face, engine=engine, deck_only=deck_only, fresh=fresh, quiet=quiet)
+    if deck_only:
+        _write_deck(asked, output, size, face, quiet=quiet)
     else:
-        compare_with_elements(asked, output, size, face, fresh=fresh, quiet=quiet)
+        _compare_one(asked, output, size, face, engine=engine, fresh=fresh, quiet=quiet)
 
 
 def _mesh(text: str) -> Mesh:

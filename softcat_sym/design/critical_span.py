@@ -7,9 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
 from numbers import Real
-from typing import Protocol
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from softcat_sym import store
 from softcat_sym.design.information import (
@@ -151,7 +152,8 @@ class FrozenSag:
         """The same by central differences of runs, for a row of equilibria, which has no forward model."""
         scene = with_span(self._scene, span)
         free = free_parameters(scene, [SPAN, *self._paths])
-        slopes = [_central(self._log_sag(scene, one)) for one in free]
+        logs = [self._log_sag(scene, one) for one in free]
+        slopes = [(log(_STEP) - log(-_STEP)) / (2 * _STEP) for log in logs]
         value = sag_of_run(scene, at_end=self._at_end).value
         return value, slopes[0], dict(zip(self._paths, slopes[1:], strict=True))
 
@@ -160,10 +162,6 @@ class FrozenSag:
             return float(np.log(sag_of_run(with_values(scene, [one], [one.value(step)]), at_end=self._at_end).value))
 
         return of
-
-
-def _central(function: Callable[[float], float]) -> float:
-    return (function(_STEP) - function(-_STEP)) / (2 * _STEP)
 
 
 def _extreme(midpoint: Floats, *, at_end: bool) -> Floats:
@@ -190,14 +188,6 @@ _SCATTER = 0.02
 
 LIMITS = 'a positive length such as "2 mm", or a fraction of the span such as "5 %"'
 """Limits of the sag that are accepted."""
-
-
-class SagWithSlopes(Protocol):
-    """Something whose sag is known with its derivatives."""
-
-    def at(self, span: float) -> tuple[float, float, dict[str, float]]:
-        """Sag [m], d log sag/d log span, d log sag/d log parameter."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +230,7 @@ class Root:
     notes: tuple[str, ...]  # What to know beside it
 
 
-def polished(frozen: SagWithSlopes, limit: Limit, near: float) -> Root:
+def polished(frozen: FrozenSag, limit: Limit, near: float) -> Root:
     """Find the root by Newton's method in logarithms, and its gradient by implicit differentiation.
 
     Where things yield fibre by fibre, slopes scatter from one span to the next: then the median over five neighbouring
@@ -270,7 +260,7 @@ def polished(frozen: SagWithSlopes, limit: Limit, near: float) -> Root:
     return Root(span, sag, gradient, tuple(notes))
 
 
-def _gradient(frozen: SagWithSlopes, limit: Limit, span: float) -> tuple[dict[str, float], float]:
+def _gradient(frozen: FrozenSag, limit: Limit, span: float) -> tuple[dict[str, float], float]:
     """Exponents, and by how much they scatter."""
     rows = [row for row in (_exponents(frozen, limit, span * math.exp(_BESIDE * k)) for k in (0, 1)) if row]
     scatter = _spread(rows)
@@ -284,7 +274,7 @@ def _gradient(frozen: SagWithSlopes, limit: Limit, span: float) -> tuple[dict[st
     return medians, _spread(typical[: max(2, len(rows) - 1)])
 
 
-def _exponents(frozen: SagWithSlopes, limit: Limit, span: float) -> dict[str, float]:
+def _exponents(frozen: FrozenSag, limit: Limit, span: float) -> dict[str, float]:
     sag, by_span, by_parameter = frozen.at(span)
     slope = limit.slope(by_span)
     if not math.isfinite(sag) or not slope > 0:
@@ -329,7 +319,8 @@ def sentences(
         f"{best.frame_rate:.4g} frames a second: {best.frames} frames."
     )
     listed = ", ".join(f"{name.rpartition('.')[2]} {percent(best.errors[name])}" for name in counted)
-    found = [film, f"Relative standard errors to expect with {_noise_text(noise, best)} of noise a reading: {listed}."]
+    amount = length_text(noise.of(best.sag)) + (f" ({100 * noise.value:.3g} % of the sag)" if noise.of_sag else "")
+    found = [film, f"Relative standard errors to expect with {amount} of noise a reading: {listed}."]
     if rough > 1:
         found.append(f"Each is the largest for rough values that are wrong by a factor of {rough:g} either way.")
     allowed = math.inf if max_sag is None else max_sag.at(best.span)
@@ -345,11 +336,6 @@ def sentences(
         found.append(f"What limits it: {', '.join(bound)}.")
     found.append("These are the least errors that any fit can have, if the law is right and the noise is white.")
     return tuple(found)
-
-
-def _noise_text(noise: Noise, best: Trial) -> str:
-    amount = length_text(noise.of(best.sag))
-    return f"{amount} ({100 * noise.value:.3g} % of the sag)" if noise.of_sag else amount
 
 
 def _compared(best: Trial, given: Trial) -> str:
@@ -385,6 +371,23 @@ class CriticalSpan:
     scan: tuple[tuple[float, float], ...]  # Span and sag [m]; infinite where the run has no answer
     effects: tuple[str, ...]  # In force at the critical span
     notes: tuple[str, ...]  # What to know beside the numbers
+
+    def to_dict(self) -> dict[str, Any]:
+        """What JSON holds of it, in SI; the gradient is of logarithms."""
+        return {
+            "span_m": self.span,
+            "sag_m": self.sag,
+            "gradient": dict(self.gradient),
+            "crossings_m": [list(pair) for pair in self.crossings],
+            "effects": list(self.effects),
+            "notes": list(self.notes),
+            "text": list(self.text),
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """The scan [m], the critical span among it; an empty sag is no answer."""
+        rows = [(span, sag, "scanned") for span, sag in self.scan] + [(self.span, self.sag, "critical")]
+        return pd.DataFrame(sorted(rows), columns=["span_m", "sag_m", "what"]).replace(math.inf, math.nan)
 
     @property
     def text(self) -> tuple[str, ...]:

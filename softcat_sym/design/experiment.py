@@ -6,8 +6,10 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from itertools import product
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from softcat_sym import store
 from softcat_sym.design.critical_span import LIMITS, Limit, length_text, read_limit, sentences
@@ -255,6 +257,33 @@ class Experiment:
     def gain(self) -> float:
         """Worst error of the scene as given over that of the best experiment."""
         return self.as_given.worst / self.best.worst
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``experiment.json`` holds, in SI."""
+        return {
+            "best": self.best.to_dict(),
+            "as_given": self.as_given.to_dict(),
+            "gain": self.gain,
+            "counted": list(self.counted),
+            "noise_m": self.noise.of(self.best.sag),
+            "noise_of_sag": self.noise.value if self.noise.of_sag else None,
+            "rough": self.rough,
+            "sag_at_most_m": None if self.max_sag is None else self.max_sag.at(self.best.span),
+            "at_bounds": dict(self.at_bounds),
+            "tried": len(self.tried),
+            "text": list(self.text),
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """One row a trial in SI, the best and the scene as given first; errors are relative, the camera's own in SI."""
+        rows = []
+        named = [("best", self.best), ("as given", self.as_given), *(("tried", one) for one in self.tried)]
+        for what, one in named:
+            row = {"what": what} | one.to_dict()
+            note = row.pop("note")
+            errors = {f"error_{name.rpartition('.')[2]}": error for name, error in row.pop("errors").items()}
+            rows.append(row | errors | {"note": note})
+        return pd.DataFrame(rows).replace(math.inf, math.nan)
 
     @property
     def text(self) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from numbers import Real
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,10 +23,12 @@ from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown, to_si
 
 SPAN, THICKNESS, FRAME_RATE, DURATION = "filament.span", "filament.thickness", "frame_rate", "run.duration"
 VARIABLES = (SPAN, THICKNESS, FRAME_RATE, DURATION)
-UNITS = {SPAN: "m", THICKNESS: "m", FRAME_RATE: "1/s", DURATION: "s"}
-
-_KINDS = {SPAN: "length", THICKNESS: "length", FRAME_RATE: "frequency", DURATION: "time"}
-_EXAMPLES = {SPAN: "20 mm", THICKNESS: "2 mm", FRAME_RATE: "100 Hz", DURATION: "5 s"}
+_KINDS = {
+    SPAN: ("length", "m", "20 mm"),
+    THICKNESS: ("length", "m", "2 mm"),
+    FRAME_RATE: ("frequency", "1/s", "100 Hz"),
+    DURATION: ("time", "s", "5 s"),
+}
 _SAME = 1e-9
 
 Within = Mapping[str, object]
@@ -79,7 +82,9 @@ def read_ranges(scene: Scene, within: Within) -> dict[str, Range]:
         try:
             ranges[path] = _range(path, bounds)
         except NotAQuantity as error:
-            faults.append(Fault(f"within {path}", str(error), _accepted(path)))
+            kind, _, example = _KINDS[path]
+            accepted = f'a positive {kind} such as "{example}", or a pair of them, the lower one first'
+            faults.append(Fault(f"within {path}", str(error), accepted))
     if not faults and not ranges[THICKNESS].low < ranges[SPAN].high:
         found = f"{ranges[THICKNESS].low:g} m or more, and no span above {ranges[SPAN].high:g} m"
         faults.append(Fault(f"within {THICKNESS}", found, "a thickness below the span"))
@@ -116,21 +121,14 @@ def read_share(value: object) -> float | None:
 
 
 def _range(path: str, bounds: object) -> Range:
-    kind, unit = _KINDS[path], UNITS[path]
-    if not isinstance(bounds, (tuple, list)):
-        value = read_positive(bounds, kind, unit)
-        return Range(path, value, value)
-    if len(bounds) != 2:
-        raise NotAQuantity(f"{len(bounds)} values")
-    low, high = (read_positive(bound, kind, unit) for bound in bounds)
+    kind, unit, _ = _KINDS[path]
+    pair = bounds if isinstance(bounds, (tuple, list)) else (bounds, bounds)
+    if len(pair) != 2:
+        raise NotAQuantity(f"{len(pair)} values")
+    low, high = (read_positive(bound, kind, unit) for bound in pair)
     if low > high:
-        raise NotAQuantity(f"{shown(bounds[0])} is above {shown(bounds[1])}")
+        raise NotAQuantity(f"{shown(pair[0])} is above {shown(pair[1])}")
     return Range(path, low, high)
-
-
-def _accepted(path: str) -> str:
-    example = _EXAMPLES[path]
-    return f'a positive {_KINDS[path]} such as "{example}", or a pair of them, the lower one first'
 
 
 @dataclass(frozen=True, slots=True)
@@ -313,11 +311,20 @@ class Trial:
     @property
     def values(self) -> dict[str, float]:
         """The design variables by path, in SI."""
+        return dict(zip(VARIABLES, (self.span, self.thickness, self.frame_rate, self.duration), strict=True))
+
+    def to_dict(self) -> dict[str, Any]:
+        """What JSON and tables hold of it, in SI."""
         return {
-            SPAN: self.span,
-            THICKNESS: self.thickness,
-            FRAME_RATE: self.frame_rate,
-            DURATION: self.duration,
+            "span_m": self.span,
+            "thickness_m": self.thickness,
+            "frame_rate_1_s": self.frame_rate,
+            "duration_s": self.duration,
+            "frames": self.frames,
+            "sag_m": self.sag,
+            "worst": self.worst,
+            "errors": dict(self.errors),
+            "note": " ".join(self.note.split()),
         }
 
     @property

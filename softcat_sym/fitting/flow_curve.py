@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
@@ -261,6 +262,29 @@ class Candidate:
             "material.index": float(_written(self.n.value)),
         }
 
+    def to_dict(self) -> dict[str, Any]:
+        """What JSON holds of it."""
+        consistency = "shear_consistency" if self.n else "shear_viscosity"
+        constants = {"shear_yield_stress": self.tau_Y, consistency: self.k, "index": self.n}
+        return {
+            "parameters": {
+                name: {
+                    "value": one.value,
+                    "std": one.standard_error,
+                    "ci95": list(one.interval) if one.interval else None,
+                    "verdict": one.verdict,
+                }
+                for name, one in constants.items()
+                if one is not None
+            },
+            "tensile": asdict(self.tensile),
+            "relative_rms": self.relative_rms,
+            "aic": self.aic,
+            "aicc": self.aicc,
+            "overrides": self.overrides,
+            "unfit": self.unfit,
+        }
+
     @property
     def _index(self) -> float:
         return self.n.value if self.n else 1.0
@@ -270,6 +294,8 @@ def _written(value: float) -> str:
     """Ten digits: more than any fit can know, and 0.43 instead of 0.42999999999998406."""
     return f"{value:.10g}"
 
+
+CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"
 
 INDEX_BOUNDS = (0.05, 3.0)
 """Least and largest flow index n that is looked for."""
@@ -410,6 +436,30 @@ class FlowCurveFit:
 
     curve: FlowCurve
     candidates: tuple[Candidate, ...]
+
+    def to_dict(self, law: str | None = None) -> dict[str, Any]:
+        """What ``flow_curve.json`` holds, with the law that is handed on."""
+        curve, least = self.curve, self.best.aicc
+        return {
+            "curve": str(curve.path) if curve.path else None,
+            "points": len(curve.shear_rate),
+            "shear_rate_1_s": [float(curve.shear_rate.min()), float(curve.shear_rate.max())],
+            "best": self.best.law,
+            "handed_on": self.candidate(law).law,
+            "overrides": self.candidate(law).overrides,
+            "criterion": CRITERION,
+            "conversion": CONVERSION,
+            "candidates": {one.law: one.to_dict() | {"delta_aicc": one.aicc - least} for one in self.candidates},
+            "warnings": list(self.warnings),
+        }
+
+    def to_frame(self) -> pd.DataFrame:
+        """Measured and fitted stresses [Pa] and relative residuals, point by point in the order of the file."""
+        columns = {RATE: self.curve.shear_rate, STRESS: self.curve.shear_stress}
+        for one in self.candidates:
+            name = one.law.replace("-", "_")
+            columns |= {f"{name}_Pa": one.fitted, f"{name}_relative_residual": one.residuals}
+        return pd.DataFrame(columns)
 
     @property
     def best(self) -> Candidate:

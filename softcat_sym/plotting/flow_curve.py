@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from softcat_sym.fitting.flow_curve import CRITERION, RATE, STRESS, Floats
+from softcat_sym.fitting.flow_curve import CONVERSION, Floats
 from softcat_sym.plotting import style
-from softcat_sym.plotting.files import columns_csv, json_bytes, write_results
+from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import legend
+from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import significant
 
 if TYPE_CHECKING:
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.flow_curve import Candidate, FlowCurveFit
     from softcat_sym.fitting.identifiability import Estimate
     from softcat_sym.scene.scene import Scene
-
-CONVERSION = "in tension: yield stress √3 τ_Y, consistency K = 3^((n+1)/2) k"
 
 _LOOKS: dict[str, tuple[str, Any, str]] = {
     "bingham": (style.BLUE, (0, (5, 1.5)), "s"),
@@ -41,8 +40,26 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
     with style.styled():
         figure, body = style.sheet(title, found, height=5.2)
         above, below = body.subplots(2, 1, height_ratios=[3.4, 1])
-        _draw_stresses(above, fit)
-        _draw_residuals(below, fit)
+        rate, order = curve.shear_rate, np.argsort(curve.shear_rate, kind="stable")
+        dense = np.geomspace(rate.min(), rate.max(), 400)
+        measured: dict[str, Any] = {"color": style.BLACK, "marker": "o", "markersize": 4.5, "linestyle": ""}
+        above.plot(rate, curve.shear_stress, label="measured", alpha=0.6, **measured)
+        below.axhline(0.0, color=style.GREY, linewidth=0.8)
+        for one in fit.candidates:
+            color, dashes, marker = _LOOKS[one.law]
+            percent = 100 * one.relative_rms
+            name = f"{one.law} ({significant(percent) if percent >= 0.01 else '< 0.01'} %)"
+            wide = 2.0 if one is fit.best else 1.2
+            above.plot(dense, one.stress(dense), label=name, color=color, linestyle=dashes, linewidth=wide)
+            residual = 100 * one.residuals[order]
+            below.plot(rate[order], residual, color=color, linewidth=0.8, marker=marker, markersize=3.0)
+        _log(above, "y", np.concatenate([curve.shear_stress, *(one.fitted for one in fit.candidates)]))
+        # Exact data leave rounding only, which is not worth a look.
+        far = max(1.12 * max(float(np.abs(100 * one.residuals).max()) for one in fit.candidates), 1e-3)
+        below.set_ylim(-far, far)
+        below.yaxis.set_major_formatter("{x:.3g}")
+        above.set_ylabel("shear stress [Pa]")
+        below.set_ylabel("residual [%]")
         for axes in (above, below):
             _log(axes, "x", curve.shear_rate)
             axes.grid(True)
@@ -51,34 +68,6 @@ def flow_curve_figure(fit: FlowCurveFit) -> Figure:
         below.set_xlabel("shear rate [1/s]")
         legend(body, "upper left", handles=above.get_legend_handles_labels()[0], ncols=4, handlelength=1.9)
     return figure
-
-
-def _draw_stresses(axes: Axes, fit: FlowCurveFit) -> None:
-    rate, stress = fit.curve.shear_rate, fit.curve.shear_stress
-    axes.plot(rate, stress, label="measured", color=style.BLACK, marker="o", markersize=4.5, linestyle="", alpha=0.6)
-    dense = np.geomspace(rate.min(), rate.max(), 400)
-    for one in fit.candidates:
-        color, dashes, _ = _LOOKS[one.law]
-        percent = 100 * one.relative_rms
-        name = f"{one.law} ({significant(percent) if percent >= 0.01 else '< 0.01'} %)"
-        wide = 2.0 if one is fit.best else 1.2
-        axes.plot(dense, one.stress(dense), label=name, color=color, linestyle=dashes, linewidth=wide)
-    _log(axes, "y", np.concatenate([stress, *(one.fitted for one in fit.candidates)]))
-    axes.set_ylabel("shear stress [Pa]")
-
-
-def _draw_residuals(axes: Axes, fit: FlowCurveFit) -> None:
-    axes.axhline(0.0, color=style.GREY, linewidth=0.8)
-    order = np.argsort(fit.curve.shear_rate, kind="stable")
-    for one in reversed(fit.candidates):
-        color, _, marker = _LOOKS[one.law]
-        rate, percent = fit.curve.shear_rate[order], 100 * one.residuals[order]
-        axes.plot(rate, percent, color=color, linewidth=0.8, marker=marker, markersize=3.0)
-    # Exact data leave rounding only, which is not worth a look.
-    far = max(1.12 * max(float(np.abs(100 * one.residuals).max()) for one in fit.candidates), 1e-3)
-    axes.set_ylim(-far, far)
-    axes.yaxis.set_major_formatter("{x:.3g}")
-    axes.set_ylabel("residual [%]")
 
 
 def _log(axes: Axes, which: Literal["x", "y"], values: Floats) -> None:
@@ -100,83 +89,14 @@ def _log(axes: Axes, which: Literal["x", "y"], values: Floats) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
-def flow_curve_csv(fit: FlowCurveFit) -> bytes:
-    """Tabulate measured and fitted stresses [Pa] and relative residuals, point by point in the order of the file."""
-    columns = {RATE: fit.curve.shear_rate, STRESS: fit.curve.shear_stress}
-    for one in fit.candidates:
-        name = one.law.replace("-", "_")
-        columns |= {f"{name}_Pa": one.fitted, f"{name}_relative_residual": one.residuals}
-    return columns_csv(columns)
-
-
-def flow_curve_document(fit: FlowCurveFit, law: str | None = None) -> dict[str, Any]:
-    """Everything of a fit that a program may want, as JSON takes it."""
-    curve = fit.curve
-    return {
-        "curve": str(curve.path) if curve.path else None,
-        "points": len(curve.shear_rate),
-        "shear_rate_1_s": [float(curve.shear_rate.min()), float(curve.shear_rate.max())],
-        "best": fit.best.law,
-        "handed_on": fit.candidate(law).law,
-        "overrides": fit.candidate(law).overrides,
-        "criterion": CRITERION,
-        "conversion": CONVERSION,
-        "candidates": {one.law: _candidate(one, fit) for one in fit.candidates},
-        "warnings": list(fit.warnings),
-    }
-
-
-def _candidate(one: Candidate, fit: FlowCurveFit) -> dict[str, Any]:
-    consistency = "shear_consistency" if one.n else "shear_viscosity"
-    constants = {"shear_yield_stress": one.tau_Y, consistency: one.k, "index": one.n}
-    return {
-        "parameters": {name: _estimate(constant) for name, constant in constants.items() if constant is not None},
-        "tensile": {
-            "yield_stress": one.tensile.yield_stress,
-            "viscosity": one.tensile.viscosity,
-            "index": one.tensile.index,
-        },
-        "relative_rms": one.relative_rms,
-        "aic": one.aic,
-        # JSON knows no infinity: none where there are too few points.
-        "aicc": one.aicc if math.isfinite(one.aicc) else None,
-        "delta_aicc": one.aicc - fit.best.aicc if math.isfinite(one.aicc) else None,
-        "overrides": one.overrides,
-        "unfit": one.unfit,
-    }
-
-
-def _estimate(constant: Estimate) -> dict[str, Any]:
-    return {
-        "value": constant.value,
-        "std": constant.standard_error,
-        "ci95": list(constant.interval) if constant.interval else None,
-        "verdict": constant.verdict,
-    }
-
-
 def flow_curve_table(fit: FlowCurveFit) -> Table:
     """Lay the candidates out side by side, the best first."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(
-        title=Text(fit.curve.path.name if fit.curve.path else "Flow curve", style="bold"),
-        title_justify="left",
-        caption=Text(f"± 95 %; rms of the relative residuals; least AICc first\n{CONVERSION}", style="dim"),
-        caption_justify="left",
-        box=box.SIMPLE_HEAD,
-    )
-    table.add_column(no_wrap=True, style="dim")
-    for one in fit.candidates:
-        best = one is fit.best
-        table.add_column(Text(one.law, style="bold" if best else ""), justify="right", no_wrap=True)
-    names = ("τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]")
-    columns = [_column(one, fit) for one in fit.candidates]
-    for name, *texts in zip((*names, "AICc", "AICc − least"), *columns, strict=True):
-        table.add_row(Text(name), *(Text(text) for text in texts))
-    return table
+    names = ("τ_Y [Pa]", "k [Pa sⁿ]", "n", "√3 τ_Y [Pa]", "K [Pa sⁿ]", "rms [%]", "AICc", "AICc − least")
+    rows = zip(names, *(_column(one, fit) for one in fit.candidates), strict=True)
+    title = fit.curve.path.name if fit.curve.path else "Flow curve"
+    caption = f"± 95 %; rms of the relative residuals; least AICc first\n{CONVERSION}"
+    header, right = ["", *(one.law for one in fit.candidates)], range(1, 9)
+    return text_table(header, list(rows), title=title, caption=caption, right=right, whole=range(9))
 
 
 def _column(one: Candidate, fit: FlowCurveFit) -> tuple[str, ...]:
@@ -218,8 +138,8 @@ def write_flow_curve(
 ) -> list[Path]:
     """Write ``flow_curve.json``, ``flow_curve.csv``, ``flow_curve.png`` and, of a scene, ``scene.toml``."""
     contents = {
-        "flow_curve.json": json_bytes(flow_curve_document(fit, law), is_ascii=False),
-        "flow_curve.csv": flow_curve_csv(fit),
+        "flow_curve.json": fit.to_dict(law),
+        "flow_curve.csv": fit.to_frame().to_csv(index=False, lineterminator="\n"),
         "flow_curve.png": flow_curve_figure(fit),
         "scene.toml": None if scene is None else scene.to_toml(),
     }

@@ -15,9 +15,20 @@ import pytest
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.reference.elements import ElementRun
 from softcat_sym.scene.scene import Scene
-
-from .elements import INSTANTS, PUBLISHED, Floats, digits, elements, filament, mean, midpoints, name_of, percent, plane
-from .table import show
+from tests.acceptance.elements import (
+    INSTANTS,
+    PUBLISHED,
+    Floats,
+    digits,
+    elements,
+    filament,
+    mean,
+    midpoints,
+    name_of,
+    percent,
+    plane,
+)
+from tests.acceptance.table import show
 
 NAME = "continual-descent"
 TIGHT: Mapping[str, object] = {"numerics.rtol": 1e-4, "numerics.grading": 10.0}

@@ -9,8 +9,12 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
+from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.errors import SoftcatError
-from softcat_sym.fitting.features import Features, read_features
+from softcat_sym.fitting.features import SLACKEST, TAUTEST, Features, modulus_of, read_features, stiffness_number
+from softcat_sym.physics import rheometry
+from softcat_sym.physics.regimes import H as SAG
+from softcat_sym.physics.symbols import L as SPAN_SYMBOL
 from softcat_sym.plotting.fit_figures import features_figure
 from softcat_sym.plotting.style import png
 from tests.inverse.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
@@ -172,3 +176,20 @@ def test_features_are_drawn_on_the_film_and_named_below(rings: bool) -> None:
     assert ("rad/s" in said) == rings
     assert rings or found.frequency.reason in said
     assert png(picture).startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("mode", [3.3, 4.0, 6.0, 8.5])
+def test_without_decay_it_is_the_derived_modulus(mode: float) -> None:
+    sag = 0.03
+    frequency = mode / math.sqrt(8 * sag)
+    held = evaluate(rheometry.MODULUS_FROM_CABLE.right, {rheometry.R: frequency, SAG: sag, SPAN_SYMBOL: 1.0})
+    found = modulus_of(frequency, 0.0, sag, 1.0, 1.0)
+    assert found is not None
+    assert found.modulus == pytest.approx(held, rel=1e-12)
+    assert math.isinf(found.relaxation_time)
+
+
+def test_the_mode_ends_where_the_cable_no_longer_stretches() -> None:
+    assert math.tan(SLACKEST / 2) == pytest.approx(SLACKEST / 2, rel=1e-3)
+    assert abs(stiffness_number(complex(TAUTEST, 1e-9))) < 1e-6
+    assert modulus_of(SLACKEST / math.sqrt(8 * 0.03) * 1.01, 0.0, 0.03, 1.0, 1.0) is None

@@ -13,8 +13,7 @@ import pytest
 
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.results.trajectory import Trajectory
-
-from .elements import (
+from tests.acceptance.elements import (
     INSTANTS,
     PUBLISHED,
     Floats,
@@ -29,7 +28,7 @@ from .elements import (
     percent,
     plane,
 )
-from .table import show
+from tests.acceptance.table import show
 
 SHEARING = (*PUBLISHED, "shear", "fibres")
 GRADIENT = (*SHEARING, "necking-gradient")

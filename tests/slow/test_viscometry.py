@@ -12,10 +12,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.acceptance.rheology import GEOMETRY, flow_of, limit_of, scene, solved
+from tests.acceptance.table import show
 from tests.marks import few
-
-from .rheology import GEOMETRY, flow_of, limit_of, scene, solved
-from .table import show
 
 SPAN, DENSITY, GRAVITY, MU, LOAD = 0.05, 2500.0, 9.81, 1e12, 0.01
 THICKNESS = 3e-3

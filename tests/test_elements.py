@@ -1,0 +1,607 @@
+"""The elements: exact solutions, beams, runs of scenes, checkpoints, meshes."""
+
+from __future__ import annotations
+
+import math
+import signal
+from dataclasses import fields
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import softcat_sym as sc
+from softcat_sym.codegen.library import compile_library
+from softcat_sym.errors import SceneError, SoftcatError
+from softcat_sym.physics.loads import quintic_step
+from softcat_sym.reference.element_loop import (
+    NODES,
+    POINTS,
+    Clamp,
+    Mesh,
+    Strip,
+    element_sources,
+    half_span_supports,
+    largest_frequency,
+    mass_shares,
+    shape_gradients,
+    shape_values,
+)
+from softcat_sym.reference.elements import ElementRun, March, run_elements
+from softcat_sym.reference.material_point import MaterialPoint
+from tests.acceptance.table import show
+from tests.reference.strips import (
+    BINGHAM,
+    ELASTIC,
+    POISSON,
+    Floats,
+    clamped_loop,
+    code_of,
+    deformed,
+    free_loop,
+    internal_force,
+    shortened,
+    timoshenko_frequency,
+    timoshenko_sag,
+)
+
+PATCH = Mesh(5, 4, grading=2.5)
+THICKNESS = 0.2
+GRADIENT = np.array([[1.3, 0.2], [-0.1, 0.8]])
+
+
+def test_uniform_deformation_leaves_no_force_inside_and_exact_tractions_outside() -> None:
+    loop = free_loop(PATCH, THICKNESS)
+    loop.displacement[...] = deformed(loop.strip, GRADIENT)
+    force = internal_force(loop)
+    point = MaterialPoint("elastic", ELASTIC)
+    point.step(GRADIENT, 0.0)
+    X, Y = loop.strip.position.T
+    inside = (X > 0) & (X < 0.5) & (abs(Y) < THICKNESS / 2)
+    assert inside.sum() > 20
+    assert force[inside] == pytest.approx(0, abs=2e-16)
+    # On the clamped face the shares of the upper and the lower edge cancel.
+    assert force[X == 0.5].sum(axis=0) == pytest.approx(point.stress[:, 0] * THICKNESS, rel=1e-12)
+    # Virial: the sum of f_i X_J is P_iJ times the volume.
+    assert force.T @ loop.strip.position == pytest.approx(point.stress * THICKNESS / 2, rel=1e-12)
+    assert loop.elastic_energy == pytest.approx(point.energy * THICKNESS / 2, rel=1e-13)
+
+
+def test_rigid_rotation_costs_nothing() -> None:
+    loop = free_loop(PATCH, THICKNESS)
+    c, s = np.cos(2.0), np.sin(2.0)
+    loop.displacement[...] = deformed(loop.strip, [[c, -s], [s, c]]) + np.array([0.3, -0.7])
+    assert internal_force(loop) == pytest.approx(0, abs=1e-15)
+    assert loop.elastic_energy < 1e-28
+
+
+def test_a_patch_pulled_far_flows_like_the_material_point() -> None:
+    loop = free_loop(Mesh(2, 2), THICKNESS, "bingham")
+    point = MaterialPoint("bingham", BINGHAM)
+    step, volume = 0.05, THICKNESS / 2
+    for k in range(1, 101):
+        u = k / 100
+        gradient = [[1 + 1.2 * u, 0.4 * u**2], [0.1 * u, 1 - 0.35 * u]]
+        loop.displacement[...] = deformed(loop.strip, gradient)
+        loop.evaluate(step, 0.0)
+        point.step(gradient, step)
+    force = -loop.strip.mass[:, None] * loop.acceleration
+    assert force.T @ loop.strip.position == pytest.approx(point.stress * volume, rel=1e-12)
+    assert loop.plastic_work == pytest.approx(point.work * volume, rel=1e-12)
+    assert loop.elastic_energy == pytest.approx(point.energy * volume, rel=1e-12)
+    assert loop.rate == pytest.approx(np.full((4, 4), point.rate), rel=1e-11)
+    assert loop.point == pytest.approx(np.tile(point.state, (4, 4, 1)), rel=1e-12)
+    print(f"\nstretch 2.2: dissipated {loop.plastic_work / volume:.6f} E, point {point.work:.6f} E")
+
+
+def test_free_fall() -> None:
+    loop = free_loop(Mesh(4, 2), THICKNESS, gravity=0.3)
+    loop.evaluate(0.01, 0.0)
+    loop.begin(0.0, 0.01, 500)
+    before = loop.kinetic_energy
+    loop.march(500)
+    assert loop.time == pytest.approx(5.0)
+    assert loop.displacement == pytest.approx(np.tile([0.0, -0.3 * 5.0**2 / 2], (len(loop.strip.mass), 1)), abs=1e-11)
+    assert loop.velocity[:, 1] == pytest.approx(-0.3 * 5.0, rel=1e-12)
+    # Product of the speeds half a step before and after: balanced to round-off, at a step of any length.
+    assert loop.kinetic_energy - before == pytest.approx(loop.gravity_work, rel=1e-12)
+    assert before == pytest.approx(-(0.3**2) * 0.01**2 / 8 * loop.strip.mass.sum(), rel=1e-12)
+
+
+def test_free_fall_while_gravity_grows_is_second_order_in_the_step() -> None:
+    time = sp.Symbol("time")
+    speed = sp.integrate(0.3 * quintic_step(time / 4).subs(sp.Min(1, sp.Max(0, time / 4)), time / 4), (time, 0, time))
+    exact = -float(sp.integrate(speed, (time, 0, 4)) + speed.subs(time, 4) * 2 + 0.3 * 2**2 / 2)
+    errors = []
+    for steps in (300, 600):
+        loop = free_loop(Mesh(1, 2), THICKNESS, gravity=0.3, ramp=4.0)
+        loop.evaluate(0.01, 0.0)
+        loop.begin(0.0, 6.0 / steps, steps)
+        loop.march(steps)
+        errors.append(abs(loop.displacement[0, 1] - exact))
+    print(f"\nfall {exact:.9f}, errors {errors[0]:.3e} {errors[1]:.3e}, ratio {errors[0] / errors[1]:.3f}")
+    assert errors[1] < 1e-5
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
+
+
+def test_gravity_follows_the_ramp_of_the_equations() -> None:
+    loop = free_loop(Mesh(1, 2), THICKNESS, gravity=0.3, ramp=4.0)
+    for time in (-1.0, 0.0, 0.4, 2.0, 3.9, 4.0, 7.0):
+        assert loop.gravity(time) == pytest.approx(0.3 * float(quintic_step(sp.Float(time) / 4)), abs=1e-15)
+    assert free_loop(Mesh(1, 2), THICKNESS, gravity=0.3).gravity(0.0) == 0.3
+
+
+@pytest.mark.parametrize(("along", "through"), [(1, 2), (4, 2)])
+def test_a_free_mesh_has_three_modes_without_energy_and_stays_below_the_bound(along: int, through: int) -> None:
+    """Two elements are enough to be rid of the one spurious mode of the reduced integration."""
+    loop = free_loop(Mesh(along, through), THICKNESS)
+    count, tiny = loop.displacement.size, 1e-6
+    stiffness = np.empty((count, count))
+    for k in range(count):
+        sides = []
+        for sign in (1, -1):
+            loop.displacement[...] = 0
+            loop.displacement.flat[k] = sign * tiny
+            sides.append(internal_force(loop).ravel())
+        stiffness[:, k] = (sides[0] - sides[1]) / (2 * tiny)
+    scale = np.repeat(loop.strip.mass, 2) ** -0.5
+    squares = np.linalg.eigvalsh(stiffness * np.outer(scale, scale))
+    bound = largest_frequency(loop.strip.size, POISSON)
+    print(f"\n{along} x {through}: lowest squares over the largest {squares[:5] / squares[-1]}")
+    print(f"largest frequency {np.sqrt(squares[-1]):.4f}, bound {bound:.4f}")
+    assert stiffness == pytest.approx(stiffness.T, abs=1e-8 * abs(stiffness).max())
+    assert np.sum(abs(squares) < 1e-8 * squares[-1]) == 3
+    assert squares[3] > 1e-5 * squares[-1]
+    assert np.sqrt(squares[-1]) < bound < 1.15 * np.sqrt(squares[-1])
+
+
+def test_the_bound_sees_a_strip_that_thins() -> None:
+    loop = free_loop(Mesh(4, 2), THICKNESS)
+    rest = largest_frequency(loop.strip.size, POISSON, loop.deformation())
+    assert rest == pytest.approx(largest_frequency(loop.strip.size, POISSON), rel=1e-12)
+    turned = np.array([[0.0, -1.0], [1.0, 0.0]])
+    for gradient, factor in ((turned, 1.0), (0.5 * turned, 2.0)):
+        loop.displacement[...] = deformed(loop.strip, gradient)
+        found = largest_frequency(loop.strip.size, POISSON, loop.deformation())
+        assert found == pytest.approx(factor * rest, rel=1e-12)
+
+
+def test_the_c_has_nothing_to_warn_of() -> None:
+    strict = ("-O1", "-Wall", "-Wextra", "-pedantic", "-Werror")
+    assert compile_library(element_sources(code_of("bingham")), units=["elements.c"], flags=strict).exists()
+
+
+def test_an_element_turned_inside_out_is_named() -> None:
+    loop = free_loop(Mesh(3, 2), THICKNESS)
+    X = loop.strip.position[:, 0]
+    loop.displacement[X == 0.5, 0] = -0.4
+    with pytest.raises(SoftcatError, match="element 3 of 3 from midspan, 1 of 2 from below"):
+        loop.evaluate(0.01, 0.0)
+
+
+REISSNER = 5 / 6
+_PERIODS, _SAMPLES = 3, 200
+
+
+def cowper(poisson: float) -> float:
+    return 10 * (1 + poisson) / (12 + 11 * poisson)
+
+
+def swing(mesh: Mesh, thickness: float, poisson: float) -> tuple[float, float]:
+    """Sag and frequency of the swing under sudden gravity, over Timoshenko's with kappa = 5/6."""
+    sag = timoshenko_sag(thickness, 1.0, REISSNER, poisson)
+    frequency = timoshenko_frequency(thickness, REISSNER, poisson)
+    # A hundredth of the thickness: the tension of the swing is some 1e-4 of the bending force.
+    gravity = 0.01 * thickness / sag
+    loop = clamped_loop(mesh, thickness, gravity, poisson)
+    interval = 2 * math.pi / frequency / _SAMPLES
+    steps = math.ceil(interval * largest_frequency(loop.strip.size, poisson) / 1.8)
+    loop.evaluate(0.0, 0.0)
+    height = [0.0]
+    for k in range(_PERIODS * _SAMPLES):
+        loop.begin(k * interval, interval / steps, steps)
+        loop.march(steps)
+        height.append(loop.displacement[loop.strip.centreline[0], 1])
+    mean, found = harmonic(interval * np.arange(len(height)), np.array(height), frequency)
+    return -mean / (gravity * sag), found / frequency
+
+
+def harmonic(time: Floats, height: Floats, near: float) -> tuple[float, float]:
+    """Mean and frequency of the harmonic that fits best, in least squares."""
+
+    def fit(omega: float) -> tuple[float, float]:
+        basis = np.stack([np.ones_like(time), np.cos(omega * time), np.sin(omega * time)], axis=1)
+        solution, residual, *_ = np.linalg.lstsq(basis, height, rcond=None)
+        return float(residual[0]), float(solution[0])
+
+    centre, reach = near, 0.04 * near
+    while reach > 1e-7 * near:
+        tried = np.linspace(centre - reach, centre + reach, 21)
+        centre, reach = tried[np.argmin([fit(omega)[0] for omega in tried])], reach / 8
+    return fit(centre)[1], centre
+
+
+def compare(title: str, cases: list[tuple[Mesh, float, float]]) -> list[tuple[float, float]]:
+    found = [swing(*case) for case in cases]
+    rows = []
+    for (mesh, thickness, nu), (sag, frequency) in zip(cases, found, strict=True):
+        other = timoshenko_sag(thickness, 1, cowper(nu), nu) / timoshenko_sag(thickness, 1, REISSNER, nu)
+        percent = [f"{100 * (ratio - 1):+.3f} %" for ratio in (sag, 1 / frequency, other)]
+        rows.append((f"{mesh.along} x {mesh.through}, {mesh.grading:g}", thickness, nu, *percent))
+    show(title, ["mesh, grading", "h/L", "nu", "sag", "period", "sag with Cowper's kappa"], rows)
+    return found
+
+
+def test_timoshenkos_formulas_become_the_thin_beams() -> None:
+    thin = 4.730040744862704**2 * 1e-4 / math.sqrt(12)
+    assert timoshenko_frequency(1e-4, REISSNER, 0.45) == pytest.approx(thin, rel=1e-6)
+    assert timoshenko_sag(1e-4, 1.0, REISSNER, 0.45) == pytest.approx(1e8 / 32, rel=1e-6)
+    # Huang (1961), clamped: shear and rotation lower the frequency, here by 0.7 %.
+    assert timoshenko_frequency(0.03, REISSNER, 0.45) / timoshenko_frequency(1e-4, REISSNER, 0.45) < 0.994 * 300
+
+
+def test_sag_and_period_of_the_papers_strip() -> None:
+    sag, frequency = compare("Elements against Timoshenko", [(Mesh(32, 2, grading=4.0), 0.03, 0.45)])[0]
+    assert sag == pytest.approx(1, abs=5e-3)
+    assert frequency == pytest.approx(1, abs=3e-3)
+
+
+def test_without_poissons_ratio_the_clamp_is_a_beams_clamp() -> None:
+    sag, frequency = compare("Elements against Timoshenko, no Poisson's ratio", [(Mesh(32, 4), 0.1, 0.0)])[0]
+    assert sag == pytest.approx(1, abs=1.2e-3)
+    assert frequency == pytest.approx(1, abs=6e-4)
+
+
+@pytest.mark.slow
+def test_finer_meshes_stay_within_half_a_percent() -> None:
+    cases = [(Mesh(a, t), 0.03, 0.45) for a, t in ((16, 2), (32, 4), (64, 4))]
+    errors = [1 - sag for sag, _ in compare("Elements against Timoshenko", cases)]
+    assert errors[0] > errors[1] > errors[2]
+    assert max(errors[1:]) < 5e-3
+
+
+COARSE = Mesh(24, 2)
+YIELDING = shortened(sc.load_scene("continual-descent"), 15.0, 6)
+STIFF = shortened(sc.load_scene("arrested-underdamped"), 15.0, 6)
+UNYIELDING = shortened(sc.load_scene("no-yield", {"load.ramp": "0 s"}), 15.0, 6)
+SPAN = YIELDING.filament.span
+
+
+def drop(run: ElementRun) -> float:
+    return float(run.midpoint[-1]) / SPAN
+
+
+@pytest.fixture(scope="module")
+def descent() -> ElementRun:
+    return run_elements(YIELDING, COARSE)
+
+
+def test_energy_is_balanced_and_half_the_step_changes_nothing(descent: ElementRun) -> None:
+    rows = []
+    for name, scene in (("elastic", UNYIELDING), ("yielding", YIELDING), ("yielding, stiff flow", STIFF)):
+        whole = descent if scene is YIELDING else run_elements(scene, COARSE)
+        half = run_elements(scene, COARSE, step_factor=0.5)
+        change = abs(drop(half) - drop(whole))
+        rows.append(
+            (name, f"{drop(whole):.6f}", f"{whole.energy_error:.1e}", f"{half.energy_error:.1e}", f"{change:.1e}")
+        )
+        assert whole.energy_error < 1e-4
+        assert half.energy_error < 0.6 * whole.energy_error
+        assert change < 1e-5
+        assert 1.95 < half.steps / whole.steps < 2.05
+    show(
+        "Energy error over work; change of midpoint/L by half the step",
+        ["case", "midpoint/L", "h", "h/2", "change"],
+        rows,
+    )
+
+
+def test_energies_are_of_the_whole_filament(descent: ElementRun) -> None:
+    stored = descent.energy_kinetic + descent.energy_elastic + descent.energy_potential + descent.energy_dissipated
+    assert descent.energy_residual == pytest.approx(stored - descent.work_external, abs=1e-12 * descent.work)
+    filament = YIELDING.filament
+    weight = filament.density * YIELDING.load.gravity * filament.span * filament.thickness * filament.width
+    mean = np.trapezoid(descent.y, descent.X, axis=1)[-1] / (filament.span / 2)
+    assert descent.energy_potential[-1] == pytest.approx(weight * mean, rel=5e-3)
+    assert descent.energy_dissipated[-1] > 3 * descent.energy_elastic[-1] > 0
+    assert np.all(np.diff(descent.energy_dissipated) >= 0)
+
+
+def test_what_is_recorded(descent: ElementRun) -> None:
+    assert descent.time == pytest.approx(np.linspace(0, YIELDING.run.duration, 6))
+    assert descent.time[-1] / descent.elastic_time == pytest.approx(15.0)
+    assert descent.x.shape == descent.y.shape == (6, 49)
+    assert descent.X == pytest.approx(np.linspace(0, SPAN / 2, 49))
+    assert np.all(descent.midpoint == descent.y[:, 0])
+    assert np.all(descent.x[:, 0] == 0)
+    assert np.all(descent.y[:, -1] == 0)
+    assert descent.thinning[0] == 1
+    assert 0.9 < descent.thinning[-1] < 0.999
+    assert 0 < descent.clamp_strain[-1] < descent.clamp_strain_largest[-1]
+    assert descent.rate.shape == (6, 48, 4)
+    assert descent.rate_time == pytest.approx(descent.time)
+    assert descent.point.shape == (48, 4, 2)
+    # Dissipation is sY + eta rate times the rate, at each point that flows.
+    material = YIELDING.material
+    assert material.viscosity is not None and material.yield_stress is not None
+    power = (material.yield_stress + material.viscosity * descent.rate[-1]) * descent.rate[-1]
+    volume = SPAN * YIELDING.filament.thickness * YIELDING.filament.width / descent.rate[-1].size
+    earlier = run_elements(shortened(YIELDING, 14.9, 2), COARSE)
+    rate = (descent.energy_dissipated[-1] - earlier.energy_dissipated[-1]) / (descent.time[-1] - earlier.time[-1])
+    assert power.sum() * volume == pytest.approx(rate, rel=2e-2)
+    # Everything finite, everything there.
+    for field in fields(descent):
+        value = getattr(descent, field.name)
+        if isinstance(value, np.ndarray):
+            assert np.all(np.isfinite(value)), field.name
+    # 49 x 5 lattice points without the middles; symmetry holds 5, the face 10 less its thinning.
+    assert descent.dofs == 2 * (49 * 5 - 48) - 5 - 10 + 1
+    assert descent.wall > 0
+
+
+def test_fixing_the_whole_face_is_stiffer(descent: ElementRun) -> None:
+    fixed = run_elements(YIELDING, COARSE, clamp=Clamp.FIXED)
+    assert np.all(fixed.thinning == 1)
+    ratio = drop(fixed) / drop(descent)
+    print(f"\nmidpoint: thinning {drop(descent):.6f}, fixed {drop(fixed):.6f} ({100 * (ratio - 1):+.3f} %)")
+    assert 0.99 < ratio < 0.9999
+
+
+def test_grading_helps_at_the_clamp() -> None:
+    fine = drop(run_elements(YIELDING, Mesh(48, 2)))
+    equal, graded = (drop(run_elements(YIELDING, Mesh(16, 2, grading=g))) for g in (1.0, 3.0))
+    print(f"\n48 x 2 {fine:.6f}; 16 x 2 equal {equal:.6f}, graded {graded:.6f}")
+    assert abs(graded - fine) < 0.7 * abs(equal - fine)
+
+
+def test_meshes_converge() -> None:
+    rows = []
+    for name, scene in (("elastic", UNYIELDING), ("yielding", YIELDING)):
+        found = [drop(run_elements(scene, Mesh(*m))) for m in ((8, 2), (16, 4), (24, 6))]
+        first, second = abs(found[1] - found[0]), abs(found[2] - found[1])
+        rows.append((name, *(f"{y:.6f}" for y in found), f"{first / second:.2f}"))
+        # Even at first order the ratio would be 3.
+        assert first > 3 * second
+    show("Midpoint/L on meshes of one shape", ["case", "8 x 2", "16 x 4", "24 x 6", "ratio of differences"], rows)
+
+
+@pytest.mark.slow
+def test_the_meshes_of_the_comparison_converge() -> None:
+    rows = []
+    for name, scene in (("elastic", UNYIELDING), ("yielding", YIELDING)):
+        found = [drop(run_elements(scene, Mesh(*m))) for m in ((32, 2), (64, 4), (96, 6))]
+        rows.append((name, *(f"{y:.6f}" for y in found)))
+        assert abs(found[2] - found[1]) < abs(found[1] - found[0])
+        assert abs(found[2] - found[1]) < 1e-3 * abs(found[2])
+    show("Midpoint/L at 15 elastic times", ["case", "32 x 2", "64 x 4", "96 x 6"], rows)
+
+
+def test_without_gravity_nothing_moves() -> None:
+    run = run_elements(YIELDING.replace({"load.gravity": "0 m/s^2", "run.duration": "1 ms"}), Mesh(2, 2))
+    assert np.all(run.midpoint == 0)
+    assert run.energy_error == 0
+
+
+def test_a_step_beyond_the_stable_one_is_refused_not_returned(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("softcat_sym.reference.elements.SAFETY", 1.3)
+    with pytest.raises(SoftcatError, match=r"shorten the steps"):
+        run_elements(UNYIELDING, COARSE)
+
+
+def test_energies_that_do_not_add_up_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("softcat_sym.reference.elements._UNBALANCED", 1e-9)
+    with pytest.raises(SoftcatError, match="energies miss the work of gravity"):
+        run_elements(YIELDING, COARSE)
+
+
+def test_the_step_follows_the_strip_as_it_thins(monkeypatch: pytest.MonkeyPatch) -> None:
+    steps: list[float] = []
+    advance = March.advance
+
+    def watched(self: March) -> None:
+        steps.append(self.step)
+        advance(self)
+
+    monkeypatch.setattr(March, "advance", watched)
+    run_elements(shortened(YIELDING, 46.0, 3), Mesh(24, 2))
+    assert 0.8 < steps[-1] / steps[0] < 0.99
+
+
+@pytest.mark.parametrize(
+    ("changes", "paths"),
+    [
+        ({"model": "small-deflection"}, ["model"]),
+        ({"ends.left": "pinned", "ends.right": "pinned"}, ["ends.left", "ends.right"]),
+    ],
+)
+def test_scenes_that_the_elements_do_not_know_are_refused(changes: dict[str, object], paths: list[str]) -> None:
+    scene = sc.load_scene("maxwell-slow") if "model" in changes else YIELDING
+    with pytest.raises(SceneError) as refusal:
+        run_elements(scene.replace(changes), COARSE)
+    assert [fault.path for fault in refusal.value.faults] == paths
+
+
+def test_a_circle_is_refused() -> None:
+    with pytest.raises(SceneError, match=r"filament\.section"):
+        run_elements(sc.load_scene("ink-bridge"), COARSE)
+
+
+def test_step_factors_beyond_the_stable_step_are_refused() -> None:
+    for factor in [0.0, -1.0, 1.5, float("nan")]:
+        with pytest.raises(SoftcatError, match="step_factor"):
+            run_elements(YIELDING, COARSE, step_factor=factor)
+
+
+SCENE = shortened(sc.load_scene("continual-descent"), 12.0, 4)
+MESH = Mesh(16, 2)
+
+
+class Stop:
+    """Interrupts a run at its n-th report, as the terminal does."""
+
+    def __init__(self, at: int) -> None:
+        self.at, self.reports = at, 0
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        del simulated_time, step_size
+        self.reports += 1
+        if self.reports == self.at:
+            signal.raise_signal(signal.SIGINT)
+
+
+@pytest.fixture(scope="module")
+def straight() -> ElementRun:
+    return run_elements(SCENE, MESH)
+
+
+def same(one: ElementRun, other: ElementRun) -> bool:
+    """Bit for bit, but for the wall time."""
+    names = [field.name for field in fields(one) if field.name != "wall"]
+    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in names)
+
+
+@pytest.mark.parametrize("chunk", [200_000, 999])
+def test_an_interrupted_run_resumes_to_the_same_bits(
+    straight: ElementRun, tmp_path: Path, chunk: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("softcat_sym.reference.elements._CHUNK", chunk)
+    path = tmp_path / "run.npz"
+    for at in (1, 2, 5):
+        with pytest.raises(KeyboardInterrupt):
+            run_elements(SCENE, MESH, checkpoint=path, progress=Stop(at))
+        assert [file.name for file in tmp_path.iterdir()] == ["run.npz"]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    resumed = run_elements(SCENE, MESH, checkpoint=path)
+    assert same(resumed, straight)
+    assert resumed.wall > 0
+
+
+def test_checkpoints_are_written_as_the_run_goes_on(tmp_path: Path, straight: ElementRun) -> None:
+    path, seen = tmp_path / "run.npz", []
+
+    class Look:
+        def update(self, simulated_time: float, step_size: float | None) -> None:
+            del simulated_time, step_size
+            seen.append(path.exists() and path.stat().st_mtime_ns)
+
+    assert same(run_elements(SCENE, MESH, checkpoint=path, checkpoint_every=0.0, progress=Look()), straight)
+    assert len({*seen}) > 3
+
+
+def test_a_finished_run_is_read_at_once(tmp_path: Path, straight: ElementRun) -> None:
+    path = tmp_path / "run.npz"
+    first = run_elements(SCENE, MESH, checkpoint=path)
+    written, never = path.read_bytes(), Stop(1)
+    again = run_elements(SCENE, MESH, checkpoint=path, progress=never)
+    assert never.reports == 0
+    assert same(again, first) and same(again, straight)
+    assert path.read_bytes() == written
+
+
+def test_a_checkpoint_of_another_problem_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "run.npz"
+    run_elements(SCENE, MESH, checkpoint=path)
+    heavier = SCENE.replace({"load.gravity": "9.9 m/s^2"})
+    with pytest.raises(SoftcatError, match="another problem"):
+        run_elements(heavier, MESH, checkpoint=path)
+    with pytest.raises(SoftcatError, match="another problem"):
+        run_elements(SCENE, Mesh(16, 2, grading=2.0), checkpoint=path)
+    with pytest.raises(SoftcatError, match="another problem"):
+        run_elements(SCENE, MESH, clamp=Clamp.FIXED, checkpoint=path)
+    with pytest.raises(SoftcatError, match="another problem"):
+        run_elements(SCENE, MESH, step_factor=0.5, checkpoint=path)
+
+
+@pytest.mark.parametrize("content", [b"", b"not an archive", None])
+def test_a_damaged_checkpoint_is_refused(tmp_path: Path, content: bytes | None) -> None:
+    path = tmp_path / "run.npz"
+    run_elements(SCENE, MESH, checkpoint=path)
+    path.write_bytes(path.read_bytes()[:-2000] if content is None else content)
+    with pytest.raises(SoftcatError, match="no checkpoint of elements"):
+        run_elements(SCENE, MESH, checkpoint=path)
+
+
+def test_a_place_that_is_not_there_is_refused_before_the_run(tmp_path: Path) -> None:
+    with pytest.raises(SoftcatError, match="no folder"):
+        run_elements(SCENE, MESH, checkpoint=tmp_path / "missing" / "run.npz")
+
+
+GRADED = Strip(Mesh(6, 4, grading=3.0), 0.08)
+
+
+def quadratic(at: np.ndarray) -> np.ndarray:
+    x, y = at.T
+    return 2 - x + 3 * y + x * y - 2 * x**2 + y**2 + 0.5 * x**2 * y - x * y**2
+
+
+def test_shape_functions_hold_every_serendipity_polynomial_and_its_slope() -> None:
+    at = np.array([[0.3, -0.7], [-0.9, 0.2], *POINTS])
+    x, y = at.T
+    nodal = quadratic(NODES)
+    assert shape_values(NODES) == pytest.approx(np.eye(8), abs=1e-14)
+    assert shape_values(at) @ nodal == pytest.approx(quadratic(at), abs=1e-13)
+    slopes = np.einsum("jap,a->jp", shape_gradients(at), nodal)
+    assert slopes[0] == pytest.approx(-1 + y - 4 * x + x * y - y**2, abs=1e-13)
+    assert slopes[1] == pytest.approx(3 + x + 2 * y + 0.5 * x**2 - 2 * x * y, abs=1e-13)
+
+
+def test_mass_is_lumped_after_hinton_rock_and_zienkiewicz() -> None:
+    assert mass_shares() == pytest.approx([3 / 76] * 4 + [16 / 76] * 4, rel=1e-12)
+
+
+def test_masses_add_up_to_half_the_filament_about_its_middle() -> None:
+    assert GRADED.mass.min() > 0
+    assert GRADED.mass.sum() == pytest.approx(0.08 / 2, rel=1e-13)
+    assert GRADED.mass @ GRADED.position[:, 1] == pytest.approx(0, abs=1e-17)
+    assert Strip(Mesh(6, 4), 0.08).mass @ Strip(Mesh(6, 4), 0.08).position[:, 0] == pytest.approx(0.01, rel=1e-12)
+
+
+def test_lengths_grow_geometrically_from_the_clamp() -> None:
+    lengths = np.diff(Mesh(6, 4, grading=3.0).edges())
+    assert lengths.sum() == pytest.approx(0.5, rel=1e-14)
+    assert lengths[0] / lengths[-1] == pytest.approx(3.0, rel=1e-12)
+    assert lengths[1:] / lengths[:-1] == pytest.approx(3.0 ** (-1 / 5), rel=1e-12)
+    assert GRADED.size[:, 0].reshape(6, 4) == pytest.approx(np.tile(lengths[:, None], 4), rel=1e-12)
+
+
+def test_elements_lie_where_their_nodes_are() -> None:
+    corners = GRADED.position[GRADED.corner[:, :4]]
+    assert corners.max(axis=1) - corners.min(axis=1) == pytest.approx(GRADED.size, rel=1e-12)
+    middle = corners.mean(axis=1)
+    expected = middle[:, None] + NODES / 2 * GRADED.size[:, None]
+    assert GRADED.position[GRADED.corner] == pytest.approx(expected, abs=1e-15)
+    assert GRADED.points == pytest.approx(middle[:, None] + POINTS / 2 * GRADED.size[:, None], abs=1e-15)
+    assert len(np.unique(GRADED.corner)) == len(GRADED.position) == 13 * 9 - 24
+
+
+def test_named_nodes() -> None:
+    centre, midspan, face = (GRADED.position[n] for n in (GRADED.centreline, GRADED.midspan, GRADED.face))
+    assert np.all(centre[:, 1] == 0)
+    assert np.all(np.diff(centre[:, 0]) > 0)
+    assert (centre[0, 0], centre[-1, 0]) == (0.0, 0.5)
+    assert np.all(midspan[:, 0] == 0)
+    assert np.all(face[:, 0] == 0.5)
+    assert face[:, 1] == pytest.approx(np.linspace(-0.04, 0.04, 9), abs=1e-16)
+    # To the last bit: a face that thins must not lift.
+    assert np.all(face[:, 1] == -face[::-1, 1])
+
+
+def test_supports_hold_symmetry_and_clamp() -> None:
+    for clamp, moving in ((Clamp.THINNING, 9), (Clamp.FIXED, 0)):
+        supports = half_span_supports(GRADED, clamp)
+        assert len(supports.face) == moving
+        assert set(np.flatnonzero(supports.held[:, 0])) == {*GRADED.midspan, *GRADED.face}
+        assert set(np.flatnonzero(supports.held[:, 1])) == {*GRADED.face}
+
+
+def test_what_is_no_mesh_is_refused() -> None:
+    for values, word in [
+        ((0, 4), "along"),
+        ((8, 3), "even"),
+        ((8, 0), "even"),
+        ((8, 2, 0.0), "grading"),
+        ((8, 2, np.nan), "grading"),
+    ]:
+        with pytest.raises(SoftcatError, match=word):
+            Mesh(*values)  # type: ignore[arg-type]

@@ -1,0 +1,429 @@
+"""Designs of experiments and critical spans: closed forms, scaling laws, brute force, files, refusals."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.design.critical_span import Limit, critical_span, crossings, illinois, polished
+from softcat_sym.design.experiment import Experiment, design_experiment, pattern_search
+from softcat_sym.design.information import Noise, Trial, Unknowns, exact_film, film_times, films_of, relative_errors
+from softcat_sym.fitting.free_parameters import free_parameters
+from softcat_sym.plotting.design import write_experiment
+from tests.cli.in_process import Softcat, sets
+
+_GRAVITY, _DENSITY, _THICKNESS, _DURATION, _VISCOSITY = 9.81, 1300.0, 2e-3, 3.0, 5e7
+
+
+def _beam(ends: str, changes: dict[str, object] | None = None) -> sc.Scene:
+    """A viscous beam of rectangular section without inertia."""
+    return sc.Scene.model_validate(
+        {
+            "filament": {
+                "span": "60 mm",
+                "thickness": f"{_THICKNESS!r} m",
+                "section": "rectangle",
+                "density": f"{_DENSITY!r} kg/m^3",
+            },
+            "material": {"law": "newtonian", "viscosity": f"{_VISCOSITY!r} Pa*s"},
+            "ends": {"left": ends, "right": ends},
+            "run": {"duration": f"{_DURATION!r} s", "effects": ["bending", "viscous-stress"]},
+        }
+    ).replace(changes or {})
+
+
+@pytest.mark.parametrize(("ends", "factor"), [("clamped", 1 / 384), ("pinned", 5 / 384)])
+def test_a_viscous_beam_in_small_deflection(ends: str, factor: float) -> None:
+    """Sag = factor q L^4 t/(eta I) by Stokes' analogy: L goes as (eta h^2/(rho t))^(1/4)."""
+    limit = 2e-5
+    found = critical_span(_beam(ends), f"{limit!r} m", within=("20 mm", "200 mm"))
+    stiffness = _VISCOSITY * _THICKNESS**2 / (12 * _DENSITY * _GRAVITY * _DURATION)
+    assert found.span == pytest.approx((limit * stiffness / factor) ** 0.25, rel=2e-3)
+    assert found.sag == pytest.approx(limit, rel=1e-8)
+    expected = {"material.viscosity": 0.25, "filament.density": -0.25, "filament.thickness": 0.5}
+    assert {path: found.gradient[path] for path in expected} == pytest.approx(expected, abs=3e-3)
+    assert found.gradient["filament.width"] == 0.0
+    assert len(found.crossings) == 1
+
+
+def test_a_fraction_of_the_span_and_a_time() -> None:
+    """With a limit of c L the exponents are thirds; the sag at a time is that of a run of this length."""
+    fraction, time = 2e-4, 0.7
+    found = critical_span(_beam("clamped"), fraction, time=f"{time} s", within=("20 mm", "200 mm"))
+    stiffness = _VISCOSITY * _THICKNESS**2 / (12 * _DENSITY * _GRAVITY * time)
+    assert found.span == pytest.approx((384 * fraction * stiffness) ** (1 / 3), rel=3e-3)
+    assert found.gradient["material.viscosity"] == pytest.approx(1 / 3, abs=3e-3)
+    assert found.gradient["filament.thickness"] == pytest.approx(2 / 3, abs=5e-3)
+    assert found.sag == pytest.approx(fraction * found.span, rel=1e-8)
+
+
+def test_equilibria_have_no_forward_model() -> None:
+    """An elastic beam without inertia: q L^4/(384 E I), by differences of runs."""
+    modulus, limit = 1e6, 1e-4
+    beam = _beam(
+        "clamped",
+        {
+            "material.law": "elastic",
+            "material.viscosity": None,
+            "run.frames": 2,
+            "run.effects": ["bending"],
+            "load.ramp": f"{_DURATION!r} s",
+            "material.youngs_modulus": f"{modulus!r} Pa",
+        },
+    )
+    found = critical_span(beam, f"{limit!r} m", within=("20 mm", "60 mm"))
+    stiffness = modulus * _THICKNESS**2 / (12 * _DENSITY * _GRAVITY)
+    assert found.span == pytest.approx((384 * limit * stiffness) ** 0.25, rel=2e-3)
+    assert found.gradient["material.youngs_modulus"] == pytest.approx(0.25, abs=1e-3)
+    assert found.gradient["filament.thickness"] == pytest.approx(0.5, abs=1e-3)
+
+
+@pytest.mark.slow
+def test_the_gradient_agrees_with_finite_differences() -> None:
+    """A Maxwell filament that rings: critical spans of scenes with another viscosity, everything chosen anew."""
+    scene = sc.load_scene("maxwell-fast", {"run.effects": "paper", "groups.duration": 4, "numerics.cells": 16})
+    within = ("0.2 m", "0.5 m")
+    found = critical_span(scene, 0.03, within=within)
+    step, viscosity = 0.02, scene.material.viscosity
+    assert viscosity is not None
+    spans = [
+        critical_span(
+            scene.replace({"material.viscosity": f"{viscosity * math.exp(sign * step)!r} Pa*s"}), 0.03, within=within
+        ).span
+        for sign in (-1, 1)
+    ]
+    slope = math.log(spans[1] / spans[0]) / (2 * step)
+    assert found.gradient["material.viscosity"] == pytest.approx(slope, abs=2e-3)
+    # Only these have mass in their dimension: scaled alike, nothing moves.
+    massive = ("material.viscosity", "material.youngs_modulus", "filament.density")
+    assert sum(found.gradient[path] for path in massive) == pytest.approx(0.0, abs=1e-4)
+
+
+@pytest.mark.slow
+def test_a_yield_stress_string_is_arrested() -> None:
+    """A stiff string stops as a catenary whose largest stress is the yield stress: G cosh u = 2 u [3.13, exact]."""
+    scene = sc.load_scene("arrested-overdamped", {"groups.delta": 0.005, "groups.eps_Y": 2e-4})
+    named = ["bending", "extensibility", "large-rotation", "finite-stretch", "viscous-flow", "yielding", "gravity-ramp"]
+    scene = scene.replace({"run.duration": "60 s", "run.effects": named, "load.ramp": "1 s", "run.frames": 31})
+    fraction, material = 0.07, scene.material
+    assert material.yield_stress is not None
+    found = critical_span(scene, fraction, within=("150 mm", "400 mm"))
+    u, _ = illinois(lambda u: (math.cosh(u) - 1) / (2 * u) - fraction, (0.1, -1.0), (1.0, 1.0), 1e-12)
+    ideal = 2 * u / math.cosh(u) * material.yield_stress / (scene.filament.density * scene.load.gravity)
+    assert found.span == pytest.approx(ideal, rel=0.03)
+    assert found.gradient["material.yield_stress"] == pytest.approx(1.0, abs=0.05)
+    assert found.gradient["filament.density"] == pytest.approx(-1.0, abs=0.05)
+
+
+def test_critical_spans_that_are_refused() -> None:
+    """Each says what would do."""
+    beam = _beam("clamped")
+    with pytest.raises(sc.SceneError, match=r"limit: .*no unit"):
+        critical_span(beam, "12")
+    with pytest.raises(sc.SceneError, match=r"limit: .*not positive"):
+        critical_span(beam, -0.1)
+    with pytest.raises(sc.SceneError, match=r"within filament\.span"):
+        critical_span(beam, "1 mm", within=("50 mm", "20 mm"))
+    with pytest.raises(sc.SoftcatError, match="even a span of 20 mm sags"):
+        critical_span(beam, "1e-9 m", within=("20 mm", "40 mm"))
+    with pytest.raises(sc.SoftcatError, match="no span from 20 mm to 40 mm reaches the limit"):
+        critical_span(beam, "1 m", within=("20 mm", "40 mm"))
+
+
+def test_the_scan_finds_every_crossing_and_illinois_the_root() -> None:
+    """Infinite values count as above; a root is closed in from an infinite end too."""
+    assert crossings([-1.0, 2.0, math.inf, -3.0, -math.inf]) == (0, 2)
+
+    def function(x: float) -> float:
+        return math.inf if x > 1.5 else x**3 - 2
+
+    root, value = illinois(function, (0.0, -2.0), (4.0, math.inf), 1e-12)
+    assert root == pytest.approx(2 ** (1 / 3), rel=1e-9)
+    assert abs(value) < 1e-8
+
+
+@dataclass
+class _Scattered:
+    """Sag L^2 with one slope that is wild at one span only."""
+
+    wild: float
+
+    def at(self, span: float) -> tuple[float, float, dict[str, float]]:
+        slope = 40.0 if abs(span - self.wild) < 1e-4 * span else -1.0
+        return span**2, 2.0, {"p": slope}
+
+
+def test_a_wild_slope_is_outvoted() -> None:
+    """At a fibre that yields just then differences are no derivatives: the median of the neighbours is taken."""
+    root = polished(_Scattered(2.0), Limit(4.0, of_span=False), 2.001)
+    assert root.span == pytest.approx(2.0, rel=1e-9)
+    assert root.gradient == pytest.approx({"p": 0.5})
+    assert polished(_Scattered(9.0), Limit(0.5, of_span=True), 0.5).gradient == pytest.approx({"p": 1.0})
+
+
+_NOISE = 1e-5
+
+
+def _maxwell(name: str = "maxwell-fast", duration: float = 6) -> sc.Scene:
+    """The published theory on few cells."""
+    return sc.load_scene(name, {"run.effects": "paper", "groups.duration": duration, "numerics.cells": 16})
+
+
+def _errors(scene: sc.Scene, names: list[str], frames: int, noise: float = _NOISE) -> np.ndarray:
+    free = free_parameters(scene, names)
+    unknowns = Unknowns(free, np.ones(len(free), dtype=bool))
+    return relative_errors(exact_film(scene, free, frames, Noise(noise)).information, unknowns)
+
+
+def test_errors_go_as_noise_and_as_the_root_of_frames() -> None:
+    """Four times the frames: half the errors, but for the ends of the film; twice the noise: twice the errors."""
+    scene, both = _maxwell(), ["youngs_modulus", "viscosity"]
+    few, many, noisy = (_errors(scene, both, n, s) for n, s in ((201, _NOISE), (801, _NOISE), (201, 2 * _NOISE)))
+    assert few / many == pytest.approx(2.0, rel=0.02)
+    assert noisy / few == pytest.approx(2.0, rel=1e-9)
+
+
+def test_one_run_serves_all_its_films() -> None:
+    """The integral over time agrees with the frames themselves, at every duration."""
+    scene = _maxwell()
+    free = free_parameters(scene, ["youngs_modulus", "viscosity"])
+    unknowns = Unknowns(free, np.ones(2, dtype=bool))
+    films = films_of(scene, free, 0.1, scene.run.duration)
+    for number in (0, 150, 400, -1):
+        short = scene.replace({"run.duration": f"{float(films.durations[number])!r} s"})
+        by_frames = _errors(short, ["youngs_modulus", "viscosity"], 501)
+        information = films.information(np.full(len(films.durations), 501.0), _NOISE)[number]
+        assert relative_errors(information, unknowns) == pytest.approx(by_frames, rel=0.03)
+
+
+def test_what_film_tells_what_of_a_maxwell_fluid() -> None:
+    """The modulus shows while it rings, the viscosity long after: for each its own duration, and both in between."""
+    scene = _maxwell("maxwell-slow", 20)
+    within = {"duration": ("0.1 s", f"{scene.run.duration!r} s"), "frame_rate": ("1 Hz", "1 kHz")}
+    found = {
+        name: design_experiment(scene, [name], _NOISE, within, nuisance=[other], max_frames=100)
+        for name, other in (("youngs_modulus", "viscosity"), ("viscosity", "youngs_modulus"))
+    }
+    elastic, viscous = found["youngs_modulus"], found["viscosity"]
+    assert elastic.best.duration < 0.5 * viscous.best.duration
+    assert elastic.best.errors["material.youngs_modulus"] < viscous.best.errors["material.youngs_modulus"]
+    assert viscous.best.errors["material.viscosity"] < elastic.best.errors["material.viscosity"]
+    assert elastic.counted == ("material.youngs_modulus",)
+    assert elastic.at_bounds == {"max_frames": "upper"}
+
+
+def _brute_force(scene: sc.Scene, noise: float, frames: int) -> float:
+    """Least worst error on a grid of spans, thicknesses and durations, by frames and with effects chosen anew."""
+    worst = []
+    for span, thickness, duration in product((0.1, 0.2, 0.3), (5e-4, 2e-3), (0.3, 0.6, 1.2)):
+        changes = {
+            "filament.span": f"{span} m",
+            "filament.thickness": f"{thickness} m",
+            "run.duration": f"{duration} s",
+        }
+        worst.append(_errors(scene.replace(changes), ["youngs_modulus", "viscosity"], frames, noise).max())
+    return float(min(worst))
+
+
+@pytest.mark.slow
+def test_the_optimum_beats_a_grid() -> None:
+    """And all that was tried, and the scene as given; a camera that keeps everything films at its highest rate."""
+    scene, told = _maxwell(), list[Trial]()
+    within = {"span": ("100 mm", "300 mm"), "thickness": ("0.5 mm", "2 mm"), "duration": ("0.3 s", "1.2 s")}
+    found = design_experiment(
+        scene,
+        ["youngs_modulus", "viscosity"],
+        "10 um",
+        within | {"frame_rate": ("10 Hz", "400 Hz")},
+        max_frames=101,
+        told=told.append,
+    )
+    assert found.best.worst <= _brute_force(scene, _NOISE, 101) * 1.01
+    assert found.best.worst <= min(trial.worst for trial in found.tried)
+    assert tuple(told) == found.tried
+    assert found.gain == pytest.approx(found.as_given.worst / found.best.worst)
+    assert found.gain > 1
+    assert found.best.frames == 101
+    assert found.at_bounds["filament.span"] == "upper"
+    assert found.scene.filament.span == 0.3
+    assert "Film a span of 300 mm" in found.text[0]
+
+
+def _filmed(**changes: object) -> Experiment:
+    scene = _maxwell()
+    asked: dict[str, object] = {"duration": ("0.2 s", "0.8 s"), "frame_rate": ("10 Hz", "200 Hz")}
+    return design_experiment(scene, ["viscosity"], _NOISE, asked, **changes)  # type: ignore[arg-type]
+
+
+def test_nuisance_costs_and_roughness_is_the_worst_corner() -> None:
+    """An unknown more makes every error larger; corners make the worst larger; the camera's highest rate is taken."""
+    plain = _filmed()
+    assert plain.best == _filmed().best
+    assert plain.best.frame_rate == pytest.approx(200, rel=0.01)
+    assert plain.at_bounds.keys() >= {"frame_rate"}
+    more = _filmed(nuisance=["time_offset", "initial_sag"])
+    assert more.best.worst > plain.best.worst
+    assert more.counted == ("material.viscosity",)
+    assert more.best.worst == more.best.errors["material.viscosity"]
+    corners = _filmed(rough=3.0)
+    assert corners.best.worst > plain.best.worst
+    assert any("factor of 3" in sentence for sentence in corners.text)
+
+
+def test_pictures_and_tables_are_written(tmp_path: Path) -> None:
+    """The scene can be run; the table holds the best, the scene as given and every trial."""
+    found = _filmed()
+    written = {path.name: path for path in write_experiment(found, tmp_path)}
+    assert written["experiment.png"].read_bytes().startswith(b"\x89PNG")
+    assert sc.load_scene(written["scene.toml"]) == found.scene
+    rows = list(csv.DictReader(written["experiment.csv"].read_text().splitlines()))
+    assert [row["what"] for row in rows] == ["best", "as given", *["tried"] * len(found.tried)]
+    assert float(rows[0]["worst"]) == found.best.worst
+
+
+def test_what_cannot_be_told_apart_is_named() -> None:
+    """Modulus, viscosity and density all scaled alike move nothing: only their ratios show."""
+    scene = _maxwell()
+    with pytest.raises(sc.SoftcatError, match=r"what is determined.*\^"):
+        design_experiment(scene, ["youngs_modulus", "viscosity", "density"], _NOISE, {"duration": ("0.2 s", "0.8 s")})
+
+
+def test_refusals() -> None:
+    """Every fault at once, with what would do."""
+    scene = _maxwell()
+    with pytest.raises(sc.SceneError) as caught:
+        design_experiment(scene, ["time_offset"], "0 mm", {}, max_frames=1, rough=0.5)
+    assert [fault.path for fault in caught.value.faults] == ["free", "noise", "max_frames", "rough"]
+    with pytest.raises(sc.SceneError) as caught:
+        within = {"spann": ("1 mm", "2 mm"), "thickness": ("2 mm", "1 mm"), "duration": "5 m"}
+        design_experiment(scene, ["viscosity"], "1 um", within)
+    texts = [str(fault) for fault in caught.value.faults]
+    assert "no design variable" in texts[0]
+    assert "is above" in texts[1]
+    assert "not a time" in texts[2]
+    with pytest.raises(sc.SceneError, match="nothing is free"):
+        design_experiment(scene, [], "1 um", {})
+
+
+def test_the_search_finds_a_minimum_behind_a_jump() -> None:
+    """A tilted quadratic with a step and a forbidden corner, to the fineness that is promised; bounds are reached."""
+
+    def value(point: tuple[float, ...]) -> float:
+        x, y = point
+        if x + y > 3:
+            return math.inf
+        return (x - 0.7) ** 2 + (x - 0.7) * (y - 1.1) + (y - 1.1) ** 2 + (1.0 if x < 0.2 else 0.0)
+
+    best = pattern_search(value, np.array([0.0, 0.0]), np.array([2.0, 2.0]), 200)
+    assert best == pytest.approx((0.7, 1.1), abs=0.05)
+    assert pattern_search(lambda point: point[0], np.array([1.0]), np.array([3.0]), 60) == (1.0,)
+    assert pattern_search(lambda point: math.inf, np.array([1.0]), np.array([3.0]), 60) is None
+
+
+def test_every_duration_is_resolved() -> None:
+    """From the shortest film on, and where there is one only."""
+    times, durations = film_times(0.5, 40.0)
+    assert np.all(np.diff(times) > 0)
+    assert (durations[0], durations[-1], times[-1]) == (0.5, 40.0, 40.0)
+    assert film_times(2.0, 2.0)[1].tolist() == [2.0]
+
+
+def test_errors_of_a_known_information() -> None:
+    """The inverse where there is one; infinite for what takes part in a direction that is not seen."""
+    free = free_parameters(_maxwell(), ["youngs_modulus", "viscosity"])
+    unknowns = Unknowns(free, np.array([True, False]))
+    matrix = np.array([[4.0, 1.0], [1.0, 9.0]])
+    assert relative_errors(matrix, unknowns) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(matrix))))
+    assert relative_errors(np.diag([4.0, 0.0]), unknowns).tolist() == [0.5, math.inf]
+    assert relative_errors(np.ones((2, 2)), unknowns).tolist() == [math.inf, math.inf]
+    assert relative_errors(np.full((2, 2), np.nan), unknowns).tolist() == [math.inf, math.inf]
+    assert unknowns.worst(np.array([0.5, math.inf])) == 0.5
+
+
+SCENE = ("maxwell-fast", *sets("run.effects=paper", "groups.duration=6", "numerics.cells=10"))
+FILM = ("--free", "viscosity", "--noise", "10 um", "--duration", "0.2:0.8 s", "--frame-rate", "10:200 Hz")
+FILES = {"experiment.json", "scene.toml", "experiment.csv", "experiment.png"}
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    return Softcat(monkeypatch, capsys)
+
+
+def test_files_and_what_is_said(softcat: Softcat, tmp_path: Path) -> None:
+    (tmp_path / "critical_span.png").write_bytes(b"of an earlier design")
+    done = softcat("experiment", *SCENE, *FILM, "-o", str(tmp_path))
+    assert done.status == 0, done.err
+    assert {path.name for path in tmp_path.iterdir()} == FILES
+    found = json.loads((tmp_path / "experiment.json").read_text())
+    best = found["best"]
+    assert found["text"][0] in done.out and "Film a span of 200 mm" in done.out
+    assert best["worst"] == best["errors"]["material.viscosity"]
+    assert found["gain"] == pytest.approx(found["as_given"]["worst"] / best["worst"])
+    scene = sc.load_scene(str(tmp_path / "scene.toml"))
+    assert (scene.run.duration, scene.run.frames) == (pytest.approx(best["duration_s"]), best["frames"])
+    rows = list(csv.DictReader((tmp_path / "experiment.csv").read_text().splitlines()))
+    assert float(rows[0]["worst"]) == best["worst"]
+    # The sag that is told is that of a run.
+    assert best["sag_m"] == pytest.approx(float(abs(sc.simulate(scene).data.midpoint.values).max()), rel=0.01)
+
+
+@pytest.mark.slow
+def test_a_limit_of_the_sag_noise_of_the_sag_and_the_critical_span(softcat: Softcat, tmp_path: Path) -> None:
+    limited = ("--max-sag", "2 mm", "--noise", "1 %", "--span", "0.1:0.2 m", "--sag", "4 mm", "-q")
+    # The last of an option counts.
+    done = softcat("experiment", *SCENE, *FILM, *limited, "-o", str(tmp_path))
+    assert (done.status, done.out, done.err) == (0, "", "")
+    assert {path.name for path in tmp_path.iterdir()} == FILES | {"critical_span.png", "critical_span.csv"}
+    found = json.loads((tmp_path / "experiment.json").read_text())
+    best, critical = found["best"], found["critical_span"]
+    scene = sc.load_scene(str(tmp_path / "scene.toml"))
+    assert float(abs(sc.simulate(scene).data.midpoint.values).max()) <= 2e-3
+    assert found["noise_m"] == pytest.approx(0.01 * best["sag_m"])
+    given = sc.load_scene("maxwell-fast", ["run.effects=paper", "groups.duration=6", "numerics.cells=10"])
+    at_limit = given.replace({"filament.span": f"{critical['span_m']!r} m"})
+    assert float(abs(sc.simulate(at_limit).data.midpoint.values).max()) == pytest.approx(4e-3, rel=0.01)
+    assert set(critical["gradient"]) >= {"material.viscosity", "filament.density"}
+
+
+BAD = {
+    "scene": (("maxwell-fsat", *FILM), "maxwell-fsat"),
+    "nothing free": ((*SCENE, "--noise", "1 um"), "--free"),
+    "no noise": ((*SCENE, "--free", "viscosity"), "--noise"),
+    "unknown": ((*SCENE, *FILM, "--free", "viscsity"), "did you mean"),
+    "camera only": ((*SCENE, "--noise", "1 um", "--free", "time_offset"), "nothing that counts is free"),
+    "noise of no unit": ((*SCENE, *FILM, "--noise", "10"), "noise"),
+    "noise in s": ((*SCENE, *FILM, "--noise", "10 s"), "not a length"),
+    "no noise at all": ((*SCENE, *FILM, "--noise", "0 %"), "not positive"),
+    "noise in words": ((*SCENE, *FILM, "--noise", "few %"), "no percentage"),
+    "reversed": ((*SCENE, *FILM, "--span", "50:5 mm"), "is above"),
+    "three ends": ((*SCENE, *FILM, "--span", "5:10:20 mm"), "within filament.span"),
+    "empty end": ((*SCENE, *FILM, "--thickness", ":2 mm"), "within filament.thickness"),
+    "rate in s": ((*SCENE, *FILM, "--frame-rate", "1:2 s"), "frequency"),
+    "thick": ((*SCENE, *FILM, "--thickness", "1:2 m"), "a thickness below the span"),
+    "frames": ((*SCENE, *FILM, "--max-frames", "1"), "--max-frames"),
+    "rough": ((*SCENE, *FILM, "--rough", "0.5"), "at least one"),
+    "sag": ((*SCENE, *FILM, "--sag", "-1 mm"), "not positive"),
+    "sag in words": ((*SCENE, *FILM, "--max-sag", "little"), "max_sag"),
+    "sag too small": ((*SCENE, *FILM, "--max-sag", "1 nm"), "sags more than"),
+    "set": ((*SCENE, *FILM, *sets("material.visosity=1 Pa*s")), "material.visosity"),
+}
+
+
+@pytest.mark.parametrize(("arguments", "message"), BAD.values(), ids=BAD)
+def test_bad_input_is_one_message_and_leaves_nothing(
+    arguments: tuple[str, ...], message: str, softcat: Softcat, tmp_path: Path
+) -> None:
+    output = tmp_path / "out"
+    done = softcat("experiment", *arguments, "-o", str(output))
+    assert done.status == 2 and done.out == ""
+    assert message in " ".join(done.err.replace("│", " ").split())
+    assert not output.exists()

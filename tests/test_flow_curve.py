@@ -1,0 +1,321 @@
+"""Flow curves: what is read and refused; the fit against exact data, SciPy and its own claim of 95 %; the command."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from rich.console import Console
+from scipy.optimize import least_squares
+from scipy.stats import t as student
+
+import softcat_sym as sc
+from softcat_sym.errors import SoftcatError
+from softcat_sym.fitting.flow_curve import INDEX_BOUNDS, Candidate, FlowCurve, fit_flow_curve, read_flow_curve
+from softcat_sym.fitting.identifiability import standard_errors, student_quantile
+from softcat_sym.plotting.files import json_bytes
+from softcat_sym.plotting.flow_curve import flow_curve_figure, print_flow_curve
+from tests.cli.in_process import Softcat, sets
+from tests.inverse.curves import MATERIALS, RATE, curve_of, write_csv
+
+LAWS = ("bingham", "power-law", "herschel-bulkley")
+ROWS = "1,14\n10,20\n100,40\n1000,90\n"
+HEADER = "shear_rate_1_s,shear_stress_Pa\n"
+
+READ = {
+    "BOM": "\ufeff" + HEADER + ROWS,
+    "comments": "# sample 7, 23 C\n\n  # cup and bob\n" + HEADER + ROWS.replace("100,", "# pause\n\n100,"),
+    "spaces": " shear_rate_1_s , shear_stress_Pa \n" + ROWS.replace(",", " ,  "),
+    "CRLF": (HEADER + ROWS).replace("\n", "\r\n"),
+    "quotes": '"shear_rate_1_s","shear_stress_Pa"\n' + ROWS.replace("14", '"14"'),
+    "other columns": "note,shear_stress_Pa,shear_rate_1_s\nslow,14,1\n,20,1e1\nnan,40,100\n,90,1000,,\n",
+    "Excel": "sep=;\n" + (HEADER + ROWS.replace("20", "20,0")).replace(",", ";").replace("20;0", "20,0"),
+    "tabs": (HEADER + ROWS).replace(",", "\t"),
+    "decimal commas": "Shear rate [1/s];Shear Stress (kPa)\n1,0;0,014\n10;2e-2\n100;,04\n1000,;0.090\n",
+    "units": "shear_rate_1/min,shear_stress_mPa\n60,14000\n600,2e4\n6e3,4e4\n60000,9e4\n",
+    "s^-1": "shear rate (s^-1),shear_stress_Pa\n" + ROWS,
+    "s-1": "shear rate [s-1],shear stress [Pa]\n" + ROWS,
+}
+
+REFUSED = [
+    ("", "holds no data"),
+    (HEADER, "0 distinct shear rates; accepted: at least 4"),
+    ("shear_rate_1_s,stress_Pa\n" + ROWS, r"no column shear_stress_Pa .*called 'stress_Pa'"),
+    ("shear_rate_1_s shear_stress_Pa\n", "separated by commas, semicolons or tabs"),
+    ("shear_rate_1_s,shear_stress_Pa,shear_rate_1_s\n" + ROWS, "2 columns for one quantity: shear_rate_1_s, shear"),
+    ("shear_rate_1_s,shear stress [kbananas]\n" + ROWS, r"column 'shear stress \[kbananas\]': unknown unit"),
+    ("shear_rate_s,shear_stress\n" + ROWS, "2 faults.*'s' is a time, not a shear rate.*no unit in its name"),
+    (HEADER + "1,14,5\n" + ROWS, "line 2: 3 cells under 2 names.*decimal commas need semicolons"),
+    (HEADER + ROWS.replace("20", "twenty"), "line 3, shear_stress_Pa: 'twenty' is not a number"),
+    (HEADER + ROWS.replace("20", "").replace("40", "n/a"), r"2 of 4 rows without a number \(line 3, line 4\)"),
+    (HEADER + ROWS.replace("20", "1_000"), "'1_000' is not a number"),
+    (HEADER + ROWS.replace("20", "1e999"), "inf is not finite"),
+    (HEADER + ROWS.replace("20", "-20"), "line 3, shear_stress_Pa: -20 is not positive"),
+    (HEADER + ROWS.replace("\n10,", "\n0,"), "line 3, shear_rate_1_s: 0 is not positive"),
+    (HEADER + ROWS.replace("20", "2e20"), "beyond what a rheometer measures"),
+    (HEADER + ROWS.replace("1000,", "100.00000001,") + "1,15\n10,21\n", "3 distinct shear rates"),
+    (HEADER + "a,b\n" * 9, "18 faults.*and 10 more"),
+    (HEADER + ROWS + "\0", "not text"),
+]
+
+
+def test_what_rheometers_write_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "curve.csv"
+    for name, text in READ.items():
+        path.write_bytes(text.encode())
+        curve = read_flow_curve(path)
+        assert (curve.path, curve.notes) == (path, ()), name
+        assert (curve.shear_rate.tolist(), curve.shear_stress.tolist()) == ([1, 10, 100, 1000], [14, 20, 40, 90]), name
+    path.write_text(HEADER + ROWS + "5\n")
+    assert read_flow_curve(path).warnings == ("Left out 1 of 5 rows without a number (line 6).",)
+
+
+def test_bad_files_and_points_are_one_clear_refusal(tmp_path: Path) -> None:
+    path = tmp_path / "curve.csv"
+    for text, message in REFUSED:
+        path.write_text(text)
+        with pytest.raises(SoftcatError, match=rf"(?s)flow curve {path}: .*{message}"):
+            fit_flow_curve(str(path))
+    contents = (
+        (HEADER.encode() + "1,14\n# 20 °C\n".encode("latin-1"), "line 3: not UTF-8"),
+        (b"1" * ((1 << 24) + 1), "longer than 16 MiB"),
+    )
+    for content, message in contents:
+        path.write_bytes(content)
+        with pytest.raises(SoftcatError, match=message):
+            fit_flow_curve(path)
+    for absent, message in ((tmp_path / "nowhere.csv", "no such file"), (tmp_path, "a directory")):
+        with pytest.raises(SoftcatError, match=message):
+            fit_flow_curve(absent)
+    points = [
+        ([1, 2, 3, 4], [1, 2, 3], r"shape \(4,\).*shape \(3,\)"),
+        ([[1, 2], [3, 4]], [[1, 2], [3, 4]], "two lists"),
+        ([1, 2, 3, "x"], [1, 2, 3, 4], "shear_rate: not a list of numbers"),
+        ([1, 2, 3, 4], [1, 2, float("nan"), 4], r"shear_stress\[2\]: nan is not finite"),
+        ([1, 2, 3, -4], [1, 2, 3, 0], "2 faults"),
+        ([], [], "0 distinct"),
+    ]
+    for rate, stress, message in points:
+        with pytest.raises(SoftcatError, match=rf"(?s){message}"):
+            FlowCurve(rate, stress)  # type: ignore[arg-type]
+
+
+def constants(one: Candidate) -> list[float]:
+    """tau_Y, k and n of a candidate, as far as it has them."""
+    return [estimate.value for estimate in (one.tau_Y, one.k, one.n) if estimate is not None]
+
+
+def oracle(curve: FlowCurve, law: str) -> tuple[np.ndarray, float]:
+    """Constants and sum of squares from SciPy's trust region, the best of many starts; k is fitted by its logarithm."""
+    rate, stress = curve.shear_rate, curve.shear_stress
+    has_yield, has_index = law != "power-law", law != "bingham"
+
+    def unpack(x: np.ndarray) -> tuple[float, float, float]:
+        rest = list(x)
+        tau_Y = rest.pop(0) * stress.min() if has_yield else 0.0
+        return tau_Y, math.exp(rest.pop(0)), rest.pop(0) if has_index else 1.0
+
+    def residual(x: np.ndarray) -> np.ndarray:
+        tau_Y, k, n = unpack(x)
+        return (tau_Y + k * rate**n) / stress - 1
+
+    low = [0.0] * has_yield + [-60.0] + [INDEX_BOUNDS[0]] * has_index
+    high = [np.inf] * has_yield + [60.0] + [INDEX_BOUNDS[1]] * has_index
+    found = []
+    for share in (0.1, 0.9) if has_yield else (0.0,):
+        for n in (0.1, 0.4, 1.0, 2.0) if has_index else (1.0,):
+            middle = len(rate) // 2
+            k = math.log((1 - 0.9 * share) * stress[middle] / rate[middle] ** n)
+            start = [share] * has_yield + [k] + [n] * has_index
+            found.append(least_squares(residual, start, bounds=(low, high), xtol=1e-15, ftol=1e-15, gtol=1e-15))
+    best = min(found, key=lambda one: one.cost)
+    tau_Y, k, n = unpack(best.x)
+    return np.array([tau_Y] * has_yield + [k] + [n] * has_index), 2 * best.cost
+
+
+def test_exact_data_give_back_their_law_and_constants() -> None:
+    for law, tau_Y, k, n in MATERIALS:
+        best = fit_flow_curve(curve_of(tau_Y, k, n)).best
+        assert best.law == law and best.relative_rms < 1e-10
+        expected = [tau_Y] * (law != "power-law") + [k] + [n] * (law != "bingham")
+        np.testing.assert_allclose(constants(best), expected, rtol=1e-6)
+        assert all(one.verdict == "determined" for one in (best.tau_Y, best.k, best.n) if one is not None)
+
+
+def test_noisy_data_are_fitted_as_scipy_fits_them() -> None:
+    for seed, (_, tau_Y, k, n) in enumerate([*MATERIALS, *MATERIALS]):
+        curve = curve_of(tau_Y, k, n, noise=0.03, seed=seed)
+        for one in fit_flow_curve(curve).candidates:
+            expected, squares = oracle(curve, one.law)
+            # Never worse than the best of SciPy's starts; equal constants wherever SciPy has found the same optimum.
+            assert one.relative_rms**2 * RATE.size <= squares * (1 + 1e-9)
+            if one.tau_Y is None or one.tau_Y.verdict == "determined":
+                np.testing.assert_allclose(constants(one), expected, rtol=1e-6)
+
+
+def test_the_95_percent_intervals_hold_the_truth_in_95_percent_of_all_sets() -> None:
+    truth, held = (12.0, 3.4, 0.43), np.zeros(3)
+    for seed in range(200):
+        one = fit_flow_curve(curve_of(*truth, noise=0.03, seed=1000 + seed)).candidate("herschel-bulkley")
+        for k, (estimate, value) in enumerate(zip((one.tau_Y, one.k, one.n), truth, strict=True)):
+            assert estimate is not None and estimate.interval is not None
+            held[k] += estimate.interval[0] <= value <= estimate.interval[1]
+    # Three standard deviations of a binomial with 200 draws are 4.6 %.
+    assert np.all((held / 200 > 0.904) & (held / 200 < 0.996)), held / 200
+
+
+def test_bingham_data_prefer_bingham_to_a_third_constant() -> None:
+    chosen = [fit_flow_curve(curve_of(12.0, 0.5, 1.0, noise=0.02, seed=seed)).best.law for seed in range(40)]
+    # A third constant that means nothing gains more than it costs in about one set of eight.
+    assert chosen.count("bingham") >= 30 and "power-law" not in chosen
+
+
+def test_the_criterion_is_aicc() -> None:
+    data = curve_of(12.0, 3.4, 0.43, noise=0.05)
+    for points, needs in ((26, ()), (7, ()), (5, ("herschel-bulkley",)), (4, LAWS)):
+        thin = np.linspace(0, RATE.size - 1, points).astype(int)
+        fit = fit_flow_curve(FlowCurve(data.shear_rate[thin], data.shear_stress[thin]))
+        for one in fit.candidates:
+            p = len(constants(one)) + 1
+            aic = points * math.log(np.mean(one.residuals**2)) + 2 * p
+            exact = math.inf if one.law in needs else aic + 2 * p * (p + 1) / (points - p - 1)
+            assert (one.aic, one.aicc) == pytest.approx((aic, exact))
+        assert [one.aicc for one in fit.candidates] == sorted(one.aicc for one in fit.candidates)
+        # Five points or fewer never speak for three constants.
+        assert points > 5 or fit.best.law != "herschel-bulkley"
+        assert any("too few" in text for text in fit.warnings) == (points < 6)
+
+
+def test_tension_follows_from_shear_by_von_mises() -> None:
+    fit = fit_flow_curve(curve_of(12.0, 3.4, 0.43))
+    one = fit.candidate("herschel-bulkley")
+    tensile = one.tensile
+    assert (tensile.yield_stress, tensile.viscosity) == pytest.approx((math.sqrt(3) * 12, 3**0.715 * 3.4))
+    # A bar drawn at the rate e has the shear rate sqrt(3) e and the tensile stress sqrt(3) tau.
+    rate = np.array([0.01, 0.3, 20.0])
+    pulled = tensile.yield_stress + tensile.viscosity * rate**tensile.index
+    np.testing.assert_allclose(pulled, math.sqrt(3) * one.stress(math.sqrt(3) * rate), rtol=1e-12)
+    bingham = fit.candidate("bingham")
+    assert bingham.tensile.viscosity == pytest.approx(3 * bingham.k.value)
+    assert bingham.tensile.index is None and fit.candidate("power-law").tensile.yield_stress is None
+    assert fit.overrides() == {
+        "material.law": "herschel-bulkley",
+        "material.shear_yield_stress": "12 Pa",
+        "material.shear_consistency": "3.4 Pa*s^0.43",
+        "material.index": 0.43,
+    }
+    assert set(fit.overrides("power-law")) == {"material.law", "material.shear_consistency", "material.index"}
+    with pytest.raises(SoftcatError, match=r"no law 'powerlaw' is fitted .did you mean 'power-law'.*bingham"):
+        fit.overrides("powerlaw")
+
+
+def test_laws_on_a_bound_and_data_that_determine_little() -> None:
+    newtonian = fit_flow_curve(curve_of(0.0, 2.0, 1.0))
+    consistency = {"material.shear_consistency": "2 Pa*s^1", "material.index": 1}
+    assert newtonian.overrides() == {"material.law": "power-law", **consistency}
+    tau_Y = newtonian.candidate("bingham").tau_Y
+    assert tau_Y is not None and (tau_Y.verdict, tau_Y.interval) == ("on a bound", None)
+    with pytest.raises(SoftcatError, match="yield stress is zero: take power-law"):
+        newtonian.overrides("bingham")
+    falling = fit_flow_curve(FlowCurve(RATE, 10 * RATE**-0.2))
+    assert any("falls" in text for text in falling.warnings)
+    yielding = falling.candidate("herschel-bulkley")
+    assert (yielding.k.value, yielding.k.verdict) == (0, "on a bound")
+    assert yielding.n is not None and yielding.n.verdict == "undetermined"
+    with pytest.raises(SoftcatError, match="does not rise"):
+        falling.overrides("herschel-bulkley")
+    rate = np.geomspace(20, 90, 8)
+    error = 1 + 0.03 * np.random.default_rng(4).standard_normal(8)
+    narrow = fit_flow_curve(FlowCurve(rate, (1.0 + 3.4 * rate**0.43) * error))
+    assert any("less than a decade" in text for text in narrow.warnings)
+    tau_Y = narrow.candidate("herschel-bulkley").tau_Y
+    assert tau_Y is not None and tau_Y.verdict != "determined"
+    for freedom in (1, 2, 3, 7, 24, 1000):
+        assert student_quantile(freedom) == pytest.approx(student.ppf(0.975, freedom), rel=1e-12)
+    assert np.all(np.isinf(standard_errors(np.column_stack([np.ones(5), 2 * np.ones(5)]), 0.3)))
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    return Softcat(monkeypatch, capsys)
+
+
+@pytest.fixture
+def paste(tmp_path: Path) -> Path:
+    return write_csv(tmp_path / "paste.csv", curve_of(12.0, 3.4, 0.43, noise=0.02, seed=6))
+
+
+def test_files_table_and_document(paste: Path, softcat: Softcat, tmp_path: Path) -> None:
+    output, files = tmp_path / "deep" / "out", {"flow_curve.json", "flow_curve.csv", "flow_curve.png"}
+    done = softcat("flow-curve", str(paste), "-o", str(output))
+    assert done.status == 0 and {path.name for path in output.iterdir()} == files
+    assert all(text in done.out for text in ("paste.csv", "herschel-bulkley", "AICc"))
+    fit, found = fit_flow_curve(paste), json.loads((output / "flow_curve.json").read_text())
+    assert (found["best"], found["handed_on"], found["points"]) == ("herschel-bulkley", "herschel-bulkley", RATE.size)
+    assert found["overrides"] == fit.overrides() and set(found["candidates"]) == set(LAWS)
+    assert found["candidates"]["herschel-bulkley"]["delta_aicc"] == 0
+    best = found["candidates"]["herschel-bulkley"]["parameters"]
+    assert set(best) == {"shear_yield_stress", "shear_consistency", "index"}
+    assert best["index"]["ci95"][0] < 0.43 < best["index"]["ci95"][1]
+    assert set(found["candidates"]["bingham"]["parameters"]) == {"shear_yield_stress", "shear_viscosity"}
+    table = pd.read_csv(output / "flow_curve.csv", dtype=str).astype(float)
+    np.testing.assert_array_equal(table["shear_rate_1_s"], fit.curve.shear_rate)
+    for one in fit.candidates:
+        name = one.law.replace("-", "_")
+        np.testing.assert_array_equal(table[f"{name}_Pa"], one.fitted)
+        np.testing.assert_array_equal(table[f"{name}_relative_residual"], one.residuals)
+
+
+def test_a_scene_gets_the_material(paste: Path, softcat: Softcat, tmp_path: Path) -> None:
+    output = tmp_path / "out"
+    choice = ("--scene", "no-yield", "--law", "bingham", *sets("material.youngs_modulus=40 kPa"), "-q")
+    done = softcat("flow-curve", str(paste), "-o", str(output), *choice)
+    assert (done.status, done.out, done.err) == (0, "", "")
+    scene, tensile = sc.load_scene(str(output / "scene.toml")), fit_flow_curve(paste).candidate("bingham").tensile
+    assert scene.material.youngs_modulus == 40e3
+    found = (scene.material.yield_stress, scene.material.viscosity)
+    assert found == pytest.approx((tensile.yield_stress, tensile.viscosity), rel=1e-9)
+    assert json.loads((output / "flow_curve.json").read_text())["handed_on"] == "bingham"
+
+
+def test_bad_input_is_one_message_and_leaves_nothing(paste: Path, softcat: Softcat, tmp_path: Path) -> None:
+    falling = str(write_csv(tmp_path / "falling.csv", FlowCurve(RATE, 10 * RATE**-0.2)))
+    scene = (str(paste), "--scene", "no-yield", "--law", "bingham")
+    for arguments, message in (
+        (("nowhere.csv",), "no such file"),
+        ((str(paste), "--law", "binham"), "did you mean 'bingham'"),
+        ((str(paste), "--scene", "no-such-scene"), "no-such-scene"),
+        ((str(paste), *sets("run.duration=1 s")), "--scene"),
+        ((*scene, *sets("material.visosity=1 Pa*s")), "material.visosity"),
+        ((falling, "--scene", "no-yield"), "cannot be handed on"),
+    ):
+        done = softcat("flow-curve", *arguments, "-o", str(tmp_path / "out"))
+        assert done.status == 2 and message in done.err, arguments
+        assert not (tmp_path / "out").exists()
+
+
+def test_picture_table_and_document_of_every_case() -> None:
+    narrow, wide = np.geomspace(1, 1.02, 5), np.geomspace(1e-9, 1e9, 19)
+    cases = {
+        "exact": curve_of(12.0, 3.4, 0.43),
+        "noisy": curve_of(0.0, 3.4, 1.6, noise=0.4, seed=2),
+        "falling": FlowCurve(RATE, 10 * RATE**-0.2),
+        "narrow": FlowCurve(narrow, 5 + narrow),
+        "wide": FlowCurve(wide, 1e3 * wide**0.5),
+        "plateau": FlowCurve(RATE, 0 * RATE + 7),
+    }
+    for name, curve in cases.items():
+        fit = fit_flow_curve(curve)
+        above, below = flow_curve_figure(fit).axes
+        assert above.get_xlim() == below.get_xlim(), name
+        low, high = above.get_ylim()
+        assert all(low < one.fitted.min() and one.fitted.max() < high for one in fit.candidates), name
+        screen = Console(file=io.StringIO(), width=80, color_system=None)
+        print_flow_curve(fit, screen)
+        assert "…" not in screen.file.getvalue(), name  # type: ignore[attr-defined]
+        assert set(json.loads(json_bytes(fit.to_dict()))["candidates"]) == set(LAWS), name
