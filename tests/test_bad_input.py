@@ -18,9 +18,9 @@ from hypothesis import strategies as st
 import softcat_sym as sc
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError
-from tests.cli.in_process import Softcat, sets
+from tests.common.in_process import Softcat, sets
+from tests.common.scenes import BINGHAM, faults_of, spoiled
 from tests.common.table import show
-from tests.scene.tables import BINGHAM, faults_of, spoiled
 
 BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.spam": "0.2 m"}, "filament.spam", "unknown key (did you mean 'span'?)"),

@@ -32,10 +32,10 @@ from tests.common.closed_forms import (
     von_karman_sag,
 )
 from tests.common.filaments import GEOMETRY, PAPER, extrapolated, paper_scene, run, sag, scene, upward_crossings
+from tests.common.reissner_filament import E_STAR
+from tests.common.reissner_filament import run as oracle
+from tests.common.rk4_filament import run as straight_oracle
 from tests.marks import few
-from tests.oracle.reissner_filament import E_STAR
-from tests.oracle.reissner_filament import run as oracle
-from tests.oracle.rk4_filament import run as straight_oracle
 
 # The same filament in plain NumPy, written without a look at this package: staggered in space, RK4 in time.
 CELLS_STRAIGHT = 20

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
+from tests.common import curves
 from tests.common.table import show
-from tests.oracle import curves
 
 Checked = list[tuple[str, float, float, float]]
 """What was looked at, found, expected, and the largest difference in parts of what is expected."""

@@ -27,7 +27,7 @@ from softcat_sym.reference.element_loop import Clamp, Mesh
 from softcat_sym.reference.elements import run_elements
 from softcat_sym.reference.material_point import MaterialPoint
 from softcat_sym.scene.scene import Scene
-from tests.reference.strips import shortened
+from tests.common.strips import shortened
 
 SCENE = sc.load_scene("continual-descent", {"filament.width": "0.06 mm"})
 MESH = Mesh(5, 4, grading=3.0)

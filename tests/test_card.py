@@ -32,7 +32,7 @@ from softcat_sym.studies.card_rules import (
     smay_modulus_needed,
     unusual,
 )
-from tests.cli.in_process import Softcat, sets
+from tests.common.in_process import Softcat, sets
 
 FIELD = {rule.key: rule for rule in RULES}
 ELASTIC = {"law": "elastic", "youngs_modulus": "1 MPa"}

@@ -12,7 +12,7 @@ from scipy.optimize import least_squares
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.closed_form import closed_form, combined_estimate
 from softcat_sym.fitting.features import SLACKEST, TAUTEST, Features, modulus_of, sensitivity, stiffness_number, unread
-from tests.inverse.known_features import DENSITY, GRAVITY, SPAN, UNIT, features_of
+from tests.common.known_features import DENSITY, GRAVITY, SPAN, UNIT, features_of
 
 B = 3.3e-5
 CLOCK = 0.2

@@ -37,7 +37,7 @@ from softcat_sym.scene.keys import LAWS, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.studies.explanation import Explanation, explain
-from tests.cli.in_process import Softcat, sets
+from tests.common.in_process import Softcat, sets
 
 ROOT = Path(__file__).parents[1]
 PROGRAM = Path(sys.executable).with_name("softcat")

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from tests.acceptance.rheology import GEOMETRY, Array, flow_of, limit_of, scene, solved
+from tests.common import curves
+from tests.common.rheology import GEOMETRY, Array, flow_of, limit_of, scene, solved
 from tests.common.table import show
 from tests.common.viscous_string import breaking_time, viscous_string
-from tests.oracle import curves
 
 STRESS = 1e4
 """rho g L [Pa], L = 1 m."""

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from tests.acceptance.rheology import GEOMETRY, flow_of, scene, solved
+from tests.common import materials
+from tests.common.rheology import GEOMETRY, flow_of, scene, solved
 from tests.common.table import show
-from tests.oracle import materials
 
 Laws = Mapping[str, tuple[dict[str, Any], materials.Bar]]
 

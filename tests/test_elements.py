@@ -30,8 +30,7 @@ from softcat_sym.reference.element_loop import (
 )
 from softcat_sym.reference.elements import ElementRun, March, run_elements
 from softcat_sym.reference.material_point import MaterialPoint
-from tests.acceptance.table import show
-from tests.reference.strips import (
+from tests.common.strips import (
     BINGHAM,
     ELASTIC,
     POISSON,
@@ -45,6 +44,7 @@ from tests.reference.strips import (
     timoshenko_frequency,
     timoshenko_sag,
 )
+from tests.common.table import show
 
 PATCH = Mesh(5, 4, grading=2.5)
 THICKNESS = 0.2

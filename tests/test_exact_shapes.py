@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from tests.acceptance.rheology import GEOMETRY, STRING, Array, limit_of, scene, solved
+from tests.common import curves
+from tests.common.rheology import GEOMETRY, STRING, Array, limit_of, scene, solved
 from tests.common.table import show
-from tests.oracle import curves
 
 STRESS = 1e4
 """rho g times 1 m [Pa]."""

@@ -18,7 +18,7 @@ from softcat_sym.design.experiment import Experiment, design_experiment, pattern
 from softcat_sym.design.information import Noise, Trial, Unknowns, exact_film, film_times, films_of, relative_errors
 from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.plotting.design import write_experiment
-from tests.cli.in_process import Softcat, sets
+from tests.common.in_process import Softcat, sets
 
 _GRAVITY, _DENSITY, _THICKNESS, _DURATION, _VISCOSITY = 9.81, 1300.0, 2e-3, 3.0, 5e7
 

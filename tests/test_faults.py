@@ -23,9 +23,9 @@ from softcat_sym.files import fill_atomically, made, replace_atomically, write_a
 from softcat_sym.interrupts import ended_like_ctrl_c, interrupts_go_to
 from softcat_sym.reference.element_loop import write_checkpoint
 from softcat_sym.solvers.compiled import CModel
-from tests.cli.in_process import Softcat, sets
 from tests.common.commands import ended, hanging, is_gone, until
 from tests.common.commands import softcat as started
+from tests.common.in_process import Softcat, sets
 from tests.common.tiny_disk import files_in, remount, tiny_disk
 
 SHORT = ("--set", "groups.duration=10", "--set", "run.frames=11", "--set", "numerics.cells=10", "--mesh", "6x2")

@@ -17,7 +17,7 @@ from softcat_sym.physics.regimes import H as SAG
 from softcat_sym.physics.symbols import L as SPAN_SYMBOL
 from softcat_sym.plotting.fit_figures import features_figure
 from softcat_sym.plotting.style import png
-from tests.inverse.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
+from tests.common.films import DECAY, GRAVITY, SLOPE, SPAN, UNIT, film, frequency_at, third_law
 
 TRUE_B = 64 / 9 * SLOPE * UNIT / SPAN**3
 

@@ -20,7 +20,7 @@ from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
 from tests.common.closed_forms import BEAM_CONSTANT, FIRST_EIGENVALUE, GYRATION
 from tests.common.filaments import GEOMETRY, Array, extrapolated, paper_scene, run, sag, scene, upward_crossings
-from tests.hard.truths import beam_shaken
+from tests.common.truths import beam_shaken
 from tests.marks import few
 
 # Gravity that oscillates: modes of a beam, statics of a slow shake, energy over many periods, ratcheting.

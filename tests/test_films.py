@@ -28,9 +28,8 @@ from softcat_sym.plotting.section import Floats
 from softcat_sym.plotting.style import first_frames, new_figure, png
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
-from tests.cli.in_process import Softcat
-
-from .common.catenary import descent, make_run, make_scene, scene, summary
+from tests.common.catenary import descent, make_run, make_scene, scene, summary
+from tests.common.in_process import Softcat
 
 __all__ = ["descent", "make_run", "make_scene", "scene", "summary"]
 

@@ -16,8 +16,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.fitting import fit as filament_fit
-from tests.cli.in_process import Softcat, sets
-from tests.inverse.filmed import CHEAP, TRUTH, write_film
+from tests.common.filmed import CHEAP, TRUTH, write_film
+from tests.common.in_process import Softcat, sets
 
 PICTURES = {"fit.png", "profiles.png", "correlation.png", "starts.png", "features.png"}
 FILES = {"fit.json", "scene.toml", "fit.csv", "fit.html", *PICTURES}

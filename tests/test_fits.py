@@ -45,8 +45,8 @@ from softcat_sym.plotting.fit_words import (
 )
 from softcat_sym.plotting.style import png
 from softcat_sym.results import trajectory, verdict
-from tests.inverse.curves import curve_of
-from tests.inverse.filmed import film, scene
+from tests.common.filmed import film, scene
+from tests.common.flow_curves import curve_of
 
 NECK = "the cell at X/L = 0.49 carries 60%"
 

@@ -20,8 +20,8 @@ from softcat_sym.fitting.flow_curve import INDEX_BOUNDS, Candidate, FlowCurve, f
 from softcat_sym.fitting.identifiability import standard_errors, student_quantile
 from softcat_sym.plotting.files import json_bytes
 from softcat_sym.plotting.flow_curve import flow_curve_figure, print_flow_curve
-from tests.cli.in_process import Softcat, sets
-from tests.inverse.curves import MATERIALS, RATE, curve_of, write_csv
+from tests.common.flow_curves import MATERIALS, RATE, curve_of, write_csv
+from tests.common.in_process import Softcat, sets
 
 LAWS = ("bingham", "power-law", "herschel-bulkley")
 ROWS = "1,14\n10,20\n100,40\n1000,90\n"

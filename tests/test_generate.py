@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.in_process import Softcat, sets
+from tests.common.in_process import Softcat, sets
 
 BAD: list[tuple[list[str], str]] = [
     (["no-such-scene"], "no-such-scene"),

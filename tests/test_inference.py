@@ -16,7 +16,7 @@ from softcat_sym.fitting import inference
 from softcat_sym.fitting.identifiability import Information, check_residuals, information, standard_errors
 from softcat_sym.fitting.inference import ParameterVerdict, Profile, infer, profile, verdicts
 from softcat_sym.fitting.least_squares import LINEAR, Fixed, Loss, minimise, multi_start
-from tests.inverse.problems import Problem, X, decay, line, problem, product, saturation, unused
+from tests.common.fit_problems import Problem, X, decay, line, problem, product, saturation, unused
 
 
 def informed(p: Problem, *, noise_known: bool, logarithmic: tuple[bool, ...] | None = None) -> Information:

@@ -11,7 +11,7 @@ from scipy.optimize import approx_fprime, least_squares
 
 from softcat_sym.errors import SoftcatError
 from softcat_sym.fitting.least_squares import NOISE, REACHED, Loss, minimise, multi_start
-from tests.inverse.problems import Problem, X, decay, line, problem, product, saturation, unused
+from tests.common.fit_problems import Problem, X, decay, line, problem, product, saturation, unused
 
 PROBLEMS = [
     ("offset slope", line, [1.0, 2.0], 0.1),

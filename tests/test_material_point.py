@@ -16,8 +16,8 @@ from softcat_sym.codegen.library import OPTIMISED, compile_library, load
 from softcat_sym.errors import PrintingError, SoftcatError
 from softcat_sym.physics.symbols import sigma
 from softcat_sym.reference.material_point import LAWS, MaterialPoint, PointLaw, point_code
-from tests.acceptance.table import show
-from tests.reference.paths import BINGHAM, ELASTIC, MAXWELL, Floats, cycle, march, shear_and_stretch
+from tests.common.paths import BINGHAM, ELASTIC, MAXWELL, Floats, cycle, march, shear_and_stretch
+from tests.common.table import show
 
 STRICT = ("-Wall", "-Wextra", "-pedantic", "-Werror", "-Wshadow", "-Wconversion", "-Wstrict-prototypes")
 # An element loop in small: the point in its own translation unit.

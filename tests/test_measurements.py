@@ -20,8 +20,8 @@ from softcat_sym.fitting.measurements import Measurements, Series, Shapes, read_
 from softcat_sym.fitting.plausibility import checked, own_scene
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
-from tests.cli.in_process import Softcat
-from tests.inverse.written_films import FALL, TIME, rows_of, written
+from tests.common.in_process import Softcat
+from tests.common.written_films import FALL, TIME, rows_of, written
 
 Floats = NDArray[np.float64]
 HEADER = "time_s,midpoint_m\n"

@@ -21,7 +21,7 @@ from softcat_sym.scene.scene import Scene, elastic_time
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies import paper_figures
 from softcat_sym.studies.paper_figures import PAPER, ElementFilm, film_elements, stopping_depth
-from tests.cli.in_process import Softcat
+from tests.common.in_process import Softcat
 
 MESH = Mesh(8, 2)
 INSTANTS = (6.0, 12.0, 24.0)

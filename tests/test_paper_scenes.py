@@ -13,7 +13,7 @@ from softcat_sym.physics.regimes import tau_star
 from softcat_sym.physics.rheometry import B, t_star
 from softcat_sym.results.verdict import SHARE_OF_ONE_CELL, largest_share_of_one_cell
 from softcat_sym.scene.scene import gravity_time
-from tests.acceptance.rheology import Array, scene, solved
+from tests.common.rheology import Array, scene, solved
 from tests.common.table import show
 
 CONVERGED = {

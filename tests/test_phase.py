@@ -31,7 +31,7 @@ from softcat_sym.studies.phase_runs import (
     row_of,
     run_places,
 )
-from tests.cli.in_process import Softcat
+from tests.common.in_process import Softcat
 
 LAPLACE = 0.6627434193491816
 """Laplace limit constant, max of u/cosh u; no catenary carries itself beyond G = 2 of it."""

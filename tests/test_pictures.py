@@ -75,8 +75,7 @@ from softcat_sym.plotting.units import (
     time_unit,
 )
 from softcat_sym.solvers.outcome import Outcome
-
-from .common.catenary import descent, make_run, make_scene, scene, summary
+from tests.common.catenary import descent, make_run, make_scene, scene, summary
 
 __all__ = ["descent", "make_run", "make_scene", "scene", "summary"]
 

@@ -17,7 +17,7 @@ import softcat_sym as sc
 from softcat_sym.discretization.assembly import DEFAULT_FIBRES
 from softcat_sym.discretization.section_rule import fibre_rule
 from softcat_sym.physics.sections import SECTIONS
-from tests.acceptance.rheology import GEOMETRY, scene
+from tests.common.rheology import GEOMETRY, scene
 from tests.common.rigid_bridge import Bridge, first_speed, section_rates
 from tests.common.table import show
 

@@ -34,9 +34,9 @@ from softcat_sym.studies.pricing import (
     requirements,
     with_effects,
 )
-from tests.cli.in_process import Softcat, sets
-from tests.effects.scenes import scene_of
-from tests.physics.closed_forms import von_karman_sag
+from tests.common.closed_forms import von_karman_sag
+from tests.common.in_process import Softcat, sets
+from tests.common.scenes import scene_of
 
 QUICK = ["run.frames=11", "numerics.cells=4"]
 NAMES = [effect.name for effect in REGISTRY]

@@ -22,8 +22,8 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 import softcat_sym as sc
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.scene.scene import Scene
-from tests.acceptance.kept_answers import fingerprint, kept
 from tests.common import scene_runs
+from tests.common.kept_answers import fingerprint, kept
 from tests.common.limited_process import Ask, LimitedProcess, side_by_side
 from tests.common.scene_runs import REFUSED, Answer, answer_within, is_balanced, is_late, messages, serve
 from tests.common.scene_strategies import scenes

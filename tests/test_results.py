@@ -26,8 +26,7 @@ from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import identity_of, recalled
 from softcat_sym.solvers import settings
 from softcat_sym.solvers.outcome import Outcome
-
-from .common.runs import run, scene_of
+from tests.common.runs import run, scene_of
 
 CONTRACT = {
     **dict.fromkeys(("x", "y"), ("m", "node")),

@@ -10,9 +10,9 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
-from tests.rivals import scenes
-from tests.rivals.kirchhoff_c import HandWritten, places_of
-from tests.rivals.radau import RadauRival
+from tests.common.rivals import scenes
+from tests.common.rivals.kirchhoff_c import HandWritten, places_of
+from tests.common.rivals.radau import RadauRival
 
 pytestmark = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 NAMES = ("continual-descent", "arrested-overdamped")

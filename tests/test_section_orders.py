@@ -10,9 +10,9 @@ import pytest
 
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.physics.sections import SECTIONS
+from tests.common.filaments import Array
+from tests.common.one_cell import follow, one_cell
 from tests.common.table import show
-from tests.physics.one_cell import follow, one_cell
-from tests.physics.scenes import Array
 
 YIELD = 0.01  # yield stress over E; viscosity, E and thickness are one
 PERIOD, CYCLES, STEPS = 20.0, 3.25, 600

@@ -46,9 +46,9 @@ from softcat_sym.physics.sections import (
     scaled,
 )
 from softcat_sym.physics.symbols import A0, E, c, eta, h0, s, sigma, sigma_0, sigma_1, sigma_Y, zeta
-from tests.acceptance.table import show
 from tests.common.filaments import Array, scene
 from tests.common.one_cell import bend_slowly, one_cell
+from tests.common.table import show
 
 # Means of the Bingham rule over a section: the package's closed forms, and two references that know none of them.
 MODULUS, VISCOSITY, YIELD = 4e6, 13.84e3, 9.32e3

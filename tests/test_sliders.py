@@ -15,7 +15,7 @@ import xarray as xr
 
 from softcat_sym.plotting import sliders as sliders_data
 from softcat_sym.plotting.sliders import sliders_page
-from tests.report.browser import CHROMIUM, browser
+from tests.common.browser import CHROMIUM, browser
 
 WORD = '</script><script>alert("x")</script> & <b>'
 

@@ -22,7 +22,7 @@ from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.solvers.compiled import CModel
 from softcat_sym.studies import sweep as work
 from softcat_sym.studies.sweep_table import SweepPlan, plan_sweep
-from tests.cli.in_process import Softcat, sets
+from tests.common.in_process import Softcat, sets
 
 QUICK = {"run.effects": "paper", "numerics.cells": 6, "run.frames": 21, "numerics.estimate": False}
 SCENE = sc.load_scene("arrested-overdamped", QUICK)

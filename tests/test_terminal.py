@@ -26,8 +26,7 @@ from softcat_sym.plotting.terminal import (
     headline,
     print_summary,
 )
-
-from .common.catenary import make_scene, scene, summary
+from tests.common.catenary import make_scene, scene, summary
 
 __all__ = ["make_scene", "scene", "summary"]
 

@@ -26,7 +26,7 @@ from softcat_sym.studies.theory_end import (
     slender_limit,
     where_theory_ends,
 )
-from tests.reference.strips import timoshenko_sag
+from tests.common.strips import timoshenko_sag
 
 
 def test_values_as_a_list_and_as_a_range() -> None:

@@ -37,8 +37,7 @@ from softcat_sym.results.verdict import (
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.outcome import Outcome
-
-from .common.runs import run, scene_of
+from tests.common.runs import run, scene_of
 
 Array = np.ndarray[Any, Any]
 

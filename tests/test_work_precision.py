@@ -35,7 +35,7 @@ from softcat_sym.studies.work_precision_programs import (
     scene_of,
     stable_step,
 )
-from tests.cli.in_process import Softcat
+from tests.common.in_process import Softcat
 
 compiled = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 SHORT = {"run.effects": "paper", "run.duration": "0.05 s", "run.frames": 6, "numerics.estimate": False}

@@ -37,53 +37,53 @@ class Engine(StrEnum):
     BOTH = "both"
 
 
-def _write_deck(asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
+def _compare_once(
+    scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, fresh: bool, quiet: bool
+) -> None:
+    """Run the elements, or resume them, and the filament; write, print and judge."""
+    from softcat_sym.plotting.compare import print_comparison, write_comparison
+    from softcat_sym.plotting.terminal import IntegrationProgress
+    from softcat_sym.plotting.vtk import vtk_available, write_vtk
+    from softcat_sym.studies.compare import compare as run_comparison
+
+    checkpoint = output / "elements.npz" if engine is not Engine.CALCULIX else None
+    if checkpoint is not None and fresh:
+        checkpoint.unlink(missing_ok=True)
+    if checkpoint is not None and checkpoint.is_file() and not quiet:
+        typer.echo(f"the elements go on from {checkpoint}")
+    with study(output, fresh=fresh):
+        comparison = run_comparison(
+            scene,
+            mesh,
+            engine=engine.value,
+            clamp=clamp,
+            checkpoint=checkpoint,
+            progress=lambda what: IntegrationProgress(scene.run.duration, what, quiet=quiet),
+        )
+        written = write_comparison(comparison, output)
+    if engine is Engine.ELEMENTS and vtk_available():
+        written.append(write_vtk(scene, comparison.elements, output / "vtk")[0])
+    if not quiet:
+        print_comparison(comparison)
+        _print_written(written, output)
+    own = comparison.filament.trajectory
+    judge(own.outcome, own.summary["message"], quiet=quiet)
+
+
+def _write_deck(scene: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, quiet: bool) -> None:
     """Write the deck of CalculiX, which need not be installed."""
     from softcat_sym.files import write_all
     from softcat_sym.reference.calculix import calculix_deck
 
-    deck = calculix_deck(asked, mesh, clamp=clamp)
-    written = write_all(output / "calculix", {"deck.inp": deck.text.encode("ascii")})
-    written += write_all(output, {"scene.toml": asked.to_toml().encode()})
+    deck = calculix_deck(scene, mesh, clamp=clamp).text.encode("ascii")
+    written = write_all(output / "calculix", {"deck.inp": deck})
+    written += write_all(output, {"scene.toml": scene.to_toml().encode()})
     if not quiet:
-        typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
+        _print_written(written, output)
 
 
-def _compare_one(
-    asked: Scene, output: Path, mesh: Mesh, clamp: Clamp, *, engine: Engine, fresh: bool, quiet: bool
-) -> None:
-    """Run the reference, resuming our elements, and the filament; write, print and judge."""
-    from softcat_sym.plotting.compare import print_comparison, write_comparison
-    from softcat_sym.plotting.terminal import IntegrationProgress
-    from softcat_sym.plotting.vtk import vtk_available, write_vtk
-    from softcat_sym.studies.compare import compare as compare_with_elements
-    from softcat_sym.studies.compare import compare_with_calculix
-
-    checkpoint = None if engine is Engine.CALCULIX else output / "elements.npz"
-    if fresh and checkpoint is not None:
-        checkpoint.unlink(missing_ok=True)
-    if checkpoint is not None and checkpoint.is_file() and not quiet:
-        typer.echo(f"the elements go on from {checkpoint}")
-
-    def listening(what: str) -> IntegrationProgress:
-        return IntegrationProgress(asked.run.duration, what, quiet=quiet)
-
-    with study(output, fresh=fresh):
-        if engine is Engine.ELEMENTS:
-            found = compare_with_elements(asked, mesh, clamp=clamp, checkpoint=checkpoint, progress=listening)
-        else:
-            both = engine is Engine.BOTH
-            found = compare_with_calculix(
-                asked, mesh, clamp=clamp, with_elements=both, checkpoint=checkpoint, progress=listening
-            )
-        written = write_comparison(found, output)
-    if engine is Engine.ELEMENTS and vtk_available():
-        written.append(write_vtk(asked, found.elements, output / "vtk")[0])
-    if not quiet:
-        print_comparison(found)
-        typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in written)} to {output}")
-    own = found.filament.trajectory
-    judge(own.outcome, own.summary["message"], quiet=quiet)
+def _print_written(paths: list[Path], output: Path) -> None:
+    typer.echo(f"wrote {', '.join(path.relative_to(output).as_posix() for path in paths)} to {output}")
 
 
 def _compare_varied(
@@ -97,26 +97,32 @@ def _compare_varied(
     fresh: bool,
     quiet: bool,
 ) -> None:
-    """Measure the theories at every value; the elements store their states in DIR/elements."""
+    """Measure the theories at every value; compare.json, a chart and tables in DIR.
+
+    The elements keep their states in DIR/elements: what is finished there is not run again.
+    """
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.plotting.theory_end import print_theory_end, write_theory_end
     from softcat_sym.studies.theory_end import read_variation, where_theory_ends
 
     variation = read_variation(vary)
     asked, output = scene_and_directory(name, changes, output, "compare")
-    folder = output / "elements"
-    if fresh:
-        for path in folder.glob("*.npz"):
-            path.unlink()
 
     def listening(value: str, scene: Scene) -> Listening:
         return lambda what: IntegrationProgress(scene.run.duration, f"{value}, {what}", quiet=quiet)
 
+    def scene_with(change: str) -> Scene:
+        return scene_of(name, [*(changes or []), change])
+
+    folder = output / "elements"
+    if fresh:
+        for path in folder.glob("*.npz"):
+            path.unlink()
     with study(output, fresh=fresh):
         end = where_theory_ends(
             asked,
             variation,
-            lambda change: scene_of(name, [*(changes or []), change]),
+            scene_with,
             folder,
             along=mesh.along,
             through=mesh.through,
@@ -189,12 +195,12 @@ def compare(
             raise typer.BadParameter("it varies the runs of our own elements only", param_hint="--vary")
         _compare_varied(scene, changes, vary, output, _mesh(mesh or "32x4"), face, fresh=fresh, quiet=quiet)
         return
-    asked, output = scene_and_directory(scene, changes, output, "compare")
+    resolved, output = scene_and_directory(scene, changes, output, "compare")
     size = _mesh(mesh or "64x4")
     if deck_only:
-        _write_deck(asked, output, size, face, quiet=quiet)
+        _write_deck(resolved, output, size, face, quiet=quiet)
     else:
-        _compare_one(asked, output, size, face, engine=engine, fresh=fresh, quiet=quiet)
+        _compare_once(resolved, output, size, face, engine=engine, fresh=fresh, quiet=quiet)
 
 
 def _mesh(text: str) -> Mesh:

@@ -21,8 +21,7 @@ from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.results.files import trajectory_form
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.trajectory import Trajectory, trajectory_form
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled
 from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate

@@ -23,7 +23,7 @@ from softcat_sym.reference.material_point import point_code
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
-from softcat_sym.studies.compare import Comparison, FilamentRow, Listening, aligned, compare, late, moments
+from softcat_sym.studies.compare import Comparison, Listening, Row, aligned, compare, late, moments
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -220,7 +220,7 @@ _MAX_STEPS = 5_000
 class TheoryError:
     """One theory at one value of the variable."""
 
-    row: FilamentRow  # Its run as the program chooses cells and tolerance: what it costs
+    row: Row  # Its run as the program chooses cells and tolerance: what it costs
     # Of the same theory with twice the cells and a tenth of the tolerance, against the finer elements; of the
     # program's own run where that is not to be trusted, or runs away.
     error: RelativeError
@@ -238,7 +238,7 @@ class Measured:
     comparison: Comparison  # The finer elements, and the filaments as the program runs them
     coarse: ElementRun  # Half as many elements both ways
     mesh: RelativeError  # Of the coarser elements against the finer, as though they were a theory
-    theories: tuple[TheoryError, ...]  # In the order of ``comparison.filaments``
+    theories: tuple[TheoryError, ...]  # In the order of ``comparison.rows``
 
 
 @dataclass(frozen=True)
@@ -373,7 +373,6 @@ def _over(value: float, other: float) -> float:
 
 
 def _value(each: Measured) -> dict[str, Any]:
-    from softcat_sym.plotting.compare import document
 
     coarse, elements = each.coarse, each.comparison.elements
     theories = {}
@@ -389,7 +388,7 @@ def _value(each: Measured) -> dict[str, Any]:
         }
     return {
         "value": each.value,
-        **document(each.comparison),
+        **each.comparison.to_dict(),
         "mesh_grading": elements.mesh.grading,
         "elements_coarser": {
             "along": coarse.mesh.along,
@@ -456,10 +455,10 @@ def _measure(
     with named(f"{half.along} x {half.through} elements") as listener:
         coarse = run_elements(scene, half, clamp=clamp, checkpoint=checkpoint(half), progress=listener)
     error = relative_error(fine.time, coarse.midpoint, fine.midpoint)
-    return Measured(text, value, comparison, coarse, error, tuple(_theory(row, fine) for row in comparison.filaments))
+    return Measured(text, value, comparison, coarse, error, tuple(_theory(row, fine) for row in comparison.rows))
 
 
-def _theory(row: FilamentRow, elements: ElementRun) -> TheoryError:
+def _theory(row: Row, elements: ElementRun) -> TheoryError:
     """Run a theory again on a grid and to a tolerance that no longer show."""
     run = row.trajectory
     chosen = relative_error(elements.time, row.midpoint, elements.midpoint)

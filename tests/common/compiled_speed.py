@@ -15,10 +15,10 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.solvers.compiled import CompiledIntegration, Filament, Run, Status, doubles
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
+from tests.common.rivals import scenes
+from tests.common.rivals.radau import Solved
+from tests.common.rivals.scenes import Physics
 from tests.common.rosenbrock import RUNTIME
-from tests.rivals import scenes
-from tests.rivals.radau import Solved
-from tests.rivals.scenes import Physics
 
 REPEATS = 7
 MAX_STEPS = 1_000_000

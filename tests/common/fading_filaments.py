@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tests.acceptance.rheology import GEOMETRY, STRING, Array, limit_of, scene, solved
-from tests.hard.truths import beam_shaken
+from tests.common.rheology import GEOMETRY, STRING, Array, limit_of, scene, solved
+from tests.common.truths import beam_shaken
 
 WEIGHT = 1e4
 """rho g L [Pa]."""

@@ -36,11 +36,10 @@ import numpy.typing as npt
 import softcat_sym as sc
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.simulate import without_estimate
-
-from ..acceptance.rheology import scene as rheology_scene
-from ..acceptance.viscous_string import viscous_string
-from ..physics.closed_forms import soft_beam_sag, soft_catenary_sag, von_karman_sag
-from .truths import beam_let_go, beam_of_modes, beam_shaken, hanging_chain_sag, uneven_beam_sag
+from tests.common.closed_forms import soft_beam_sag, soft_catenary_sag, von_karman_sag
+from tests.common.rheology import scene as rheology_scene
+from tests.common.truths import beam_let_go, beam_of_modes, beam_shaken, hanging_chain_sag, uneven_beam_sag
+from tests.common.viscous_string import viscous_string
 
 Array = npt.NDArray[np.float64]
 Judge = Callable[[Trajectory], float]

@@ -15,8 +15,7 @@ from softcat_sym.discretization.supports import Profile, Supports, held
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
-
-from .filaments import GEOMETRY, Array, scene
+from tests.common.filaments import GEOMETRY, Array, scene
 
 UNIT = 1.0
 """Young's modulus, viscosity and thickness are one: times are in relaxation times, turning in 1/h0."""

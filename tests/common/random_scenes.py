@@ -29,7 +29,7 @@ from typing import Any
 import numpy as np
 
 import softcat_sym as sc
-from tests.acceptance.rheology import scene
+from tests.common.rheology import scene
 
 SEED = 20261121
 NUMBER = 200

@@ -1,7 +1,7 @@
 """Whole scenes for Hypothesis: every law, section, end, start, body, load and list of effects within stated ranges.
 
 Ranges, fixed before any scene was run (log: evenly in the logarithm; T is the duration, q = sqrt(L/g)). Materials are
-drawn as in ``tests/acceptance/random_scenes.py``, and the law ``custom`` besides.
+drawn as in ``tests/common/random_scenes.py``, and the law ``custom`` besides.
 
 ====================  =================================================================================================
 L, rho, g             log, 1 mm to 10 m; 500 to 5000 kg/m^3; log, 1 to 30 m/s^2
@@ -43,7 +43,7 @@ from typing import Any, TypeVar
 from hypothesis import strategies as st
 
 from softcat_sym.effects.registry import REGISTRY
-from tests.acceptance.random_scenes import LAWS, Draw, material_of, not_too_long
+from tests.common.random_scenes import LAWS, Draw, material_of, not_too_long
 
 T = TypeVar("T")
 

@@ -13,7 +13,7 @@ import pytest
 
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.results.trajectory import Trajectory
-from tests.acceptance.elements import (
+from tests.common.elements import (
     INSTANTS,
     PUBLISHED,
     Floats,
@@ -28,7 +28,7 @@ from tests.acceptance.elements import (
     percent,
     plane,
 )
-from tests.acceptance.table import show
+from tests.common.table import show
 
 SHEARING = (*PUBLISHED, "shear", "fibres")
 GRADIENT = (*SHEARING, "necking-gradient")

@@ -13,9 +13,9 @@ import pytest
 
 from softcat_sym.reference.calculix import STEP, calculix_deck, find_calculix, run_calculix
 from softcat_sym.reference.element_loop import Clamp, Mesh
-from tests.acceptance.elements import INSTANTS, Floats, digits, elements, midpoints, name_of, percent, plane
-from tests.acceptance.kept_answers import kept
-from tests.acceptance.table import show
+from tests.common.elements import INSTANTS, Floats, digits, elements, midpoints, name_of, percent, plane
+from tests.common.kept_answers import kept
+from tests.common.table import show
 
 pytestmark = [
     pytest.mark.slow,

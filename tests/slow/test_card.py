@@ -15,7 +15,7 @@ from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.card import Card, card
 from softcat_sym.studies.card_rules import percent
-from tests.acceptance.table import show
+from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 

@@ -20,12 +20,12 @@ from softcat_sym.solvers import compiled as compiling
 from softcat_sym.solvers.compiled import runtime_sources
 from softcat_sym.solvers.solution import Silence
 from tests.common.compiled_speed import REPEATS, Bare, GeneratedRates, compiled, error_of, medians, whole_error
+from tests.common.rivals import casadi_rosenbrock, radau, scenes
+from tests.common.rivals.casadi_rosenbrock import CompiledRosenbrock, Interpreted
+from tests.common.rivals.kirchhoff_c import HandWritten
+from tests.common.rivals.radau import RadauRival
+from tests.common.rk4_filament import run as oracle
 from tests.common.table import show
-from tests.oracle.rk4_filament import run as oracle
-from tests.rivals import casadi_rosenbrock, radau, scenes
-from tests.rivals.casadi_rosenbrock import CompiledRosenbrock, Interpreted
-from tests.rivals.kirchhoff_c import HandWritten
-from tests.rivals.radau import RadauRival
 
 ENOUGH = 1e-3
 DESCENT = "continual-descent"

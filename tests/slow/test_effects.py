@@ -24,10 +24,10 @@ from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
-from tests.acceptance import fading_filaments as fading
-from tests.acceptance.fading_filaments import Pair
-from tests.acceptance.rheology import STRING
-from tests.acceptance.table import show
+from tests.common import fading_filaments as fading
+from tests.common.fading_filaments import Pair
+from tests.common.rheology import STRING
+from tests.common.table import show
 
 
 # How fast each effect fades as its coefficient goes to zero: the table of limits, by effect.

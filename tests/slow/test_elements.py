@@ -13,9 +13,9 @@ import pytest
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.reference.elements import ElementRun, run_elements
 from softcat_sym.scene.scene import Scene, elastic_time
-from tests.acceptance.elements import INSTANTS, curve, digits, elements, mean, midpoints, name_of, plane
-from tests.acceptance.table import show
-from tests.reference.strips import timoshenko_frequency, timoshenko_sag
+from tests.common.elements import INSTANTS, curve, digits, elements, mean, midpoints, name_of, plane
+from tests.common.strips import timoshenko_frequency, timoshenko_sag
+from tests.common.table import show
 from tests.test_elements import cowper, harmonic
 
 MESHES = (Mesh(32, 2), Mesh(64, 4), Mesh(96, 6))

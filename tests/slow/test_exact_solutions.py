@@ -8,7 +8,7 @@ import pytest
 
 from tests import test_drawn_bars as bars
 from tests import test_exact_shapes as shapes
-from tests.acceptance.rheology import GEOMETRY, STRING
+from tests.common.rheology import GEOMETRY, STRING
 
 pytestmark = pytest.mark.slow
 

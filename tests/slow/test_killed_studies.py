@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from tests.inverse.filmed import CHEAP, write_film
+from tests.common.filmed import CHEAP, write_film
 
 pytestmark = pytest.mark.slow
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from tests.acceptance.rheology import GEOMETRY, Array, flow_of, scene, solved
-from tests.acceptance.table import show
+from tests.common.rheology import GEOMETRY, Array, flow_of, scene, solved
+from tests.common.table import show
 from tests.marks import few
 
 # Each law becomes the simpler one it contains: the same trajectory to the tolerance, or a limit at a stated rate.

@@ -13,8 +13,8 @@ from scipy.optimize import brentq
 
 from softcat_sym.physics.symbols import sigma
 from softcat_sym.reference.material_point import MaterialPoint, PointLaw
-from tests.acceptance.table import show
-from tests.reference.paths import BINGHAM, ELASTIC, MAXWELL, Floats, integrate, march, shear_and_stretch
+from tests.common.paths import BINGHAM, ELASTIC, MAXWELL, Floats, integrate, march, shear_and_stretch
+from tests.common.table import show
 
 K = sp.Symbol("K", positive=True)
 THINNING = PointLaw((sigma / K) ** 3, {"consistency": K})

@@ -18,7 +18,7 @@ from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.errors import SoftcatError
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.results.verdict import neck_strain
-from tests.acceptance.elements import PUBLISHED, curve, elements, filament, mean, name_of, plane
+from tests.common.elements import PUBLISHED, curve, elements, filament, mean, name_of, plane
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow

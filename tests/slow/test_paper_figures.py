@@ -47,9 +47,9 @@ from softcat_sym.studies.paper_figures import (
     stopping_depth,
 )
 from softcat_sym.studies.phase import SETTINGS, PhaseDiagram, phase_diagram
-from tests.acceptance.elements import PUBLISHED
-from tests.acceptance.table import show
-from tests.cli.in_process import Softcat
+from tests.common.elements import PUBLISHED
+from tests.common.in_process import Softcat
+from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 

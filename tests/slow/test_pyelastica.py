@@ -23,7 +23,7 @@ import pytest
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.plotting.accuracy import work_precision_figure
 from softcat_sym.plotting.files import write_results
-from tests.acceptance.table import show
+from tests.common.table import show
 
 if TYPE_CHECKING:
     from .pyelastica_rod import Array

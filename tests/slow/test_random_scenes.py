@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from tests.acceptance.auto_and_everything import Answer, answers
+from tests.common.auto_and_everything import Answer, answers
 from tests.common.random_scenes import NUMBER, SEED, random_scenes
 from tests.common.table import show
 

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from softcat_sym.codegen.compiler import find_compiler
-from tests.acceptance.table import show
-from tests.rivals import casadi_rosenbrock, radau, scenes
-from tests.rivals.casadi_rosenbrock import compiled_rosenbrock, interpreted_bdf
-from tests.rivals.kirchhoff_c import Generated, HandWritten
-from tests.rivals.radau import RadauRival
-from tests.rivals.scenes import Physics
+from tests.common.rivals import casadi_rosenbrock, radau, scenes
+from tests.common.rivals.casadi_rosenbrock import compiled_rosenbrock, interpreted_bdf
+from tests.common.rivals.kirchhoff_c import Generated, HandWritten
+from tests.common.rivals.radau import RadauRival
+from tests.common.rivals.scenes import Physics
+from tests.common.table import show
 from tests.test_rivals import NAMES, admissible_states, worst
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(find_compiler() is None, reason="no C compiler")]

@@ -8,7 +8,7 @@ import pytest
 from softcat_sym.fitting.identifiability import information, noise_of
 from softcat_sym.fitting.inference import profile
 from softcat_sym.fitting.least_squares import Loss, minimise
-from tests.inverse.problems import Problem, line, problem, saturation
+from tests.common.fit_problems import Problem, line, problem, saturation
 
 TRUTH = np.array([0.5, 0.2])
 

@@ -15,7 +15,7 @@ import pytest
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.reference.elements import ElementRun
 from softcat_sym.scene.scene import Scene
-from tests.acceptance.elements import (
+from tests.common.elements import (
     INSTANTS,
     PUBLISHED,
     Floats,
@@ -28,7 +28,7 @@ from tests.acceptance.elements import (
     percent,
     plane,
 )
-from tests.acceptance.table import show
+from tests.common.table import show
 
 NAME = "continual-descent"
 TIGHT: Mapping[str, object] = {"numerics.rtol": 1e-4, "numerics.grading": 10.0}

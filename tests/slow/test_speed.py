@@ -15,8 +15,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.scene.scene import groups_of
-from tests.acceptance.table import show
-from tests.oracle.rk4_filament import run as oracle
+from tests.common.rk4_filament import run as oracle
+from tests.common.table import show
 
 REPEATS = 9
 

@@ -7,8 +7,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.effects.forecast import forecast
+from tests.common.reissner_filament import run as oracle
 from tests.common.table import show
-from tests.oracle.reissner_filament import run as oracle
 
 pytestmark = pytest.mark.slow
 

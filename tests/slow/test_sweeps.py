@@ -17,8 +17,8 @@ import xarray as xr
 import softcat_sym as sc
 from softcat_sym.ensemble.executor import Lost, executor
 from softcat_sym.studies.phase import SETTINGS, phase_diagram
-from tests.cli.in_process import sets
 from tests.common.commands import ended, softcat, until
+from tests.common.in_process import sets
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow

@@ -18,8 +18,8 @@ from softcat_sym.plotting.style import png
 from softcat_sym.plotting.theory_end import remarks, tables, theory_end_figure
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.theory_end import TheoryEnd, TheoryError, Variation, where_theory_ends
-from tests.acceptance.elements import PLANE_STRESS
-from tests.acceptance.table import show
+from tests.common.elements import PLANE_STRESS
+from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.acceptance.rheology import GEOMETRY, flow_of, limit_of, scene, solved
-from tests.acceptance.table import show
+from tests.common.rheology import GEOMETRY, flow_of, limit_of, scene, solved
+from tests.common.table import show
 from tests.marks import few
 
 SPAN, DENSITY, GRAVITY, MU, LOAD = 0.05, 2500.0, 9.81, 1e12, 0.01

@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.acceptance.rheology import GEOMETRY, Array, scene, solved
+from tests.common.rheology import GEOMETRY, Array, scene, solved
 from tests.common.rigid_bridge import Bridge
 from tests.common.table import show
 from tests.test_plastic_collapse import QUASI_STATIC, Theory, judge

@@ -22,7 +22,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from tests.acceptance.rheology import Array, limit_of, scene, solved
+from tests.common.rheology import Array, limit_of, scene, solved
 from tests.common.table import show
 from tests.common.viscous_string import breaking_time, viscous_string
 

@@ -16,9 +16,9 @@ from softcat_sym.plotting.accuracy import program_rows
 from softcat_sym.scene.scene import groups_of
 from softcat_sym.studies.work_precision import DIED, LEVELS, Plan, Worker, WorkPrecision, study
 from softcat_sym.studies.work_precision_programs import Task
-from tests.acceptance.table import show
-from tests.cli.in_process import Softcat, sets
-from tests.oracle.rk4_filament import run as paper_rk4
+from tests.common.in_process import Softcat, sets
+from tests.common.rk4_filament import run as paper_rk4
+from tests.common.table import show
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(find_compiler() is None, reason="no C compiler")]
 

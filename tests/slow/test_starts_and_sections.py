@@ -8,10 +8,9 @@ from itertools import product
 import numpy as np
 import pytest
 
+from tests.common.rheology import GEOMETRY, flow_of, scene, solved
+from tests.common.table import show
 from tests.marks import few
-
-from .rheology import GEOMETRY, flow_of, scene, solved
-from .table import show
 
 STRESS = 1e4
 """rho g L [Pa] of the scenes below: span 1 m, density 1000 kg/m^3, gravity 10 m/s^2."""

@@ -1,6 +1,6 @@
 """Fits of the same film by the compiled and by the interpreted solver, and their derivatives against differences.
 
-``python -m pytest -m slow -s tests/acceptance/test_fit_agreement.py`` prints the tables.
+``python -m pytest -m slow -s tests/slow/test_fit_agreement.py`` prints the tables.
 """
 
 from __future__ import annotations
@@ -16,9 +16,8 @@ from softcat_sym.fitting.fit import FilamentProblem
 from softcat_sym.fitting.least_squares import Optimum, minimise
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.scene.scene import Scene
-
-from .fitting import CONSTANTS, beside, film, timed, values
-from .table import show
+from tests.common.fitting import CONSTANTS, beside, film, timed, values
+from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 

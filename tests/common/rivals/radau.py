@@ -12,8 +12,7 @@ from scipy.sparse import csc_matrix
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.solvers.run import Prepared
-
-from .kirchhoff_c import Numbers, numbers_of
+from tests.common.rivals.kirchhoff_c import Numbers, numbers_of
 
 _DIFFERENCE = float(np.sqrt(np.finfo(float).eps))
 _SMALL = 1e-2

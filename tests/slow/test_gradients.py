@@ -1,6 +1,6 @@
 """Derivatives of the midpoint by what is unknown: Taylor's test, forward, adjoint and finite differences, both solvers.
 
-``python -m pytest -m slow -s tests/acceptance/test_gradients.py`` prints the tables.
+``python -m pytest -m slow -s tests/slow/test_gradients.py`` prints the tables.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.forward_model import ForwardModel
 from softcat_sym.fitting.free_parameters import free_parameters
-
-from .table import show
+from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 

@@ -15,10 +15,9 @@ from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.solvers.run import Prepared
-
-from .kirchhoff_c import PORTABLE
-from .radau import Solved
-from .scenes import Physics, converged_midpoint, prepare
+from tests.common.rivals.kirchhoff_c import PORTABLE
+from tests.common.rivals.radau import Solved
+from tests.common.rivals.scenes import Physics, converged_midpoint, prepare
 
 _MAX_STEPS = 1_000_000
 REPEATS = 7

@@ -16,8 +16,7 @@ import softcat_sym as sc
 from softcat_sym.errors import SceneError
 from softcat_sym.fitting.fit import Fit, FitOutcome, fit
 from softcat_sym.fitting.measurements import Measurements
-
-from .table import show
+from tests.common.table import show
 
 OVERDAMPED = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow"]
 YIELDING = [*OVERDAMPED, "yielding", "gravity-ramp"]

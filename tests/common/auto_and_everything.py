@@ -20,8 +20,7 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SoftcatError
 from softcat_sym.results.trajectory import Trajectory
 from softcat_sym.simulate import without_estimate
-
-from .kept_answers import fingerprint, kept
+from tests.common.kept_answers import fingerprint, kept
 
 ASIDE = "rotary-inertia"
 """In everything only where it is in ``auto``."""

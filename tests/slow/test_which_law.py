@@ -11,8 +11,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.fitting.model_selection import LawComparison, fit_laws
-
-from .table import show
+from tests.common.table import show
 
 LAWS = ("maxwell", "bingham", "newtonian")
 PAPER = {"run.effects": "paper", "numerics.cells": 6}

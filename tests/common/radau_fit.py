@@ -12,8 +12,8 @@ from scipy.optimize import least_squares
 
 from softcat_sym.fitting.measurements import Series
 from softcat_sym.solvers.run import Prepared
-from tests.rivals.kirchhoff_c import numbers_of
-from tests.rivals.radau import NumpyFilament, RadauRival
+from tests.common.rivals.kirchhoff_c import numbers_of
+from tests.common.rivals.radau import NumpyFilament, RadauRival
 
 Floats = npt.NDArray[np.float64]
 

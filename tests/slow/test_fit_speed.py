@@ -1,6 +1,6 @@
 """What a fit of three constants to 200 points costs, beside SciPy's `least_squares` around SciPy's Radau.
 
-``python -m pytest -m slow -s tests/acceptance/test_fit_speed.py`` prints the table.
+``python -m pytest -m slow -s tests/slow/test_fit_speed.py`` prints the table.
 """
 
 from __future__ import annotations
@@ -15,10 +15,9 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.fitting.fit import FilamentProblem
 from softcat_sym.fitting.least_squares import minimise
 from softcat_sym.single_run import build
-
-from .fitting import CONSTANTS, WRONG, Floats, beside, film, timed
-from .radau_fit import RadauFit, Tolerances
-from .table import show
+from tests.common.fitting import CONSTANTS, WRONG, Floats, beside, film, timed
+from tests.common.radau_fit import RadauFit, Tolerances
+from tests.common.table import show
 
 SEEDS = (0, 1, 2)
 

@@ -20,8 +20,7 @@ from softcat_sym.fitting.fit import FilamentProblem, Fit, fit
 from softcat_sym.fitting.free_parameters import free_parameters, with_values
 from softcat_sym.fitting.inference import profile
 from softcat_sym.fitting.measurements import Measurements, Series
-
-from .kept_answers import fingerprint, kept
+from tests.common.kept_answers import fingerprint, kept
 
 CELLS = 10
 """Per half span."""

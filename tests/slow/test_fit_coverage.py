@@ -13,8 +13,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from .coverage_study import CASES, CELLS, PROFILED, SETS, Case, Fitted, covered, study
-from .table import show
+from tests.common.coverage_study import CASES, CELLS, PROFILED, SETS, Case, Fitted, covered, study
+from tests.common.table import show
 
 LEAST, MOST = 0.90, 0.99
 BIAS = 0.25

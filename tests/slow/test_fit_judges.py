@@ -1,6 +1,6 @@
 """Fits of films that this program did not make: the plain oracle, the finite elements, wild points.
 
-``python -m pytest -m slow -s tests/acceptance/test_fit_judges.py`` prints the tables.
+``python -m pytest -m slow -s tests/slow/test_fit_judges.py`` prints the tables.
 """
 
 from __future__ import annotations
@@ -16,12 +16,11 @@ from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.reference.element_loop import Mesh
 from softcat_sym.scene.scene import Scene, elastic_time, groups_of
+from tests.common import rk4_filament
+from tests.common.elements import elements, name_of, plane
 from tests.common.filaments import scene as paper_filament
-from tests.oracle import rk4_filament
-
-from .elements import elements, name_of, plane
-from .fitting import CONSTANTS, FITTED, WRONG, beside, constants, film, noisy, rows_of
-from .table import show
+from tests.common.fitting import CONSTANTS, FITTED, WRONG, beside, constants, film, noisy, rows_of
+from tests.common.table import show
 
 pytestmark = pytest.mark.slow
 

@@ -1,3 +1,0 @@
-"""Moved to ``tests.common.table``."""
-
-from tests.common.table import show as show
