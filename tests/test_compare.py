@@ -28,6 +28,7 @@ from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.plotting import style
 from softcat_sym.plotting.compare import print_comparison, rate_fields, tables, write_comparison
 from softcat_sym.plotting.files import finite, json_bytes
+from softcat_sym.plotting.style import first_frames
 from softcat_sym.plotting.terminal import IntegrationProgress
 from softcat_sym.reference import calculix
 from softcat_sym.reference.calculix import find_calculix
@@ -203,8 +204,8 @@ def run_away(comparison: Comparison) -> Comparison:
     time, elements = comparison.elements.time, comparison.elements.midpoint
     own, material, printed = comparison.rows
     half = np.where(time <= time[-1] / 2, own.midpoint, np.nan)
-    data = own.trajectory.data.isel(time=slice(0, 11))
-    failed = replace(own, run=replace(own.trajectory, data=data, outcome=Outcome.no_convergence))
+    fields = first_frames(own.trajectory.fields, 11)
+    failed = replace(own, run=replace(own.trajectory, fields=fields, outcome=Outcome.no_convergence))
     failed = with_midpoint(failed, time, half, elements)
     return replace(comparison, rows=(failed, material, with_midpoint(printed, time, 1e4 * elements, elements)))
 
