@@ -254,10 +254,13 @@ def minimise(
         ahead = model.at(
             np.clip(point.q + step, problem.lower, problem.upper), unless_above=point.value if failed else math.inf
         )
-        length, failed = float(np.abs(step).max()), not ahead.value < point.value
-        agreement = 0.0 if failed else 2 * (point.value - ahead.value) / fall
+        noisy, length = fall < _NOISY_GAIN * variance, float(np.abs(step).max())
+        # Where values differ by noise alone, derivatives still tell whether the step came closer.
+        closer = noisy and math.isfinite(ahead.value) and _step(model, ahead, variance, radius)[1] < 0.25 * fall
+        failed = not (closer or ahead.value < point.value)
+        agreement = 0.0 if failed else 1.0 if closer else 2 * (point.value - ahead.value) / fall
         disappointments += agreement < 0.25 and fall < _LITTLE * variance
-        if (failed and (fall < _NOISY_GAIN * variance or length < _LEAST_RADIUS)) or disappointments == _PATIENCE:
+        if (failed and (noisy or length < _LEAST_RADIUS)) or disappointments == _PATIENCE:
             return model.optimum(point if failed else ahead, iterations, NOISE)
         if agreement < 0.25:
             radius = (0.25 if failed else 0.5) * length
