@@ -333,7 +333,7 @@ def _rates(cell: CellPrinter, setting: Setting, state: Recall, slope: Pair) -> P
         return stretching, ca.SX(grid.cells + 1, 1)
     at_rest = (ca.SX(0), ca.SX(0))
     before, behind = clamp_tangents(setting)
-    (slope_0, speed_0), (slope_1, speed_1) = (((a[0][k], a[1][k]) for a in (slope, speed)) for k in (0, -1))
+    (slope_0, speed_0), (slope_1, speed_1) = [[(a[0][k], a[1][k]) for a in (slope, speed)] for k in (0, -1)]
     first = cell.turning_rate((before, slope_0), (at_rest, speed_0)) if grid.first.holds_angle else ca.SX(0)
     last = cell.turning_rate((slope_1, behind), (speed_1, at_rest)) if grid.last.holds_angle else ca.SX(0)
     inner = cell.turning_rate(*(((a[0][:-1], a[1][:-1]), (a[0][1:], a[1][1:])) for a in (slope, speed)))
