@@ -54,7 +54,7 @@ nitpick_ignore_regex = [("py:.*", r"(?!softcat_sym\.[a-z_]+$).*")]
 
 GROUPS = {
     "Scenes": ("load_scene", "bundled_names", "Scene"),
-    "Runs": ("simulate", "Trajectory", "Outcome", "explain", "Explanation", "card", "Card"),
+    "Runs": ("simulate", "Run", "Outcome", "explain", "Explanation", "card", "Card"),
     "Many runs": ("simulate_many", "Ensemble", "sweep", "Sweep"),
     "What effects are worth": ("price_effects", "Pricing"),
     "From measurements": ("fit", "Fit", "Measurements", "fit_flow_curve"),

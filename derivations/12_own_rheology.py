@@ -49,7 +49,7 @@ def scene_of(material: str) -> sc.Scene:
     return sc.Scene.model_validate(tomllib.loads(STRAND + "[material]\n" + material))
 
 
-def run(material: str) -> sc.Trajectory:
+def run(material: str) -> sc.Run:
     done = sc.simulate(scene_of(material))
     assert done.outcome is sc.Outcome.solved, done.summary["message"]
     return done

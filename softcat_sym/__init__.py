@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from softcat_sym.fitting.flow_curve import fit_flow_curve
     from softcat_sym.fitting.measurements import Measurements
     from softcat_sym.generation import generate
-    from softcat_sym.results.trajectory import Trajectory, open_run
+    from softcat_sym.results.run import Run, open_run
     from softcat_sym.scene.bundled import bundled_names
     from softcat_sym.scene.reading import load_scene
     from softcat_sym.scene.scene import Scene
@@ -47,7 +47,7 @@ _HOMES = {
     "SoftcatError": "errors",
     "SoftcatWarning": "errors",
     "Sweep": "studies.sweep",
-    "Trajectory": "results.trajectory",
+    "Run": "results.run",
     "bundled_names": "scene.bundled",
     "card": "studies.card",
     "explain": "studies.explanation",
@@ -55,7 +55,7 @@ _HOMES = {
     "fit_flow_curve": "fitting.flow_curve",
     "generate": "generation",
     "load_scene": "scene.reading",
-    "open_run": "results.trajectory",
+    "open_run": "results.run",
     "price_effects": "studies.pricing",
     "simulate_many": "ensemble.ensemble",
     "sweep": "studies.sweep",
@@ -69,12 +69,12 @@ __all__ = [
     "Measurements",
     "Outcome",
     "Pricing",
+    "Run",
     "Scene",
     "SceneError",
     "SoftcatError",
     "SoftcatWarning",
     "Sweep",
-    "Trajectory",
     "bundled_names",
     "card",
     "explain",

@@ -1,4 +1,4 @@
-"""The whole line: Scene -> Effects -> Equations -> Graph -> Solver -> Trajectory."""
+"""The whole line: Scene -> Effects -> Equations -> Graph -> Solver -> Run."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import warnings
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.results.run import Run
     from softcat_sym.scene.reading import SceneLike
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _REPEATS = 2
 
 
-def simulate(scene: SceneLike, progress: Progress | None = None) -> Trajectory:
+def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
     """Run a filament.
 
     Where the program chooses the effects, the finished run is asked whether what was left out mattered; if it did, the
@@ -30,7 +30,7 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Trajectory:
 
     Returns
     -------
-    Trajectory
+    Run
         ``.data`` is an :class:`xarray.Dataset`, ``.summary`` what ``summary.json`` holds, ``.outcome`` the verdict: a
         run that fails or localises returns what it has, with an outcome that is not a success.
 
@@ -55,7 +55,7 @@ def simulate(scene: SceneLike, progress: Progress | None = None) -> Trajectory:
     return run
 
 
-def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
+def simulated(scene: Scene, progress: Progress | None = None) -> Run:
     """Run a filament as :func:`simulate` does, with warnings in the summary only."""
     # Imported here, so that `import softcat_sym` stays light.
     from softcat_sym.solvers.solution import Silence, watched
@@ -67,7 +67,7 @@ def simulated(scene: Scene, progress: Progress | None = None) -> Trajectory:
             interrupts.check()
 
 
-def _with_all_that_matters(scene: Scene, progress: Progress) -> Trajectory:
+def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
     """Run, estimate, and repeat with what the finished run calls for."""
     from softcat_sym.clock import Clock
     from softcat_sym.effects.choosing import choose_effects
@@ -102,13 +102,13 @@ def identity_of(scene: Scene) -> tuple[str, list[str], list[str]]:
     return scene.model_copy(update={"title": ""}).to_toml(), list(scene.notes), compiled_by
 
 
-def recalled(scene: Scene, progress: Progress | None = None) -> Trajectory:
+def recalled(scene: Scene, progress: Progress | None = None) -> Run:
     """Run a filament for a study: as :func:`simulated`, but taken from the store if it was run before."""
     from softcat_sym import store
-    from softcat_sym.results.trajectory import trajectory_form
+    from softcat_sym.results.run import run_form
 
     key = store.key_of("run", identity_of(scene))
-    return store.stored(key, lambda: simulated(scene, progress), trajectory_form(scene))
+    return store.stored(key, lambda: simulated(scene, progress), run_form(scene))
 
 
 def without_estimate(scene: Scene) -> Scene:

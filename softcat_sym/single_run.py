@@ -1,4 +1,4 @@
-"""One run: Equations -> Graph -> Solver -> Trajectory, with given effects at a given resolution."""
+"""One run: Equations -> Graph -> Solver -> Run, with given effects at a given resolution."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.motion import settling_time
-from softcat_sym.results.trajectory import Trajectory, judge
+from softcat_sym.results.run import Run, judge
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, assembled, prepare
@@ -44,9 +44,7 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: 
     return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
 
 
-def run_once(
-    scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0
-) -> Trajectory:
+def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0) -> Run:
     """Integrate once, and judge the answer."""
     times = max(times, scene.run.frames)
     stride = (times - 1) // (scene.run.frames - 1)

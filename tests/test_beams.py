@@ -16,7 +16,7 @@ from softcat_sym.discretization.grid import End, Grid, choose_grading, half_span
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.run import prepare
 from softcat_sym.solvers.settings import choose_settings
@@ -76,7 +76,7 @@ DURATION = 20.0
 TIMES = tuple(np.linspace(0, DURATION, FRAMES)[1:])
 
 
-def filament(G: float, V: float, effects: list[str], **changes: object) -> sc.Trajectory:
+def filament(G: float, V: float, effects: list[str], **changes: object) -> sc.Run:
     """The scene of the oracle, in plane stress, on the same equal cells, with a tolerance that leaves no time error."""
     published = ["inertia", "bending", "finite-stretch", "thinning", "large-rotation", "gravity-ramp"]
     overrides = {
@@ -148,7 +148,7 @@ LAWS = {
 }
 
 
-def imbalance(done: Trajectory) -> float:
+def imbalance(done: Run) -> float:
     """Largest change of kinetic + elastic + potential + dissipated - work, over the largest of them."""
     data = done.data
     stored = ("energy_kinetic", "energy_elastic", "energy_potential", "energy_dissipated")

@@ -16,29 +16,29 @@ from tests.common.table import show
 
 Checked = list[tuple[str, float, float, float]]
 """What was looked at, found, expected, and the largest difference in parts of what is expected."""
-Check = Callable[[sc.Trajectory], Checked]
+Check = Callable[[sc.Run], Checked]
 TRIED = np.linspace(0.7, 1.3, 601)
 """Frequencies of a string, over the one expected."""
 WITHOUT_INERTIA = ["bending", "finite-stretch", "thinning", "large-rotation", "shear"]
 
 
 @cache
-def run(name: str, *changes: str) -> sc.Trajectory:
+def run(name: str, *changes: str) -> sc.Run:
     """A bundled scene run once on twenty cells, without an estimate; the same run is not made twice."""
     done = sc.simulate(sc.load_scene(name, ["numerics.cells=20", "numerics.estimate=false", *changes]))
     assert done.outcome is sc.Outcome.solved, done.summary["message"]
     return done
 
 
-def final(done: sc.Trajectory) -> float:
+def final(done: sc.Run) -> float:
     return float(done.data.midpoint.values[-1])
 
 
-def at_cells(done: sc.Trajectory, name: str, frame: int = -1) -> np.ndarray[Any, Any]:
+def at_cells(done: sc.Run, name: str, frame: int = -1) -> np.ndarray[Any, Any]:
     return np.asarray(done.data[name].values[frame])
 
 
-def beam_viscometer(done: sc.Trajectory) -> Checked:
+def beam_viscometer(done: sc.Run) -> Checked:
     """ASTM C598, and what shear adds to three-point bending: 12 E I/(kappa G A L^2) with E = 3 G."""
     part, g = done.scene.filament, done.scene.load.gravity
     second_moment, mu = part.thickness**4 / 12, done.scene.material.viscosity / 3
@@ -48,10 +48,10 @@ def beam_viscometer(done: sc.Trajectory) -> Checked:
     return [("sag after an hour [m]", -final(done), 60 * per_minute * shear, 5e-3)]
 
 
-def bread_dough(done: sc.Trajectory) -> Checked:
+def bread_dough(done: sc.Run) -> Checked:
     """Index 0.3: a fifth more weight on the same shape makes it flow 1.2^(1/0.3) = 1.84 times as fast."""
 
-    def speed(one: sc.Trajectory) -> float:
+    def speed(one: sc.Run) -> float:
         midpoint = one.data.midpoint.values
         return float(midpoint[100] - midpoint[180:].mean())
 
@@ -59,7 +59,7 @@ def bread_dough(done: sc.Trajectory) -> Checked:
     return [("speed with 1.2 g, over that with g", speed(heavier) / speed(done), 1.2 ** (1 / 0.3), 0.3)]
 
 
-def cold_honey(done: sc.Trajectory) -> Checked:
+def cold_honey(done: sc.Run) -> Checked:
     """sigma = 3 mu d log(s)/dt in the middle of the thread."""
     data, frame, cell = done.data, 120, 20
     rate = np.gradient(np.log(data.stretch.values[:, cell]), data.time.values)[frame]
@@ -67,7 +67,7 @@ def cold_honey(done: sc.Trajectory) -> Checked:
     return [("mean stress at midspan [Pa]", stress, done.scene.material.viscosity * rate, 2e-3)]
 
 
-def cooked_spaghetti(done: sc.Trajectory) -> Checked:
+def cooked_spaghetti(done: sc.Run) -> Checked:
     """Peirce's heavy elastica, which does not shear: 1 % is left to that and to the last of the swinging."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
     area = math.pi * part.thickness**2 / 4
@@ -79,14 +79,14 @@ def cooked_spaghetti(done: sc.Trajectory) -> Checked:
     return [("tip [m]", float(y[-1]), float(shape.y[-1]), 0.01), ("lowest node", float(y.argmin()), 40, 0)]
 
 
-def curled_rod(done: sc.Trajectory) -> Checked:
+def curled_rod(done: sc.Run) -> Checked:
     """It starts as the arc of its own curvature."""
     part = done.scene.filament
     rise = (1 - math.cos(part.curvature * part.span)) / part.curvature
     return [("tip at the start [m]", float(at_cells(done, "y", 0)[-1]), rise, 1e-3)]
 
 
-def drawn_blob(done: sc.Trajectory) -> Checked:
+def drawn_blob(done: sc.Run) -> Checked:
     """The right end comes to its place; while it goes, T = eta A0 v/(s^2 L)."""
     part, frame = done.scene.filament, 50
     speed = 0.040 / 0.5
@@ -100,7 +100,7 @@ def drawn_blob(done: sc.Trajectory) -> Checked:
     ]
 
 
-def gelatin_strand(done: sc.Trajectory) -> Checked:
+def gelatin_strand(done: sc.Run) -> Checked:
     """It comes to rest as the elastic beam."""
     table = tomllib.loads(done.scene.to_toml())
     table["material"] = {"law": "elastic", "youngs_modulus": table["material"]["youngs_modulus"]}
@@ -109,7 +109,7 @@ def gelatin_strand(done: sc.Trajectory) -> Checked:
     return [("sag at the end [m]", -final(done), -final(rest), 2e-3)]
 
 
-def hot_glue_string(done: sc.Trajectory) -> Checked:
+def hot_glue_string(done: sc.Run) -> Checked:
     """It starts as its profile, 1 to 0.6; all of it carries the same pull, which stretches the thin half more."""
     thickness, stretch = at_cells(done, "thickness", 0), at_cells(done, "stretch")
     thin, thick = np.log(stretch[20:]).mean(), np.log(stretch[:20]).mean()
@@ -119,7 +119,7 @@ def hot_glue_string(done: sc.Trajectory) -> Checked:
     ]
 
 
-def polyethylene_melt(done: sc.Trajectory) -> Checked:
+def polyethylene_melt(done: sc.Run) -> Checked:
     """Boltzmann's integral over the strain of the middle, exact for a strain that is linear between frames."""
     data, cell = done.data, 20
     steps, strain = np.diff(data.time.values), np.diff(np.log(data.stretch.values[:, cell]))
@@ -133,7 +133,7 @@ def polyethylene_melt(done: sc.Trajectory) -> Checked:
     return [("mean stress at midspan [Pa]", float(data.stress_mean.values[-1, cell]), total, 2e-3)]
 
 
-def putty_arch(done: sc.Trajectory) -> Checked:
+def putty_arch(done: sc.Run) -> Checked:
     """It leaves the grips at 15 degrees, stands above the line at first and hangs below it in the end."""
     x, y = at_cells(done, "x", 0), at_cells(done, "y", 0)
     midpoint = done.data.midpoint.values
@@ -145,14 +145,14 @@ def putty_arch(done: sc.Trajectory) -> Checked:
     ]
 
 
-def rubber_strand(done: sc.Trajectory) -> Checked:
+def rubber_strand(done: sc.Run) -> Checked:
     """The elastic cable of its long-time modulus."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
     cable = (3 * part.density * done.scene.load.gravity * part.span**4 / (64 * E)) ** (1 / 3)
     return [("sag at the end [m]", -float(done.data.midpoint.values[-20:].mean()), cable, 0.03)]
 
 
-def slack_taffy(done: sc.Trajectory) -> Checked:
+def slack_taffy(done: sc.Run) -> Checked:
     """It starts as the elastic catenary of its rest length, but for its stiff ends, and grows."""
     length, part = 0.3, done.scene.filament
     stress = part.density * done.scene.load.gravity
@@ -168,7 +168,7 @@ def slack_taffy(done: sc.Trajectory) -> Checked:
     ]
 
 
-def slime_slope(done: sc.Trajectory) -> Checked:
+def slime_slope(done: sc.Run) -> Checked:
     """Supports at their heights, the deepest point on the side of the lower one."""
     x, y = at_cells(done, "x"), at_cells(done, "y")
     return [
@@ -177,7 +177,7 @@ def slime_slope(done: sc.Trajectory) -> Checked:
     ]
 
 
-def stretched_rubber_band(done: sc.Trajectory) -> Checked:
+def stretched_rubber_band(done: sc.Run) -> Checked:
     """A string of tension E log(1.25): 2 L/c between two visits to the top."""
     part, E = done.scene.filament, done.scene.material.youngs_modulus
     period = 2 * part.span / math.sqrt(E * math.log(1.25) / part.density)

@@ -15,7 +15,7 @@ import xarray as xr
 
 import softcat_sym as sc
 from softcat_sym.physics import closed_forms, regimes
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.solution import Silence
@@ -49,7 +49,7 @@ def filament(law: dict[str, object], ends: str = "clamped", thickness: str = "1 
     return Scene.model_validate(scene).replace(load_and_run)
 
 
-def run_of(scene: Scene) -> Trajectory:
+def run_of(scene: Scene) -> Run:
     run = sc.simulate(without_estimate(scene))
     assert run.outcome.is_success, run.summary["message"]
     return run
@@ -57,17 +57,17 @@ def run_of(scene: Scene) -> Trajectory:
 
 def at_rest(
     modulus: str, effects: str = "bending extensibility finite-stretch thinning large-rotation", **more: str
-) -> Trajectory:
+) -> Run:
     """An elastic filament without inertia."""
     scene = filament({"law": "elastic", "youngs_modulus": modulus}, **more)
     return run_of(scene.replace({"run.effects": effects.split()}))
 
 
-def rule(run: Trajectory, key: str) -> Rule:
+def rule(run: Run, key: str) -> Rule:
     return applied_to(run, FIELD[key])
 
 
-def blame(run: Trajectory, key: str) -> Rule:
+def blame(run: Run, key: str) -> Rule:
     return blamed(rule(run, key), FIELD[key], Variants(run, Silence()))
 
 

@@ -32,7 +32,7 @@ from softcat_sym.errors import SceneError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
 from softcat_sym.fitting.measurements import read_measurements
 from softcat_sym.plotting.run import write_run
-from softcat_sym.results.trajectory import open_run
+from softcat_sym.results.run import open_run
 from softcat_sym.scene.keys import LAWS, keys_in_markdown, scene_keys
 from softcat_sym.scene.scene import known_keys
 from softcat_sym.solvers.run import Prepared

@@ -14,7 +14,7 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.error_control import control
 from softcat_sym.error_control.control import ROUNDS, controlled
 from softcat_sym.error_control.estimate import Before, Differences, Judge, Resolution, differences, with_more_fibres
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.compiled import CompiledIntegration
 
@@ -212,7 +212,7 @@ def beam(accuracy: float, **numerics: object) -> Scene:
 
 
 @cache
-def honey(accuracy: float, **numerics: object) -> Trajectory:
+def honey(accuracy: float, **numerics: object) -> Run:
     """A Newtonian thread at an accuracy."""
     changes = HONEY | {"run.accuracy": accuracy} | {f"numerics.{name}": value for name, value in numerics.items()}
     return simulate(load_scene("cold-honey", changes))

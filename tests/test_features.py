@@ -80,7 +80,7 @@ def test_the_errors_are_what_the_scatter_of_many_films_says() -> None:
 
 
 @cache
-def slow_maxwell() -> sc.Trajectory:
+def slow_maxwell() -> sc.Run:
     """Four gravity times of the small-deflection model."""
     changes = {"model": "small-deflection", "groups.duration": 4, "run.frames": 201, "numerics.estimate": False}
     return sc.simulate(sc.load_scene("maxwell-slow", changes))

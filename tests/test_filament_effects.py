@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 import softcat_sym as sc
 from softcat_sym import simulate
 from softcat_sym.effects.free_vibration import first_vibration, solid_decay
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
 from tests.common.closed_forms import BEAM_CONSTANT, FIRST_EIGENVALUE, GYRATION
@@ -177,7 +177,7 @@ def strand_solid_damping(law: str = "elastic", **tables: dict[str, Any]) -> Scen
     return Scene.model_validate(table)
 
 
-def decay_and_frequency(run: Trajectory, last: float = 0.6) -> tuple[float, float]:
+def decay_and_frequency(run: Run, last: float = 0.6) -> tuple[float, float]:
     """Of the first mode: the peak of the spectrum near its frequency, and how much lower it is in a later window."""
     time, height = run.data.time.values, run.data.midpoint.values
     first = int((1 - last) * len(time))
@@ -197,7 +197,7 @@ def decay_and_frequency(run: Trajectory, last: float = 0.6) -> tuple[float, floa
 
 
 @cache
-def ringing(backend: str, tangent: float) -> tuple[Trajectory, float]:
+def ringing(backend: str, tangent: float) -> tuple[Run, float]:
     """A beam so stiff that it hardly sags, let go; and its static sag."""
     scene = strand_solid_damping(
         material={"youngs_modulus": "9 MPa", "loss_tangent": tangent},
@@ -381,7 +381,7 @@ def test_the_small_deflection_model_takes_it_as_one_tension() -> None:
     assert sag(done) == pytest.approx(expected, rel=1e-3)
 
 
-def energy_closes(asked: Scene) -> sc.Trajectory:
+def energy_closes(asked: Scene) -> sc.Run:
     done = sc.simulate(asked)
     assert done.outcome.is_success, done.summary["message"]
     assert done.summary["energy_residual"] < 1e-5
@@ -416,7 +416,7 @@ def test_the_energy_is_surface_tension_times_the_growth_of_the_area() -> None:
 
 
 @cache
-def free_strand(gam: float) -> Trajectory:
+def free_strand(gam: float) -> Run:
     """A weightless Bingham strand with a free end, Gam = `gam` sigma_Y, after a minute."""
     effects = (*GEOMETRY, "viscous-flow", "yielding", "surface-tension")
     round_end = {"section": "circle", "gravity": 0.0, "ends": ("clamped", "free"), "duration": 60.0, "frames": 7}
@@ -617,7 +617,7 @@ def test_every_law_is_what_the_stretching_filament_becomes(law: str, moves: bool
     assert_unstretched(plain)
 
 
-def assert_unstretched(done: Trajectory) -> None:
+def assert_unstretched(done: Run) -> None:
     """Every field of a trajectory is there, and those of stretching say that there is none."""
     data = done.data
     assert not np.any(data["tension"].values)

@@ -26,7 +26,7 @@ from softcat_sym.plotting.animation import Animation, film_order, write_film
 from softcat_sym.plotting.gallery import contact_sheet, exhibit_of
 from softcat_sym.plotting.section import Floats
 from softcat_sym.plotting.style import first_frames, new_figure, png
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.bundled import bundled_lesson, bundled_text
 from tests.common.catenary import descent, make_run, make_scene, scene, summary
 from tests.common.in_process import Softcat
@@ -226,7 +226,7 @@ FINAL = {"gallery.html", "gallery.png", "gallery.csv", "gallery.json"}
 QUICK = ("--set", "numerics.cells=4", "--set", "run.frames=5", "--set", "run.effects=paper")
 UNITS = {"um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}
 # What a lesson may state as a number, and where it is read in the run.
-STATED: dict[str, Callable[[Trajectory], float]] = {
+STATED: dict[str, Callable[[Run], float]] = {
     r"largest sag (NUMBER) (um|mm)": lambda run: -run.fields["midpoint"].min(),
     r"sag of (NUMBER) (um|mm)": lambda run: -run.fields["midpoint"][-1],
     r"(NUMBER) (%) of its span deep": lambda run: -run.fields["midpoint"][-1] / run.scene.filament.span,
@@ -259,7 +259,7 @@ def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str])
     return Softcat(monkeypatch, capsys)
 
 
-def check_lesson(lesson: str, run: Trajectory) -> int:
+def check_lesson(lesson: str, run: Run) -> int:
     """Hold every number and regime of a lesson against the run; how many numbers there were."""
     left, count = lesson, 0
     for name in FORMULAS:
@@ -360,7 +360,7 @@ def test_ctrl_c_writes_nothing_and_the_same_command_goes_on(
     command = ("scenes", "-o", str(tmp_path / "out"), "--only", "cold-honey", "--only", "no-yield", *QUICK)
     simulated, names = sys.modules["softcat_sym.simulate"].simulated, list[str]()
 
-    def stop(asked: sc.Scene, *rest: object) -> Trajectory:
+    def stop(asked: sc.Scene, *rest: object) -> Run:
         names.append(asked.title)
         if len(names) == 2:
             raise KeyboardInterrupt

@@ -44,7 +44,8 @@ from softcat_sym.plotting.fit_words import (
     with_error,
 )
 from softcat_sym.plotting.style import png
-from softcat_sym.results import trajectory, verdict
+from softcat_sym.results import run as run_module
+from softcat_sym.results import verdict
 from tests.common.filmed import film, scene
 from tests.common.flow_curves import curve_of
 
@@ -72,7 +73,7 @@ def test_a_neck_that_the_grid_decides(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_lost_energy(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
+    monkeypatch.setattr(run_module, "energy_residual", lambda fields, least: 0.5)
     found = fitted()
     assert found.outcome is FitOutcome.run_in_doubt
     assert "energy residual 0.5" in found.message
@@ -88,7 +89,7 @@ def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:
 
     asked: list[sc.Scene] = []
 
-    def simulate(one: sc.Scene) -> sc.Trajectory:
+    def simulate(one: sc.Scene) -> sc.Run:
         asked.append(one)
         return sc.simulate(one)
 
@@ -105,7 +106,7 @@ def test_the_run_is_that_of_the_fit(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_filament_that_cannot_begin(monkeypatch: pytest.MonkeyPatch) -> None:
     from softcat_sym.fitting import fit as fitted_run
 
-    def refused(one: sc.Scene) -> sc.Trajectory:
+    def refused(one: sc.Scene) -> sc.Run:
         raise sc.SceneError([])
 
     monkeypatch.setattr(fitted_run, "recalled", refused)

@@ -15,7 +15,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import undeformed_area
 from softcat_sym.simulate import without_estimate
@@ -34,7 +34,7 @@ REACTIONS = 0.05
 _MIN_FRAMES, _ROUGH = 20, 0.3
 
 
-def violations(run: Trajectory) -> dict[str, str]:
+def violations(run: Run) -> dict[str, str]:
     """What a run breaks, and by how much; empty for a sound one."""
     checks = {
         "finite": _not_finite(run),
@@ -45,17 +45,17 @@ def violations(run: Trajectory) -> dict[str, str]:
     return {name: text for name, text in checks.items() if text}
 
 
-def _not_finite(run: Trajectory) -> str:
+def _not_finite(run: Run) -> str:
     return ", ".join(str(name) for name, values in run.data.items() if not np.all(np.isfinite(values)))
 
 
-def _open_balance(run: Trajectory) -> str:
+def _open_balance(run: Run) -> str:
     residual = run.summary["energy_residual"]
     audited = run.scene.run.closure == "material" and "inertia" in run.summary["effects"]
     return f"{residual:.2g}" if audited and residual > run.scene.run.accuracy else ""
 
 
-def _work_given_back(run: Trajectory) -> str:
+def _work_given_back(run: Run) -> str:
     """Plastic work never decreases: what dissipates never gives back. Up to the integrator's own error."""
     if run.scene.run.closure != "material" or run.scene.material.law in SOLIDS:
         return ""
@@ -67,7 +67,7 @@ def _work_given_back(run: Trajectory) -> str:
     return f"{drop / largest:.2g}" if drop > run.summary["rtol"] * max(largest, stored) else ""
 
 
-def _unbalanced(run: Trajectory) -> str:
+def _unbalanced(run: Run) -> str:
     """The supports carry weight plus inertia: int w (R - W) dt = int w'' sum m y dt, with w = sin^4(pi t/T).
 
     Frame by frame without inertia. Not asked of what rings faster than the frames show.
@@ -96,7 +96,7 @@ def _unbalanced(run: Trajectory) -> str:
     return f"{error:.2g}" if error > REACTIONS else ""
 
 
-def _masses(run: Trajectory) -> Array:
+def _masses(run: Run) -> Array:
     """Of the nodes [kg]; an uneven filament has the area of its thickness where it is not stretched."""
     filament, nodes = run.scene.filament, np.asarray(run.data["X_node"])
     cells = np.diff(nodes) * filament.density * undeformed_area(run.scene)
@@ -109,7 +109,7 @@ def _masses(run: Trajectory) -> Array:
     return halves
 
 
-def _weight(run: Trajectory) -> Array:
+def _weight(run: Run) -> Array:
     time, ramp = np.asarray(run.data["time"]), run.scene.load.ramp
     u = np.clip(time / ramp, 0, 1) if ramp > 0 and "gravity-ramp" in run.summary["effects"] else np.ones_like(time)
     load = run.scene.load
@@ -117,7 +117,7 @@ def _weight(run: Trajectory) -> Array:
     return shaken * u**3 * (10 - 15 * u + 6 * u**2) * run.scene.load.gravity * float(np.sum(_masses(run)))
 
 
-def _reactions(run: Trajectory) -> Array:
+def _reactions(run: Run) -> Array:
     """Upward force of both supports [N]: that in the end cells, and the weight of the half cells beside the supports.
 
     A section that shears carries T and S along its own director, which lags behind the centreline by the shear strain;
@@ -195,7 +195,7 @@ def serve(there: Connection) -> None:
         limit_this_process(0)
 
 
-def judged(case: Case, run: Trajectory | None, found: Finding) -> Finding:
+def judged(case: Case, run: Run | None, found: Finding) -> Finding:
     """With the error of a success, and the invariants that it breaks."""
     if run is None or not found.is_success:
         return found

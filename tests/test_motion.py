@@ -24,7 +24,7 @@ from softcat_sym.results.motion import (
     swing_period,
     too_few_frames,
 )
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 
 Array = np.ndarray[Any, Any]
@@ -71,7 +71,7 @@ def motion_of(scene: Scene, fields: dict[str, Array]) -> Motion:
     return observed_motion(scene, choose_effects(scene), time, (NODES, (NODES[1:] + NODES[:-1]) / 2), fields)
 
 
-def motion_of_run(run: Trajectory) -> Motion:
+def motion_of_run(run: Run) -> Motion:
     places = (run.fields["X_node"], run.fields["X_cell"])
     return observed_motion(run.scene, choose_effects(run.scene), run.fields["time"], places, run.fields)
 

@@ -23,7 +23,7 @@ import yaml
 
 import softcat_sym as sc
 from softcat_sym.cli.application import app
-from softcat_sym.results.trajectory import REFERENCES
+from softcat_sym.results.run import REFERENCES
 
 ROOT = Path(__file__).parents[1]
 COMMANDS = list(typer.main.get_command(app).commands)  # type: ignore[attr-defined]
@@ -65,7 +65,7 @@ USER = """
 import softcat_sym as sc
 
 scene: sc.Scene = sc.load_scene("cold-honey", {"numerics.estimate": False})
-run: sc.Trajectory = sc.simulate(scene)
+run: sc.Run = sc.simulate(scene)
 sag: float = -float(run.data["midpoint"].values[-1])
 names: tuple[str, ...] = sc.bundled_names()
 print(sag, run.outcome.name, len(names))
@@ -172,7 +172,7 @@ def test_python_finds_the_installed_package_with_its_types_and_no_tests(installe
     mypy = [sys.executable, "-m", "mypy", "--strict", "--python-executable", python]
     right, wrong = away(tmp_path, *mypy, "right.py"), away(tmp_path, *mypy, "wrong.py")
     assert (right.returncode, wrong.returncode) == (0, 1), right.stdout
-    assert 'expression has type "Trajectory", variable has type "int"' in wrong.stdout
+    assert 'expression has type "Run", variable has type "int"' in wrong.stdout
 
 
 HOW_TO = ("12_own_rheology", "13_first_run", "14_ink_bridging", "15_fit_your_data", "16_take_the_c_away")

@@ -27,7 +27,7 @@ FRAMES = [20, 50, 100, 200]
 
 
 @cache
-def run(name: str, **numerics: object) -> sc.Trajectory:
+def run(name: str, **numerics: object) -> sc.Run:
     """A bundled scene with the published effects, without an estimate; the same is not run twice."""
     changes = {f"numerics.{key}": value for key, value in numerics.items()}
     return sc.simulate(sc.load_scene(name, {"run.effects": "paper", "numerics.estimate": False, **changes}))
@@ -109,13 +109,13 @@ RELAXATION = {"maxwell-slow": 0.35, "maxwell-fast": 0.035}
 
 
 @cache
-def descent(name: str, model: str = "filament") -> sc.Trajectory:
+def descent(name: str, model: str = "filament") -> sc.Run:
     """A Maxwell scene run once."""
     changes = {"model": model, "numerics.cells": 40, "numerics.estimate": False}
     return sc.simulate(sc.load_scene(name, changes))
 
 
-def histories(found: sc.Trajectory) -> tuple[Array, Array]:
+def histories(found: sc.Run) -> tuple[Array, Array]:
     """t* and sag/L."""
     return found.data.time.values / gravity_time(found.scene), -found.data.midpoint.values / found.scene.filament.span
 

@@ -20,7 +20,7 @@ import xarray as xr
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
 import softcat_sym as sc
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from tests.common import scene_runs
 from tests.common.kept_answers import fingerprint, kept
@@ -206,7 +206,7 @@ def test_what_is_broken_is_noticed() -> None:
 
 
 def test_a_foreign_exception_and_an_untrue_file_are_seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(scene: Scene) -> Trajectory:
+    def fails(scene: Scene) -> Run:
         raise ZeroDivisionError("by zero")
 
     monkeypatch.setattr(scene_runs.sc, "simulate", fails)

@@ -21,7 +21,7 @@ import softcat_sym as sc
 from softcat_sym import store
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.results.fields import VARIABLES, mirrored
-from softcat_sym.results.trajectory import open_run, trajectory_form
+from softcat_sym.results.run import open_run, run_form
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import identity_of, recalled
 from softcat_sym.solvers import settings
@@ -259,7 +259,7 @@ def test_a_run_is_recalled_to_the_last_bit_under_any_title(monkeypatch: pytest.M
     assert again.summary == first.summary | {"title": "another"}
     assert (again.data.attrs["title"], again.scene.title) == ("another", "another")
     assert again.data.identical(first.data.assign_attrs(again.data.attrs))
-    assert trajectory_form(scene).write(first) == trajectory_form(scene).write(recalled(scene))
+    assert run_form(scene).write(first) == run_form(scene).write(recalled(scene))
     with store.fresh(), pytest.raises(TypeError):
         recalled(scene)
 

@@ -30,7 +30,7 @@ from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene
 from softcat_sym.single_run import build
 from softcat_sym.solvers import compiled, interpreted, settings
-from softcat_sym.solvers.compiled import Answer, CModel, CompiledIntegration, Run, Status
+from softcat_sym.solvers.compiled import Answer, CModel, CompiledIntegration, RunInput, Status
 from softcat_sym.solvers.interpreted import External, FrameIntegrator, compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, prepare
@@ -399,7 +399,7 @@ class Failing:
     def __init__(self, of: CModel, code: int) -> None:
         self.model, self.message, self.room, self._code = of.model, of.message, of.room, code
 
-    def integrate(self, run: Run, status: Status, stop: object, room: Answer) -> Answer:
+    def integrate(self, run: RunInput, status: Status, stop: object, room: Answer) -> Answer:
         status.code, status.reached, status.worst_slot = self._code, run.times[1] * 1.5, -1
         room.states[:2] = run.state
         return room

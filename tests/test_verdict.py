@@ -17,10 +17,11 @@ from softcat_sym.effects import choosing
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Estimate
 from softcat_sym.effects.forecast import forecast
-from softcat_sym.results import trajectory, verdict
+from softcat_sym.results import run as run_module
+from softcat_sym.results import verdict
 from softcat_sym.results.fields import energy_residual
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, is_arrested, regime_of, turned_back
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import (
     SHARE_OF_ONE_CELL,
     SHORTEST_CELL,
@@ -240,7 +241,7 @@ def test_a_balance_that_does_not_close_is_a_failure_unless_the_closure_has_none(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     with monkeypatch.context() as open_balance:
-        open_balance.setattr(trajectory, "energy_residual", lambda fields, least: 0.5)
+        open_balance.setattr(run_module, "energy_residual", lambda fields, least: 0.5)
         drifted = simulate(scene_of())
         assert drifted.outcome is Outcome.energy_drift and "0.5" in drifted.summary["message"]
         assert simulate(scene_of(run={"closure": "printed"})).outcome is Outcome.solved
@@ -314,7 +315,7 @@ def modulus(thickness: float, sag: float, right: str = "clamped") -> float:
 
 
 @cache
-def finished(scene: Scene) -> Trajectory:
+def finished(scene: Scene) -> Run:
     done = simulate(scene)
     assert done.outcome.is_success, done.summary["message"]
     return done
@@ -442,7 +443,7 @@ CASES = {
 }
 
 
-def assert_same(first: Trajectory, second: Trajectory) -> None:
+def assert_same(first: Run, second: Run) -> None:
     for name, values in first.fields.items():
         np.testing.assert_array_equal(values, second.fields[name], err_msg=name)
 
@@ -497,7 +498,7 @@ def test_two_repeats_are_worth_a_warning_and_a_third_is_no_success(monkeypatch: 
     blind(monkeypatch, *UNFORESEEN)
     scene = slow_beam(0.01, 1e-4, "maxwell")
     found = iter([{"viscous-flow": "seen first"}, {"gravity-ramp": "seen then"}, {}])
-    monkeypatch.setattr(trajectory, "missing_effect", lambda *_: next(found))
+    monkeypatch.setattr(run_module, "missing_effect", lambda *_: next(found))
     done = simulate(scene)
     assert done.outcome is Outcome.solved
     assert done.summary["repeats"] == ["viscous-flow: seen first", "gravity-ramp: seen then"]
@@ -510,7 +511,7 @@ def test_two_repeats_are_worth_a_warning_and_a_third_is_no_success(monkeypatch: 
         runs.append(effects.names)
         return {order[len(runs) - 1]: "there something = 0.3"}
 
-    monkeypatch.setattr(trajectory, "missing_effect", always_one_more)
+    monkeypatch.setattr(run_module, "missing_effect", always_one_more)
     done = simulate(scene)
     added = [set(later) - set(earlier) for earlier, later in pairwise(runs)]
     assert added == [{"viscous-flow"}, {"gravity-ramp"}]

@@ -25,7 +25,7 @@ from softcat_sym.cli.application import (
 
 if TYPE_CHECKING:
     from softcat_sym.plotting.animation import FilmOrder
-    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.results.run import Run
 
 RunOutputOption = Annotated[
     Path | None,
@@ -118,7 +118,7 @@ def draw(
     from softcat_sym.files import made, written_together
     from softcat_sym.plotting.files import write_results
     from softcat_sym.plotting.run import pictures
-    from softcat_sym.results.trajectory import check_drawable, open_run
+    from softcat_sym.results.run import check_drawable, open_run
 
     run = open_run(trajectory)
     check_drawable(run)
@@ -146,7 +146,7 @@ def _requested_pictures(animate: str | None, seconds: float, style: str) -> tupl
     return film_order(animate, seconds), drawn
 
 
-def _film(order: FilmOrder, output: Path, run: Trajectory, *, quiet: bool) -> Path:
+def _film(order: FilmOrder, output: Path, run: Run, *, quiet: bool) -> Path:
     """Draw a film, with a bar on the terminal."""
     from softcat_sym.plotting.animation import write_film
     from softcat_sym.plotting.terminal import StepProgress

@@ -40,7 +40,7 @@ from softcat_sym.results.fields import (
     whole_span_fields,
 )
 from softcat_sym.results.motion import regime_of
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import verdict
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
@@ -259,7 +259,7 @@ class Ensemble:
     def __len__(self) -> int:
         return len(self.scenes)
 
-    def trajectory(self, member: int) -> Trajectory:
+    def trajectory(self, member: int) -> Run:
         """Run one member again by `simulate`: whole shapes, every check, effects as its own scene asks for them.
 
         Parameters

@@ -24,7 +24,7 @@ from softcat_sym.error_control.estimate import (
 )
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.motion import MIN_PERIODS
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.results.verdict import shortest_hinge_cell
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build, run_once
@@ -157,9 +157,7 @@ def controlled(
     return Controlled(at, found, tuple(refinements))
 
 
-def as_accurate_as_asked(
-    first: Trajectory, effects: Effects, clock: Clock, progress: Progress | None = None
-) -> Trajectory:
+def as_accurate_as_asked(first: Run, effects: Effects, clock: Clock, progress: Progress | None = None) -> Run:
     """Estimate the error of a run, and refine grid, fibres or steps until it is small enough."""
     scene, periods = first.scene, periods_of(first)
     guess = resolution_of(scene, effects, compiled=first.summary["backend"] == "compiled")
@@ -189,7 +187,7 @@ def as_accurate_as_asked(
 class _Runs:
     """The answer so far, and runs beside it; all of them have `frames` output times, so that they can be compared."""
 
-    def __init__(self, first: Trajectory, effects: Effects, clock: Clock, progress: Progress, frames: int) -> None:
+    def __init__(self, first: Run, effects: Effects, clock: Clock, progress: Progress, frames: int) -> None:
         self.last, self._waiting, self._beside = first, True, 0
         self._effects, self._clock, self._progress, self._frames = effects, clock, progress, frames
         self._known: dict[str, Floats | None] = {}
@@ -250,7 +248,7 @@ def _missed(scene: Scene, parts: Differences, *, undecided: bool) -> tuple[str, 
     return "", f"accuracy {total:.2g} instead of {accuracy:g}{advice}"
 
 
-def periods_of(run: Trajectory) -> float:
+def periods_of(run: Run) -> float:
     """Periods of the lowest mode in a run whose load sets it ringing; zero where none does."""
     return _periods_in(run.scene, run.summary["effects"], run.summary["time_final_s"])
 

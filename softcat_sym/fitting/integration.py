@@ -25,7 +25,7 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.scene.scene import Scene, is_slack, rest_length
 from softcat_sym.solvers import compiled
-from softcat_sym.solvers.compiled import CompiledFilament, Directions, Run, Status, compile_filament
+from softcat_sym.solvers.compiled import CompiledFilament, Directions, RunInput, Status, compile_filament
 from softcat_sym.solvers.initial_state import Equilibrium, Start, is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings, integrates
@@ -373,7 +373,7 @@ class CompiledForward:
             slopes[row] = (high.values - low.values) / (2 * size)
         return replace(path, slopes=slopes)
 
-    def _with_slopes(self, run: Run, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
+    def _with_slopes(self, run: RunInput, begin: Begin, seen: tuple[int, ...]) -> tuple[Path, int]:
         """One integration for each core, with its share of the neighbours beside it: all take the same steps."""
         count, sites = len(begin.d_parameters), self.filament.sites
         moved = np.zeros((count, sites.shape[0] * sites.shape[1]))
@@ -395,8 +395,8 @@ class CompiledForward:
         states = answers[statuses.index(worst)][0]
         return self._path(states, slopes, seen, worst), int(worst.code)
 
-    def _run(self, begin: Begin, max_steps: int, tightening: float = 1.0) -> Run:
-        return Run(
+    def _run(self, begin: Begin, max_steps: int, tightening: float = 1.0) -> RunInput:
+        return RunInput(
             parameters=np.ascontiguousarray(begin.parameters),
             places=self.filament.places,
             state=self.filament.sites.state(begin.start.x, begin.start.z),

@@ -29,7 +29,7 @@ from softcat_sym.simulate import identity_of, recalled, without_estimate
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.results.run import Run
     from softcat_sym.scene.scene import Scene
 
 
@@ -53,7 +53,7 @@ class Exhibit:
     identity: str  # Of program and scene, in the store of finished runs
 
 
-def exhibit_of(name: str, changes: Iterable[str] = ()) -> tuple[Exhibit, Trajectory]:
+def exhibit_of(name: str, changes: Iterable[str] = ()) -> tuple[Exhibit, Run]:
     """Run a scene of the gallery, or recall it from the store."""
     scene = without_estimate(load_scene(name, list(changes)))
     run = recalled(scene)
@@ -162,7 +162,7 @@ NOTE = (
 
 
 def write_gallery(
-    shown: Sequence[tuple[Exhibit, Trajectory]], directory: str | Path, changes: Sequence[str] = ()
+    shown: Sequence[tuple[Exhibit, Run]], directory: str | Path, changes: Sequence[str] = ()
 ) -> list[Path]:
     """Write page, contact sheet, table and document, and of each scene its picture and its file."""
     pictures = [png(tile(run.fields, run.scene, exhibit)) for exhibit, run in shown]

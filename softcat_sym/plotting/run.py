@@ -46,7 +46,7 @@ from softcat_sym.plotting.units import (
 )
 
 if TYPE_CHECKING:
-    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.results.run import Run
     from softcat_sym.scene.scene import Scene
 
 WIDTHS: Final = {style.SCREEN: style.WIDTH, "column": 84.0 / 25.4, "page": 174.0 / 25.4}
@@ -291,7 +291,9 @@ def shapes_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             right=0.2 if sheet.on_screen else 0.1, between=(0.15, 0.24),
         )  # fmt: skip
         for axes, shape, bounds in zip(panels, shapes, y, strict=True):
-            axes.set_aspect(stretch, anchor="S")
+            # What runs away to a thousand spans would be a line without width.
+            if np.ptp(bounds) < 1e3 * np.ptp(x):
+                axes.set_aspect(stretch, anchor="S")
             axes.set_xlim(*ruler.of(x))
             axes.set_ylim(*ruler.of(bounds))
             _draw_shape(axes, shape, ruler)
@@ -555,7 +557,7 @@ class WrittenRun:
     summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
 
 
-def write_run(trajectory: Trajectory, directory: str | Path, name: str = style.SCREEN) -> WrittenRun:
+def write_run(trajectory: Run, directory: str | Path, name: str = style.SCREEN) -> WrittenRun:
     """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
 
     The summary states how long all but itself took.

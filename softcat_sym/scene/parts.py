@@ -295,7 +295,7 @@ Until = Literal["duration", "settled"]
 Closure = Literal["material", "printed"]
 
 
-class Run(Part):
+class RunSettings(Part):
     """What is asked of the run; times in s."""
 
     table_name: ClassVar[str] = "run"

@@ -22,7 +22,7 @@ from softcat_sym.scene.parts import (
     Load,
     Numerics,
     Part,
-    Run,
+    RunSettings,
     Surroundings,
     dotted,
     farthest,
@@ -301,7 +301,7 @@ class Scene(Part):
     load: Load = Load()
     initial: Initial = Initial()
     surroundings: Surroundings = Surroundings()
-    run: Run
+    run: RunSettings
     numerics: Numerics = Numerics()
 
     def __init__(self, **tables: Any) -> None:

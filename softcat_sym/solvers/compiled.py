@@ -95,7 +95,7 @@ def doubles(array: Floats | None) -> ct._Pointer[ct.c_double] | None:
 
 
 @dataclass(frozen=True)
-class Run:
+class RunInput:
     """Numbers of one integration."""
 
     parameters: Floats  # In the order of the model
@@ -156,12 +156,14 @@ class CModel:
         self._runtime = _runtime()
         self._address = ct.c_void_p(ct.addressof(ct.c_char.in_dll(self._library, _MODEL)))
 
-    def room(self, run: Run, status: Status) -> Answer:
+    def room(self, run: RunInput, status: Status) -> Answer:
         """Where the frames of a run go: NaN until they do."""
         frames = len(run.times)
         return Answer(np.full((frames, *run.state.shape), np.nan), np.zeros((frames, len(self.model.powers))), status)
 
-    def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None, room: Answer | None = None) -> Answer:
+    def integrate(
+        self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
+    ) -> Answer:
         """Integrate; `status` tells the time reached even while it works, and a non-zero `stop` ends it.
 
         Frames up to the time reached are in the `room`, if it was given, already then.
@@ -171,7 +173,7 @@ class CModel:
         return answer
 
     def sensitivities(
-        self, run: Run, directions: Directions, status: Status, stop: ct.c_int | None = None
+        self, run: RunInput, directions: Directions, status: Status, stop: ct.c_int | None = None
     ) -> tuple[Floats, Floats]:
         """Integrate, with two-sided differences of neighbours in lock-step: derivatives of the discrete solution.
 
@@ -197,7 +199,7 @@ class CModel:
 
     def _call(
         self,
-        run: Run,
+        run: RunInput,
         states: Floats,
         work: Floats | None,
         directions: CDirections | None,
@@ -286,7 +288,7 @@ class CompiledIntegration:
 
     def _integrated(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         model, sites, status = self.filament.model, self.filament.sites, Status()
-        run = Run(
+        run = RunInput(
             parameters=np.ascontiguousarray(p),
             places=self.filament.places,
             state=sites.state(start.x, start.z),
@@ -316,7 +318,7 @@ class CompiledIntegration:
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
         return Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
 
-    def _watched(self, run: Run, room: Answer, scale: float, progress: Progress) -> None:
+    def _watched(self, run: RunInput, room: Answer, scale: float, progress: Progress) -> None:
         """Integrate in a thread, so that Ctrl-C is heard and progress shown meanwhile; a flagged one needs none."""
         status, integrate = room.status, self.filament.model.integrate
 

@@ -12,7 +12,7 @@ from softcat_sym.design.critical_span import LIMITS, CriticalSpan, critical_span
 from softcat_sym.effects.scaling_estimates import effective_viscosity_at, weight_stress, yield_stress_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.flow_curve import fit_flow_curve
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.material import CONSTANTS
 from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene, gravity_time
@@ -141,7 +141,7 @@ class Card:
         What was asked for: the name of a scene, or empty.
     scene : Scene
         The filament.
-    run : Trajectory
+    run : Run
         Its run, with an error estimate.
     descent : Descent or None
         None if the run has no frame to show.
@@ -161,7 +161,7 @@ class Card:
 
     name: str
     scene: Scene
-    run: Trajectory
+    run: Run
     descent: Descent | None
     certificate: Certificate | None
     rules: tuple[Rule, ...]

@@ -27,7 +27,7 @@ from softcat_sym.physics.laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, turned_back
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress
@@ -107,7 +107,7 @@ class Rule:
 _STILL = 0.01
 
 
-def descent_of(run: Trajectory) -> Descent | None:
+def descent_of(run: Run) -> Descent | None:
     """Measure the descent of the midpoint; None if the run holds a single frame."""
     time, sag = run.data["time"].values, -run.data["midpoint"].values
     if len(time) < 2 or not np.all(np.isfinite(sag)):
@@ -138,7 +138,7 @@ def _first_at(time: Floats, sag: Floats, level: float) -> float:
     return float(time[after - 1] + (level - low) / (high - low) * (time[after] - time[after - 1]))
 
 
-def certificate_of(run: Trajectory, descent: Descent) -> Certificate:
+def certificate_of(run: Run, descent: Descent) -> Certificate:
     """Gather what says that it has stopped, or that it has not."""
     scene, data, names = run.scene, run.data, tuple(run.summary["effects"])
     sag, regime = -data["midpoint"].values, str(run.summary.get("regime") or "")
@@ -171,7 +171,7 @@ def certificate_of(run: Trajectory, descent: Descent) -> Certificate:
     )
 
 
-def largest_fibre_stress(run: Trajectory, frame: int | None = None) -> float:
+def largest_fibre_stress(run: Run, frame: int | None = None) -> float:
     """Largest fibre stress of a frame, of the whole run by default [Pa].
 
     Of a section linear through the thickness it is |sigma_0| + |sigma_1|. A section that yields carries its
@@ -186,7 +186,7 @@ def largest_fibre_stress(run: Trajectory, frame: int | None = None) -> float:
     return float(np.max(np.where(data["yielded_fraction"].values > 0, flowing, np.minimum(linear, limit))))
 
 
-def support_pull(run: Trajectory) -> float:
+def support_pull(run: Run) -> float:
     """Force of the left support at the end over the area of the undeformed section [Pa]."""
     last = run.data.isel(time=-1, cell=0)
     along = last["axial_force"] if "axial_force" in last else last["tension"]
@@ -195,7 +195,7 @@ def support_pull(run: Trajectory) -> float:
 
 SAG, FIBRE, SUPPORT = "final sag", "largest fibre stress", "pull of the support"
 
-MEASURES: dict[str, Callable[[Trajectory], float]] = {
+MEASURES: dict[str, Callable[[Run], float]] = {
     SAG: lambda run: -float(run.data["midpoint"].values[-1]),
     FIBRE: largest_fibre_stress,
     SUPPORT: support_pull,
@@ -214,7 +214,7 @@ class RuleOfTheField:
     name: str
     source: str
     quantity: str
-    predict: Callable[[Scene, Trajectory], Prediction]
+    predict: Callable[[Scene, Run], Prediction]
     neglects: tuple[str, ...]  # Keys of causes that the rule leaves out
     ends: str = ""  # How it takes the ends to be held; empty for as they are, or where they do not matter
 
@@ -243,7 +243,7 @@ def _value(expression: Any, scene: Scene, more: Mapping[Any, float] | None = Non
     return float(expression.subs({**known, **(more or {})}))
 
 
-def _elastic(sag: Callable[[Scene], Any], scene: Scene, run: Trajectory) -> Prediction:
+def _elastic(sag: Callable[[Scene], Any], scene: Scene, run: Run) -> Prediction:
     """A sag that falls with the modulus."""
     del run
     modulus = static_modulus(scene)
@@ -255,12 +255,12 @@ def _elastic(sag: Callable[[Scene], Any], scene: Scene, run: Trajectory) -> Pred
 _NEVER_FLOWS = "no fibre yields, so that nothing flows"
 
 
-def _rigid(scene: Scene, run: Trajectory) -> bool:
+def _rigid(scene: Scene, run: Run) -> bool:
     """Whether a filament that could yield never did."""
     return yield_stress_of(scene) is not None and not bool((run.data["yielded_fraction"].values > 0).any())
 
 
-def _viscous(shape: str, scene: Scene, run: Trajectory) -> Prediction:
+def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     """A sag that grows with the time since the load came on, at half its ramp: of a beam or of a string."""
     material = scene.material
     viscosity = None if is_solid(scene) or material.law == "custom" else effective_viscosity(scene) or None
@@ -280,7 +280,7 @@ def _viscous(shape: str, scene: Scene, run: Trajectory) -> Prediction:
     )
 
 
-def _stopping(exact: bool, scene: Scene, run: Trajectory) -> Prediction:
+def _stopping(exact: bool, scene: Scene, run: Run) -> Prediction:
     """The depth at which a catenary's stress is the yield stress."""
     gravity_number = gravity_number_of(scene)
     if gravity_number is None:
@@ -295,14 +295,14 @@ def _stopping(exact: bool, scene: Scene, run: Trajectory) -> Prediction:
     return (depth or 0.0) * scene.filament.span
 
 
-def _first_yield(scene: Scene, run: Trajectory) -> Prediction:
+def _first_yield(scene: Scene, run: Run) -> Prediction:
     del run
     if yield_stress_of(scene) is None:
         return "no yield stress"
     return _value(closed_forms.largest_bending_stress(SECTIONS[scene.filament.section], beam_of(scene)), scene)
 
 
-def _catenary(exact: bool, scene: Scene, run: Trajectory) -> Prediction:
+def _catenary(exact: bool, scene: Scene, run: Run) -> Prediction:
     """The stress of a catenary that sags as much."""
     sag = MEASURES[SAG](run)
     if not sag > 0:
@@ -345,7 +345,7 @@ RULES: tuple[RuleOfTheField, ...] = (
 """In the order of the card."""
 
 
-def applied_to(run: Trajectory, field: RuleOfTheField) -> Rule:
+def applied_to(run: Run, field: RuleOfTheField) -> Rule:
     """Lay a rule beside a run."""
     predicted = unusual(run.scene) or field.predict(run.scene, run)
     value, text = (None, f"does not apply: {predicted}") if isinstance(predicted, str) else (predicted, "")
@@ -391,10 +391,10 @@ WORDS: Mapping[str, str] = {name: name for name in LEAVING_OUT} | {
 class Variants:
     """Runs of one filament with causes left out; finished ones come from the store."""
 
-    def __init__(self, run: Trajectory, progress: Progress) -> None:
+    def __init__(self, run: Run, progress: Progress) -> None:
         self._run, self._progress = run, progress
         self._names = frozenset(run.summary["effects"])
-        self._runs: dict[tuple[frozenset[str], str], Trajectory | None] = {}
+        self._runs: dict[tuple[frozenset[str], str], Run | None] = {}
 
     def in_force(self, cause: str, ends: str) -> bool:
         """Whether there is something to leave out."""
@@ -405,7 +405,7 @@ class Variants:
             return scene.material.youngs_modulus is not None
         return LEAVING_OUT[cause][0] in self._names
 
-    def without(self, causes: frozenset[str], ends: str) -> Trajectory | None:
+    def without(self, causes: frozenset[str], ends: str) -> Run | None:
         """The run without them; None where it cannot be had or is not to be trusted."""
         key = (causes, ends if "ends" in causes else "")
         if key not in self._runs:

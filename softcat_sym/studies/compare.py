@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
-    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.results.run import Run
     from softcat_sym.scene.scene import Scene
 
 SHARES = (0.10, 0.25, 0.50, 1.00)
@@ -77,7 +77,7 @@ class Row:
     """A filament theory, or our elements, held against the reference."""
 
     name: str  # ``filament`` for the scene's own effects, ``elements``, or which published theory
-    run: Trajectory | ElementRun
+    run: Run | ElementRun
     midpoint: Floats  # shape (frames,); Height [m] at the reference's output times; NaN after a run has ended early
     discrepancy: Discrepancy
     dofs: int  # Displacements that are free in the half filament, with shear the section angles too
@@ -86,9 +86,9 @@ class Row:
     clamp_strain: ClampStrain | None = None
 
     @property
-    def trajectory(self) -> Trajectory:
+    def trajectory(self) -> Run:
         """The run of a filament."""
-        return cast("Trajectory", self.run)
+        return cast("Run", self.run)
 
     @property
     def key(self) -> str:
@@ -289,7 +289,7 @@ def _published(scene: Scene, chosen: object) -> Iterator[tuple[str, Scene]]:
             yield f"published, {closure} closure", paper
 
 
-def _filament_row(name: str, trajectory: Trajectory, reference: ElementRun | CalculixRun) -> Row:
+def _filament_row(name: str, trajectory: Run, reference: ElementRun | CalculixRun) -> Row:
     data, summary = trajectory.data, trajectory.summary
     cells = int(summary["cells"])
     dofs = 2 * cells - 1 + (cells - 1 if "shear" in summary["effects"] else 0)

@@ -43,7 +43,7 @@ from softcat_sym.solvers.quasi_static import fundamental_solutions
 from softcat_sym.solvers.solution import Progress
 
 if TYPE_CHECKING:
-    from softcat_sym.results.trajectory import Trajectory
+    from softcat_sym.results.run import Run
 
 # Seconds between two checkpoints: what an interruption by force can cost.
 _EVERY = 30.0
@@ -200,7 +200,7 @@ class FilmedScene:
     of: FigureScene  # Its name and titles
     scene: Scene  # What was run, with the effects that the program chooses
     film: ElementFilm  # The elements
-    filaments: dict[str, Trajectory]  # By the names of `THEORIES`; those that localised included
+    filaments: dict[str, Run]  # By the names of `THEORIES`; those that localised included
 
     @property
     def elements(self) -> tuple[Floats, Floats]:

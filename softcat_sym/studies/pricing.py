@@ -21,7 +21,7 @@ from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.results.trajectory import Trajectory, trajectory_form
+from softcat_sym.results.run import Run, run_form
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled
 from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate
@@ -133,14 +133,14 @@ class PricedRun:
         }
 
 
-def priced_run(scene: Scene, progress: Progress, run: Trajectory | None = None) -> PricedRun:
+def priced_run(scene: Scene, progress: Progress, run: Run | None = None) -> PricedRun:
     """Run a scene with a list of effects, unless it was run before, and measure what it costs.
 
     The answer may come from the store; a time is worth something only beside others of the same command.
     """
     seconds: list[float] = []
 
-    def solve() -> Trajectory:
+    def solve() -> Run:
         found = simulated(once, progress)
         seconds.append(float(found.summary["wall_s"]["solve"]))
         return found
@@ -148,7 +148,7 @@ def priced_run(scene: Scene, progress: Progress, run: Trajectory | None = None) 
     with watched() as interrupts:
         try:
             once = without_estimate(scene)
-            run = run or stored(key_of("run", identity_of(once)), solve, trajectory_form(once))
+            run = run or stored(key_of("run", identity_of(once)), solve, run_form(once))
             prepared = build(scene, choose_effects(scene))
             while not seconds or (seconds[0] < _SHORT and len(seconds) < _REPEATS):
                 start = time.perf_counter()

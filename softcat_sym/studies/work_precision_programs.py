@@ -29,7 +29,7 @@ from softcat_sym.solvers.compiled import (
     Doubles,
     Filament,
     Integers,
-    Run,
+    RunInput,
     Status,
     runtime_sources,
 )
@@ -279,7 +279,9 @@ class _Rodas4(CModel):
     def __init__(self, model: CModel) -> None:
         vars(self).update(vars(model))
 
-    def integrate(self, run: Run, status: Status, stop: ct.c_int | None = None, room: Answer | None = None) -> Answer:
+    def integrate(
+        self, run: RunInput, status: Status, stop: ct.c_int | None = None, room: Answer | None = None
+    ) -> Answer:
         return super().integrate(replace(run, method=_RODAS4), status, stop, room)
 
 

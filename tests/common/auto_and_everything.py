@@ -18,7 +18,7 @@ import numpy as np
 import softcat_sym as sc
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import SoftcatError
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
 from tests.common.kept_answers import fingerprint, kept
 
@@ -98,7 +98,7 @@ def answer_of(name: str, text: str) -> Answer:
     )
 
 
-def _twice_as_fine(run: Trajectory, scene: sc.Scene) -> sc.Scene:
+def _twice_as_fine(run: Run, scene: sc.Scene) -> sc.Scene:
     """The scene on twice the cells of a run, graded as they are."""
     lengths = np.diff(run.data.X_node.values)
     ratio = float(np.max(lengths) / np.min(lengths))
@@ -142,12 +142,12 @@ def without(names: Sequence[str], left_out: str) -> tuple[str, ...]:
     return tuple(name for name in names if name not in gone)
 
 
-def seconds_of(run: Trajectory) -> float:
+def seconds_of(run: Run) -> float:
     """What the answer took, beyond what filaments of its kind share."""
     return float(run.summary["wall_s"]["solve"] + run.summary["wall_s"]["estimate"])
 
 
-def difference(run: Trajectory, reference: Trajectory) -> float:
+def difference(run: Run, reference: Run) -> float:
     """Largest difference of the midpoint at the output times, over the largest of the reference."""
     found, wanted = run.data.midpoint.values, reference.data.midpoint.values
     if len(found) != len(wanted):
@@ -155,7 +155,7 @@ def difference(run: Trajectory, reference: Trajectory) -> float:
     return float(np.max(np.abs(found - wanted)) / np.max(np.abs(wanted)))
 
 
-def _run(scene: sc.Scene) -> Trajectory | str:
+def _run(scene: sc.Scene) -> Run | str:
     try:
         return sc.simulate(without_estimate(scene))
     except SoftcatError as error:

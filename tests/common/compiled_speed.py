@@ -12,7 +12,7 @@ import numpy as np
 
 from softcat_sym.codegen.library import OPTIMISED, compile_library, load
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.solvers.compiled import CompiledIntegration, Filament, Run, Status, doubles
+from softcat_sym.solvers.compiled import CompiledIntegration, Filament, RunInput, Status, doubles
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
 from tests.common.rivals import scenes
@@ -93,7 +93,7 @@ class Bare:
         self._model = copy.copy(whole.filament.model)
         self._model.model = replace(self._model.model, powers=())
         self._graph, self._sites = prepared.graph, whole.filament.sites
-        self._run = Run(
+        self._run = RunInput(
             parameters=np.ascontiguousarray(prepared.p),
             places=whole.filament.places,
             state=self._sites.state(prepared.start.x, prepared.start.z),

@@ -17,7 +17,7 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.reference.element_loop import Clamp, Mesh, element_sources, fingerprint, problem_of
 from softcat_sym.reference.elements import ElementRun, run_elements
 from softcat_sym.reference.material_point import point_code
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene, elastic_time
 
 Floats = npt.NDArray[np.float64]
@@ -43,13 +43,13 @@ def plane(name: str, changes: Mapping[str, object] | None = None) -> Scene:
     return sc.load_scene(name, {**PLANE_STRESS, **FRAMES.get(name, {}), **(changes or {})})
 
 
-def filament(name: str, changes: Mapping[str, object]) -> Trajectory:
+def filament(name: str, changes: Mapping[str, object]) -> Run:
     """The run of a narrow bundled scene; the same run is not made twice by one process."""
     return _filament(name, tuple(changes.items()))
 
 
 @cache
-def _filament(name: str, changes: tuple[tuple[str, object], ...]) -> Trajectory:
+def _filament(name: str, changes: tuple[tuple[str, object], ...]) -> Run:
     return sc.simulate(plane(name, dict(changes)))
 
 
@@ -65,23 +65,23 @@ def elements(
     return run_elements(scene, mesh, clamp=clamp, step_factor=step_factor, checkpoint=folder / f"{key}.npz")
 
 
-Run = ElementRun | Trajectory
+AnyRun = ElementRun | Run
 
 
-def midpoints(scene: Scene, run: Run, instants: Iterable[float] = INSTANTS) -> Floats:
+def midpoints(scene: Scene, run: AnyRun, instants: Iterable[float] = INSTANTS) -> Floats:
     """Midpoint/L at some t~; between frames by interpolation."""
     time, midpoint = curve(scene, run)
     return np.asarray(np.interp(list(instants), time, midpoint), dtype=np.float64)
 
 
-def mean(scene: Scene, run: Run) -> float:
+def mean(scene: Scene, run: AnyRun) -> float:
     """Mean of midpoint/L while the filament rings."""
     time, midpoint = curve(scene, run)
     begin, end = RINGING
     return float(midpoint[(time >= begin) & (time <= end)].mean())
 
 
-def curve(scene: Scene, run: Run) -> tuple[Floats, Floats]:
+def curve(scene: Scene, run: AnyRun) -> tuple[Floats, Floats]:
     """t~ and midpoint/L of every frame."""
     if isinstance(run, ElementRun):
         time, midpoint = run.time, run.midpoint

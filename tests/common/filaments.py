@@ -13,7 +13,7 @@ from softcat_sym.discretization.grid import Grid
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.results.trajectory import Trajectory, judge
+from softcat_sym.results.run import Run, judge
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.run import prepare
 from softcat_sym.solvers.settings import choose_settings
@@ -78,7 +78,7 @@ def scene(
     )
 
 
-def run(asked: Scene, grid: Grid | None = None) -> Trajectory:
+def run(asked: Scene, grid: Grid | None = None) -> Run:
     """Run a scene; on a grid of one's own, through the same layers as `simulate`."""
     if grid is None:
         return simulate(asked)
@@ -89,7 +89,7 @@ def run(asked: Scene, grid: Grid | None = None) -> Trajectory:
     return judge(asked, effects, prepared, prepared.solve(Silence()), {})
 
 
-def sag(trajectory: Trajectory) -> float:
+def sag(trajectory: Run) -> float:
     """Final depth of the midpoint [m]."""
     assert trajectory.outcome.is_success, trajectory.summary["message"]
     return -float(trajectory.data["midpoint"][-1])

@@ -34,7 +34,7 @@ import numpy as np
 import numpy.typing as npt
 
 import softcat_sym as sc
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.simulate import without_estimate
 from tests.common.closed_forms import soft_beam_sag, soft_catenary_sag, von_karman_sag
 from tests.common.rheology import scene as rheology_scene
@@ -42,7 +42,7 @@ from tests.common.truths import beam_let_go, beam_of_modes, beam_shaken, hanging
 from tests.common.viscous_string import viscous_string
 
 Array = npt.NDArray[np.float64]
-Judge = Callable[[Trajectory], float]
+Judge = Callable[[Run], float]
 
 PAPER = ("inertia", "bending", "finite-stretch", "thinning", "large-rotation")
 STATIC = PAPER[1:]
@@ -123,7 +123,7 @@ def _modes(modes: list[tuple[float, float]], unit: Scales) -> list[dict[str, flo
     return [{"youngs_modulus": E * unit.stress, "viscosity": E * unit.stress * tau * unit.time} for E, tau in modes]
 
 
-def heights(run: Trajectory) -> Array:
+def heights(run: Run) -> Array:
     """Midpoint over span."""
     return np.asarray(run.data["midpoint"]) / run.scene.filament.span
 
@@ -136,7 +136,7 @@ def ends_at(sag: Callable[[], float]) -> Judge:
 def follows(history: Callable[[Array], Array]) -> Judge:
     """Largest error against heights over the span at times in sqrt(L/g)."""
 
-    def error(run: Trajectory) -> float:
+    def error(run: Run) -> float:
         unit = np.sqrt(run.scene.filament.span / run.scene.load.gravity)
         return _apart(heights(run), history(np.asarray(run.data["time"]) / unit))
 
@@ -149,7 +149,7 @@ def moves_like(law: str, *, last: bool = False, **groups: Any) -> Judge:
     return lambda run: _apart(heights(run)[frames], _answer(asked(law, **groups))[frames])
 
 
-def refined(run: Trajectory) -> float:
+def refined(run: Run) -> float:
     """Error by Richardson, second order, from half as many cells and fibres more at a tenth of the tolerance."""
     at = run.summary["resolution"]
     finer = {"cells": 3 * at["cells"] // 2, "rtol": run.summary["rtol"] / 10}
@@ -336,7 +336,7 @@ def _slack_sag() -> float:
     return (4 * fine - coarse) / 3
 
 
-def _deepest_like_slack(run: Trajectory) -> float:
+def _deepest_like_slack(run: Run) -> float:
     sag = _slack_sag()
     return abs(float(run.data["y"][-1].min()) + sag) / sag
 
@@ -366,7 +366,7 @@ name = "rupture: printed closure loses its tension"
 case(name, None, lambda: sc.load_scene("continual-descent", printed), refusals=RUPTURES)
 
 
-def _mean_sag(run: Trajectory, sag: float) -> float:
+def _mean_sag(run: Run, sag: float) -> float:
     mean = -float(heights(run)[run.data["time"].size * 60 // 460 :].mean())
     return abs(mean - sag) / sag
 

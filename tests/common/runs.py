@@ -6,7 +6,7 @@ from functools import cache
 from typing import Any
 
 from softcat_sym import simulate
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 
 _MATERIALS: dict[str, dict[str, Any]] = {
@@ -32,6 +32,6 @@ def scene_of(law: str = "bingham", **tables: dict[str, Any]) -> Scene:
 
 
 @cache
-def run(law: str = "bingham", left: str = "clamped") -> Trajectory:
+def run(law: str = "bingham", left: str = "clamped") -> Run:
     """One run for all tests."""
     return simulate(scene_of(law, ends={"left": left}))

@@ -18,7 +18,7 @@ import xarray as xr
 import softcat_sym as sc
 from softcat_sym.errors import SoftcatError
 from softcat_sym.results.fields import min_energy
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from softcat_sym.scene import scene as geometry
 from softcat_sym.scene.scene import Scene
 from tests.common.limited_process import Ask, limit_this_process
@@ -33,14 +33,14 @@ BACK = 1e-3
 """How much of the largest energy dissipation may seem to lose between two frames, times the accuracy asked."""
 
 
-def messages(trajectory: Trajectory) -> list[str]:
+def messages(trajectory: Run) -> list[str]:
     """What does not hold; empty if all does."""
     checks = (_times, _bounds, _supports, _energy, _dissipation, _symmetry)
     scene = trajectory.scene
     return [*_numbers(trajectory)] or [text for check in checks for text in check(scene, trajectory)]
 
 
-def is_balanced(scene: Scene, trajectory: Trajectory) -> bool:
+def is_balanced(scene: Scene, trajectory: Run) -> bool:
     """Whether energy is to be conserved: with the material closure, of a run that is carried through time.
 
     Not by a list with finite stretch and without thinning: its section swells with the stretch, and stores energy that
@@ -58,7 +58,7 @@ def is_mirrored(scene: Scene) -> bool:
     return idle and geometry.is_symmetric(scene.replace({"ends.motion": "hold"}))
 
 
-def _numbers(trajectory: Trajectory) -> Iterator[str]:
+def _numbers(trajectory: Run) -> Iterator[str]:
     for name, values in trajectory.data.variables.items():
         if not np.all(np.isfinite(values)) and not str(name).startswith("core_"):
             yield f"{name} is not finite"
@@ -67,14 +67,14 @@ def _numbers(trajectory: Trajectory) -> Iterator[str]:
             yield f"{name} in the summary is not finite"
 
 
-def _times(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+def _times(scene: Scene, trajectory: Run) -> Iterator[str]:
     asked = np.linspace(0, scene.run.duration, scene.run.frames)
     time = trajectory.data["time"].values
     if time.shape != asked.shape or not np.allclose(time, asked, rtol=1e-9, atol=1e-9 * scene.run.duration):
         yield f"frames at {time} s"
 
 
-def _bounds(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+def _bounds(scene: Scene, trajectory: Run) -> Iterator[str]:
     data = trajectory.data
     for name in ("stretch", "thickness"):
         if float(data[name].min()) <= 0:
@@ -86,7 +86,7 @@ def _bounds(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
         yield "a yielded fraction outside 0 and 1"
 
 
-def _supports(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+def _supports(scene: Scene, trajectory: Run) -> Iterator[str]:
     """Held ends are where they were put: the left one at (-L/2, 0), the right one on its path."""
     data, span = trajectory.data, scene.filament.span
     ends, time = scene.ends, trajectory.data["time"].values
@@ -104,7 +104,7 @@ def _supports(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
             yield f"the {side} support is off its place by {off:.2g} of the span"
 
 
-def _energy(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+def _energy(scene: Scene, trajectory: Run) -> Iterator[str]:
     if not is_balanced(scene, trajectory):
         return
     data = trajectory.data
@@ -115,7 +115,7 @@ def _energy(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
         yield f"an energy residual of {off / scale:.2g}, reported {reported:.2g}"
 
 
-def _dissipation(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+def _dissipation(scene: Scene, trajectory: Run) -> Iterator[str]:
     if not is_balanced(scene, trajectory):
         return
     lost = -np.diff(trajectory.data["energy_dissipated"].values).min() / max(_largest_energy(trajectory.data), 1e-300)
@@ -123,7 +123,7 @@ def _dissipation(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
         yield f"dissipation falls by {lost:.2g} of the largest energy"
 
 
-def _symmetry(scene: Scene, trajectory: Trajectory) -> Iterator[str]:
+def _symmetry(scene: Scene, trajectory: Run) -> Iterator[str]:
     if not is_mirrored(scene):
         return
     x, y = trajectory.data["x"].values, trajectory.data["y"].values

@@ -22,7 +22,7 @@ import softcat_sym as sc
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.single_run import build
-from softcat_sym.solvers.compiled import CompiledIntegration, Run, Status
+from softcat_sym.solvers.compiled import CompiledIntegration, RunInput, Status
 from softcat_sym.solvers.run import Prepared
 from tests.common.compiled_speed import GeneratedRates
 
@@ -119,7 +119,7 @@ class Swing:
 
     def _integrate(self, x: Floats, times: Floats, rtol: float) -> tuple[Floats, Status]:
         status = Status()
-        run = Run(
+        run = RunInput(
             parameters=np.ascontiguousarray(self.prepared.p),
             places=self._places,
             state=self._sites.state(x, np.zeros(0)),

@@ -15,7 +15,7 @@ FINER, MORE_FIBRES, TIGHTER = 2, 2, 10
 """Of the reference: its own errors, by second order, are a quarter of those of the run."""
 
 
-def true_error(scene: sc.Scene, run: sc.Trajectory) -> tuple[float, str]:
+def true_error(scene: sc.Scene, run: sc.Run) -> tuple[float, str]:
     """Error of a run by a finer one, measured as the estimate is; or why there is none.
 
     A ringing that the frames do not show is compared at as many times as the estimate was.
@@ -28,7 +28,7 @@ def true_error(scene: sc.Scene, run: sc.Trajectory) -> tuple[float, str]:
     return Judge.of(exact, periods, scene.run.accuracy).between(midpoint, exact).size, ""
 
 
-def _finer(scene: sc.Scene, run: sc.Trajectory) -> sc.Scene:
+def _finer(scene: sc.Scene, run: sc.Run) -> sc.Scene:
     """The physics that was in force, resolved further in every direction, run once."""
     at = run.summary["resolution"]
     changes: dict[str, object] = {"numerics.cells": FINER * at["cells"], "numerics.rtol": at["rtol"] / TIGHTER}

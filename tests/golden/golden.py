@@ -132,7 +132,7 @@ def table(file: Path) -> Iterator[tuple[str, Any]]:
                 yield path, " ".join(cells)
 
 
-def answer(run: sc.Trajectory) -> Case:
+def answer(run: sc.Run) -> Case:
     """What a run shows: its midpoint, sizes of all it holds half-way and at the end, and its summary."""
     found: dict[str, Any] = dict(leaves(run.summary))
     found |= dict(column("midpoint", run.data["midpoint"].values[:: max(1, (run.data.sizes["time"] - 1) // 20)]))

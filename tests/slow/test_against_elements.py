@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 from softcat_sym.reference.element_loop import Mesh
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from tests.common.elements import (
     INSTANTS,
     PUBLISHED,
+    AnyRun,
     Floats,
-    Run,
     curve,
     digits,
     elements,
@@ -57,7 +57,7 @@ class Side:
     changes: Mapping[str, object]
 
     @property
-    def run(self) -> Trajectory:
+    def run(self) -> Run:
         return filament(self.name, self.changes)
 
     @property
@@ -150,7 +150,7 @@ def test_underdamped_arrest() -> None:
     assert not any(side.run.outcome.is_success for side in sides[4:])
 
 
-def first_swing(name: str, run: Run) -> float:
+def first_swing(name: str, run: AnyRun) -> float:
     """Height of the first turning point, by a parabola through the lowest frame and its neighbours."""
     _, height = curve(plane(name), run)
     k = int(np.argmax(np.diff(height) > 0))
@@ -158,7 +158,7 @@ def first_swing(name: str, run: Run) -> float:
     return float(lowest - (after - before) ** 2 / (8 * (after - 2 * lowest + before)))
 
 
-def period(name: str, run: Run) -> float:
+def period(name: str, run: AnyRun) -> float:
     """Mean time between upward crossings of the mean height, t~."""
     time, height = curve(plane(name), run)
     swing = height - height.mean()
@@ -172,7 +172,7 @@ def test_elastic_swing() -> None:
     name = "no-yield"
     scene = plane(name)
     meshes = (Mesh(32, 2), Mesh(64, 4), Mesh(96, 6))
-    runs: dict[str, Run] = {f"elements {name_of(mesh)}": elements(scene, mesh) for mesh in meshes}
+    runs: dict[str, AnyRun] = {f"elements {name_of(mesh)}": elements(scene, mesh) for mesh in meshes}
     # Nothing but the fifth-order method rings for so long without a loss.
     grids = {f"N = {cells}": {"numerics.cells": cells} for cells in (80, 160)}
     runs |= {title: filament(name, changes) for title, changes in grids.items()}

@@ -17,14 +17,14 @@ from tests.test_bundled_scenes import Checked, at_cells, final, judge, run
 pytestmark = pytest.mark.slow
 
 
-def hardly_bent(done: sc.Trajectory) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
+def hardly_bent(done: sc.Run) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
     """Mean stress and plastic rate, at the end, of the cells that hardly bend."""
     mean, bending, rate = (at_cells(done, name) for name in ("stress_mean", "stress_bending", "plastic_rate"))
     straight = np.abs(bending) < 0.1 * mean
     return mean[straight], rate[straight]
 
 
-def drying_ink(done: sc.Trajectory) -> Checked:
+def drying_ink(done: sc.Run) -> Checked:
     """Tension -E P at the start; without the initial state nothing yields."""
     part, material = done.scene.filament, done.scene.material
     pull = 0.003 * material.youngs_modulus * math.pi * part.thickness**2 / 4
@@ -36,7 +36,7 @@ def drying_ink(done: sc.Trajectory) -> Checked:
     ]
 
 
-def oobleck(done: sc.Trajectory) -> Checked:
+def oobleck(done: sc.Run) -> Checked:
     """Where it hardly bends, stress is K rate^1.5; it sags less than the fluid of index one."""
     mean, rate = hardly_bent(done)
     of_rate = (mean / done.scene.material.viscosity) ** (1 / 1.5)
@@ -47,14 +47,14 @@ def oobleck(done: sc.Trajectory) -> Checked:
     ]
 
 
-def thermoforming_sheet(done: sc.Trajectory) -> Checked:
+def thermoforming_sheet(done: sc.Run) -> Checked:
     """It keeps its width: 4/3 more viscous than the strip, so (3/4)^(1/3) of its sag."""
     strip = run("thermoforming-sheet", "filament.section=rectangle")
     late = [one.data.midpoint.values[-60:].mean() for one in (done, strip)]
     return [("sag over that of a strip", float(late[0] / late[1]), 0.75 ** (1 / 3), 0.015)]
 
 
-def toothpaste(done: sc.Trajectory) -> Checked:
+def toothpaste(done: sc.Run) -> Checked:
     """Yields, then stops; a paste of ten times the strength does not yield."""
     midpoint = done.data.midpoint.values
     strong = run("toothpaste", "material.shear_yield_stress=2 kPa")
@@ -65,7 +65,7 @@ def toothpaste(done: sc.Trajectory) -> Checked:
     ]
 
 
-def transient_gel(done: sc.Trajectory) -> Checked:
+def transient_gel(done: sc.Run) -> Checked:
     """Where it hardly bends the rate is sinh(sigma/s0)/t0; the fluid of its viscosity at rest, s0 t0, flows less."""
     mean, rate = hardly_bent(done)
     eyring = np.sinh(mean / 500) / 60

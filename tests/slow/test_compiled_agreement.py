@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 
 import softcat_sym as sc
-from softcat_sym.results.trajectory import Trajectory
+from softcat_sym.results.run import Run
 from tests.common.table import show
 
 RUPTURES = "edge-of-rupture"
 NAMES = [name for name in sc.bundled_names() if name != RUPTURES]
 
 
-def run(name: str, backend: str) -> Trajectory:
+def run(name: str, backend: str) -> Run:
     # At the first guess: the same grid for both; an interpreted estimate of hinges would take most of an hour.
     return sc.simulate(sc.load_scene(name, {"numerics.backend": backend, "numerics.estimate": False}))
 
 
-def difference(one: Trajectory, other: Trajectory, field: str) -> float:
+def difference(one: Run, other: Run, field: str) -> float:
     """Largest at any time and place, over the largest way that anything has gone."""
     found, wanted = (run.data[field].values for run in (one, other))
     gone = max(float(np.max(np.abs(other.data[axis].values - other.data[axis].values[0]))) for axis in ("x", "y"))

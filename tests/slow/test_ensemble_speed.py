@@ -11,7 +11,7 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.ensemble.ensemble import Ensemble
-from softcat_sym.solvers.compiled import Answer, CModel, Run, Status
+from softcat_sym.solvers.compiled import Answer, CModel, RunInput, Status
 from tests.common.table import show
 
 Settings = dict[str, object]
@@ -100,7 +100,7 @@ def test_what_python_costs_beside_the_compiled_solver(monkeypatch: pytest.Monkey
     spent: list[float] = []
     integrate = CModel.integrate
 
-    def timed(model: CModel, run: Run, status: Status, *stop: object) -> Answer:
+    def timed(model: CModel, run: RunInput, status: Status, *stop: object) -> Answer:
         begun = time.thread_time()
         answer = integrate(model, run, status, *stop)  # type: ignore[arg-type]
         spent.append(time.thread_time() - begun)

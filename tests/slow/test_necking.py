@@ -29,19 +29,19 @@ TIGHT: Mapping[str, object] = {"numerics.solver": "idas", "numerics.rtol": 1e-4,
 HEADER = ("", "mean sag/L", "sag/L at the end", "stretch at the clamp", "strain of the neck", "outcome", "because")
 
 
-def run(cells: int, fibres: int = 6, G: float = 0.25, **more: object) -> sc.Trajectory:
+def run(cells: int, fibres: int = 6, G: float = 0.25, **more: object) -> sc.Run:
     # The bundled value is left alone, so that a run that another check made is found again.
     gravity = {} if G == 0.25 else {"groups.G": G}
     changes = {f"numerics.{name}": value for name, value in more.items()}
     return filament(NAME, {**TIGHT, "numerics.cells": cells, "numerics.fibres": fibres, **gravity, **changes})
 
 
-def neck(found: sc.Trajectory) -> float:
+def neck(found: sc.Run) -> float:
     lengths = np.diff(found.data.X_node.values)
     return neck_strain(found.data.stretch.values[-1], lengths, neck_length(found.scene))
 
 
-def table(title: str, runs: Mapping[str, sc.Trajectory], G: float | None = None) -> list[float]:
+def table(title: str, runs: Mapping[str, sc.Run], G: float | None = None) -> list[float]:
     """Print runs, and beside them elements; return the mean sags."""
     rows, means = [], [-mean(plane(NAME), found) for found in runs.values()]
     for (name, found), sag in zip(runs.items(), means, strict=True):

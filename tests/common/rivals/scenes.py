@@ -1,4 +1,4 @@
-"""The filaments that rivals run, and where their midpoints end; `python -m tests.common.rivals.scenes` finds it anew."""
+"""The filaments that rivals run, and where their midpoints end, as `python -m tests.common.rivals.scenes` finds."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ _VERSIONS: Final = ("softcat_sym", "casadi", "sympy", "numpy")
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectory:
+class Run:
     """A finished run.
 
     Attributes
@@ -124,7 +124,7 @@ class Trajectory:
         notes = [f"warnings: {len(summary['warnings'])}"] if summary.get("warnings") else []
         sizes = {"time": len(time), "node": len(self.fields["X_node"]), "cell": len(self.fields["X_cell"])}
         lines = (
-            f"Trajectory {self.scene.title!r}: {', '.join([self.outcome.name, *notes])}",
+            f"Run {self.scene.title!r}: {', '.join([self.outcome.name, *notes])}",
             f"midpoint {self.fields['midpoint'][-1]:.4g} m at {time[-1]:.4g} s; error {error}",
             f"regime {summary.get('regime') or 'none'}",
             f"effects {', '.join(summary.get('effects') or ['unknown'])}",
@@ -132,7 +132,7 @@ class Trajectory:
         )
         return "\n  ".join(lines)
 
-    def repeated(self, repeats: list[str]) -> Trajectory:
+    def repeated(self, repeats: list[str]) -> Run:
         """The same run as the last of several: each text says what the run before had overlooked."""
         warnings = [*self.summary["warnings"]]
         if len(repeats) > 1:
@@ -141,7 +141,7 @@ class Trajectory:
         outcome = Outcome.missing_effect if message else None
         return self._judged_anew({"repeats": repeats, "warnings": warnings}, outcome, message)
 
-    def estimated(self, errors: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Trajectory:
+    def estimated(self, errors: Mapping[str, Any], warnings: Sequence[str], missed: str) -> Run:
         """The same run with what its companions tell about its error.
 
         Parameters
@@ -156,14 +156,14 @@ class Trajectory:
         changed = {**errors, "warnings": [*self.summary["warnings"], *warnings]}
         return self._judged_anew(changed, Outcome.inaccurate if missed else None, missed)
 
-    def _judged_anew(self, changed: dict[str, Any], outcome: Outcome | None, message: str) -> Trajectory:
+    def _judged_anew(self, changed: dict[str, Any], outcome: Outcome | None, message: str) -> Run:
         """The same run, which is refused for another reason if it was sound; what is refused has no regime."""
         if outcome is None or not self.outcome.is_success:
             return replace(self, summary=self.summary | changed)
         changed |= {"outcome": outcome.name, "advice": outcome.value, "message": message, "regime": None}
         return replace(self, summary=self.summary | changed, outcome=outcome)
 
-    def settled(self, scene: Scene, time: float | None) -> Trajectory:
+    def settled(self, scene: Scene, time: float | None) -> Run:
         """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
         return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
 
@@ -260,8 +260,8 @@ def variable_attrs(name: str) -> dict[str, str]:
     return {"units": VARIABLES[name].unit, "long_name": VARIABLES[name].meaning}
 
 
-def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, wall: dict[str, float]) -> Trajectory:
-    """Turn a raw solution into a Trajectory, and decide whether it may be trusted."""
+def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, wall: dict[str, float]) -> Run:
+    """Turn a raw solution into a Run, and decide whether it may be trusted."""
     fields = whole_span_fields(scene, prepared, solution)
     places, time = node_positions(prepared.graph, rest_length(scene)), solution.time * prepared.scale
     residual = energy_residual(fields, min_energy(scene))
@@ -324,23 +324,23 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "wall_s": wall,
     }
     fields |= {"time": time, "X_node": places[0], "X_cell": places[1], "midpoint": midpoint}
-    return Trajectory(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome))
+    return Run(scene, fields, summary, outcome, missing_effect(scene, effects, measured, outcome))
 
 
 _SUMMARY = "summary"
 
 
-def trajectory_form(scene: Scene) -> Form[Trajectory]:
+def run_form(scene: Scene) -> Form[Run]:
     """Return the form in which runs of a scene are stored, whatever its title was when it was run."""
 
-    def write(run: Trajectory) -> bytes:
+    def write(run: Run) -> bytes:
         about = json.dumps([run.summary, run.outcome.name, run.missing_effect])
         return packed({_SUMMARY: np.array(about), **run.fields})
 
-    def read(content: bytes) -> Trajectory:
+    def read(content: bytes) -> Run:
         arrays = unpacked(content)
         summary, outcome, missing = json.loads(str(arrays.pop(_SUMMARY)))
-        return Trajectory(scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
+        return Run(scene, arrays, summary | {"title": scene.title}, Outcome[outcome], missing)
 
     return Form(write, read)
 
@@ -353,7 +353,7 @@ _NEEDED: Final = (
 _ACCEPTED = "accepted: a trajectory.nc that softcat run wrote, or the folder that holds it"
 
 
-def open_run(directory: str | os.PathLike[str]) -> Trajectory:
+def open_run(directory: str | os.PathLike[str]) -> Run:
     """Read a finished run again, as :func:`softcat_sym.simulate` returned it.
 
     Parameters
@@ -363,7 +363,7 @@ def open_run(directory: str | os.PathLike[str]) -> Trajectory:
 
     Returns
     -------
-    Trajectory
+    Run
         ``.data``, ``.scene``, ``.outcome``; ``.summary`` is that of the ``summary.json`` beside it, without one of this
         run it holds title and outcome only.
 
@@ -403,7 +403,7 @@ def open_run(directory: str | os.PathLike[str]) -> Trajectory:
     # Only if that is of the same run.
     if isinstance(beside, dict) and beside.get("midpoint_final_m") == float(fields["midpoint"][-1]):
         summary = beside
-    return Trajectory(scene, fields, summary, outcome, {}, versions=str(attrs.get("versions", "")))
+    return Run(scene, fields, summary, outcome, {}, versions=str(attrs.get("versions", "")))
 
 
 def _read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:
@@ -426,7 +426,7 @@ def _read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:
         raise OSError(" ".join(str(error).split())[:120] or type(error).__name__) from error
 
 
-def check_drawable(run: Trajectory) -> None:
+def check_drawable(run: Run) -> None:
     """Refuse a run that is not finite everywhere."""
     for name in _DRAWN:
         if not np.isfinite(run.fields[name]).all():
