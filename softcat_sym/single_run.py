@@ -60,7 +60,10 @@ def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, prog
             solution = solution.every(stride, np.linspace(0.0, float(prepared.times[-1]), scene.run.frames))
         progress.doing("checking the answer")
         trajectory = judge(scene, effects, prepared, solution, clock.laps())
-        if trajectory.outcome not in OF_A_STEP_TOO_LONG or scene.numerics.rtol is not None or not left:
+        # CasADi's Rosenbrock method does not say whether a stage was undefined.
+        undefined = trajectory.outcome is Outcome.no_convergence and not prepared.backend.compiled
+        too_long = undefined or trajectory.outcome in OF_A_STEP_TOO_LONG
+        if not too_long or scene.numerics.rtol is not None or not left:
             break
         # Flow that relaxes within a step is right at its end, but not the work inside; and a stage far outside what is
         # elastic may be undefined, where the step is too long: both ask for shorter ones.

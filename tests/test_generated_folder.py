@@ -149,7 +149,7 @@ def test_the_folder_holds_all_that_a_build_needs(tmp_path: Path) -> None:
     texts = {path.name: path.read_text(encoding="utf-8") for path in out.iterdir()}
     assert set(texts) == names
     for name, text in texts.items():
-        assert "{{" not in text and "{%" not in text, name
+        assert "{{ " not in text and "{%" not in text, name
         includes = [line.split('"')[1] for line in text.splitlines() if line.startswith('#include "')]
         assert not name.endswith(".h") or set(includes) <= names, name
     assert sc.load_scene(out / "scene.toml") == scene
