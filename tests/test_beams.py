@@ -231,6 +231,17 @@ def test_supports_carry_the_weight(effects: tuple[str, ...], closure: str, ends:
     assert found == pytest.approx(weight, rel=1e-9)
 
 
+def test_supports_carry_the_weight_in_the_material_closure() -> None:
+    """Q = T + (3/2) M theta_s is rebuilt from cell means of M and theta_s here: second order in 1/N."""
+    thickness, cells, errors = 0.05, np.array([10, 20, 40]), []
+    for count in cells.tolist():
+        data = run(scene(thickness=thickness, E=3e5, effects=GEOMETRY, cells=count)).data
+        axial = data["tension"].values + 1.5 * data["moment"].values * data["curvature"].values
+        errors.append(support_forces(data, axial, 1000.0, thickness**2, 10.0)[-1] / (1e4 * thickness**2) - 1)
+    assert abs(errors[2]) < 3e-3
+    assert abs(errors[2]) < abs(errors[1]) / 3 < abs(errors[0]) / 9, errors
+
+
 def test_supports_carry_weight_and_inertia_while_falling() -> None:
     """Force on the supports = weight + rate of the vertical momentum, by differences of the positions in time."""
     thickness, density, gravity = 0.05, 1000.0, 10.0
@@ -559,6 +570,21 @@ def beam_moduli(sags: np.ndarray) -> np.ndarray:
 
 def slope(sags: np.ndarray, differences: np.ndarray) -> float:
     return float(np.polyfit(np.log(sags), np.log(np.abs(differences)), 1)[0])
+
+
+@pytest.mark.slow
+def test_effects_of_finite_sag_on_a_beam() -> None:
+    """Where bending carries the weight, too, what each is worth goes as the square of the sag."""
+
+    def sags(*effects: str) -> np.ndarray:
+        named = ("bending", *effects)
+        return np.array([sag(run(scene(thickness=THICKNESS, E=E, effects=named, cells=10))) for E in moduli])
+
+    moduli = beam_moduli(BEAM_SAGS).tolist()
+    whole = sags(*FULL_LIMITS)
+    for effect in FULL_LIMITS:
+        order = slope(BEAM_SAGS, whole / sags(*(name for name in FULL_LIMITS if name != effect)) - 1)
+        assert 1.7 < order < 2.3, effect
 
 
 def closures(**asked: Any) -> tuple[float, float]:

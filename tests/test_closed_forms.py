@@ -173,6 +173,19 @@ def test_collapse_by_linear_programming(ends: tuple[str, str]) -> None:
     assert -found.fun == pytest.approx(float(BEAMS[ends].collapse), rel=1e-3)
 
 
+def test_collapse_number() -> None:
+    for section, wanted in ((RECTANGLE, 4.0), (CIRCLE, 32 / (3 * math.pi))):
+        assert float(regimes.plastic_collapse(section) / delta) == pytest.approx(wanted)
+
+
+def test_regimes_share_out_the_plane() -> None:
+    labels = sp.lambdify((delta, G), [regimes.no_yield(), regimes.arrested(), regimes.descending()], "math")
+    for slender in np.linspace(0.01, 0.95, 9).tolist():
+        for number in np.linspace(0.013, 3.1, 17).tolist():
+            bent, taut = number >= 2 * slender, number >= math.sqrt(2)
+            assert list(map(bool, labels(slender, number))) == [not bent, bent and not taut, bent and taut]
+
+
 def test_lightest_stressed_catenary() -> None:
     least = minimize_scalar(
         lambda a: a * math.cosh(1 / (2 * a)), bounds=(0.2, 2), options={"xatol": 1e-12}, method="bounded"
@@ -459,6 +472,13 @@ def test_sensitivity_against_finite_differences() -> None:
         assert float(rheometry.condition_number().subs(at)) == pytest.approx(np.linalg.cond(held))
         tied = np.array(rheometry.sensitivity_at_onset().subs(at).tolist(), dtype=float)
         assert tied == pytest.approx(held @ np.array([[1, 0], [0, 1], [0, 5]]))
+
+
+def test_condition_number_blows_up_at_the_double_root_only() -> None:
+    number = sp.lambdify(chi, rheometry.condition_number(), "math")
+    assert number(1e3) == pytest.approx(math.sqrt(45 / 8), rel=1e-4)
+    assert number(1 + 1e-6) > 1e5 < number(1 - 1e-6)
+    assert number(1e-3) < 5
 
 
 def test_errors_of_many_noisy_measurements() -> None:

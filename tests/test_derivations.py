@@ -263,6 +263,18 @@ def test_the_orders_converge_to_the_fibres(shape: Section, shrinking: Contractio
     assert errors[2] < 2e-3
 
 
+def test_both_parts_of_the_dissipation_are_positive() -> None:
+    """Of odd flow rules: one that flows in tension alone lengthens a section in compression, and dissipates in sum."""
+    for shape, _ in SHAPES:
+        where, share = fibres(shape)
+        for mean, slope in np.random.default_rng(6).normal(0, 0.5, (300, 2)):
+            for law, rule in LAWS.items():
+                flow = rule(mean + slope * where)
+                assert min(mean * np.sum(share * flow), slope * np.sum(share * flow * where)) >= -1e-13, law
+        flow = np.maximum(where - 0.3, 0)
+        assert -0.3 * np.sum(share * flow) < 0 < np.sum(share * (where - 0.3) * flow)
+
+
 def test_the_appendix_in_a_thickness_that_does_not_change() -> None:
     """(A 2) with a_n = sqrt(h/(2n + 1)) times ours, at s = 1, for a cubic flow rule by quadrature."""
     for order in range(4):

@@ -434,6 +434,13 @@ def test_an_implicit_step_ends_at_the_stress_it_announces() -> None:
     assert float(EQUIVALENT(*six(stress))) == pytest.approx(new, rel=1e-9)
 
 
+def test_the_stress_is_the_slope_of_the_energy() -> None:
+    energy = compiled([bulk.elastic_strain[i, j] for i, j in UPPER], bulk.elastic_energy(bulk.elastic_strain))
+    strain, change = np.diag([0.03, -0.01, 0.02]), np.array([[1, 2, 0], [2, -1, 0.5], [0, 0.5, 3]]) * 1e-4
+    gained = energy(*six(strain + change)) - energy(*six(strain - change))
+    assert gained == pytest.approx(2 * np.sum(STRESS(*six(strain)) * change))
+
+
 def test_closed_form_of_the_return() -> None:
     closed = compiled([bulk.sigma_trial, bulk.step], bulk.bingham_return())
     for trial in (0.01, 0.02, 0.05, 1.0):

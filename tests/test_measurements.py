@@ -349,6 +349,7 @@ def test_a_fit_is_the_same_from_what_was_mended(filmed: tuple[Scene, Floats, Flo
 
     theirs = fitted(HEADER + rounded(time, height)).parameters["viscosity"]
     assert theirs.value is not None and theirs.std is not None
+    assert abs(theirs.value - scene.material.viscosity) < 4 * theirs.std
     few = np.where(np.arange(60) % 20 == 0, np.nan, height)
     commas = "time_s;midpoint_mm\n" + rounded(time, 1e3 * height).replace(",", ";").replace(".", ",")
     for text, note in (
