@@ -81,7 +81,7 @@ DRAWN_OUT = 0.4
 
 Elongation beyond the neighbourhood does not depend on the grid, unlike the stretch of the cell that shows it. In plane
 stress the paper's ringing filament stops at 0.18 for G = 0.25 and at 0.33 for G = 0.3, on 40 cells as on 160, where
-elements stop too; for G = 0.4 it ruptures on every grid (tests/acceptance/test_necking.py).
+elements stop too; for G = 0.4 it ruptures on every grid (tests/slow/test_necking.py).
 """
 
 _SMOOTH = 0.3

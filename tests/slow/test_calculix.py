@@ -72,7 +72,7 @@ def test_elements_agree_with_calculix(name: str, halving: float) -> None:
     """Within 0.4 % at t~ = 460 on every mesh.
 
     What is left is of the size of the elastic strain, sY/E = 0.23 % and 0.05 %, by which CalculiX's law (Simo 1988,
-    neo-Hookean) differs from ours; tests/reference/test_calculix_run.py shows it on one brick.
+    neo-Hookean) differs from ours; tests/test_calculix.py shows it on one brick.
     """
     scene, rows, apart = plane(name), [], []
     found: dict[Case, Floats] = {}
