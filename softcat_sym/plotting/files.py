@@ -54,12 +54,6 @@ def finite(value: Any) -> Any:
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
-class Quoted(str):
-    """A text that stands in quotation marks in a table, whatever is in it; those within become single."""
-
-    __slots__ = ()
-
-
 def csv_bytes(header: Iterable[str], rows: Iterable[Iterable[object]], number: Callable[[float], str] = repr) -> bytes:
     """A table; every number reads back exactly, what is not there or not finite is empty."""
     lines = [header, *rows]
@@ -78,8 +72,6 @@ def _cell(value: object, number: Callable[[float], str]) -> str:
     if isinstance(value, float):
         # NumPy's own floats print their type with repr.
         return number(float(value)) if math.isfinite(value) else ""
-    if isinstance(value, Quoted):
-        return f'"{value.replace(chr(34), chr(39))}"'
     stream = io.StringIO()
     csv.writer(stream, lineterminator="").writerow([str(value), ""])
     return stream.getvalue()[:-1]

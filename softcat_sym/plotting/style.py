@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cache
 from io import BytesIO
-from itertools import product
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
@@ -315,41 +313,3 @@ def printed(name: str, figure: Figure, dpi: int) -> dict[str, bytes]:
         figure.savefig(content, format=ending, dpi=dpi, metadata=metadata)
         drawn[f"{name}.{ending}"] = content.getvalue()
     return drawn
-
-
-_FONT, _NEAREST, _FAR, _FARTHEST, _STEP, _DIRECTIONS = 7.5, 6.0, 60.0, 260.0, 3.0, 32
-
-
-def label_points(axes: Axes, points: Sequence[tuple[float, float]], names: Sequence[str]) -> None:
-    """Write a name beside each point, at the nearest place that is free and no other point's, with a line from afar."""
-    pixels = (axes.figure.dpi if axes.figure is not None else DPI) / 72
-    places = axes.transData.transform(points)
-    taken = [Bbox.from_extents(x - 4 * pixels, y - 4 * pixels, x + 4 * pixels, y + 4 * pixels) for x, y in places]
-    inside = axes.get_window_extent()
-    angles = [2 * math.pi / _DIRECTIONS * ((k + 1) // 2) * (-1) ** k for k in range(_DIRECTIONS)]
-    for k in sorted(range(len(names)), key=lambda k: (-places[k][1], places[k][0])):
-        text = axes.text(0, 0, names[k], fontsize=_FONT, va="center", ha="center", transform=None, zorder=5)
-        found = text.get_window_extent()
-        half = np.array([found.width, found.height]) / 2
-        best = None  # Centre, box, and whether it needs a line to its point
-        for radius, angle in product(np.arange(_NEAREST, _FARTHEST, _STEP), angles):
-            centre = places[k] + np.array([math.cos(angle), math.sin(angle)]) * (radius * pixels + [half[0], half[1]])
-            box = Bbox([centre - half - pixels, centre + half + pixels])
-            within = inside.x0 <= box.x0 and box.x1 <= inside.x1 and inside.y0 <= box.y0 and box.y1 <= inside.y1
-            if not within or any(box.overlaps(other) for other in taken):
-                continue
-            own, *others = (np.hypot(*(place - np.clip(place, box.min, box.max))) for place in (places[k], *places))
-            nearer = min((other for j, other in enumerate(others) if j != k), default=math.inf)
-            if own < 0.8 * nearer:
-                best = centre, box, radius > _NEAREST + _STEP or own > 0.6 * nearer
-                break
-            # Nearer to another point it would be read as that one's name: only where there is no better.
-            best = best or (centre, box, True)
-            if radius > _FAR:
-                break
-        centre, box, far = best or (places[k], Bbox([places[k] - half, places[k] + half]), False)
-        text.set_position(centre)
-        taken.append(box)
-        if far:
-            line = zip(places[k], np.clip(places[k], box.min, box.max), strict=True)
-            axes.plot(*line, transform=None, color=GREY, linewidth=0.5, zorder=2.5)

@@ -130,9 +130,6 @@ def observed_motion(
     return _what_was_left_out(scene, effects, time, midpoint, motion)
 
 
-seen = observed_motion
-
-
 def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, motion: Motion) -> Motion:
     """The numbers that only a run without the effect shows."""
     names, shown = effects.names, dict[str, Any]()

@@ -209,7 +209,7 @@ def determined_by_groups(table: Mapping[str, Any]) -> frozenset[str]:
     return frozenset(filled)
 
 
-def resolve_groups(table: Table) -> Resolved:  # noqa: C901 - one step after another
+def resolve_groups(table: Table) -> Resolved:
     """Replace ``[groups]`` by the physical values it determines."""
     if "groups" not in table:
         return Resolved(table)
@@ -237,7 +237,24 @@ def resolve_groups(table: Table) -> Resolved:  # noqa: C901 - one step after ano
     stress, time = density * gravity * span, math.sqrt(span / gravity) if scaled else 0.0
     ratios = _ratios(block, stress, time, index) if block is not None and scaled else {}
     relations = _relations(raw, rest, ratios, index if scaled else 1.0)
-    law = raw.get("law")
+    faults += _of_law(raw, rest, block, relations, index)
+    if faults or block is None or not scaled or any(relation.ratio <= 0 for relation in relations):
+        return Resolved(rest, tuple(faults), determined, complete=False)
+    constants = solve(relations)
+    sizes = {"thickness": block.delta * span, **constants}
+    if absurd := [f"{name} {value:g}" for name, value in sizes.items() if not SMALLEST <= value <= LARGEST]:
+        found = f"these groups give {', '.join(absurd)}, beyond {SMALLEST:g} to {LARGEST:g} in SI units"
+        return Resolved(rest, (Fault("groups", found, "moderate numbers"),), determined, complete=False)
+    unit = time if block.time_unit == "gravity" else span * math.sqrt(density / constants["youngs_modulus"])
+    _fill_physical(rest, block, sizes, unit, index)
+    return Resolved(rest, (), determined)
+
+
+def _of_law(
+    raw: Mapping[str, Any], rest: Table, block: GroupBlock | None, relations: list[Relation], index: float
+) -> list[Fault]:
+    """Fill in the law with its index, and find what does not belong to it."""
+    law, faults = raw.get("law"), list[Fault]()
     if isinstance(law, str) and law in GROUPED:
         faults += faults_of(relations, law)
         if law in INDEXED and index != 1:
@@ -246,26 +263,18 @@ def resolve_groups(table: Table) -> Resolved:  # noqa: C901 - one step after ano
         _fill(rest, "material.law", law)
     if block is not None and "n" in raw and block.law in INDEXED:
         _fill(rest, "material.index", block.n)
-    if faults or block is None or not scaled or any(relation.ratio <= 0 for relation in relations):
-        return Resolved(rest, tuple(faults), determined, complete=False)
-    constants = solve(relations)
-    absurd = [
-        f"{name} {value:g}"
-        for name, value in {"thickness": block.delta * span, **constants}.items()
-        if not SMALLEST <= value <= LARGEST
-    ]
-    if absurd:
-        found = f"these groups give {', '.join(absurd)}, beyond {SMALLEST:g} to {LARGEST:g} in SI units"
-        return Resolved(rest, (Fault("groups", found, "moderate numbers"),), determined, complete=False)
-    unit = time if block.time_unit == "gravity" else span * math.sqrt(density / constants["youngs_modulus"])
-    _fill(rest, "filament.thickness", with_unit(block.delta * span, "length"))
+    return faults
+
+
+def _fill_physical(rest: Table, block: GroupBlock, sizes: Mapping[str, float], unit: float, index: float) -> None:
+    """Fill in thickness, times and the constants of the law; `unit` is that of times [s]."""
+    _fill(rest, "filament.thickness", with_unit(sizes["thickness"], "length"))
     for path, times in (("load.ramp", block.ramp), ("run.duration", block.duration)):
         if times is not None:
             _fill(rest, path, with_unit(times * unit, "time"))
     for name in CONSTANTS[block.law]:
         if not set(shear_names(name)) & set(_section(rest, "material")):
-            _fill(rest, f"material.{name}", kind_of_constant(name, block.law, index).write(constants[name]))
-    return Resolved(rest, (), determined)
+            _fill(rest, f"material.{name}", kind_of_constant(name, block.law, index).write(sizes[name]))
 
 
 def _read_block(raw: Mapping[str, Any]) -> tuple[GroupBlock | None, list[Fault]]:

@@ -25,7 +25,7 @@ from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop,
 from softcat_sym.ensemble.members import Row
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import fill_atomically, made, written_together
-from softcat_sym.results.motion import seen
+from softcat_sym.results.motion import observed_motion
 from softcat_sym.results.verdict import measures, missing_effect
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
@@ -213,7 +213,7 @@ def _has_missing_effect(run: MemberRun) -> bool:
     scene, effects = run.member.scene, run.member.effects
     if scene.run.effects != "auto":
         return False
-    motion = seen(scene, effects, run.solution.time * run.prepared.scale, (run.nodes, run.cells), run.fields)
+    motion = observed_motion(scene, effects, run.solution.time * run.prepared.scale, (run.nodes, run.cells), run.fields)
     return bool(missing_effect(scene, effects, measures(scene, effects, motion), run.outcome))
 
 
