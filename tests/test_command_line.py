@@ -82,6 +82,7 @@ def test_every_summary_fits_in_80_columns_under_its_group(softcat: Softcat) -> N
     assert softcat("fly").status == 2
 
 
+@pytest.mark.slow
 def test_each_command_has_a_folder_of_its_own(softcat: Softcat, tmp_path: Path) -> None:
     for command, scene, folder in (
         ("run", "ink-bridge", "ink-bridge"),
@@ -321,6 +322,7 @@ def stored(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_a_run_drawn_again_is_the_same_to_the_byte(softcat: Softcat, stored: Path) -> None:
     assert softcat("draw", str(stored), "-o", "out").status in (0, None)
     assert {path.name for path in Path("out").iterdir()} == PICTURES | {"summary.json", "scene.toml"}
@@ -614,6 +616,7 @@ def offered(line: str, shell: str = "bash", cwd: Path | None = None) -> str:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+@pytest.mark.slow
 def test_commands_and_scenes_are_offered_and_the_script_installed(shell: str, tmp_path: Path) -> None:
     assert "explain" in offered("softcat exp", shell)
     scenes = offered("softcat run ink", shell)
@@ -627,6 +630,7 @@ def test_commands_and_scenes_are_offered_and_the_script_installed(shell: str, tm
     assert any("_SOFTCAT_COMPLETE" in path.read_text() for path in tmp_path.rglob("*") if path.is_file())
 
 
+@pytest.mark.slow
 def test_scenes_keys_and_paths_are_offered(tmp_path: Path) -> None:
     for line, offer in (
         *((f"{command} maxwell", ["maxwell-fast", "maxwell-slow"]) for command in ("run", "effects", "compare")),

@@ -386,6 +386,7 @@ def test_bad_input_is_one_message_and_leaves_nothing(
     assert "C3D20R" in (output / "calculix" / "deck.inp").read_text()
 
 
+@pytest.mark.slow
 def test_a_varied_study_resumes(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     changes = sets("groups.duration=10", "run.frames=11", "numerics.cells=10", "filament.width=0.1 mm")
     arguments = ("compare", "continual-descent", *changes, "--mesh", "4x4", "--vary", "groups.delta=0.03,0.06,0.045")

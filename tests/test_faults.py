@@ -131,6 +131,7 @@ def test_where_ctrl_c_is_ignored_it_stays_so_and_sigterm_is_heard() -> None:
 
 
 @pytest.mark.parametrize("ignoring", [False, True], ids=["foreground", "background"])
+@pytest.mark.slow
 def test_sigterm_ends_calculix_and_removes_its_folder(
     ignoring: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -149,6 +150,7 @@ def test_sigterm_ends_calculix_and_removes_its_folder(
 
 @pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
 @pytest.mark.parametrize("compiling", ["the runtime", "the model"])
+@pytest.mark.slow
 def test_sigterm_ends_the_compiler_and_removes_its_folder(
     compiling: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -169,6 +171,7 @@ def test_sigterm_ends_the_compiler_and_removes_its_folder(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_killed_calculix_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     note = hanging(tmp_path / "bin" / "ccx")
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")

@@ -225,6 +225,7 @@ def test_a_name_goes_through_all_files(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "name", [name if name == "maxwell-slow" else pytest.param(name, marks=pytest.mark.slow) for name in OTHERS]
 )
+@pytest.mark.slow
 def test_one_build_serves_other_numbers_and_cells(name: str, workshop: Workshop, tmp_path: Path) -> None:
     first = sc.load_scene(name)
     short = {"numerics.rtol": 1e-7, "run.frames": 11, "numerics.cells": 10}

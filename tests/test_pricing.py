@@ -258,6 +258,7 @@ def test_a_base_not_to_be_trusted_exits_1_and_still_writes(softcat: Softcat, tmp
     assert json.loads((tmp_path / "effects.json").read_text())["base"]["outcome"] == "no_equilibrium"
 
 
+@pytest.mark.slow
 def test_all_bundled_scenes_in_one_table(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     names = ("cold-honey", "gelatin-strand")
     monkeypatch.setattr("softcat_sym.scene.bundled.bundled_names", lambda: names)
@@ -303,6 +304,7 @@ def test_interrupted_before_anything_is_finished_nothing_is_written(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_what_was_finished_before_an_interruption_is_written(tmp_path: Path) -> None:
     output, softcat = tmp_path / "out", str(Path(sys.executable).with_name("softcat"))
     changes = sets(*SHORT, 'run.effects=["inertia", "bending"]')

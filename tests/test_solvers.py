@@ -566,6 +566,7 @@ def test_the_backend_is_compiled_where_that_can_be_and_the_summary_says_why() ->
         refused(scene, why)
 
 
+@pytest.mark.slow
 def test_an_integrator_of_casadi_is_interpreted_unless_requested_otherwise() -> None:
     assert "cvodes is named in numerics.solver" in chosen(asking(short_scene(), solver="cvodes")).reason
     for solver, base in (("cvodes", short_scene()), ("idas", without(short_scene(), "inertia"))):

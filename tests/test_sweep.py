@@ -391,6 +391,7 @@ print(before, peak_memory())
 """
 
 
+@pytest.mark.slow
 def test_peak_memory_is_that_of_the_process_not_of_the_one_that_started_it() -> None:
     done = subprocess.run([sys.executable, "-c", PEAKS], capture_output=True, text=True, check=True)
     before, after = map(float, done.stdout.split())

@@ -88,6 +88,7 @@ def test_without_a_terminal_plain_lines_come_now_and_then(quickly):
     assert [stage.name for stage in fit.stages] == ["reading and compiling", "starts"]
 
 
+@pytest.mark.slow
 def test_quiet_or_soon_over_it_shows_nothing(monkeypatch, capsys):
     for terminal in (True, False):
         screen = console(terminal=terminal)

@@ -140,6 +140,7 @@ def difference(one: np.ndarray, other: np.ndarray) -> float:
 
 
 @pytest.mark.parametrize("effects", ["paper", "auto"])
+@pytest.mark.slow
 def test_a_custom_law_is_the_built_in_one(effects: str) -> None:
     """Both theories: closed-form or split means of the published one, fibres with shear of the other."""
     rows, errors = [], []
