@@ -15,23 +15,10 @@ from types import MappingProxyType
 
 import casadi as ca
 
-from softcat_sym.codegen.loops import Where
-from softcat_sym.codegen.recording import (
-    DERIVATIVE,
-    FIBRE,
-    PARAMETER,
-    PLACE,
-    STAGED,
-    SUM,
-    UNKNOWN,
-    Code,
-    Instruction,
-    Leaf,
-    Recording,
-    code_of,
-    with_reciprocals,
-)
+from softcat_sym.codegen.instructions import Code, Instruction, code_of, with_reciprocals
+from softcat_sym.discretization.cell import Program
 from softcat_sym.discretization.section_rule import PER_FIBRE
+from softcat_sym.discretization.stencil import DERIVATIVE, FIBRE, PARAMETER, PLACE, STAGED, SUM, UNKNOWN, Leaf, Where
 from softcat_sym.errors import PrintingError
 
 _LONGEST = 60
@@ -208,11 +195,11 @@ _ARGUMENTS = (
 class Writer:
     """Functions of one C file, and where everything lies in its arrays."""
 
-    def __init__(self, recording: Recording) -> None:
-        self._leaves = recording.leaves
-        self.slots = Row("SLOTS", [slot.name for slot in recording.slots])
-        self._place = {name: k for k, name in enumerate(recording.places)}
-        self._parameter = {name: k for k, name in enumerate(recording.parameters)}
+    def __init__(self, program: Program) -> None:
+        self._leaves = program.leaves
+        self.slots = Row("SLOTS", [slot.name for slot in program.slots])
+        self._place = {name: k for k, name in enumerate(program.places)}
+        self._parameter = {name: k for k, name in enumerate(program.parameters)}
         self._scratch: dict[str, int] = {}
         self._scratch_each: dict[str, int] = {}
         self.functions: list[str] = []

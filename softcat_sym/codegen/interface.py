@@ -118,7 +118,7 @@ def describe(
         structure=structure,
         model=model,
         parameters=given,
-        on_cells=tuple(_is_on_cells(graph, name) for name in names),
+        on_cells=tuple(slot.on == "cell" for slot in model.slots),
         profiles=tuple(graph.profiles.get(name, (0.0, 0.0)) for name in names),
         cells=cells,
         grading=float(grading),
@@ -126,18 +126,6 @@ def describe(
         absolute=float(tolerances[1]),
         towards_middle=towards_middle(scene, effects),
     )
-
-
-def _is_on_cells(graph: Graph, kind: str) -> bool:
-    """Whether the unknowns of a kind stand in the middle of cells."""
-    for kinds, places, where in (
-        (graph.x_kinds, graph.x_places, graph.x_where),
-        (graph.z_kinds, graph.z_places, graph.z_where),
-    ):
-        if kind in kinds:
-            first = kinds.index(kind)
-            return bool(where[first] != graph.grid.nodes[places[first]])
-    return False
 
 
 def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:

@@ -18,12 +18,15 @@ from softcat_sym import store
 from softcat_sym.codegen import library
 from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, number, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, entry_name, loops_of, needed
-from softcat_sym.codegen.recording import CELLS, POWERS, Item, Recording, Slot, record
-from softcat_sym.discretization.assembly import Body
-from softcat_sym.discretization.graph import Discretisation, Graph
+from softcat_sym.discretization.assembly import Theory
+from softcat_sym.discretization.cell import POWERS, Program, Slot, build
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End
-from softcat_sym.discretization.section_rule import PER_FIBRE, SectionRule
+from softcat_sym.discretization.section_rule import PER_FIBRE, OneFibre, SectionRule
+from softcat_sym.discretization.stencil import Field
+from softcat_sym.discretization.supports import Body
 from softcat_sym.effects.choosing import Effects
+from softcat_sym.errors import PrintingError
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.scene.scene import Scene
 
@@ -82,11 +85,13 @@ def _label(entry: tuple[str, str, int]) -> str:
 _MARK = "@"  # stands in the text for what is known only later
 
 
-def template_of(recording: Recording) -> Template:
-    """C text of a filament that was taken apart."""
-    writer, leaves = Writer(recording), recording.leaves
-    fields = needed(leaves, recording.staged, recording.rates)
-    loops = loops_of(leaves, [*fields, *recording.rates])
+def template_of(program: Program) -> Template:
+    """C text of a filament."""
+    if any(one.summed for one in program.fields):
+        raise PrintingError("there is no C of a filament whose sites all read one sum: that of small deflections")
+    writer, leaves = Writer(program), program.leaves
+    fields = needed(leaves, program.fields, program.rates)
+    loops = loops_of(leaves, [*fields, *program.rates])
 
     def rate(name: str) -> Target:
         return (
@@ -101,8 +106,8 @@ def template_of(recording: Recording) -> Template:
     ]
     moves = writer.moves_in_time
     chain = Chain(leaves)
-    entries, changes = _jacobian(writer, recording, chain, loops)
-    powers, work, slopes = _work(writer, recording, chain, fields)
+    entries, changes = _jacobian(writer, program, chain, loops)
+    powers, work, slopes = _work(writer, program, chain, fields)
     size, found = writer.slots.count, Row("ENTRIES", [_label(entry) for entry in entries])
     text = "\n\n".join(
         [
@@ -114,8 +119,8 @@ def template_of(recording: Recording) -> Template:
         ]
     )
     text = f"{helpers_of(text)}\n{text}"
-    given = recording.parameters, recording.places
-    return Template(text, recording.slots, *given, powers, entries, writer.scratch, moves)
+    given = program.parameters, program.places
+    return Template(text, program.slots, *given, powers, entries, writer.scratch, moves)
 
 
 def _derivatives(
@@ -149,10 +154,10 @@ def _derivatives(
 
 
 def _jacobian(
-    writer: Writer, recording: Recording, chain: Chain, loops: Sequence[Loop]
+    writer: Writer, program: Program, chain: Chain, loops: Sequence[Loop]
 ) -> tuple[tuple[tuple[str, str, int], ...], list[str]]:
     """The entries, and the calls that compute them."""
-    order = {slot.name: k for k, slot in enumerate(recording.slots)}
+    order = {slot.name: k for k, slot in enumerate(program.slots)}
     marks: dict[tuple[str, str, int], int] = {}
 
     def mark(name: str, one: Entry) -> Target:
@@ -186,19 +191,19 @@ def _batches(loops: Sequence[Loop]) -> list[list[Loop]]:
 
 
 def _work(
-    writer: Writer, recording: Recording, chain: Chain, fields: Sequence[Item]
+    writer: Writer, program: Program, chain: Chain, fields: Sequence[Field]
 ) -> tuple[tuple[str, ...], list[str], list[str]]:
     """Powers of the whole filament and their derivatives: what their places give, summed.
 
     The fields of the rates are in the scratch already, and their derivatives those of the Jacobian.
     """
-    items = [item for power in recording.powers for item in power]
+    items = [item for power in program.powers for item in power]
     if not items:
         return (), [], []
     known = {item.name for item in fields}
-    others = [one for one in needed(recording.leaves, recording.staged, items) if one.name not in known]
-    index = {item.name: k for k, power in enumerate(recording.powers) for item in power}
-    loops, size = loops_of(recording.leaves, [*others, *items]), writer.slots.count
+    others = [one for one in needed(program.leaves, program.fields, items) if one.name not in known]
+    index = {item.name: k for k, power in enumerate(program.powers) for item in power}
+    loops, size = loops_of(program.leaves, [*others, *items]), writer.slots.count
     calls = []
     for k, loop in enumerate(loops):
         targets = [
@@ -272,8 +277,8 @@ def _tables(template: Template, slots: Sequence[Slot], entries: Sequence[tuple[s
     columns = {
         "rate": [place[s.rate] if s.rate else -1 for s in slots],
         "differential": [int(s.differential) for s in slots],
-        "held_first": [int(0 not in s.sites) for s in slots],
-        "held_last": [int(CELLS not in s.sites) for s in slots],
+        "held_first": [int(s.where.first > 0) for s in slots],
+        "held_last": [int(s.where.behind > 0) for s in slots],
         "row": [place[row] for row, _, _ in entries],
         "offset": [distance for _, _, distance in entries],
         "column": [place[column] for _, column, _ in entries],
@@ -299,12 +304,11 @@ def template_kept(key: str, made: Callable[[], Template]) -> Template:
     text = library.recall(full)
     if text is None:
         template = made()
-        slots = [{**asdict(slot), "sites": [slot.sites.start, slot.sites.stop]} for slot in template.slots]
-        library.keep(full, json.dumps({**asdict(template), "slots": slots}))
+        library.keep(full, json.dumps(asdict(template)))
         return template
     parts = json.loads(text)
     parts |= {name: tuple(parts[name]) for name in ("parameters", "places", "powers", "scratch")}
-    parts["slots"] = tuple(Slot(**{**slot, "sites": range(*slot["sites"])}) for slot in parts["slots"])
+    parts["slots"] = tuple(Slot(**{**slot, "held": tuple(slot["held"])}) for slot in parts["slots"])
     parts["entries"] = tuple((row, column, distance) for row, column, distance in parts["entries"])
     return Template(**parts)
 
@@ -320,7 +324,7 @@ class Structure:
     rule: str  # Where the fibres are; empty without. Two structures are equal if these two are
     effects: tuple[str, ...]  # Names of the effects in force
     equations: FilamentEquations = field(compare=False)  # What the filament is recorded from
-    theory: Discretisation = field(compare=False)
+    theory: Theory = field(compare=False)
     ends: tuple[End, End] = field(compare=False)
     body: Body = field(compare=False)
 
@@ -331,7 +335,7 @@ class Structure:
 
 
 def structure_of(
-    scene: Scene, effects: Effects, graph: Graph, equations: FilamentEquations, theory: Discretisation, body: Body
+    scene: Scene, effects: Effects, graph: Graph, equations: FilamentEquations, theory: Theory, body: Body
 ) -> Structure:
     """The structure of a scene's filament."""
     ends, fibres = (graph.grid.first, graph.grid.last), theory.fibres
@@ -339,7 +343,7 @@ def structure_of(
         effects.terms(),
         equations.shape.name,
         scene.run.closure,
-        fibres.theory.label if fibres else theory.label,
+        theory.label,
         tuple(end.name for end in ends),
         body.supports,
         body.profile.nodes is not None,
@@ -347,7 +351,7 @@ def structure_of(
     )
     if effects.terms().shaking != 1:
         parts = (*parts, effects.terms().shaking)
-    rule = fibres.rule.label if fibres else ""
+    rule = fibres.label if fibres else ""
     return Structure(_digest(parts), rule, effects.names, equations, theory, ends, body)
 
 
@@ -372,7 +376,7 @@ def _named(part: object) -> object:
 def model_for(structure: Structure) -> Model:
     """The C text of a structure."""
     fibres = structure.theory.fibres
-    return _template(replace(structure, rule="")).with_fibres(fibres.rule if fibres else None)
+    return _template(replace(structure, rule="")).with_fibres(fibres)
 
 
 @lru_cache(maxsize=128)
@@ -380,6 +384,8 @@ def _template(structure: Structure) -> Template:
     """Read once a process, and made once a machine."""
 
     def made() -> Template:
-        return template_of(record(structure.equations, structure.theory, structure.ends, structure.body))
+        theory = structure.theory
+        rule = OneFibre() if theory.fibres else theory.rule
+        return template_of(build(structure.equations, theory.model, structure.ends, structure.body, rule))
 
     return template_kept(structure.key, made)

@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Protocol
 
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.grid import Block, Floats, Grid, Layout, Lengths
-from softcat_sym.discretization.section_rule import OneFibre, SectionRule, Total
-from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN, Held, Profile, path_name
+from softcat_sym.discretization.grid import Floats, Grid
+from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, POINT_MASS, RIGHT_ANGLE, SPAN, path_name
 from softcat_sym.effects.free_vibration import solid_viscosity
 from softcat_sym.physics import symbols
 from softcat_sym.physics.bulk import nu
-from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.loads import surface_tension
 from softcat_sym.physics.necking import aspect
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 
 REST_LENGTH = "rest_length"
-POINT_MASS = "point_mass_per_area"
 TIME_SCALE = "time_scale"
 
 
@@ -92,124 +88,6 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         **scene.material.values(),
         **path,
     }
-
-
-@dataclass(frozen=True)
-class Unknowns:
-    """Blocks of unknowns."""
-
-    positions: tuple[Block, ...]  # Named ``x``, ``y``: differential with inertia, algebraic without
-    velocities: tuple[Block, ...]  # Named ``u``, ``v``: only with inertia
-    plastic: tuple[Block, ...]  # Named as the rates in :class:`Fields`: only where the law flows
-    # What each kind of plastic state is of a plastic strain a_0 + a_1 zeta, the same in every branch.
-    profiles: Mapping[str, tuple[float, float]]
-    angles: tuple[Block, ...] = ()  # Named ``psi``, ``omega``: section angles where they are independent
-    spins: tuple[Block, ...] = ()
-
-
-class Recall(Protocol):
-    """Whatever knows the unknowns by name."""
-
-    def field(self, name: str, full: ca.SX) -> ca.SX:
-        """The values `full` of all nodes (or cells), with the unknown ones replaced."""
-        ...
-
-
-Stage = Callable[[str, ca.SX], ca.SX]
-"""Names a field of cells or nodes that other places read; it may put symbols in its place."""
-
-
-def unstaged(name: str, value: ca.SX) -> ca.SX:
-    """Every field written out where it is used."""
-    del name
-    return value
-
-
-def without_sums(name: str, value: ca.SX) -> ca.SX:
-    """Sums over fibres stand for themselves only where one fibre stands for all."""
-    raise ValueError(f"{name}: one fibre stands for all, and nothing sums over them")
-
-
-@dataclass(frozen=True)
-class State:
-    """The unknowns by name, wherever they stand."""
-
-    moving: Layout  # Differential and algebraic unknowns
-    still: Layout
-
-    def field(self, name: str, full: ca.SX) -> ca.SX:
-        """The values `full` of all nodes (or cells), with the unknown ones replaced by the state's."""
-        return self.still.field(name, self.moving.field(name, full))
-
-
-@dataclass(frozen=True)
-class Setting:
-    """Where a filament is evaluated."""
-
-    values: Mapping[symbols.Symbol, Any]  # Parameters
-    grid: Grid  # Nodes
-    profile: Profile  # How the section varies along the filament
-    supports: Held  # Where the supports are
-    time_scale: ca.SX  # Unit of time [s]
-    lengths: Lengths  # Of the grid
-    stage: Stage = unstaged  # What becomes of the fields that other places read
-    total: Total = without_sums  # What becomes of sums over the fibres, where one stands for all
-
-    def positions(self, state: Recall) -> tuple[ca.SX, ca.SX]:
-        """Positions of all nodes, in rest lengths; those that are held are where the supports are."""
-        x, y = ca.SX(self.lengths.nodes), ca.SX.zeros(self.grid.cells + 1)
-        if self.grid.first.holds_height:
-            x[0] = self.supports.left_x
-        x[-1], y[-1] = self.supports.right_x, self.supports.right_y
-        return state.field("x", x), state.field("y", y)
-
-    def velocities(self, state: Recall) -> tuple[ca.SX, ca.SX]:
-        """Velocities of all nodes, in rest lengths per second."""
-        u, v = ca.SX.zeros(self.grid.cells + 1), ca.SX.zeros(self.grid.cells + 1)
-        u[-1], v[-1] = self.supports.right_u * self.time_scale, self.supports.right_v * self.time_scale
-        return state.field("u", u) / self.time_scale, state.field("v", v) / self.time_scale
-
-
-@dataclass(frozen=True)
-class Fields:
-    """Everything the filament is at one instant; positions in rest lengths, the rest in SI per unit undeformed area."""
-
-    x: ca.SX  # shape (cells + 1,); Positions
-    y: ca.SX
-    stretch: ca.SX  # shape (cells,); Stretch of the centreline
-    force_x: ca.SX  # shape (cells,); Internal force
-    force_y: ca.SX
-    plastic_rates: Mapping[str, ca.SX]  # Rates of the plastic states on all cells or nodes [1/s]
-    elastic_energy: ca.SX  # Stored energy per unit span [Pa]
-    dissipation: ca.SX  # Plastic power per unit span, place by place, weighted with the length of each place [Pa/s]
-    observables: Mapping[str, ca.SX]  # What a trajectory shows of the section, on cells
-    # shape (cells + 1,); What turns the section angle of each node [Pa m], where it is independent.
-    torque: ca.SX | None = None
-    # shape (cells - 1,); Conjugate of the change of the stretch at inner nodes [Pa], where the necking gradient is in
-    # force.
-    double_force: ca.SX | None = None
-    surface_energy: ca.SX | None = None  # Energy of the surface per unit span [Pa], where surface tension is in force
-
-
-@dataclass(frozen=True)
-class Fibres:
-    """A theory in which every fibre has plastic states of its own, and does alike."""
-
-    rule: SectionRule  # Where the fibres are
-    one: OneFibre  # Symbols of one that stands for all
-    theory: Discretisation  # The theory with that one
-
-
-@dataclass(frozen=True)
-class Discretisation:
-    """A theory on a grid."""
-
-    label: str  # What it is, down to the numbers that its equations hold
-    unknowns: Callable[[FilamentEquations, Grid], Unknowns]  # Equations and grid to the unknowns
-    evaluate: Callable[[FilamentEquations, Setting, Recall], Fields]  # Equations, setting and state to the fields
-    # Equations to the expressions that are printed, for the parameters that occur in them.
-    expressions: Callable[[FilamentEquations], Iterable[Any]]
-    fibres: Fibres | None = None  # Where every fibre has plastic states of its own
 
 
 def tidy(*expressions: ca.SX) -> list[ca.SX]:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -174,32 +173,6 @@ def _ratio_for(shortest: float, cells: int) -> float:
 
 
 @dataclass(frozen=True)
-class Lengths:
-    """In rest lengths."""
-
-    nodes: Any  # shape (cells + 1,); X of the nodes
-    cell: Any  # shape (cells,); Length of each cell
-    node: Any  # shape (cells + 1,); Length that each node answers for
-
-
-def lengths_of(grid: Grid) -> Lengths:
-    """The numbers of a grid."""
-    return Lengths(ca.DM(grid.nodes), ca.DM(grid.cell_length), ca.DM(grid.node_length))
-
-
-def to_cells(on_nodes: ca.SX) -> ca.SX:
-    """Two-point mean of a node quantity, shape (cells,)."""
-    return (on_nodes[:-1] + on_nodes[1:]) / 2
-
-
-def to_nodes(lengths: Lengths, on_cells: ca.SX) -> ca.SX:
-    """Mean of a cell quantity over the length that each node answers for, shape (cells + 1,)."""
-    length, whole = lengths.cell / 2, lengths.node
-    behind = ca.vertcat(length / whole[:-1] * on_cells, 0)
-    return ca.SX(behind + ca.vertcat(0, length / whole[1:] * on_cells))
-
-
-@dataclass(frozen=True)
 class Block:
     """One kind of unknown on some nodes or cells."""
 
@@ -207,13 +180,6 @@ class Block:
     places: tuple[int, ...]  # Node or cell numbers that carry it
     positions: Floats  # X/L of those places
     start: Floats  # Values in the straight, relaxed filament at rest
-
-
-def block(name: str, places: Iterable[int], positions: Floats, start: Floats) -> Block:
-    """The unknowns `name` at `places`, given positions and starting values of all nodes (or cells)."""
-    chosen = tuple(places)
-    index = list(chosen)
-    return Block(name, chosen, positions[index], start[index])
 
 
 class Layout:
@@ -227,7 +193,7 @@ class Layout:
         self.vector = ca.SX.sym(symbol, len(where))
         stacked = self.vector[rank.tolist()] if len(where) else self.vector
         offsets = np.cumsum([0, *(len(b.places) for b in blocks)]).tolist()
-        self._parts = {b.name: stacked[offsets[k] : offsets[k + 1]] for k, b in enumerate(blocks)}
+        self.parts = {b.name: stacked[offsets[k] : offsets[k + 1]] for k, b in enumerate(blocks)}
         labels = [
             f"{b.name}[{place}] at X/L = {at:.4g}"
             for b in blocks
@@ -242,28 +208,9 @@ class Layout:
         values = np.concatenate([b.start for b in blocks]) if blocks else np.zeros(0)
         self.start = values[self._order]
 
-    def field(self, name: str, full: ca.SX) -> ca.SX:
-        """The values `full` of all nodes (or cells), with the unknown ones replaced by the state's."""
-        result = ca.SX(full)
-        for chosen in self.blocks:
-            if chosen.name == name:
-                for k, place in enumerate(chosen.places):
-                    result[place] = self._parts[name][k]
-        return result
-
     def gather(self, fields: dict[str, ca.SX]) -> ca.SX:
-        """Stack fields of all nodes (or cells) into the order of the state vector, keeping the unknown places."""
+        """Stack the values of each block into the order of the state vector."""
         if not self.blocks:
             return ca.SX(0, 1)
-        stacked = ca.vertcat(*(fields[b.name][list(b.places)] for b in self.blocks))
+        stacked = ca.vertcat(*(fields[b.name] for b in self.blocks))
         return stacked[self._order.tolist()]
-
-
-def node_block(name: str, places: Iterable[int], grid: Grid, start: Floats) -> Block:
-    """Unknowns on nodes."""
-    return block(name, places, grid.nodes, start)
-
-
-def cell_block(name: str, grid: Grid) -> Block:
-    """Unknowns on all cells, zero at the start."""
-    return block(name, range(grid.cells), grid.centres, np.zeros(grid.cells))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import casadi as ca
@@ -67,6 +67,7 @@ def node_mass(grid: Grid, profile: Profile, power: int) -> Floats:
     return behind + before
 
 
+POINT_MASS = "point_mass_per_area"
 SPAN, DROP, LEFT_ANGLE, RIGHT_ANGLE = "span", "drop", "left_angle", "right_angle"
 
 
@@ -86,6 +87,20 @@ class Supports:
         plain = ((SPAN, self.apart), (DROP, self.lowered), (LEFT_ANGLE, self.left_turned))
         names = [name for name, needed in (*plain, (RIGHT_ANGLE, self.right_turned)) if needed]
         return (*names, *(path_name(kind, row) for row in range(self.rows) for kind in ("time", "dx", "dy")))
+
+
+@dataclass(frozen=True)
+class Body:
+    """What of the filament's body and its supports a graph has to know, beyond equations and grid."""
+
+    supports: Supports = field(default_factory=Supports)  # Where they are and how they move
+    profile: Profile = field(default_factory=Profile)  # How the section varies along the filament
+    weighted: bool = False  # Whether a mass hangs at midspan
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the numbers that it needs."""
+        return (*self.supports.parameters, *((POINT_MASS,) if self.weighted else ()))
 
 
 def path_name(kind: str, row: int) -> str:

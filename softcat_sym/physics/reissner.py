@@ -50,6 +50,10 @@ Gam_t = enter("Gam_t", r"\dot\Gamma", RATE, "rate of Gam", "THEORY 12")
 k_t = enter("k_t", r"\dot k", (0, -1, -1), "rate of k", "THEORY 12")
 eps_p = enter("eps_p", r"\epsilon^p", ONE, "axial plastic strain of a fibre", "THEORY 12")
 gamma_p = enter("gamma_p", r"\gamma^p", ONE, "plastic shear of a fibre", "THEORY 12")
+eps = enter("eps_f", r"\epsilon", ONE, "axial true strain of a fibre", "THEORY 12")
+gamma = enter("gamma_f", r"\gamma", ONE, "shear strain of a fibre", "THEORY 12")
+eps_t = enter("eps_f_t", r"\dot\epsilon", RATE, "rate of eps", "THEORY 12")
+gamma_t = enter("gamma_f_t", r"\dot\gamma", RATE, "rate of gamma", "THEORY 12")
 tau_f = enter("tau_f", r"\tau", STRESS, "shear stress of a fibre", "THEORY 12")
 kappa_s = enter("kappa_s", r"\kappa_s", ONE, "shear correction of the section", "THEORY 12", positive=True)
 sigma_zeta = enter("sigma_zeta", r"\langle\sigma\zeta\rangle", STRESS, "mean of sigma zeta", "THEORY 12")
@@ -102,6 +106,15 @@ class ShearingCell:
     force: tuple[sp.Expr, sp.Expr]  # n_1 d1 + n_2 d2 in the fixed frame, of (n_1, n_2, psi)
     turning_moment: sp.Expr  # Lam n_2 - Gam n_1, what the forces do to the section angle besides m_X
     elastic_energy: sp.Expr  # Stored energy of a fibre per unit undeformed volume, of (sigma, tau)
+
+    @property
+    def power(self) -> sp.Expr:
+        """Power of the stresses in the strains, per unit rest length and undeformed area.
+
+        Its derivatives by (Lam, Gam, k) at fixed stresses are the conjugate forces n_1, n_2 and couple m.
+        """
+        axial = sigma_mean * self.axial_strain.subs(zeta, 0) + sigma_zeta * sp.diff(self.axial_strain, zeta)
+        return axial + tau_mean * self.shear_strain
 
     def corrected(self, correction: sp.Expr) -> ShearingCell:
         """The same cell with a number for kappa_s."""
@@ -265,6 +278,7 @@ class FibreBranch:
     axial_stress: sp.Expr  # sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the branch
     shear_stress: sp.Expr
     elastic_energy: sp.Expr  # Stored energy per unit undeformed volume, of (sigma, tau)
+    stored: sp.Expr  # The same of the strains (eps, gamma) and the plastic state
     flow: FibreFlow | None  # Plastic rates, of (sigma, tau) and ``sigma_eq``; None where it does not flow
 
 
@@ -276,6 +290,8 @@ class ViscousFibre:
     shear_stress: sp.Expr
     dissipation: sp.Expr  # Power per unit undeformed volume and equivalent strain rate, of (sigma, tau)
     speed: sp.Expr
+    rayleigh: sp.Expr  # Half the power, of the rates of the strains (eps, gamma)
+    strain_rates: tuple[sp.Expr, sp.Expr]  # These rates, of (Lam, Gam, k) and theirs
 
 
 @dataclass(frozen=True, slots=True)
@@ -326,6 +342,7 @@ def _branch(
         axial_stress=modulus * (cell.axial_strain - relaxed - eps_p),
         shear_stress=shearing * (cell.shear_strain - gamma_p),
         elastic_energy=sigma**2 / (2 * modulus) + tau_f**2 / (2 * shearing),
+        stored=modulus * (eps - relaxed - eps_p) ** 2 / 2 + shearing * (gamma - gamma_p) ** 2 / 2,
         flow=flow,
     )
 
@@ -340,4 +357,6 @@ def _viscous(shape: Section, cell: ShearingCell, viscosity: sp.Expr, correction:
         shear_stress=shearing * rates[1],
         dissipation=dissipation,
         speed=sp.Abs(sigma) / axial,
+        rayleigh=axial * eps_t**2 / 2 + shearing * gamma_t**2 / 2,
+        strain_rates=rates,
     )

@@ -33,17 +33,30 @@ class BranchResponse:
     dissipation_mean: sp.Expr
     dissipation_bending: sp.Expr
 
-    def stress(self) -> dict[str, sp.Expr]:
-        """Stress of a known strain and plastic state."""
-        return {"stress_mean": self.stress_mean, "stress_bending": self.stress_bending}
+    @property
+    def stretching(self) -> sp.Expr:
+        """Stored energy per unit rest length and undeformed area of (s, a_0)."""
+        return self.elastic_mean.subs(sigma_0, self.stress_mean).subs(A0, 1)
 
-    def flow(self) -> dict[str, sp.Expr]:
-        """What a known stress does to the section, of (sigma_0, sigma_1, s), per unit undeformed area."""
-        names = ("rate_mean", "rate_bending", "elastic_mean", "elastic_bending", "dissipation_mean")
-        relations = {name: getattr(self, name) for name in (*names, "dissipation_bending")}
-        relations["yielded_fraction"] = self.means.yielded_fraction if self.means else sp.Integer(0)
-        relations["plastic_rate"] = self.means.largest_rate if self.means else sp.Integer(0)
-        return {name: relation.subs(A0, 1) for name, relation in relations.items()}
+    @property
+    def bending(self) -> sp.Expr:
+        """Stored energy of (s, theta_X, a_1)."""
+        return self.elastic_bending.subs(sigma_1, self.stress_bending).subs(A0, 1)
+
+    @property
+    def dissipation(self) -> tuple[sp.Expr, sp.Expr]:
+        """Plastic power of stretching and of bending, of (sigma_0, sigma_1, s)."""
+        return self.dissipation_mean.subs(A0, 1), self.dissipation_bending.subs(A0, 1)
+
+    @property
+    def yielded_fraction(self) -> sp.Expr:
+        """Share of the section that flows."""
+        return self.means.yielded_fraction if self.means else sp.Integer(0)
+
+    @property
+    def plastic_rate(self) -> sp.Expr:
+        """Largest plastic rate over the section."""
+        return self.means.largest_rate if self.means else sp.Integer(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,14 +69,25 @@ class ViscousResponse:
     dissipation_bending: sp.Expr
     rate: sp.Expr  # Largest strain rate over the section, of (sigma_0, sigma_1)
 
-    def stress(self) -> dict[str, sp.Expr]:
-        """Stress of a known strain and its rate."""
-        return {"stress_mean": self.stress_mean, "stress_bending": self.stress_bending}
+    @property
+    def stretching(self) -> sp.Expr:
+        """Rayleigh potential per unit rest length and undeformed area of (s, s_t): half the power."""
+        return self.dissipation_mean.subs(sigma_0, self.stress_mean).subs(A0, 1) / 2
 
-    def flow(self) -> dict[str, sp.Expr]:
-        """Power of a known stress, per unit undeformed area."""
-        relations = {"dissipation_mean": self.dissipation_mean, "dissipation_bending": self.dissipation_bending}
-        return {name: relation.subs(A0, 1) for name, relation in {**relations, "plastic_rate": self.rate}.items()}
+    @property
+    def bending(self) -> sp.Expr:
+        """Rayleigh potential of (s, s_t, theta_X, theta_Xt)."""
+        return self.dissipation_bending.subs(sigma_1, self.stress_bending).subs(A0, 1) / 2
+
+    @property
+    def yielded_fraction(self) -> sp.Expr:
+        """All of a fluid flows."""
+        return sp.Integer(1)
+
+    @property
+    def plastic_rate(self) -> sp.Expr:
+        """Largest strain rate over the section."""
+        return self.rate
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,20 +117,6 @@ class SectionResponse:
     def parts(self) -> tuple[BranchResponse | ViscousResponse, ...]:
         """The branches, followed by the viscous stress if there is one."""
         return self.branches if self.viscous is None else (*self.branches, self.viscous)
-
-    def relations(self) -> dict[str, sp.Expr]:
-        """Relations between stress and resultants, per unit undeformed area.
-
-        The balance is divided by A_0 throughout, so forces and energies are those of a filament of unit area.
-        """
-        names = ("tension", "moment", "stress_of_tension", "stress_of_moment", "axial_correction")
-        relations = {name: getattr(self, name).subs(A0, 1) for name in names}
-        return {**relations, "relative_thickness": self.thickness / h0}
-
-    def expressions(self) -> list[sp.Expr]:
-        """Everything that is printed of it."""
-        printed = [expression for part in self.parts for expression in {**part.stress(), **part.flow()}.values()]
-        return [*self.relations().values(), *printed]
 
 
 @dataclass(frozen=True, slots=True)

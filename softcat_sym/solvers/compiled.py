@@ -15,7 +15,7 @@ import numpy as np
 
 from softcat_sym.codegen.compiler import beside
 from softcat_sym.codegen.library import OPTIMISED, SOON, compile_library, load
-from softcat_sym.codegen.loops import Sites, places_of, sites_of
+from softcat_sym.codegen.loops import Sites, places_in_rows, sites_of
 from softcat_sym.codegen.model import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
@@ -346,7 +346,7 @@ def compile_filament(graph: Graph, structure: Structure) -> CompiledFilament:
     """The compiled form of a filament, from the cache if it has been compiled before."""
     compiled = compiled_model(structure)
     model = compiled.model
-    places = places_of(graph, structure.body, structure.area_power, model.places)
+    places = places_in_rows(graph, structure.body, structure.area_power, model.places)
     return CompiledFilament(compiled, sites_of(graph, model.slots), places)
 
 

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from softcat_sym.codegen.model import Structure, structure_of
-from softcat_sym.discretization.assembly import Body, assemble, choose_body, choose_grid, choose_theory
-from softcat_sym.discretization.graph import TIME_SCALE, Discretisation, Graph, parameter_values
+from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.graph import TIME_SCALE, Graph, parameter_values
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.supports import Body
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.physics.filament import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
@@ -34,7 +35,7 @@ class Assembled:
     scene: Scene
     effects: Effects  # The physics in force
     equations: FilamentEquations  # One cell
-    theory: Discretisation  # The unknowns that the grid carries
+    theory: Theory  # The unknowns that the grid carries
     body: Body  # What is there beyond the equations
     graph: Graph  # The whole filament
 

@@ -1,0 +1,190 @@
+"""A filament as fields on its sites, each an expression of what lies at and beside a site.
+
+Site i is a node and the cell behind it. What a cell or a joint computes is written once, of leaves whose places are
+distances; the interpreter evaluates it at every site of a grid, and C loops over the sites.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.discretization.section_rule import PER_FIBRE
+
+UNKNOWN, STAGED, PLACE, DERIVATIVE, PARAMETER, TIME = "unknown", "staged", "place", "derivative", "parameter", "time"
+FIBRE, SUM = "fibre", "sum"
+"""Where a fibre is and what it counts for; a sum over the fibres of a cell."""
+WHOLE = "whole"
+"""One number of the whole filament: a sum over its sites."""
+
+PER = "per_"
+INVERTED = "cell", "node", "mass"
+"""Lengths and mass of a site whose inverses a run is given too, under names that begin with `PER`."""
+
+
+@dataclass(frozen=True, order=True)
+class Leaf:
+    """One input of an expression."""
+
+    kind: str  # One of the kinds above
+    name: str  # Which unknown, field, length, derivative or parameter
+    site: int = 0  # Distance of its site from the one that is looked at; zero for what has no place
+
+    @property
+    def is_local(self) -> bool:
+        """Whether it belongs to a site."""
+        return self.kind not in (PARAMETER, TIME, FIBRE, WHOLE)
+
+    @property
+    def is_each(self) -> bool:
+        """Whether it differs from fibre to fibre."""
+        return self.kind == FIBRE or PER_FIBRE in self.name
+
+
+class Leaves:
+    """The CasADi symbols of leaves, each made once."""
+
+    def __init__(self) -> None:
+        self._symbols: dict[Leaf, ca.SX] = {}
+        self._leaves: dict[str, Leaf] = {}
+        self.totals: set[str] = set()  # Fields that are sums over the fibres
+        self._summed: dict[str, ca.SX] = {}
+
+    def symbol(self, leaf: Leaf) -> ca.SX:
+        """The symbol of a leaf."""
+        if leaf not in self._symbols:
+            name = f"{leaf.kind}:{leaf.name}@{leaf.site}"
+            self._symbols[leaf], self._leaves[name] = ca.SX.sym(name), leaf
+        return self._symbols[leaf]
+
+    def sum_of(self, value: ca.SX) -> ca.SX:
+        """A symbol for the sum over the fibres of what is given for one that stands for all."""
+        if value.is_zero():
+            return ca.SX(0)
+        leaf = Leaf(SUM, str(len(self._summed)))
+        self._summed[leaf.name] = value
+        return self.symbol(leaf)
+
+    def summed(self, leaf: Leaf) -> ca.SX:
+        """What a sum is of."""
+        return self._summed[leaf.name]
+
+    def within(self, expression: ca.SX) -> list[Leaf]:
+        """The leaves of an expression, sorted."""
+        return sorted(self._leaves[symbol.name()] for symbol in ca.symvar(ca.SX(expression)))
+
+    def adopt(self, symbol: ca.SX, leaf: Leaf) -> None:
+        """Let a symbol that was made elsewhere stand for a leaf."""
+        self._symbols[leaf], self._leaves[symbol.name()] = symbol, leaf
+
+
+@dataclass(frozen=True)
+class Where:
+    """Sites of a field, whatever their number: from `first` to the last but `behind`; or one site alone."""
+
+    first: int  # Site at which the field begins; of a single one counted from the last if negative (-1 is the last)
+    behind: int  # Sites left out at the end of the row
+    alone: bool = False  # Whether it is `first` only
+
+
+NODES, CELLS, INNER = Where(0, 0), Where(0, 1), Where(1, 1)
+"""All nodes, all cells, the nodes between two cells."""
+
+
+@dataclass(frozen=True)
+class Field:
+    """What sites compute alike, and what single sites at the ends compute otherwise."""
+
+    name: str
+    where: Where  # The sites that compute `value`
+    value: ca.SX  # Of leaves whose sites are distances
+    ends: Mapping[int, ca.SX] = field(default_factory=dict)  # By site, from the last if negative
+    summed: str = ""  # ``whole``: all sites read the sum; ``before``: each node that of the cells before it
+
+    @property
+    def values(self) -> tuple[ca.SX, ...]:
+        """All of its expressions."""
+        return (self.value, *self.ends.values())
+
+
+class Neighbours:
+    """A field as its sites read it: ``field[1]`` is its value one site further."""
+
+    def __init__(self, leaves: Leaves, kind: str, name: str) -> None:
+        self._leaves, self._kind, self._name = leaves, kind, name
+
+    def __getitem__(self, distance: int) -> ca.SX:
+        return self._leaves.symbol(Leaf(self._kind, self._name, distance))
+
+
+class Same(Neighbours):
+    """A value that all sites share."""
+
+    def __init__(self, value: Any = 0) -> None:
+        self._value = ca.SX(value)
+
+    def __getitem__(self, distance: int) -> ca.SX:
+        return self._value
+
+
+Column = tuple[int, ca.SX]
+"""Site at which the values of a field begin, and the values."""
+
+
+class Spread:
+    """Fields at every site of a grid."""
+
+    def __init__(
+        self,
+        leaves: Leaves,
+        sites: int,
+        places: Mapping[str, Any],
+        unknowns: Mapping[str, Column],
+        wholes: Mapping[str, ca.SX],
+    ) -> None:
+        self._leaves, self._sites = leaves, sites
+        self._known: dict[tuple[str, str], Column] = {
+            **{(PLACE, name): (0, ca.SX(ca.DM(np.asarray(values)))) for name, values in places.items()},
+            **{(UNKNOWN, name): column for name, column in unknowns.items()},
+        }
+        self._wholes = dict(wholes)
+
+    def take(self, one: Field) -> None:
+        """Evaluate a field that later ones may read."""
+        column = self.values(one)
+        if one.summed == "whole":
+            self._wholes[one.name] = ca.sum1(column)
+        first = 0 if 0 in one.ends else one.where.first
+        self._known[STAGED, one.name] = (first, ca.vertcat(0, ca.cumsum(column)) if one.summed == "before" else column)
+
+    def values(self, one: Field) -> ca.SX:
+        """A field at all of its sites, one below the other."""
+        where, count = one.where, self._sites
+        pieces = [(site % count, value, site % count + 1) for site, value in one.ends.items()]
+        first = where.first % count
+        pieces.append((first, one.value, first + 1 if where.alone else count - where.behind))
+        pieces = sorted((piece for piece in pieces if piece[2] > piece[0]), key=lambda piece: piece[0])
+        return ca.vertcat(*(self._evaluated(value, low, high) for low, value, high in pieces))
+
+    def _evaluated(self, value: ca.SX, first: int, last: int) -> ca.SX:
+        leaves, count = self._leaves.within(value), last - first
+        if not leaves:
+            return ca.repmat(ca.SX(value), count, 1)
+        function = ca.Function("field", [self._leaves.symbol(leaf) for leaf in leaves], [ca.densify(ca.SX(value))])
+        arguments = [self._row(leaf, first, last) for leaf in leaves]
+        return ca.vec((function.map(count) if count > 1 else function)(*arguments))
+
+    def _row(self, leaf: Leaf, first: int, last: int) -> ca.SX:
+        if leaf.kind == WHOLE:
+            return ca.repmat(self._wholes[leaf.name], 1, last - first)
+        if not leaf.is_local:
+            return ca.repmat(self._leaves.symbol(leaf), 1, last - first)
+        begin, column = self._known[leaf.kind, leaf.name]
+        low = first + leaf.site - begin
+        if low < 0 or low + last - first > column.numel():
+            raise ValueError(f"{leaf.name} is read at site {first + leaf.site}, where it is not")
+        return ca.reshape(column[low : low + last - first], 1, last - first)
