@@ -21,8 +21,8 @@ from softcat_sym.codegen.interface import Description, describe, rendered
 from softcat_sym.codegen.loops import sites_of
 from softcat_sym.codegen.model import model_for
 from softcat_sym.codegen.right_hand_side import rhs_source
-from softcat_sym.discretization.graph import parameter_values
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_all, written_together

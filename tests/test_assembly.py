@@ -11,7 +11,8 @@ import sympy as sp
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import assemble, choose_theory, energy_scale
-from softcat_sym.discretization.graph import CATALOGUE, TIME_SCALE, Graph, parameter_values, time_scale
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.parameters import CATALOGUE, TIME_SCALE, parameter_values, time_scale
 from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_span
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError

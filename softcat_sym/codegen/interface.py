@@ -14,8 +14,9 @@ import jinja2
 
 from softcat_sym.codegen.c_printer import VERSIONS, CSource, number
 from softcat_sym.codegen.model import Model, Structure, c_array
-from softcat_sym.discretization.graph import CATALOGUE, Graph, parameter_values
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
+from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.errors import PrintingError
 from softcat_sym.scene.scene import Scene

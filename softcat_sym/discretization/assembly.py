@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.cell import Program, Slot, build
-from softcat_sym.discretization.graph import Expressions, Graph
+from softcat_sym.discretization.cell import Slot, build
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import (
     Block,
     End,
@@ -23,7 +22,7 @@ from softcat_sym.discretization.grid import (
     whole_span,
 )
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
-from softcat_sym.discretization.stencil import INVERTED, PARAMETER, PER, TIME, Field, Leaf, Spread
+from softcat_sym.discretization.stencil import INVERTED, PER
 from softcat_sym.discretization.supports import Body, Profile, Supports, node_mass
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.choosing import Effects, choose_effects
@@ -165,49 +164,8 @@ def assemble(
         Layout(symbol, [_block(slot, grid) for slot in program.slots if slot.differential == differential])
         for symbol, differential in (("x", True), ("z", False))
     )
-    leaves = program.leaves
-    time = leaves.symbol(Leaf(TIME, "t"))
-    given = ca.vertcat(*(leaves.symbol(Leaf(PARAMETER, name)) for name in program.parameters))
-
-    def write() -> Expressions:
-        spread = _spread(program, grid, body, equations.shape.area_power, moving, still)
-        for one in program.fields:
-            spread.take(one)
-        rates = {slot.name: spread.values(rate) for slot, rate in zip(program.slots, program.rates, strict=True)}
-        ode, alg = (layout.gather(rates) for layout in (moving, still))
-        plastic, load, gradient = (
-            ca.vertcat(*(spread.values(one) for one in power)) if power else ca.SX(1, 1) for power in program.powers
-        )
-        shown = {
-            name: spread.values(item)
-            if isinstance(item, Field)
-            else sum((ca.sum1(spread.values(one)) for one in item), ca.SX(0))
-            for name, item in program.shown.items()
-        }
-        return Expressions((ode, alg), (plastic, load, gradient), shown)
-
-    return Graph(
-        grid=grid,
-        effects=effects,
-        conserves_energy=equations.conserves_energy,
-        parameters=program.parameters,
-        t=time,
-        x=moving.vector,
-        z=still.vector,
-        p=given,
-        write=write,
-        state_names=moving.names,
-        algebraic_names=still.names,
-        start=moving.start,
-        straight=still.start,
-        x_kinds=moving.kinds,
-        z_kinds=still.kinds,
-        x_where=moving.where,
-        z_where=still.where,
-        x_places=moving.places,
-        z_places=still.places,
-        profiles=dict(program.profiles),
-    )
+    places = places_of(grid, body, equations.shape.area_power)
+    return Graph(grid, effects, equations.conserves_energy, program, places, moving, still)
 
 
 def _block(slot: Slot, grid: Grid) -> Block:
@@ -216,15 +174,6 @@ def _block(slot: Slot, grid: Grid) -> Block:
     first, last = (0, 1) if slot.on == "whole" else (slot.held[0], len(places) - slot.held[1])
     start = grid.nodes if slot.name == "x" else np.zeros(len(places))
     return Block(slot.name, tuple(range(first, last)), places[first:last], start[first:last])
-
-
-def _spread(program: Program, grid: Grid, body: Body, power: int, moving: Layout, still: Layout) -> Spread:
-    """Places and unknowns of a grid, ready for the fields of a program."""
-    places = places_of(grid, body, power)
-    parts = {**moving.parts, **still.parts}
-    unknowns = {s.name: (int(s.held[0]), parts[s.name]) for s in program.slots if s.on != "whole"}
-    wholes = {s.name: parts[s.name] for s in program.slots if s.on == "whole"}
-    return Spread(program.leaves, grid.cells + 1, places, unknowns, wholes)
 
 
 def places_of(grid: Grid, body: Body, power: int) -> dict[str, Floats]:

@@ -15,8 +15,8 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.casadi_printer import CellFunction
-from softcat_sym.discretization.graph import CATALOGUE, POINT_MASS, TIME_SCALE
 from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.parameters import CATALOGUE, POINT_MASS, TIME_SCALE
 from softcat_sym.discretization.section_rule import OneFibre, Sampling, SectionRule
 from softcat_sym.discretization.stencil import (
     CELLS,

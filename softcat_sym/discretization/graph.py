@@ -2,92 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.grid import Floats, Grid
-from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, POINT_MASS, RIGHT_ANGLE, SPAN, path_name
-from softcat_sym.effects.free_vibration import solid_viscosity
-from softcat_sym.physics import symbols
-from softcat_sym.physics.bulk import nu
-from softcat_sym.physics.loads import surface_tension
-from softcat_sym.physics.necking import aspect
-from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
-
-REST_LENGTH = "rest_length"
-TIME_SCALE = "time_scale"
-
-
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """A numeric input of the graph: its leaf name in the scene, its symbol and its unit."""
-
-    name: str
-    symbol: symbols.Symbol
-    unit: str
-
-
-CATALOGUE: tuple[Parameter, ...] = (
-    Parameter(REST_LENGTH, symbols.L_0, "m"),
-    Parameter("thickness", symbols.h0, "m"),
-    Parameter("density", symbols.rho, "kg/m^3"),
-    Parameter("gravity", symbols.g, "m/s^2"),
-    Parameter("ramp", symbols.g_on, "s"),
-    Parameter("youngs_modulus", symbols.E, "Pa"),
-    Parameter("viscosity", symbols.eta, "Pa*s"),
-    Parameter("solid_viscosity", symbols.eta_s, "Pa*s"),
-    Parameter("yield_stress", symbols.sigma_Y, "Pa"),
-    Parameter("poisson", nu, "1"),
-    Parameter("curvature", symbols.kappa_0, "1/m"),
-    Parameter("aspect", aspect, "1"),
-    Parameter("surface_tension", surface_tension, "N/m"),
-    Parameter("shake", symbols.a_g, "1"),
-    Parameter("shake_frequency", symbols.f_g, "Hz"),
-)
-
-
-def time_scale(scene: Scene) -> float:
-    """Unit of time [s]: sqrt(L/g), or L sqrt(rho/E) without gravity, or else the duration of the run."""
-    gravity_unit = gravity_time(scene)
-    if gravity_unit < float("inf"):
-        return gravity_unit
-    return elastic_time(scene) or scene.run.duration
-
-
-def parameter_values(scene: Scene) -> dict[str, float]:
-    """Values of every parameter that a graph of this scene may ask for, in SI units."""
-    filament, ends = scene.filament, scene.ends
-    path = {
-        path_name(kind, row): value
-        for row, point in enumerate(ends.motion)
-        for kind, value in zip(("time", "dx", "dy"), point, strict=True)
-    }
-    return {
-        REST_LENGTH: rest_length(scene),
-        "thickness": filament.thickness,
-        "density": filament.density,
-        "gravity": scene.load.gravity,
-        "ramp": scene.load.ramp,
-        "shake": scene.load.shake,
-        "shake_frequency": scene.load.shake_frequency,
-        "aspect": filament.width / filament.thickness,
-        "curvature": filament.curvature,
-        "surface_tension": scene.surroundings.surface_tension,
-        POINT_MASS: scene.load.point_mass / undeformed_area(scene),
-        SPAN: filament.span,
-        DROP: ends.drop,
-        LEFT_ANGLE: ends.left_angle,
-        RIGHT_ANGLE: ends.right_angle,
-        TIME_SCALE: time_scale(scene),
-        "poisson": scene.material.poisson,
-        "solid_viscosity": solid_viscosity(scene),
-        **scene.material.values(),
-        **path,
-    }
+from softcat_sym.discretization.cell import Program
+from softcat_sym.discretization.grid import Floats, Grid, Layout
+from softcat_sym.discretization.stencil import PARAMETER, TIME, Field, Leaf, Spread
 
 
 def tidy(*expressions: ca.SX) -> list[ca.SX]:
@@ -115,23 +40,90 @@ class Graph:
     grid: Grid  # Nodes and ends
     effects: tuple[str, ...]  # Names of the effects in force
     conserves_energy: bool  # Whether forces and stored energy belong together, so that the energy balance can be judged
-    parameters: tuple[str, ...]  # Names of the inputs `p`, in order
-    t: ca.SX  # Time, differential states (nx,), algebraic states (nz,), parameters
-    x: ca.SX
-    z: ca.SX
-    p: ca.SX
-    write: Callable[[], Expressions]  # Writes the expressions, when they are first asked for
-    state_names: tuple[str, ...]  # What each component is, for messages
-    algebraic_names: tuple[str, ...]
-    start: Floats  # shape (nx,); Differential states of the straight, relaxed filament at rest
-    straight: Floats  # shape (nz,); Algebraic states of the straight filament: where the search for equilibrium begins
-    x_kinds: tuple[str, ...]  # Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``,
-    z_kinds: tuple[str, ...]
-    x_where: Floats  # X/L_0 of each component
-    z_where: Floats
-    x_places: tuple[int, ...]  # Number of the node or cell of each component
-    z_places: tuple[int, ...]
-    profiles: Mapping[str, tuple[float, float]]  # What each kind of plastic state is of a plastic strain a_0 + a_1 zeta
+    program: Program  # What its sites compute
+    places: Mapping[str, Floats]  # Geometry of each site
+    moving: Layout  # Where the differential and the algebraic unknowns stand
+    still: Layout
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the inputs `p`, in order."""
+        return self.program.parameters
+
+    @property
+    def profiles(self) -> Mapping[str, tuple[float, float]]:
+        """What each kind of plastic state is of a plastic strain a_0 + a_1 zeta."""
+        return self.program.profiles
+
+    @cached_property
+    def t(self) -> ca.SX:
+        """Time, in time scales."""
+        return ca.SX.sym("t")
+
+    @cached_property
+    def p(self) -> ca.SX:
+        """Parameters, SI."""
+        return ca.vertcat(*(ca.SX.sym(name) for name in self.parameters))
+
+    @property
+    def x(self) -> ca.SX:
+        """Differential states, shape (nx,)."""
+        return self.moving.vector
+
+    @property
+    def z(self) -> ca.SX:
+        """Algebraic states, shape (nz,)."""
+        return self.still.vector
+
+    @property
+    def start(self) -> Floats:
+        """Differential states of the straight, relaxed filament at rest, shape (nx,)."""
+        return self.moving.start
+
+    @property
+    def straight(self) -> Floats:
+        """Algebraic states of the straight filament, where the search for equilibrium begins, shape (nz,)."""
+        return self.still.start
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """What each component is, for messages."""
+        return self.moving.names
+
+    @property
+    def algebraic_names(self) -> tuple[str, ...]:
+        """Of the algebraic states."""
+        return self.still.names
+
+    @property
+    def x_kinds(self) -> tuple[str, ...]:
+        """Block of each component: ``x``, ``y``, ``u``, ``v``, ``psi``, ``a_0``, ..."""
+        return self.moving.kinds
+
+    @property
+    def z_kinds(self) -> tuple[str, ...]:
+        """Of the algebraic states."""
+        return self.still.kinds
+
+    @property
+    def x_where(self) -> Floats:
+        """X/L_0 of each component."""
+        return self.moving.where
+
+    @property
+    def z_where(self) -> Floats:
+        """Of the algebraic states."""
+        return self.still.where
+
+    @property
+    def x_places(self) -> tuple[int, ...]:
+        """Number of the node or cell of each component."""
+        return self.moving.places
+
+    @property
+    def z_places(self) -> tuple[int, ...]:
+        """Of the algebraic states."""
+        return self.still.places
 
     @property
     def is_dae(self) -> bool:
@@ -151,7 +143,31 @@ class Graph:
     @cached_property
     def raw(self) -> Expressions:
         """The expressions; a compiled run needs them only for what a trajectory shows."""
-        return self.write()
+        program = self.program
+        shared = {Leaf(PARAMETER, name): self.p[k] for k, name in enumerate(self.parameters)}
+        spread = self.spread(self.x, self.z, {**shared, Leaf(TIME, "t"): self.t})
+        for one in program.fields:
+            spread.take(one)
+        rates = {slot.name: spread.values(rate) for slot, rate in zip(program.slots, program.rates, strict=True)}
+        plastic, load, gradient = (
+            ca.vertcat(*(spread.values(one) for one in power)) if power else ca.SX(1, 1) for power in program.powers
+        )
+        shown = {
+            name: spread.values(item)
+            if isinstance(item, Field)
+            else sum((ca.sum1(spread.values(one)) for one in item), ca.SX(0))
+            for name, item in program.shown.items()
+        }
+        ode, alg = (layout.gather(rates) for layout in (self.moving, self.still))
+        return Expressions((ode, alg), (plastic, load, gradient), shown)
+
+    def spread(self, x: Any, z: Any, shared: Mapping[Leaf, Any]) -> Spread:
+        """The sites of this grid with these unknowns, ready for the fields of the program."""
+        parts = {**self.moving.split(x), **self.still.split(z)}
+        slots = self.program.slots
+        unknowns = {slot.name: (int(slot.held[0]), parts[slot.name]) for slot in slots if slot.on != "whole"}
+        wholes = {slot.name: parts[slot.name] for slot in slots if slot.on == "whole"}
+        return Spread(self.program.leaves, self.grid.cells + 1, self.places, unknowns, {**wholes}, shared)
 
     @cached_property
     def rates(self) -> tuple[ca.SX, ca.SX]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -189,11 +190,8 @@ class Layout:
         self.blocks = tuple(blocks)
         where = np.concatenate([b.positions for b in blocks]) if blocks else np.zeros(0)
         self._order = np.argsort(where, kind="stable")
-        rank = np.argsort(self._order, kind="stable")
+        self._rank = np.argsort(self._order, kind="stable").tolist()
         self.vector = ca.SX.sym(symbol, len(where))
-        stacked = self.vector[rank.tolist()] if len(where) else self.vector
-        offsets = np.cumsum([0, *(len(b.places) for b in blocks)]).tolist()
-        self.parts = {b.name: stacked[offsets[k] : offsets[k + 1]] for k, b in enumerate(blocks)}
         labels = [
             f"{b.name}[{place}] at X/L = {at:.4g}"
             for b in blocks
@@ -207,6 +205,12 @@ class Layout:
         self.where = where[self._order]
         values = np.concatenate([b.start for b in blocks]) if blocks else np.zeros(0)
         self.start = values[self._order]
+
+    def split(self, vector: Any) -> dict[str, Any]:
+        """The values of each block, by its name, of a state vector."""
+        offsets = np.cumsum([0, *(len(b.places) for b in self.blocks)]).tolist()
+        stacked = vector[self._rank] if self._rank else vector
+        return {b.name: stacked[offsets[k] : offsets[k + 1]] for k, b in enumerate(self.blocks)}
 
     def gather(self, fields: dict[str, ca.SX]) -> ca.SX:
         """Stack the values of each block into the order of the state vector."""

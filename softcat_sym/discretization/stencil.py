@@ -131,12 +131,12 @@ class Same(Neighbours):
         return self._value
 
 
-Column = tuple[int, ca.SX]
+Column = tuple[int, Any]
 """Site at which the values of a field begin, and the values."""
 
 
 class Spread:
-    """Fields at every site of a grid."""
+    """Fields at every site of a grid: of symbols or of numbers, in CasADi's SX or MX."""
 
     def __init__(
         self,
@@ -144,24 +144,26 @@ class Spread:
         sites: int,
         places: Mapping[str, Any],
         unknowns: Mapping[str, Column],
-        wholes: Mapping[str, ca.SX],
+        wholes: Mapping[str, Any],
+        shared: Mapping[Leaf, Any],
     ) -> None:
         self._leaves, self._sites = leaves, sites
         self._known: dict[tuple[str, str], Column] = {
-            **{(PLACE, name): (0, ca.SX(ca.DM(np.asarray(values)))) for name, values in places.items()},
+            **{(PLACE, name): (0, ca.DM(np.asarray(values))) for name, values in places.items()},
             **{(UNKNOWN, name): column for name, column in unknowns.items()},
         }
-        self._wholes = dict(wholes)
+        # What no site has for itself: parameters, the time, sums over all sites.
+        self._shared = {**shared, **{Leaf(WHOLE, name): value for name, value in wholes.items()}}
 
-    def take(self, one: Field) -> None:
+    def take(self, one: Field, kind: str = STAGED) -> None:
         """Evaluate a field that later ones may read."""
         column = self.values(one)
         if one.summed == "whole":
-            self._wholes[one.name] = ca.sum1(column)
+            self._shared[Leaf(WHOLE, one.name)] = ca.sum1(column)
         first = 0 if 0 in one.ends else one.where.first
-        self._known[STAGED, one.name] = (first, ca.vertcat(0, ca.cumsum(column)) if one.summed == "before" else column)
+        self._known[kind, one.name] = (first, ca.vertcat(0, ca.cumsum(column)) if one.summed == "before" else column)
 
-    def values(self, one: Field) -> ca.SX:
+    def values(self, one: Field) -> Any:
         """A field at all of its sites, one below the other."""
         where, count = one.where, self._sites
         pieces = [(site % count, value, site % count + 1) for site, value in one.ends.items()]
@@ -170,19 +172,17 @@ class Spread:
         pieces = sorted((piece for piece in pieces if piece[2] > piece[0]), key=lambda piece: piece[0])
         return ca.vertcat(*(self._evaluated(value, low, high) for low, value, high in pieces))
 
-    def _evaluated(self, value: ca.SX, first: int, last: int) -> ca.SX:
+    def _evaluated(self, value: ca.SX, first: int, last: int) -> Any:
         leaves, count = self._leaves.within(value), last - first
         if not leaves:
-            return ca.repmat(ca.SX(value), count, 1)
+            return ca.repmat(ca.DM(float(value)), count, 1)
         function = ca.Function("field", [self._leaves.symbol(leaf) for leaf in leaves], [ca.densify(ca.SX(value))])
         arguments = [self._row(leaf, first, last) for leaf in leaves]
         return ca.vec((function.map(count) if count > 1 else function)(*arguments))
 
-    def _row(self, leaf: Leaf, first: int, last: int) -> ca.SX:
-        if leaf.kind == WHOLE:
-            return ca.repmat(self._wholes[leaf.name], 1, last - first)
-        if not leaf.is_local:
-            return ca.repmat(self._leaves.symbol(leaf), 1, last - first)
+    def _row(self, leaf: Leaf, first: int, last: int) -> Any:
+        if leaf in self._shared:
+            return ca.repmat(self._shared[leaf], 1, last - first)
         begin, column = self._known[leaf.kind, leaf.name]
         low = first + leaf.site - begin
         if low < 0 or low + last - first > column.numel():

@@ -11,8 +11,8 @@ from typing import TypeVar, cast
 import numpy as np
 from pydantic_core import PydanticCustomError
 
-from softcat_sym.discretization.graph import time_scale
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.parameters import time_scale
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError

@@ -17,8 +17,9 @@ import numpy.typing as npt
 from numpy.typing import NDArray
 
 from softcat_sym.discretization.assembly import choose_body, choose_grid
-from softcat_sym.discretization.graph import TIME_SCALE, Graph, parameter_values, time_scale
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.ensemble.executor import worker_count
 from softcat_sym.errors import Fault, SceneError

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from softcat_sym.discretization.graph import time_scale
 from softcat_sym.discretization.grid import Floats, choose_grading
+from softcat_sym.discretization.parameters import time_scale
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Estimate, Motion
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT

@@ -88,7 +88,7 @@ def parse_formula(text: str) -> Formula:
         raise refusal(f"{shown(text)} is no formula", ACCEPTED) from None
 
 
-def _read(node: ast.expr, text: str, depth: int) -> Node:  # noqa: C901 - one branch a kind of node
+def _read(node: ast.expr, text: str, depth: int) -> Node:
     piece = ast.get_source_segment(text, node) or text
     if depth > _DEEPEST:
         raise refusal(f"nested more than {_DEEPEST} deep", "a shorter formula")
@@ -197,7 +197,7 @@ def check_units(formula: Formula, of: Mapping[str, Dimension], values: Mapping[s
         raise refusal(f"{formula.text!r} is {_words(found)}", "a strain rate, 1/s; check the units of the parameters")
 
 
-def _dimension(node: Node, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Dimension | None:  # noqa: C901 - one branch a kind of node
+def _dimension(node: Node, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Dimension | None:
     """Exponents of kg, m and s; None for a literal zero, which goes with any unit."""
     if node.number is not None:
         return PURE if node.number else None

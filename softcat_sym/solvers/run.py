@@ -9,8 +9,9 @@ import numpy as np
 
 from softcat_sym.codegen.model import Structure, structure_of
 from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_grid, choose_theory
-from softcat_sym.discretization.graph import TIME_SCALE, Graph, parameter_values
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
 from softcat_sym.discretization.supports import Body
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.physics.filament import FilamentEquations, derive

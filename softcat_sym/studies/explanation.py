@@ -9,7 +9,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
-from softcat_sym.discretization.graph import parameter_values
+from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import expected_sag, expected_strain

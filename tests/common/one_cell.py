@@ -8,7 +8,8 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.cell_printer import ResolvedPrinter, Strains
-from softcat_sym.discretization.graph import CATALOGUE, Setting, parameter_values
+from softcat_sym.discretization.graph import Setting
+from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
 from softcat_sym.discretization.grid import End, half_span, lengths_of
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.supports import Profile, Supports, held

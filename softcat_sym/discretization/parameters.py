@@ -1,0 +1,84 @@
+"""The numbers that a filament is given: their names in a scene, their symbols and their values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, POINT_MASS, RIGHT_ANGLE, SPAN, path_name
+from softcat_sym.effects.free_vibration import solid_viscosity
+from softcat_sym.physics import symbols
+from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.loads import surface_tension
+from softcat_sym.physics.necking import aspect
+from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
+
+REST_LENGTH = "rest_length"
+TIME_SCALE = "time_scale"
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A numeric input of the graph: its leaf name in the scene, its symbol and its unit."""
+
+    name: str
+    symbol: symbols.Symbol
+    unit: str
+
+
+CATALOGUE: tuple[Parameter, ...] = (
+    Parameter(REST_LENGTH, symbols.L_0, "m"),
+    Parameter("thickness", symbols.h0, "m"),
+    Parameter("density", symbols.rho, "kg/m^3"),
+    Parameter("gravity", symbols.g, "m/s^2"),
+    Parameter("ramp", symbols.g_on, "s"),
+    Parameter("youngs_modulus", symbols.E, "Pa"),
+    Parameter("viscosity", symbols.eta, "Pa*s"),
+    Parameter("solid_viscosity", symbols.eta_s, "Pa*s"),
+    Parameter("yield_stress", symbols.sigma_Y, "Pa"),
+    Parameter("poisson", nu, "1"),
+    Parameter("curvature", symbols.kappa_0, "1/m"),
+    Parameter("aspect", aspect, "1"),
+    Parameter("surface_tension", surface_tension, "N/m"),
+    Parameter("shake", symbols.a_g, "1"),
+    Parameter("shake_frequency", symbols.f_g, "Hz"),
+)
+
+
+def time_scale(scene: Scene) -> float:
+    """Unit of time [s]: sqrt(L/g), or L sqrt(rho/E) without gravity, or else the duration of the run."""
+    gravity_unit = gravity_time(scene)
+    if gravity_unit < float("inf"):
+        return gravity_unit
+    return elastic_time(scene) or scene.run.duration
+
+
+def parameter_values(scene: Scene) -> dict[str, float]:
+    """Values of every parameter that a graph of this scene may ask for, in SI units."""
+    filament, ends = scene.filament, scene.ends
+    path = {
+        path_name(kind, row): value
+        for row, point in enumerate(ends.motion)
+        for kind, value in zip(("time", "dx", "dy"), point, strict=True)
+    }
+    return {
+        REST_LENGTH: rest_length(scene),
+        "thickness": filament.thickness,
+        "density": filament.density,
+        "gravity": scene.load.gravity,
+        "ramp": scene.load.ramp,
+        "shake": scene.load.shake,
+        "shake_frequency": scene.load.shake_frequency,
+        "aspect": filament.width / filament.thickness,
+        "curvature": filament.curvature,
+        "surface_tension": scene.surroundings.surface_tension,
+        POINT_MASS: scene.load.point_mass / undeformed_area(scene),
+        SPAN: filament.span,
+        DROP: ends.drop,
+        LEFT_ANGLE: ends.left_angle,
+        RIGHT_ANGLE: ends.right_angle,
+        TIME_SCALE: time_scale(scene),
+        "poisson": scene.material.poisson,
+        "solid_viscosity": solid_viscosity(scene),
+        **scene.material.values(),
+        **path,
+    }
