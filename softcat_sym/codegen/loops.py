@@ -14,7 +14,7 @@ from softcat_sym.discretization.cell import Slot
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.section_rule import PER_FIBRE
-from softcat_sym.discretization.stencil import DERIVATIVE, STAGED, SUM, UNKNOWN, Field, Leaf, Leaves, Where
+from softcat_sym.discretization.stencil import DERIVATIVE, STAGED, SUM, TIME, UNKNOWN, Field, Leaf, Leaves, Where
 from softcat_sym.discretization.supports import Body
 
 
@@ -39,8 +39,8 @@ def needed(leaves: Leaves, staged: Sequence[Field], read_by: Iterable[Field]) ->
     return tuple(one for one in staged if one.name in found)
 
 
-def loops_of(leaves: Leaves, fields: Sequence[Field]) -> tuple[Loop, ...]:
-    """The loops that compute fields in their order; those that can share one do."""
+def levels_of(leaves: Leaves, fields: Sequence[Field]) -> list[list[Loop]]:
+    """Loops, each level of which reads earlier ones only."""
     by_name = {one.name: one for one in fields}
     level: dict[str, int] = {}
     for one in fields:
@@ -49,8 +49,9 @@ def loops_of(leaves: Leaves, fields: Sequence[Field]) -> tuple[Loop, ...]:
         if one.ends:
             # Alone, so that what the ends do otherwise stays short.
             level[one.name] += 1
-    found: list[Loop] = []
+    levels: list[list[Loop]] = []
     for stage in sorted(set(level.values())):
+        found: list[Loop] = []
         here = [one for one in fields if level[one.name] == stage]
         plain, special = [one for one in here if not one.ends], [one for one in here if one.ends]
         for where in dict.fromkeys(one.where for one in plain):
@@ -60,7 +61,8 @@ def loops_of(leaves: Leaves, fields: Sequence[Field]) -> tuple[Loop, ...]:
         for site in sorted({site for one in special for site in one.ends}):
             values = {one.name: one.ends[site] for one in special if site in one.ends}
             found.append(_loop(leaves, Where(site, 0, alone=True), values))
-    return tuple(found)
+        levels.append(found)
+    return levels
 
 
 def _after(
@@ -104,6 +106,7 @@ class Chain:
     """Derivatives of the fields of earlier loops."""
 
     leaves: Leaves  # Symbols
+    by_time: bool = False  # Whether the time counts as one more unknown
     # With respect to which unknowns each field has a derivative, at any of its sites.
     patterns: dict[str, list[Entry]] = field(default_factory=dict)
     # Those that are the same number at all sites.
@@ -125,11 +128,13 @@ class Chain:
         return {name: {e: d for e, d in sorted(one.items()) if not d.is_zero()} for name, one in found.items()}
 
     def _moves(self, leaf: Leaf) -> bool:
+        if leaf.kind == TIME:
+            return self.by_time
         return leaf.kind in (UNKNOWN, SUM) or (leaf.kind == STAGED and bool(self.patterns.get(leaf.name)))
 
     def _changes(self, leaf: Leaf) -> list[tuple[Entry, ca.SX]]:
         """What moves a leaf, and how much."""
-        if leaf.kind == UNKNOWN:
+        if leaf.kind in (UNKNOWN, TIME):
             return [((leaf.name, leaf.site), ca.SX(1))]
         if leaf.kind == SUM:
             return self._changes_of_sum(leaf)
@@ -137,7 +142,8 @@ class Chain:
         for entry in self.patterns[leaf.name]:
             known = self.constants.get((leaf.name, entry))
             symbol = self.leaves.symbol(Leaf(DERIVATIVE, entry_name(leaf.name, entry), leaf.site))
-            found.append(((entry[0], entry[1] + leaf.site), symbol if known is None else ca.SX(known)))
+            place = entry if entry[0] == "t" else (entry[0], entry[1] + leaf.site)
+            found.append((place, symbol if known is None else ca.SX(known)))
         return found
 
     def _changes_of_sum(self, leaf: Leaf) -> list[tuple[Entry, ca.SX]]:
@@ -169,6 +175,13 @@ class Chain:
     def stored(self, name: str) -> list[Entry]:
         """The derivatives of a field that differ from site to site."""
         return [entry for entry in self.patterns[name] if (name, entry) not in self.constants]
+
+
+def differentiated(chain: Chain, level: Sequence[Loop]) -> list[tuple[Loop, dict[str, dict[Entry, ca.SX]]]]:
+    """Loops of one level with the derivatives of their fields."""
+    found = [chain.of(loop) for loop in level]
+    chain.learn(level, found)
+    return list(zip(level, found, strict=True))
 
 
 def entry_name(name: str, entry: Entry) -> str:

@@ -17,7 +17,7 @@ import casadi as ca
 from softcat_sym import store
 from softcat_sym.codegen import library
 from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, number, times
-from softcat_sym.codegen.loops import Chain, Entry, Loop, entry_name, loops_of, needed
+from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_name, levels_of, needed
 from softcat_sym.discretization.assembly import Theory
 from softcat_sym.discretization.cell import POWERS, Program, Slot, build
 from softcat_sym.discretization.graph import Graph
@@ -91,7 +91,8 @@ def template_of(program: Program) -> Template:
         raise PrintingError("there is no C of a filament whose sites all read one sum: that of small deflections")
     writer, leaves = Writer(program), program.leaves
     fields = needed(leaves, program.fields, program.rates)
-    loops = loops_of(leaves, [*fields, *program.rates])
+    levels = levels_of(leaves, [*fields, *program.rates])
+    loops = [loop for level in levels for loop in level]
 
     def rate(name: str) -> Target:
         return (
@@ -106,7 +107,7 @@ def template_of(program: Program) -> Template:
     ]
     moves = writer.moves_in_time
     chain = Chain(leaves)
-    entries, changes = _jacobian(writer, program, chain, loops)
+    entries, changes = _jacobian(writer, program, chain, levels)
     powers, work, slopes = _work(writer, program, chain, fields)
     size, found = writer.slots.count, Row("ENTRIES", [_label(entry) for entry in entries])
     text = "\n\n".join(
@@ -124,23 +125,19 @@ def template_of(program: Program) -> Template:
 
 
 def _derivatives(
-    writer: Writer, chain: Chain, loops: Sequence[Loop], label: str, entry: Callable[[str, Entry], Target]
+    writer: Writer, chain: Chain, levels: Sequence[Sequence[Loop]], label: str, entry: Callable[[str, Entry], Target]
 ) -> list[str]:
     """Calls of functions that compute fields and their derivatives together.
 
     Derivatives of fields go to the scratch, those of all others where `entry` says.
     """
-    known: dict[int, dict[str, dict[Entry, ca.SX]]] = {}
-    for batch in _batches(loops):
-        found = [chain.of(loop) for loop in batch]
-        chain.learn(batch, found)
-        known.update({id(loop): one for loop, one in zip(batch, found, strict=True)})
     calls = []
-    for k, loop in enumerate(loops):
+    every = (pair for level in levels for pair in differentiated(chain, level))
+    for k, (loop, slopes) in enumerate(every):
         targets: list[Target] = []
         values: list[ca.SX] = []
         for name, value in zip(loop.names, loop.values, strict=True):
-            made = known[id(loop)][name]
+            made = slopes[name]
             if writer.is_field(name):
                 stored = chain.stored(name)
                 targets += [writer.field(name), *(writer.field(entry_name(name, one)) for one in stored)]
@@ -154,7 +151,7 @@ def _derivatives(
 
 
 def _jacobian(
-    writer: Writer, program: Program, chain: Chain, loops: Sequence[Loop]
+    writer: Writer, program: Program, chain: Chain, levels: Sequence[Sequence[Loop]]
 ) -> tuple[tuple[tuple[str, str, int], ...], list[str]]:
     """The entries, and the calls that compute them."""
     order = {slot.name: k for k, slot in enumerate(program.slots)}
@@ -164,8 +161,8 @@ def _jacobian(
         label = (name[2:], *one)
         return Target(f"e[{_MARK}{marks.setdefault(label, len(marks))}]", PER_FIBRE in _label(label))
 
-    calls = _derivatives(writer, chain, loops, "jacobian", mark)
-    outputs = [name for loop in loops for name in loop.names if not writer.is_field(name)]
+    calls = _derivatives(writer, chain, levels, "jacobian", mark)
+    outputs = [name for level in levels for loop in level for name in loop.names if not writer.is_field(name)]
     entries = sorted(
         {(name[2:], entry[0], entry[1]) for name in outputs for entry in chain.patterns[name]},
         key=lambda one: (order[one[0]], one[2], order[one[1]]),
@@ -175,19 +172,6 @@ def _jacobian(
     found = re.compile(re.escape(_MARK) + r"(\d+)")
     writer.functions = [found.sub(lambda match: number[int(match[1])], text) for text in writer.functions]
     return tuple(entries), calls
-
-
-def _batches(loops: Sequence[Loop]) -> list[list[Loop]]:
-    """Loops with those that compute the same fields at the ends."""
-    found: list[list[Loop]] = []
-    for loop in loops:
-        for batch in found:
-            if loop.where.alone and any(set(loop.names) & set(other.names) for other in batch):
-                batch.append(loop)
-                break
-        else:
-            found.append([loop])
-    return found
 
 
 def _work(
@@ -203,7 +187,8 @@ def _work(
     known = {item.name for item in fields}
     others = [one for one in needed(program.leaves, program.fields, items) if one.name not in known]
     index = {item.name: k for k, power in enumerate(program.powers) for item in power}
-    loops, size = loops_of(program.leaves, [*others, *items]), writer.slots.count
+    levels, size = levels_of(program.leaves, [*others, *items]), writer.slots.count
+    loops = [loop for level in levels for loop in level]
     calls = []
     for k, loop in enumerate(loops):
         targets = [
@@ -215,7 +200,7 @@ def _work(
         before = times(index[name], f"{size} * n")
         return Target(f"s[{before}{writer.slots.at(*one)}]", PER_FIBRE in one[0], adds=True)
 
-    changes = _derivatives(writer, chain, loops, "work_slope", entry)
+    changes = _derivatives(writer, chain, levels, "work_slope", entry)
     return POWERS, calls, changes
 
 

@@ -159,7 +159,7 @@ class Graph:
             for name, item in program.shown.items()
         }
         ode, alg = (layout.gather(rates) for layout in (self.moving, self.still))
-        return Expressions((ode, alg), (plastic, load, gradient), shown)
+        return Expressions((ca.SX(ode), ca.SX(alg)), (plastic, load, gradient), shown)
 
     def spread(self, x: Any, z: Any, shared: Mapping[Leaf, Any]) -> Spread:
         """The sites of this grid with these unknowns, ready for the fields of the program."""

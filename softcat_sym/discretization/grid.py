@@ -212,9 +212,9 @@ class Layout:
         stacked = vector[self._rank] if self._rank else vector
         return {b.name: stacked[offsets[k] : offsets[k + 1]] for k, b in enumerate(self.blocks)}
 
-    def gather(self, fields: dict[str, ca.SX]) -> ca.SX:
+    def gather(self, fields: dict[str, Any]) -> Any:
         """Stack the values of each block into the order of the state vector."""
         if not self.blocks:
-            return ca.SX(0, 1)
+            return ca.DM(0, 1)
         stacked = ca.vertcat(*(fields[b.name] for b in self.blocks))
         return stacked[self._order.tolist()]

@@ -6,7 +6,7 @@ distances; the interpreter evaluates it at every site of a grid, and C loops ove
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -110,6 +110,12 @@ class Field:
         """All of its expressions."""
         return (self.value, *self.ends.values())
 
+    def sites(self, count: int) -> list[int]:
+        """Its sites where there are so many."""
+        first = self.where.first % count
+        last = first + 1 if self.where.alone else count - self.where.behind
+        return sorted({*range(first, last), *(site % count for site in self.ends)})
+
 
 class Neighbours:
     """A field as its sites read it: ``field[1]`` is its value one site further."""
@@ -155,30 +161,42 @@ class Spread:
         # What no site has for itself: parameters, the time, sums over all sites.
         self._shared = {**shared, **{Leaf(WHOLE, name): value for name, value in wholes.items()}}
 
-    def take(self, one: Field, kind: str = STAGED) -> None:
+    def take(self, one: Field) -> None:
         """Evaluate a field that later ones may read."""
         column = self.values(one)
         if one.summed == "whole":
             self._shared[Leaf(WHOLE, one.name)] = ca.sum1(column)
         first = 0 if 0 in one.ends else one.where.first
-        self._known[kind, one.name] = (first, ca.vertcat(0, ca.cumsum(column)) if one.summed == "before" else column)
+        self._known[STAGED, one.name] = (first, ca.vertcat(0, ca.cumsum(column)) if one.summed == "before" else column)
 
     def values(self, one: Field) -> Any:
         """A field at all of its sites, one below the other."""
-        where, count = one.where, self._sites
-        pieces = [(site % count, value, site % count + 1) for site, value in one.ends.items()]
-        first = where.first % count
-        pieces.append((first, one.value, first + 1 if where.alone else count - where.behind))
-        pieces = sorted((piece for piece in pieces if piece[2] > piece[0]), key=lambda piece: piece[0])
-        return ca.vertcat(*(self._evaluated(value, low, high) for low, value, high in pieces))
+        pieces = [(one.where, one.value), *((Where(site, 0, alone=True), value) for site, value in one.ends.items())]
+        found = sorted((self.at(where, [value]) for where, value in pieces), key=lambda piece: piece[0])
+        return ca.vertcat(*(columns[0] for _, columns in found))
 
-    def _evaluated(self, value: ca.SX, first: int, last: int) -> Any:
-        leaves, count = self._leaves.within(value), last - first
-        if not leaves:
-            return ca.repmat(ca.DM(float(value)), count, 1)
-        function = ca.Function("field", [self._leaves.symbol(leaf) for leaf in leaves], [ca.densify(ca.SX(value))])
-        arguments = [self._row(leaf, first, last) for leaf in leaves]
-        return ca.vec((function.map(count) if count > 1 else function)(*arguments))
+    def at(self, where: Where, values: Sequence[ca.SX]) -> tuple[int, list[Any]]:
+        """The first of some sites, and expressions at these sites, a column each."""
+        first = where.first % self._sites
+        count = 1 if where.alone else max(0, self._sites - where.behind - first)
+        leaves = self._leaves.within(ca.vertcat(*values))
+        if not leaves or not count:
+            return first, [ca.repmat(ca.DM(float(value)) if not leaves else ca.DM(0), count, 1) for value in values]
+        outputs = [ca.densify(ca.vertcat(*values))]
+        function = ca.Function("at_a_site", [self._leaves.symbol(leaf) for leaf in leaves], outputs)
+        arguments = [self._row(leaf, first, first + count) for leaf in leaves]
+        found = (function.map(count) if count > 1 else function)(*arguments)
+        return first, [found[k, :].T for k in range(len(values))]
+
+    def know(self, kind: str, pieces: Mapping[str, Sequence[Column]]) -> None:
+        """Let later fields read columns, each in pieces."""
+        for name, columns in pieces.items():
+            ordered = sorted(columns, key=lambda piece: piece[0])
+            self._known[kind, name] = (ordered[0][0], ca.vertcat(*(column for _, column in ordered)))
+
+    def known(self, kind: str, name: str) -> Any:
+        """A column that was given."""
+        return self._known[kind, name][1]
 
     def _row(self, leaf: Leaf, first: int, last: int) -> Any:
         if leaf in self._shared:
