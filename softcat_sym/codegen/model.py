@@ -19,7 +19,8 @@ from softcat_sym.codegen import library
 from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, number, times
 from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_name, levels_of, needed
 from softcat_sym.discretization.assembly import Theory
-from softcat_sym.discretization.cell import POWERS, Program, Slot, build
+from softcat_sym.discretization.cell import Program, Slot
+from softcat_sym.discretization.filament import POWERS, build
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.section_rule import PER_FIBRE, OneFibre, SectionRule

@@ -76,7 +76,7 @@ def _used(found: re.Match[str]) -> str:
 
 
 class Dynamics:
-    """Right-hand side, Jacobian and powers of a graph as CasADi functions of (t, x, z, p), loops over cells and joints."""
+    """Right-hand side, Jacobian and powers of a graph as CasADi functions of (t, x, z, p), as loops over sites."""
 
     def __init__(self, graph: Graph) -> None:
         if any(one.summed for one in graph.program.fields):

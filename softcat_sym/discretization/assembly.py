@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from softcat_sym.discretization.cell import Slot, build
+from softcat_sym.discretization.cell import Slot
+from softcat_sym.discretization.filament import build
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import (
     Block,

@@ -7,7 +7,6 @@ of one rule both are the same.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import casadi as ca
@@ -24,10 +23,6 @@ _MIN_IN_HALVES = 6
 
 _MOMENT_POINTS = 200
 """Of the sums that stand for integrals over a half; they are exact for what they are taken of."""
-
-
-Total = Callable[[str, ca.SX], ca.SX]
-"""Names a sum over the fibres of each cell, given for one that stands for all, and puts a symbol in its place."""
 
 
 @dataclass(frozen=True)
@@ -55,19 +50,10 @@ class SectionRule:
         """What the plastic states of one kind are called, besides their kind."""
         return tuple(str(number) for number in range(self.states))
 
-    def at_points(self, states: ca.SX) -> ca.SX:
-        """Plastic strain at the points, shape (cells, points), of states (cells, states)."""
-        return states @ ca.sparsify(ca.DM(self.recall)).T
-
-    def of_states(self, rates: ca.SX) -> ca.SX:
-        """Rates of the states, shape (cells, states), of rates at the points (cells, points)."""
-        return rates @ ca.sparsify(ca.DM(self.project)).T
-
-    def mean(self, name: str, values: ca.SX, total: Total, *, linear: bool = False) -> ca.SX:
-        """Mean over the section of values (cells, points), or of zeta times them, shape (cells,)."""
-        del name, total
-        weight = ca.DM(self.weight)
-        return values @ (weight * ca.DM(self.zeta) if linear else weight)
+    @property
+    def places(self) -> list[tuple[float, float]]:
+        """Coordinate and weight of every point."""
+        return [(float(zeta), float(weight)) for zeta, weight in zip(self.zeta, self.weight, strict=True)]
 
     @property
     def label(self) -> str:
@@ -92,23 +78,13 @@ class OneFibre:
     weight: ca.SX = field(default_factory=lambda: ca.SX.sym("weight"))
     points: int = 1
     labels: tuple[str, ...] = (PER_FIBRE,)
+    recall: Floats = field(default_factory=lambda: np.eye(1))
+    project: Floats = field(default_factory=lambda: np.eye(1))
 
     @property
-    def label(self) -> str:
-        """Nothing of it is a number."""
-        return "fibres"
-
-    def at_points(self, states: ca.SX) -> ca.SX:
-        """The state itself."""
-        return states
-
-    def of_states(self, rates: ca.SX) -> ca.SX:
-        """The rate itself."""
-        return rates
-
-    def mean(self, name: str, values: ca.SX, total: Total, *, linear: bool = False) -> ca.SX:
-        """What stands for the mean over the section."""
-        return total(f"{name}_zeta" if linear else name, values * (self.weight * self.zeta if linear else self.weight))
+    def places(self) -> list[tuple[ca.SX, ca.SX]]:
+        """Coordinate and weight of the one."""
+        return [(self.zeta, self.weight)]
 
 
 Sampling = SectionRule | OneFibre

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from softcat_sym.discretization.assembly import choose_body, choose_grid
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.grid import Floats, Layout
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.ensemble.executor import worker_count
@@ -44,7 +44,7 @@ class Starts:
         self._assembled = assembled
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns nothing is sought: the straight filament as it is.
-        self._bare = replace(self._graph, z=ca.SX(0, 1))
+        self._bare = replace(self._graph, still=Layout("z", []))
         self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae else None
         self._followed = _Followed(self._graph, assembled.at_rest()) if self._is_followed else None
         self.last: Start | None = None

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from softcat_sym.discretization.cell import energy_scale
+from softcat_sym.discretization.filament import energy_scale
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus

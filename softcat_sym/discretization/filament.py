@@ -1,0 +1,222 @@
+"""The filament: balance of momentum of its nodes, its powers, and what a run stores of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import casadi as ca
+
+from softcat_sym.discretization.cell import (
+    Builder,
+    Mechanics,
+    Program,
+    Sided,
+    Slot,
+    printed,
+)
+from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
+from softcat_sym.discretization.parameters import CATALOGUE, TIME_SCALE
+from softcat_sym.discretization.section_rule import Sampling
+from softcat_sym.discretization.shearing import shearing
+from softcat_sym.discretization.stencil import (
+    CELLS,
+    INNER,
+    INVERTED,
+    NODES,
+    PARAMETER,
+    PER,
+    UNKNOWN,
+    Field,
+    Neighbours,
+    Where,
+)
+from softcat_sym.discretization.supports import POINT_MASS, Body
+from softcat_sym.physics import symbols
+from softcat_sym.physics.filament import FilamentEquations
+
+POWERS = "plastic", "load", "gradient"
+"""What is integrated beside the unknowns."""
+
+
+def build(
+    equations: FilamentEquations, model: str, ends: tuple[End, End], body: Body, rule: Sampling | None
+) -> Program:
+    """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
+    b = Builder(equations, ends, body)
+    if rule is not None and equations.resolved is not None:
+        mechanics = shearing(b, rule)
+    else:
+        mechanics = small_deflection(b) if model == "small-deflection" else kirchhoff(b)
+    return _balanced(b, mechanics)
+
+
+def _balanced(b: Builder, of: Mechanics) -> Program:
+    """Rates of all unknowns, powers and observables, in units of rest length and time scale."""
+    terms, span, scale = b.equations.terms, b.span, b.scale
+    load = {**b.values, symbols.t: b.time * scale}
+    gravity, gravity_rate = printed(terms.load, load), printed(terms.load_rate, load)
+    mass = b.place("mass")[0]
+    if b.body.weighted:
+        mass += b.place("hung")[0] * (b.named[POINT_MASS] / (b.density * span))
+    unit = scale**2 / span
+    per_mass = 1 / mass * (unit / (b.density * span))
+    rotary = ca.SX(0)
+    if b.equations.resolved is not None:
+        rotary = printed(b.equations.resolved.rotary_inertia, b.values)
+
+    fixed = per_mass, gravity * unit, rotary
+    slots = _ordered(b.slots)
+    rates = tuple(_rate(b, of, slot, fixed) for slot in slots)
+    powers = _powers(b, of, mass, gravity, gravity_rate)
+    shown = _observables(b, of, mass, gravity, rotary)
+    everything = [*b.fields, *rates, *(one for power in powers for one in power)]
+    everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
+    used = {
+        leaf.name
+        for one in everything
+        for value in one.values
+        for leaf in b.leaves.within(value)
+        if leaf.kind == PARAMETER
+    }
+    used |= {"density", "rest_length"}
+    rows = [*(row.name for row in CATALOGUE), *(row.name for row in b.equations.law.constants)]
+    named = [*(name for name in rows if name in used), *b.body.parameters]
+    return Program(
+        leaves=b.leaves,
+        slots=slots,
+        fields=tuple(b.fields),
+        rates=rates,
+        powers=powers,
+        shown=shown,
+        parameters=(*dict.fromkeys(named), TIME_SCALE),
+        places=place_names(b.body),
+        profiles=of.profiles or _linear_profiles(b),
+    )
+
+
+def _rate(b: Builder, of: Mechanics, slot: Slot, fixed: tuple[ca.SX, ca.SX, ca.SX]) -> Field:
+    """Rate of an unknown, or what must vanish for an algebraic one: the rate of its momentum.
+
+    A torque is divided by the mass and the square of the span, not by the rotary inertia: sparse factorisations do not
+    scale rows, and one that is thousands of times larger than the others blurs them.
+    """
+    per_mass, weight, rotary = fixed
+    name = f"f_{slot.name}"
+    if slot.rate:
+        return Field(name, slot.where, Neighbours(b.leaves, UNKNOWN, slot.rate)[0])
+    if slot.name in of.plastic:
+        return Field(name, slot.where, of.plastic[slot.name] * b.scale)
+    if slot.name in ("psi", "omega"):
+        inertia = rotary if slot.differential else b.density * b.span**2
+        acting, factor, minus = of.torque, 1 / b.node[0] * (b.scale**2 / (inertia * b.span)), ca.SX(0)
+    else:
+        force = of.force[0] if slot.name in ("x", "u") else of.force[1]
+        acting, factor = _net(force), per_mass
+        minus = weight if slot.name in ("y", "v") else ca.SX(0)
+    if acting is None:
+        raise ValueError(f"{slot.name}: nothing turns the sections of this filament")
+    # Nodes beside which there is a cell on one side only are written out by themselves.
+    sides = zip((0, -1), ((None, 0), (-1, None)), slot.held, strict=True)
+    ends = {site: acting(*cells) * factor - minus for site, cells, is_held in sides if not is_held}
+    return Field(name, INNER, acting(-1, 0) * factor - minus, ends)
+
+
+def _net(force: Neighbours) -> Sided:
+    """What the forces of the cells beside a node leave."""
+    nothing = ca.SX(0)
+    return lambda before, behind: (
+        (nothing if behind is None else force[behind]) - (nothing if before is None else force[before])
+    )
+
+
+def _linear_profiles(b: Builder) -> dict[str, tuple[float, float]]:
+    return {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
+
+
+def _ordered(slots: Mapping[str, Slot]) -> tuple[Slot, ...]:
+    """What moves, what is still, and plastic states last."""
+    known = ("x", "y", "u", "v", "psi", "omega")
+    plain = [slots[name] for name in known if name in slots]
+    plastic = [slot for name, slot in slots.items() if name not in known]
+    return (*(s for s in plain if s.differential), *(s for s in plain if not s.differential), *plastic)
+
+
+def place_names(body: Body) -> tuple[str, ...]:
+    """The geometry of a site that a body needs."""
+    profile = ("h_node", "h_cell") if body.profile.nodes is not None else ()
+    return ("X", *INVERTED, *(PER + name for name in INVERTED), *profile, *(("hung",) if body.weighted else ()))
+
+
+def _powers(
+    b: Builder, of: Mechanics, mass: ca.SX, gravity: ca.SX, gravity_rate: ca.SX
+) -> tuple[tuple[Field, ...], ...]:
+    """Plastic power, power of the changing load and of the gradient, site by site, in `energy_scale` units."""
+    span, at = b.span, b.supports
+    scale = b.scale / energy_scale(b.density, span, b.scale)
+    lifted = mass * (span * b.density * gravity_rate * scale)
+    # The force on the right support carries the last cell and its own share.
+    weight = mass * b.density * gravity * span
+    moved = (of.force[0][-1] * at.right_u + (of.force[1][-1] + weight) * at.right_v) * scale
+    load = [Field("power_load_0", NODES, lifted * of.y[0])]
+    if not moved.is_zero():
+        load.append(Field("power_load_1", Where(-1, 0, alone=True), moved))
+    gradient: list[Field] = []
+    if of.double_force is not None:
+        stretching = []
+        for i in (-1, 0):
+            slope, speed = ([(r[i + 1] - r[i]) / b.length[i] for r in pair] for pair in ((of.x, of.y), (of.u, of.v)))
+            stretching.append((slope[0] * speed[0] + slope[1] * speed[1]) / of.stretch[i])
+        power = of.double_force[0] * (stretching[1] - stretching[0]) * (scale / b.scale)
+        gradient = [Field("power_gradient_0", INNER, power)]
+    plastic = [
+        Field(f"power_plastic_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
+        for k, one in enumerate(of.dissipation)
+    ]
+    kept = (
+        tuple(one for one in group if not all(v.is_zero() for v in one.values)) for group in (plastic, load, gradient)
+    )
+    return tuple(kept)
+
+
+def _observables(
+    b: Builder, of: Mechanics, mass: ca.SX, gravity: ca.SX, rotary: ca.SX
+) -> dict[str, Field | tuple[Field, ...]]:
+    """What a run stores, in SI and per unit undeformed area."""
+    span, terms = b.span, b.equations.terms
+    # Velocities that are unknown for the sake of a viscous stress alone carry no energy.
+    speed = span / b.scale
+    kinetic = []
+    if terms.inertia:
+        moving = mass * (of.u[0] ** 2 + of.v[0] ** 2) * speed**2 * b.density / 2
+        kinetic.append(Field("moving", NODES, moving * span))
+    if terms.rotary_inertia:
+        turning = b.node[0] * of.omega[0] ** 2 * rotary / (2 * b.scale**2)
+        kinetic.append(Field("turning", NODES, turning * span))
+    stored = {
+        f"energy_{name}": tuple(
+            Field(name, one.where, one.value * span, {at: v * span for at, v in one.ends.items()}) for one in fields
+        )
+        for name, fields in of.energies.items()
+    }
+    double_force = ca.SX(0) if of.double_force is None else of.double_force[0]
+    return {
+        "x": Field("x", NODES, of.x[0] * span),
+        "y": Field("y", NODES, of.y[0] * span),
+        "stretch": Field("stretch", CELLS, of.stretch[0]),
+        **{name: Field(name, CELLS, ca.SX(value)) for name, value in of.shown.items()},
+        "double_force": Field("double_force", INNER, double_force),
+        "energy_kinetic": tuple(kinetic),
+        **stored,
+        "energy_potential": (Field("weight", NODES, mass * of.y[0] * span * b.density * gravity * span),),
+    }
+
+
+def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
+    """Unit of the quadratures [Pa]: density times the square of span over time scale.
+
+    An integrator that controls the quadratures measures them with the tolerances of the unknowns, so they have the same
+    size whatever the units of the scene.
+    """
+    return density * (span / time_scale) ** 2

@@ -1,0 +1,302 @@
+"""A filament that shears (geometrically exact in the plane), its section resolved point by point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.cell import (
+    Builder,
+    Mechanics,
+    Pair,
+    Slot,
+    Values,
+    branch_name,
+    derivatives,
+    mean_of_nodes,
+    neck_force,
+    positions,
+    printed,
+    surface_force,
+    velocities,
+)
+from softcat_sym.discretization.section_rule import OneFibre, Sampling, SectionRule
+from softcat_sym.discretization.stencil import (
+    CELLS,
+    FIBRE,
+    Field,
+    Leaf,
+    Neighbours,
+    Same,
+)
+from softcat_sym.physics import reissner, symbols
+from softcat_sym.physics.bulk import sigma_eq
+from softcat_sym.physics.reissner import FibreBranch, ResolvedSection
+
+
+@dataclass
+class Fibres:
+    """Sums over the section of a cell, and what a run shows of its fibres."""
+
+    profiles: dict[str, tuple[float, float]]
+    axial: ca.SX = field(default_factory=ca.SX)  # Means of the axial stress, of that times zeta, of the shear stress
+    axial_zeta: ca.SX = field(default_factory=ca.SX)
+    shear: ca.SX = field(default_factory=ca.SX)
+    energy: ca.SX = field(default_factory=ca.SX)
+    dissipation: ca.SX = field(default_factory=ca.SX)
+    plastic: dict[str, ca.SX] = field(default_factory=dict)  # Rates of the plastic states [1/s]
+    shown: dict[str, ca.SX] = field(default_factory=dict)
+
+
+def shearing(b: Builder, rule: Sampling) -> Mechanics:
+    """A filament that shears (geometrically exact in the plane), its section resolved point by point.
+
+    Positions and section angle live on nodes, the whole section on cells: a two-node element with one point along the
+    filament, so that it neither locks in shear nor has a spurious mode.
+    """
+    resolved = b.equations.resolved
+    if resolved is None:
+        raise ValueError("the section is not resolved: neither shear nor fibres are in force")
+    x, y = positions(b)
+    u, v, *moved = velocities(b)
+    psi, omega = angles(b)
+    slope_x, slope_y = ((r[1] - r[0]) / b.length[0] for r in (x, y))
+    at = {symbols.x_X: slope_x, symbols.y_X: slope_y, reissner.psi: mean_of_nodes(psi)}
+    strains = [*(printed(one, at) for one in resolved.strains), (psi[1] - psi[0]) / b.length[0] / b.span]
+    rates = [ca.SX(0)] * 3
+    if resolved.viscous is not None:
+        speed = [(r[1] - r[0]) / b.length[0] / b.scale for r in moved]
+        moving = {symbols.x_Xt: speed[0], symbols.y_Xt: speed[1], reissner.psi_t: mean_of_nodes(omega) / b.scale}
+        rates = [printed(one, {**at, **moving}) for one in resolved.strain_rates]
+        rates.append((omega[1] - omega[0]) / b.scale / b.length[0] / b.span)
+    if isinstance(rule, OneFibre):
+        # What all fibres see is looked up.
+        names = ("Lam", "Gam", "k")
+        strains = [b.stage(name, CELLS, one)[0] for name, one in zip(names, strains, strict=True)]
+        rates = [b.stage(f"{name}_t", CELLS, one)[0] for name, one in zip(names, rates, strict=True)]
+    by = (reissner.Lam, reissner.Gam, reissner.k)
+    values = {**b.values, symbols.h0: b.h_cell, **dict(zip(by, strains, strict=True))}
+    values |= dict(zip((reissner.Lam_t, reissner.Gam_t, reissner.k_t), rates, strict=True))
+    fibres = sampled(b, resolved, rule, values)
+    values |= {reissner.sigma_mean: fibres.axial, reissner.sigma_zeta: fibres.axial_zeta}
+    values |= {reissner.tau_mean: fibres.shear}
+    # Stresses to the conjugates of the cell's strains, and these to forces on its nodes, each by virtual power.
+    n_1, n_2, couple = (b.area_cell * one for one in derivatives(resolved.cell.power, by, values))
+    turned_by = b.stage("couple", CELLS, couple)
+    at |= {reissner.n_1: n_1, reissner.n_2: n_2}
+    power = reissner.n_1 * resolved.strains[0] + reissner.n_2 * resolved.strains[1]
+    force_x, force_y, turn = derivatives(power, (symbols.x_X, symbols.y_X, reissner.psi), at)
+    turned = b.stage("turning_half", CELLS, -b.length[0] * b.span * turn / 2)
+    section = {
+        name: b.area_cell * printed(one, values)
+        for name, one in (("tension", resolved.cell.tension), ("moment", resolved.cell.moment))
+    }
+    section["shear_force"] = b.area_cell * printed(resolved.cell.shear_force, values)
+    # Along the tangent of the centreline, not along the normal of the section: conjugate to its stretch.
+    stretch = b.stage("stretch", CELLS, ca.sqrt(slope_x**2 + slope_y**2))
+    pull, surface = surface_force(b, stretch[0])
+    tension = b.stage("tension", CELLS, section["tension"]) if b.equations.neck is not None else Same()
+    double_force, necked = neck_force(b, stretch, tension)
+    along = (pull + necked) / stretch[0]
+    force = (
+        b.stage("force_x", CELLS, force_x + along * slope_x),
+        b.stage("force_y", CELLS, force_y + along * slope_y),
+    )
+
+    def torque(before: int | None, behind: int | None) -> ca.SX:
+        """Change of the couple and the moment of the forces about a node [Pa m]."""
+        ahead = ca.SX(0) if behind is None else turned_by[behind] + turned[behind]
+        return ahead if before is None else ahead - turned_by[before] + turned[before]
+
+    shown = {
+        **section,
+        "relative_thickness": printed(resolved.relative_thickness, values) * b.relative,
+        "curvature": strains[2] / strains[0],
+        "shear": strains[1] / strains[0],
+        **fibres.shown,
+        **({"axial_force": (force[0][0] * slope_x + force[1][0] * slope_y) / stretch[0]} if surface else {}),
+    }
+    volume = b.length[0] * b.area_cell
+    return Mechanics(
+        x,
+        y,
+        u,
+        v,
+        stretch,
+        force,
+        fibres.plastic,
+        {"elastic": [Field("elastic", CELLS, volume * fibres.energy)], "surface": surface},
+        [Field("power_plastic", CELLS, volume * fibres.dissipation)],
+        shown,
+        omega,
+        torque,
+        double_force,
+        fibres.profiles,
+    )
+
+
+def angles(b: Builder) -> tuple[Neighbours, Neighbours]:
+    """Section angles of all nodes and their rates, which an end that holds the angle gives."""
+    viscous, terms = b.equations.law.viscosity is not None, b.equations.terms
+    turns, rotary = terms.rotary_inertia or viscous, terms.rotary_inertia and terms.inertia
+    psi = b.unknown(
+        Slot("psi", "node", b.bends, turns, "omega" if turns else "", section=False),
+        0 if b.half else b.supports.left_angle,
+        b.supports.right_angle,
+    )
+    omega = b.unknown(Slot("omega", "node", b.bends, rotary, "", section=False)) if turns else Same()
+    return psi, omega
+
+
+_NO_STRESS = 1e-12
+"""Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""
+
+
+def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Values) -> Fibres:
+    """Stress and flow at the points of a section, and their sums."""
+    one = isinstance(rule, OneFibre)
+    if isinstance(rule, OneFibre):
+        for symbol, name in ((rule.zeta, "zeta"), (rule.weight, "weight")):
+            b.leaves.adopt(symbol, Leaf(FIBRE, name))
+    fibres = [_Fibre(b, resolved, {**values, symbols.zeta: ca.SX(zeta)}) for zeta, _ in rule.places]
+    found = Fibres(profiles=_profiles(rule, resolved) if isinstance(rule, SectionRule) else {})
+    for j, branch in enumerate(resolved.branches):
+        axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, j) for kind in ("axial", "shear"))
+        for fibre, *plastic in zip(fibres, axial, shear, strict=True):
+            fibre.add(branch, (plastic[0], plastic[1]))
+        for number, kind in enumerate(("axial", "shear")):
+            rates = [fibre.rates[j][number] for fibre in fibres]
+            found.plastic |= {
+                name: _dot(rule.project[n], rates)
+                for n, name in enumerate(_state_names(rule, kind, j))
+                if name in b.slots
+            }
+    if resolved.viscous is not None:
+        for fibre in fibres:
+            fibre.resist()
+
+    def mean(name: str, *, linear: bool = False) -> ca.SX:
+        pairs: list[tuple[_Fibre, Any]] = list(zip(fibres, rule.places, strict=True))
+        total = sum((getattr(f, name) * (weight * zeta if linear else weight) for f, (zeta, weight) in pairs), ca.SX(0))
+        return b.total(f"{name}_zeta" if linear else name, total) if one else ca.SX(total)
+
+    found.axial, found.axial_zeta, found.shear = mean("axial"), mean("axial", linear=True), mean("shear")
+    found.energy, found.dissipation = mean("energy"), mean("dissipation")
+    found.shown = _shown_fibres(rule, fibres) if isinstance(rule, SectionRule) else {}
+    return found
+
+
+def _state_names(rule: Sampling, kind: str, branch: int) -> list[str]:
+    return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
+
+
+def _profiles(rule: SectionRule, resolved: ResolvedSection) -> dict[str, tuple[float, float]]:
+    """What each axial state is of a plastic strain that is linear through the thickness."""
+    mean, linear = rule.project @ np.ones(rule.points), rule.project @ rule.zeta
+    names = [_state_names(rule, "axial", j) for j, branch in enumerate(resolved.branches) if branch.flow is not None]
+    return {name: (float(mean[n]), float(linear[n])) for group in names for n, name in enumerate(group)}
+
+
+def _dot(weights: Iterable[float], values: Sequence[ca.SX]) -> ca.SX:
+    total = ca.SX(0)
+    for weight, value in zip(weights, values, strict=True):
+        if weight:
+            total += weight * value
+    return total
+
+
+def _plastic_strain(
+    b: Builder, resolved: ResolvedSection, branch: FibreBranch, rule: Sampling, kind: str, number: int
+) -> list[ca.SX]:
+    """Axial or shear plastic strain of a branch at every point."""
+    if branch.flow is None or (kind == "shear" and not resolved.shears):
+        return [ca.SX(0)] * rule.points
+    names = _state_names(rule, kind, number)
+    states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
+    return [_dot(row, states) for row in rule.recall]
+
+
+class _Fibre:
+    """One point of a section: its stress is the derivative of its stored energy, its flow is driven by it."""
+
+    def __init__(self, b: Builder, resolved: ResolvedSection, values: dict[Any, Any]) -> None:
+        self.moduli = [branch.modulus for branch in b.equations.law.branches]
+        self.resolved, self.values = resolved, values
+        self.strain = (printed(resolved.cell.axial_strain, values), printed(resolved.cell.shear_strain, values))
+        self.axial = self.shear = self.energy = self.dissipation = self.speed = self.yields = ca.SX(0)
+        self.rates: list[Pair] = []
+        self.flows = False
+
+    def add(self, branch: FibreBranch, plastic: Pair) -> None:
+        """A spring with its flow rule."""
+        strain = (reissner.eps, reissner.gamma)
+        values = {**self.values, **dict(zip(strain, self.strain, strict=True))}
+        values |= {reissner.eps_p: plastic[0], reissner.gamma_p: plastic[1]}
+        sigma, tau = derivatives(branch.stored, strain, values)
+        self.axial, self.shear = self.axial + sigma, self.shear + tau
+        self.energy += printed(branch.stored, values)
+        if branch.flow is None:
+            self.rates.append((ca.SX(0), ca.SX(0)))
+            return
+        modulus = printed(self.moduli[len(self.rates)], values)
+        given = {**values, symbols.sigma: sigma, reissner.tau_f: tau}
+        # Compared before the root is taken, whose derivative is infinite where nothing is stressed.
+        square = printed(branch.flow.equivalent**2, given)
+        given[sigma_eq] = ca.sqrt(ca.fmax(square, (_NO_STRESS * modulus) ** 2))
+        flow = CellFunction(
+            {
+                name: getattr(branch.flow, name)
+                for name in ("axial_rate", "shear_rate", "speed", "dissipation", "yields")
+            },
+            tuple(given),
+        )(given)
+        self.rates.append((ca.SX(flow["axial_rate"]), ca.SX(flow["shear_rate"])))
+        self.dissipation += flow["dissipation"]
+        self.speed = ca.fmax(self.speed, flow["speed"]) if self.flows else ca.SX(flow["speed"])
+        self.yields = ca.fmax(self.yields, flow["yields"]) if self.flows else ca.SX(flow["yields"])
+        self.flows = True
+
+    def resist(self) -> None:
+        """The viscous stress beside the springs: the derivative of its Rayleigh potential."""
+        viscous = self.resolved.viscous
+        if viscous is None:
+            raise ValueError("this law has no viscous stress")
+        rates = {
+            symbol: printed(rate, self.values)
+            for symbol, rate in zip((reissner.eps_t, reissner.gamma_t), viscous.strain_rates, strict=True)
+        }
+        values = {**self.values, **rates}
+        sigma, tau = derivatives(viscous.rayleigh, tuple(rates), values)
+        self.axial, self.shear = self.axial + sigma, self.shear + tau
+        self.dissipation += 2 * printed(viscous.rayleigh, values)
+        if not self.moduli:
+            self.speed, self.yields = ca.fabs(rates[reissner.eps_t]), ca.SX(1)
+
+
+def _shown_fibres(rule: SectionRule, fibres: Sequence[_Fibre]) -> dict[str, ca.SX]:
+    weight, zeta = rule.weight, rule.zeta
+    yields, axial = [fibre.yields for fibre in fibres], [fibre.axial for fibre in fibres]
+    fastest = fibres[0].speed
+    for fibre in fibres[1:]:
+        fastest = ca.fmax(fastest, fibre.speed)
+    # Limits in zeta of what does not yield, between the fibres that do on either side and those that do not.
+    edges = np.concatenate([[-1.0], (zeta[1:] + zeta[:-1]) / 2, [1.0]])
+    below, above, low, high = ca.SX(1), ca.SX(1), ca.SX(-1), ca.SX(1)
+    for n in range(len(fibres)):
+        below, above = below * yields[n], above * yields[-1 - n]
+        low += below * (edges[n + 1] - edges[n])
+        high -= above * (edges[-1 - n] - edges[-2 - n])
+    return {
+        "core_low": low,
+        # Where the whole thickness yields both limits have met on the opposite faces: they are put together.
+        "core_high": ca.fmax(low, high),
+        "yielded_fraction": _dot(weight, yields),
+        "plastic_rate": fastest,
+        "stress_mean": _dot(weight, axial),
+        "stress_bending": _dot(weight * zeta / float(weight @ zeta**2), axial),
+    }
