@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import ValidationInfo, ValidatorFunctionWrapHandler, field_validator
 from pydantic_core import PydanticCustomError, ValidationError
@@ -38,7 +38,7 @@ class GroupBlock(Part):
 
     delta: Annotated[float, Number(above=0, below=1)]
     """Thickness over span, h0/L."""
-    law: Annotated[Law, Choice(get_args(Law))]
+    law: Annotated[Law, Choice(Law)]
     """How the material answers to stress."""
     G: Positive = None
     """Gravity over yield stress, rho g L/sY."""
@@ -58,7 +58,7 @@ class GroupBlock(Part):
     """Time in which gravity grows, in units of groups.time_unit."""
     duration: Positive = None
     """Simulated time, in units of groups.time_unit."""
-    time_unit: Annotated[TimeUnit, Choice(("gravity", "elastic"))] = "gravity"
+    time_unit: Annotated[TimeUnit, Choice(TimeUnit)] = "gravity"
     """Unit of groups.ramp and groups.duration; gravity: sqrt(L/g), elastic: L sqrt(rho/E)."""
 
     @field_validator("law", mode="wrap")

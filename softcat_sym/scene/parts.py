@@ -102,7 +102,7 @@ class Filament(Part):
     """Diameter of a circle, which the section then is; instead of thickness."""
     thickness: Length = Field(default=None, validate_default=True)
     """h0, in the plane of bending; the diameter of a circle."""
-    section: Annotated[Section, Choice(("rectangle", "circle", "sheet"))] = "rectangle"
+    section: Annotated[Section, Choice(Section)] = "rectangle"
     """Shape of the cross-section."""
     width: Length = Field(default=None, validate_default=True)
     """D0, across the plane of bending; the thickness unless given."""
@@ -218,7 +218,7 @@ def _to_origin(start: Point, end: Point) -> float:
 
 
 End = Literal["clamped", "pinned", "free"]
-_END = Choice(("clamped", "pinned", "free"))
+_END = Choice(End)
 _ANGLE = Quantity("angle", "10 deg", "any")
 Angle = Annotated[float, _ANGLE]
 
@@ -306,11 +306,11 @@ class RunSettings(Part):
     """Number of evenly spaced output times, t = 0 included."""
     accuracy: Annotated[float, Number(above=0, below=1)] = 0.01
     """Largest error of the midpoint over the largest midpoint."""
-    until: Annotated[Until, Choice(("duration", "settled"))] = "duration"
+    until: Annotated[Until, Choice(Until)] = "duration"
     """Whether the run ends with its duration, or before when nothing moves any more by the accuracy asked."""
-    effects: Annotated[str | tuple[str, ...], Names(("auto", "paper"))] = "auto"
+    effects: Annotated[str | tuple[str, ...], Names("auto", "paper")] = "auto"
     """Which physics is in force: auto chooses by estimates, paper is the published theory; or names of effects."""
-    closure: Annotated[Closure, Choice(("material", "printed"))] = "material"
+    closure: Annotated[Closure, Choice(Closure)] = "material"
     """Plastic state, strain measure and axial force: that of the material, or as the paper prints it."""
 
 
@@ -331,11 +331,11 @@ class Numerics(Part):
     """k, order of the plastic strain through the thickness; chosen by the program unless given."""
     fibres: Annotated[int | None, Whole(2, 1000)] = None
     """Fibres through the thickness; chosen by the program unless given."""
-    solver: Annotated[Solver | None, Choice(("cvodes", "idas", "rosenbrock"))] = None
+    solver: Annotated[Solver | None, Choice(Solver)] = None
     """Integrator; chosen by the program unless given."""
     rtol: Annotated[float | None, Number(above=0, below=1)] = None
     """Relative tolerance of the integrator; chosen by the program unless given."""
-    backend: Annotated[Backend, Choice(("auto", "interpreted", "compiled"))] = "auto"
+    backend: Annotated[Backend, Choice(Backend)] = "auto"
     """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
     estimate: Annotated[bool, Flag()] = True
     """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

@@ -14,7 +14,7 @@ from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import SOLIDS, Material, Modes, power
+from softcat_sym.scene.material import SOLIDS, Material, power
 from softcat_sym.scene.parts import (
     Ends,
     Filament,
@@ -30,7 +30,7 @@ from softcat_sym.scene.parts import (
     motion_faults,
 )
 from softcat_sym.scene.toml import Override, apply, toml_of
-from softcat_sym.scene.units import Choice, Motion, Quantity, Text, fault_of, in_si, shown
+from softcat_sym.scene.units import Choice, Text, fault_of, in_si, shown
 
 _ROUNDING = 1e-12
 
@@ -267,6 +267,7 @@ def _of_small_deflection(scene: Scene) -> Iterator[Fault]:
 
 
 LATE = "late overrides"
+Model = Literal["filament", "small-deflection"]
 
 
 class Scene(Part):
@@ -293,7 +294,7 @@ class Scene(Part):
 
     title: Annotated[str, Text()] = ""
     """For pictures and tables."""
-    model: Annotated[Literal["filament", "small-deflection"], Choice(("filament", "small-deflection"))] = "filament"
+    model: Annotated[Model, Choice(Model)] = "filament"
     """The theory: the filament with all its effects, or small deflections of an elastic or Maxwell one."""
     filament: Filament
     material: Material
@@ -424,8 +425,7 @@ def _from_python(tables: Any) -> Any:
         if isinstance(table, Mapping):
             kinds = kinds_of(part)
             marked[name] = {
-                key: in_si(value) if isinstance(kinds.get(key), (Quantity, Motion, Modes)) else value
-                for key, value in table.items()
+                key: in_si(value) if key in kinds and kinds[key].si else value for key, value in table.items()
             }
     return marked
 
