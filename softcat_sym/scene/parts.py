@@ -17,7 +17,6 @@ from pydantic import (
     model_validator,
 )
 
-from softcat_sym.errors import Fault
 from softcat_sym.scene.units import (
     Choice,
     Flag,
@@ -30,7 +29,6 @@ from softcat_sym.scene.units import (
     Whole,
     refusal,
     shown,
-    with_unit,
 )
 
 if TYPE_CHECKING:
@@ -169,9 +167,11 @@ class Filament(Part):
 
 
 Point = tuple[float, float]
+Rule = tuple[object, str, str, str]
+"""Whether it is broken; by which key, what was found, and what is accepted."""
 
 
-def places(scene: Scene) -> list[Point]:
+def _places(scene: Scene) -> list[Point]:
     """Return the places of the right support seen from the left one, first and at each row of its motion [m]."""
     first = (scene.filament.span, -scene.ends.drop)
     return [first, *((first[0] + dx, first[1] + dy) for _, dx, dy in scene.ends.motion)]
@@ -179,32 +179,29 @@ def places(scene: Scene) -> list[Point]:
 
 def farthest(scene: Scene) -> float:
     """Return the greatest distance of the supports at any time [m]; a straight path has it at one of its ends."""
-    return max(math.hypot(*place) for place in places(scene))
+    return max(math.hypot(*place) for place in _places(scene))
 
 
 def nearest(scene: Scene) -> float:
     """Return the least distance of the supports at any time [m]."""
-    path = places(scene)
+    path = _places(scene)
     return min((_to_origin(a, b) for a, b in pairwise(path)), default=math.hypot(*path[0]))
 
 
-def motion_faults(scene: Scene) -> Iterator[Fault]:
-    """List what is wrong with the motion of the right support."""
-    rows, path = scene.ends.motion, "ends.motion"
+def motion_rules(scene: Scene) -> Iterator[Rule]:
+    """List what may be wrong with the motion of the right support."""
+    rows, path, thickness = scene.ends.motion, "ends.motion", scene.filament.thickness
+    if not rows:
+        return
     times = [time for time, _, _ in rows]
-    if any(time < 0 for time in times):
-        yield Fault(path, f"a row at {min(times):g} s, before the start", "times from 0 s on")
-    for before, after in pairwise(times):
-        if after <= before:
-            yield Fault(path, f"a row at {after:g} s after one at {before:g} s", "times that increase from row to row")
-            break
-    if rows and rows[0][1:] != (0.0, 0.0):
-        start = f'["{with_unit(0.0, "time")}", "0 m", "0 m"]'
-        found = f"the first row, at {times[0]:g} s, moves the support at once"
-        yield Fault(path, found, f"a first row without displacement, such as {start}")
-    if rows and nearest(scene) < scene.filament.thickness:
-        found = f"the supports come within {nearest(scene):.4g} m of each other"
-        yield Fault(path, found, f"a path that keeps them the thickness apart, {scene.filament.thickness:g} m")
+    yield min(times) < 0, path, f"a row at {min(times):g} s, before the start", "times from 0 s on"
+    back = next(((before, after) for before, after in pairwise(times) if after <= before), None)
+    if back:
+        yield True, path, f"a row at {back[1]:g} s after one at {back[0]:g} s", "times that increase from row to row"
+    accepted = 'a first row without displacement, such as ["0.0 s", "0 m", "0 m"]'
+    yield any(rows[0][1:]), path, f"the first row, at {times[0]:g} s, moves the support at once", accepted
+    found = f"the supports come within {nearest(scene):.4g} m of each other"
+    yield nearest(scene) < thickness, path, found, f"a path that keeps them the thickness apart, {thickness:g} m"
 
 
 def _to_origin(start: Point, end: Point) -> float:
