@@ -116,7 +116,8 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
         *material_lines(scene),
         *held,
         *_ramp(scene),
-        *_time_points(time[1:]),
+        "*TIME POINTS, NAME=FRAMES",
+        *_rows(map(_real, time[1:])),
         *_motion(scene, step * elastic_time(scene)),
     ]
     return Deck(
@@ -229,11 +230,6 @@ def _ramp(scene: Scene) -> Iterator[str]:
         yield f"{_real(u * scene.load.ramp)}, {_real(u**3 * (10 - 15 * u + 6 * u**2))}"
 
 
-def _time_points(time: Floats) -> Iterator[str]:
-    yield "*TIME POINTS, NAME=FRAMES"
-    yield from _rows(f"{_real(instant)}" for instant in time)
-
-
 def _motion(scene: Scene, longest: float) -> Iterator[str]:
     first, ramp = FIRST_STEP * longest, ", AMPLITUDE=RAMP" if scene.load.ramp > 0 else ""
     yield "*STEP, NLGEOM, INC=10000000, AMPLITUDE=STEP"
@@ -252,9 +248,6 @@ _KEPT = (f"{_JOB}.inp", f"{_JOB}.dat", f"{_JOB}.sta", f"{_JOB}.cvg")
 
 # Seconds between two looks at how far the run is, and those a program is given to end by itself.
 _LOOK, _GRACE = 0.2, 5.0
-
-_METRE = 1e-3
-"""A millimetre, the unit of the deck."""
 
 
 @dataclass(frozen=True)
@@ -314,7 +307,7 @@ def run_calculix(
     wall = time.perf_counter() - start
     printed, status = (files.get(f"{_JOB}.{ending}", b"").decode("ascii", "replace") for ending in ("dat", "sta"))
     displacement = np.zeros((len(deck.time), len(deck.centreline), 3))
-    displacement[1:] = _METRE * read_displacements(printed, deck.centreline, deck.time[1:])
+    displacement[1:] = 1e-3 * read_displacements(printed, deck.centreline, deck.time[1:])
     x, y = deck.X + displacement[..., 0], displacement[..., 1]
     return CalculixRun(
         time=deck.time,

@@ -136,11 +136,6 @@ def mass_shares() -> Floats:
     return np.asarray(diagonal / diagonal.sum())
 
 
-def plane_stress_moduli(poisson: float) -> Floats:
-    """Elastic moduli over E in plane stress, for strains 11, 22 and the engineering shear 12; shape (3, 3)."""
-    return np.array([[1, poisson, 0], [poisson, 1, 0], [0, 0, (1 - poisson) / 2]]) / (1 - poisson**2)
-
-
 def largest_frequency(size: Floats, poisson: float, deformation: Floats | None = None) -> float:
     """Upper bound of the largest elastic frequency of a mesh: the largest of any of its elements on its own.
 
@@ -157,8 +152,10 @@ def largest_frequency(size: Floats, poisson: float, deformation: Floats | None =
     strain = np.zeros((*gradient.shape[:2], 3, 16))
     strain[..., 0, 0::2] = strain[..., 2, 1::2] = gradient[..., 0, :]
     strain[..., 1, 1::2] = strain[..., 2, 0::2] = gradient[..., 1, :]
+    # Elastic moduli over E in plane stress, for strains 11, 22 and the engineering shear 12.
+    moduli = np.array([[1, poisson, 0], [poisson, 1, 0], [0, 0, (1 - poisson) / 2]]) / (1 - poisson**2)
     # Per mass: the area cancels between stiffness and mass.
-    stiffness = np.einsum("epai,ab,epbj->eij", strain, plane_stress_moduli(poisson), strain, optimize=True)
+    stiffness = np.einsum("epai,ab,epbj->eij", strain, moduli, strain, optimize=True)
     lightness = np.repeat(mass_shares(), 2) ** -0.5
     values = np.linalg.eigvalsh(stiffness / len(POINTS) * np.outer(lightness, lightness))
     return math.sqrt(float(values.max()))
@@ -356,7 +353,6 @@ def read_checkpoint(path: Path, key: str) -> dict[str, npt.NDArray[Any]] | None:
 
 
 POINT_STATE = 3
-_UNSTRAINED = (1.0, 0.0, 1.0)
 _DOUBLES, _INTEGERS = ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_int)
 
 
@@ -421,7 +417,7 @@ class ElementLoop(ctypes.Structure):
             function.argtypes, function.restype = (this, *given), returned
         self.strip = strip
         self.displacement, self.velocity, self.acceleration = (np.zeros((nodes, 2)) for _ in range(3))
-        self.point = np.tile(_UNSTRAINED, (elements, len(POINTS), 1))
+        self.point = np.tile([1.0, 0.0, 1.0], (elements, len(POINTS), 1))
         self.rate = np.zeros((elements, len(POINTS)))
         # What C points at is kept alive here.
         self._constant: dict[str, npt.NDArray[Any]] = {

@@ -469,7 +469,12 @@ def groups_of(scene: Scene) -> Groups:
     """Compute the dimensionless groups [3.9, 3.10]."""
     filament, material = scene.filament, scene.material
     modulus, viscosity, yields_at = _modulus(scene), _viscosity(scene), material.threshold or None
-    stress, impulse = filament.density * scene.load.gravity * filament.span, _impulse(scene)
+    gravity, n = scene.load.gravity, material.index
+    stress = filament.density * gravity * filament.span
+    # Scale of a viscosity, rho g L (L/g)^(n/2), written so that it has a limit without gravity.
+    impulse = filament.density * math.sqrt(gravity * filament.span * filament.span * filament.span)
+    if n != 1:
+        impulse = stress * power(filament.span / gravity, n / 2) if gravity > 0 else 0.0
     slowness = None if viscosity is None or modulus is None else viscosity / modulus
     return Groups(
         delta=filament.thickness / filament.span,
@@ -480,16 +485,6 @@ def groups_of(scene: Scene) -> Groups:
         tau_star=None if slowness is None else _ratio(slowness, power(gravity_time(scene), material.index)),
         B=None if viscosity is None else impulse / (2 * viscosity),
     )
-
-
-def _impulse(scene: Scene) -> float:
-    """Scale of a viscosity, rho g L (L/g)^(n/2), written so that it has a limit without gravity."""
-    filament, gravity, n = scene.filament, scene.load.gravity, scene.material.index
-    if n == 1:
-        return filament.density * math.sqrt(gravity * filament.span * filament.span * filament.span)
-    if gravity == 0:
-        return 0.0
-    return filament.density * gravity * filament.span * power(filament.span / gravity, n / 2)
 
 
 def _ratio(value: float, scale: float) -> float:

@@ -322,7 +322,7 @@ class Quantity(Kind):
     si = True
 
     def __init__(self, dimension: str, example: str, sign: str = "positive", unit: str = "") -> None:
-        self.dimension, self.sign, self.unit = dimension, sign, unit
+        self.dimension, self.example, self.sign, self.unit = dimension, example, sign, unit
         what = dimension if sign == "any" else f"{sign} {dimension}"
         self.accepted = f'{_article(what)} with its unit, such as "{example}"'
 
