@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from enum import Enum
-from functools import cache, cached_property
+from functools import cache
 from importlib.resources import files
 from operator import attrgetter
 from pathlib import Path
@@ -191,71 +191,40 @@ class Mesh:
         return np.asarray(edges)
 
 
-@dataclass(frozen=True)
 class Strip:
     """Nodes and elements of half a filament; lengths over the span, mass over density times span^2 times width."""
 
-    mesh: Mesh
-    thickness: float
-
-    @cached_property
-    def _lattice(self) -> Indices:
-        """Node at each place of the half-element lattice, -1 in the middles of elements."""
-        lattice = np.full((2 * self.mesh.along + 1, 2 * self.mesh.through + 1), -1, dtype=np.int32)
+    def __init__(self, mesh: Mesh, thickness: float) -> None:
+        self.mesh, self.thickness = mesh, thickness
+        edges, along, through = mesh.edges(), mesh.along, mesh.through
+        # Node at each place of the half-element lattice, -1 in the middles of elements.
+        lattice = np.full((2 * along + 1, 2 * through + 1), -1, dtype=np.int32)
         taken = np.ones(lattice.shape, dtype=bool)
         taken[1::2, 1::2] = False
         lattice[taken] = np.arange(taken.sum())
-        return lattice
-
-    @cached_property
-    def position(self) -> Floats:
-        """Reference positions X, Y; shape (nodes, 2)."""
-        edges = self.mesh.edges()
+        # From midspan to the clamp, and upwards.
+        self.centreline: Indices = np.ascontiguousarray(lattice[:, through])
+        self.midspan: Indices = np.ascontiguousarray(lattice[0])
+        self.face: Indices = np.ascontiguousarray(lattice[-1])  # Nodes of the clamped face
         columns = np.empty(2 * len(edges) - 1)
         columns[::2], columns[1::2] = edges, (edges[1:] + edges[:-1]) / 2
         # Symmetric to the last bit, so that the centreline lies at 0 and a face has no net height.
-        rows = self.thickness * np.arange(-self.mesh.through, self.mesh.through + 1) / (2 * self.mesh.through)
+        rows = thickness * np.arange(-through, through + 1) / (2 * through)
         grid = np.stack(np.meshgrid(columns, rows, indexing="ij"), axis=-1)
-        return np.ascontiguousarray(grid[self._lattice >= 0])
-
-    @cached_property
-    def corner(self) -> Indices:
-        """Nodes of each element, in the order of ``element.NODES``; shape (along x through, 8), column by column."""
-        i, j = (a.ravel() for a in np.mgrid[: self.mesh.along, : self.mesh.through])
+        # Reference positions X, Y; shape (nodes, 2)
+        self.position: Floats = np.ascontiguousarray(grid[lattice >= 0])
+        # Nodes of each element, in the order of `NODES`; shape (along x through, 8), column by column
+        i, k = (a.ravel() for a in np.mgrid[:along, :through])
         x, y = (NODES.astype(int) + 1).T
-        return np.ascontiguousarray(self._lattice[2 * i[:, None] + x, 2 * j[:, None] + y])
-
-    @cached_property
-    def size(self) -> Floats:
-        """Edge lengths of each element; shape (elements, 2)."""
-        lengths = np.repeat(np.diff(self.mesh.edges()), self.mesh.through)
-        return np.stack([lengths, np.full_like(lengths, self.thickness / self.mesh.through)], axis=1)
-
-    @cached_property
-    def mass(self) -> Floats:
-        """Lumped mass; shape (nodes,)."""
+        self.corner: Indices = np.ascontiguousarray(lattice[2 * i[:, None] + x, 2 * k[:, None] + y])
+        # Edge lengths of each element; shape (elements, 2)
+        lengths = np.repeat(np.diff(edges), through)
+        self.size: Floats = np.stack([lengths, np.full_like(lengths, thickness / through)], axis=1)
+        # Lumped mass; shape (nodes,)
         shares = self.size.prod(axis=1)[:, None] * mass_shares()
-        return np.asarray(np.bincount(self.corner.ravel(), weights=shares.ravel()), dtype=np.float64)
-
-    @cached_property
-    def centreline(self) -> Indices:
-        """Nodes at Y = 0, from midspan to the clamp; shape (2 along + 1,)."""
-        return np.ascontiguousarray(self._lattice[:, self.mesh.through])
-
-    @cached_property
-    def midspan(self) -> Indices:
-        """Nodes in the plane of symmetry, upwards; shape (2 through + 1,)."""
-        return np.ascontiguousarray(self._lattice[0])
-
-    @cached_property
-    def face(self) -> Indices:
-        """Nodes of the clamped face, upwards; shape (2 through + 1,)."""
-        return np.ascontiguousarray(self._lattice[-1])
-
-    @cached_property
-    def points(self) -> Floats:
-        """Reference positions of the Gauss points; shape (elements, 4, 2)."""
-        return np.asarray(np.einsum("pa,eai->epi", shape_values(POINTS), self.position[self.corner]))
+        self.mass: Floats = np.bincount(self.corner.ravel(), weights=shares.ravel()).astype(np.float64)
+        # Reference positions of the Gauss points; shape (elements, 4, 2)
+        self.points: Floats = np.asarray(np.einsum("pa,eai->epi", shape_values(POINTS), self.position[self.corner]))
 
 
 class Clamp(Enum):
