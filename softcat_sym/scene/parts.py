@@ -17,19 +17,7 @@ from pydantic import (
     model_validator,
 )
 
-from softcat_sym.scene.units import (
-    Choice,
-    Flag,
-    Kind,
-    Motion,
-    Names,
-    Number,
-    Numbers,
-    Quantity,
-    Whole,
-    refusal,
-    shown,
-)
+from softcat_sym.scene.units import Choice, Flag, Kind, Motion, Names, Number, Numbers, Quantity, Whole, refusal, shown
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
