@@ -19,10 +19,10 @@ from softcat_sym.physics import bulk
 from softcat_sym.physics import bulk as bulk_step
 from softcat_sym.physics import closed_forms as from_shear
 from softcat_sym.physics import closed_forms as strings
-from softcat_sym.physics.laws import E_2, Flow, K, Law, bingham_rate, law_of, maxwell_rate, mode, n
+from softcat_sym.physics.laws import Flow, K, bingham_rate, law_of, maxwell_rate, n
 from softcat_sym.physics.regimes import H
 from softcat_sym.physics.rheometry import mu
-from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import E, L, eta, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 from softcat_sym.scene.formula import parse_formula
 
@@ -78,43 +78,6 @@ def test_what_makes_the_slope_finite_at_rest_is_not_felt_elsewhere(index: float)
     assert 0 < float(slope) < 1e9
 
 
-@pytest.mark.parametrize("section", SECTIONS)
-def test_one_mode_is_maxwell(section: str) -> None:
-    modulus, viscosity = mode(1)
-    (one,), (other,) = law_of("multimode-maxwell", modes=1).branches, law_of("maxwell").branches
-    alike = {modulus: E, viscosity: eta}
-    assert one.modulus.xreplace(alike) == other.modulus
-    assert one.flow is not None and other.flow is not None
-    assert one.flow.rate.xreplace(alike) == other.flow.rate
-    ours, theirs = (flow.means(SECTIONS[section]) for flow in (one.flow, other.flow))
-    assert ours.rate.xreplace(alike) == theirs.rate
-    assert ours.bending_rate.xreplace(alike) == theirs.bending_rate
-
-
-def test_modes_relax_each_in_its_own_time() -> None:
-    law = law_of("multimode-maxwell", modes=3)
-    assert [constant.name for constant in law.constants] == [
-        f"mode_{k}_{name}" for k in (1, 2, 3) for name in ("youngs_modulus", "viscosity")
-    ]
-    assert len({constant.symbol for constant in law.constants}) == 6
-    for number, branch in enumerate(law.branches, 1):
-        modulus, viscosity = mode(number)
-        assert branch.flow is not None
-        # eps_p_t = sigma_j/eta_j: at a held strain sigma_j falls at the rate E_j/eta_j
-        assert branch.modulus * sp.diff(branch.flow.rate, sigma) == modulus / viscosity
-
-
-def test_springs_and_dashpots_of_the_linear_solids() -> None:
-    assert law_of("newtonian") == Law("newtonian", branches=(), viscosity=eta)
-    voigt, zener = law_of("kelvin-voigt"), law_of("standard-linear")
-    assert [branch.modulus for branch in voigt.branches] == [E]
-    assert (voigt.viscosity, voigt.flows) == (eta, False)
-    spring, arm = zener.branches
-    assert (spring.modulus, spring.flow, arm.modulus) == (E, None, E_2)
-    assert arm.flow is not None and arm.flow.rate == sigma / eta
-    assert (zener.viscosity, zener.flows, zener.yields) == (None, True, False)
-
-
 @each_index
 def test_constants_in_shear_and_in_tension(index: float) -> None:
     """Of von Mises's law: sigma_eq = sqrt(3) tau, and the shear rate is sqrt(3) times the equivalent rate."""
@@ -148,7 +111,6 @@ class Tree:
         return number(self.node)
 
 
-MAXWELL = Tree(("div", "sigma", "eta0"))
 OVERSTRESS = ("max", ("sub", ("abs", "sigma"), "y0"), 0)
 BINGHAM = Tree(("mul", ("sign", "sigma"), ("div", OVERSTRESS, "eta0")))
 EYRING = Tree(("mul", "rate", ("sinh", ("div", "sigma", "s"))))
@@ -159,13 +121,6 @@ def custom(tree: Tree, *, yields: bool = False):
     law = law_of("custom", formula=tree, yields=yields)
     (branch,) = law.branches
     return law, branch, {constant.name: constant.symbol for constant in law.constants}
-
-
-def test_sigma_over_a_viscosity_is_maxwell() -> None:
-    law, branch, constants = custom(MAXWELL)
-    assert list(constants) == ["eta0"]
-    assert branch.flow.rate.xreplace({constants["eta0"]: eta}) == sigma / eta
-    assert (law.flows, law.yields) == (True, False)
 
 
 @pytest.mark.parametrize("shape", (RECTANGLE, CIRCLE), ids=lambda shape: shape.name)
