@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -12,12 +11,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble
-from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, half_span
-from softcat_sym.discretization.kirchhoff import KIRCHHOFF
-from softcat_sym.discretization.reissner import reissner
-from softcat_sym.discretization.section_rule import fibre_rule
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import (
@@ -47,9 +40,6 @@ from softcat_sym.effects.scaling_estimates import (
 )
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.errors import SceneError
-from softcat_sym.physics.filament import Terms, derive
-from softcat_sym.physics.laws import law_of
-from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.calculix import calculix_deck
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.bundled import bundled_names
@@ -75,25 +65,8 @@ ALL = (
 """The published list."""
 
 
-@cache
-def graph_of(names: tuple[str, ...], law: str = "bingham") -> Graph:
-    terms = Terms(law=law_of(law))
-    for effect in REGISTRY:
-        if effect.name in names:
-            terms = effect.contribute(terms)
-    equations = derive(terms, SECTIONS["rectangle"], "material")
-    theory = KIRCHHOFF if equations.resolved is None else reissner(fibre_rule(equations.shape, 3))
-    return assemble(equations, half_span(4, End.CLAMPED), names, theory)
-
-
 def without(*names: str) -> tuple[str, ...]:
     return tuple(name for name in ALL if name not in names)
-
-
-def test_without_inertia_a_viscous_stress_makes_the_velocities_algebraic() -> None:
-    graph = graph_of(without("inertia"), "newtonian")
-    assert {name[: name.index("[")] for name in graph.state_names} == {"x", "y"}
-    assert {name[: name.index("[")] for name in graph.algebraic_names} == {"u", "v"}
 
 
 def test_paper_takes_the_published_effects_that_apply() -> None:
