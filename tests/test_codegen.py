@@ -266,7 +266,6 @@ def test_what_has_no_c_is_refused() -> None:
         code_of([A], [A + B])
 
 
-# SymPy to CasADi: exact numbers, every function, refusals, vectors.
 # SymPy to twenty digits, and the printer at the same point.
 def exact(expr: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:
     """SymPy's own value: every double is the number it is, and nothing is rounded before the twentieth digit."""
@@ -501,9 +500,3 @@ def test_sharing_changes_no_value() -> None:
         values = together({x: float(a), y: float(b)})
         for name, expr in several.items():
             assert float(values[name]) == float(CellFunction({"o": expr}, (x, y))({x: float(a), y: float(b)})["o"])
-
-
-# Random expressions from the whitelist have SymPy's value, within the rounding that their own operations allow.
-
-
-# Of one or two terms: SymPy's function, the number's, the error by those of the terms, and where it may be had.

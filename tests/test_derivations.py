@@ -14,7 +14,6 @@ from scipy.integrate import dblquad, solve_ivp
 from scipy.special import iv, ivp
 
 from softcat_sym.physics import bulk, kinematics, necking, reissner
-from softcat_sym.physics import closures as closure
 from softcat_sym.physics import closures as layers
 from softcat_sym.physics import closures as paper_section
 from softcat_sym.physics import kinematics as balance
@@ -57,18 +56,6 @@ def test_a_whirling_rod_is_pulled_inwards() -> None:
     found = right_sides(whirling)
     wanted = [-(omega**2) * sy.X * sp.cos(omega * sy.t), -(omega**2) * sy.X * sp.sin(omega * sy.t) - sy.g]
     assert [sp.simplify(a - b) for a, b in zip(found, wanted, strict=True)] == [0, 0]
-
-
-def test_a_uniformly_stretched_beam_feels_its_load_once() -> None:
-    """A straight filament drawn to s: N = M_X/s, so that a parabolic moment carries M_XX/s per unit X."""
-    load = sp.Symbol("q", positive=True)
-    straight = {
-        motion.angle: sp.Integer(0),
-        motion.stretch: sy.s,
-        motion.moment: load * sy.s * sy.X**2 / 2,
-        motion.axial_force: sp.Integer(0),
-    }
-    assert sp.simplify(right_sides(straight)[1] - (load / LAMBDA_0 - sy.g)) == 0
 
 
 def test_conservative_and_expanded_form_agree_on_a_random_filament() -> None:
@@ -161,15 +148,6 @@ def path(time: float) -> tuple[float, float, float, float]:
 def lever(shrinking: Contraction, stretch: float) -> float:
     """h/(2 s)."""
     return THICKNESS / 2 * stretch ** (-2 if shrinking is WIDE else -1.5)
-
-
-@each_shape
-def test_polynomials_are_orthogonal(shape: Section, shrinking: Contraction) -> None:
-    del shrinking
-    where, share = fibres(shape)
-    table = np.array([sp.lambdify(sy.zeta, layers.polynomial(shape, n))(where) * np.ones(60) for n in range(6)])
-    wanted = np.diag([float(layers.mean_square(shape, n)) for n in range(6)])
-    assert (table * share) @ table.T == pytest.approx(wanted, abs=1e-13)
 
 
 def test_the_papers_bingham_rates_against_quadrature() -> None:
@@ -279,12 +257,6 @@ def test_the_appendix_in_a_thickness_that_does_not_change() -> None:
         stress = 2.5 * (-turning * h / 2 * NODES - ours @ basis)
         mine = np.sum(WEIGHTS / 2 * stress**3 * basis[order]) * (2 * order + 1)
         assert paper == pytest.approx(mine * math.sqrt(h / (2 * order + 1)), rel=1e-11)
-
-
-def test_the_solver_and_the_layers_hold_the_same_axial_force() -> None:
-    held = {e.name: e.right for e in closure.CLOSURE_EQUATIONS}
-    assert sp.simplify(layers.conjugate_force(UNIFORM) - held["axial force, material closure"]) == 0
-    assert sp.simplify(layers.conjugate_force(WIDE) - held["axial force of a sheet, material closure"]) == 0
 
 
 # The shearing filament in numbers: conjugate forces by differencing an energy, J2 flow against the bulk law.

@@ -429,7 +429,6 @@ def test_the_regime_to_expect() -> None:
         assert expected_regime(scene, choose_effects(scene).names).name == regime
 
 
-# The regime that a scene is foretold to show.
 # The regime and the warnings foretold: numbers against independent roots, names against what runs have shown.
 PAPER = "arrested-overdamped"
 PUBLISHED = ("inertia", "bending", "viscous-flow", "yielding", "gravity-ramp")

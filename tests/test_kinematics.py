@@ -13,22 +13,17 @@ from sympy.core.function import AppliedUndef
 from softcat_sym.physics import kinematics
 from softcat_sym.physics import sections as section
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.equation import DimensionError as MismatchError
 from softcat_sym.physics.equation import Stated, all_equations, check, dimension
 from softcat_sym.physics.filament import FilamentEquations, Terms, derive
 from softcat_sym.physics.in_force import equations_in_force
 from softcat_sym.physics.kinematics import (
     LARGE_ROTATION,
-    SMALL_SLOPE,
     TRUE_STRAIN,
-    internal_force,
 )
 from softcat_sym.physics.laws import FIXED, law_of
 from softcat_sym.physics.loads import ramp_rate, ramped_gravity, shaking, shaking_rate
 from softcat_sym.physics.sections import SECTIONS
-
-# Every filament that can be derived, and all expressions of one.
 
 
 @cache
@@ -61,53 +56,9 @@ def filament(
     return derive(terms, section.SECTIONS[shape], closure)
 
 
-# Gradients of stretch and angle, and the balance written through them.
-TANGENT = {sy.x_X: sy.s * sp.cos(sy.theta), sy.y_X: sy.s * sp.sin(sy.theta)}
-
-
-def test_the_stretch_grows_along_the_tangent() -> None:
-    along = [sp.simplify(part.subs(TANGENT)) for part in LARGE_ROTATION.stretch_gradient()]
-    assert along == [sp.cos(sy.theta), sp.sin(sy.theta)]
-
-
-def test_the_angle_grows_along_the_normal_over_the_stretch() -> None:
-    across = [sp.simplify(part.subs(TANGENT)) for part in LARGE_ROTATION.angle_gradient()]
-    assert sp.simplify(across[0] + sp.sin(sy.theta) / sy.s) == 0
-    assert sp.simplify(across[1] - sp.cos(sy.theta) / sy.s) == 0
-
-
-def test_small_slopes_keep_the_leading_order_of_both() -> None:
-    assert SMALL_SLOPE.stretch_gradient() == (1, sy.y_X)
-    assert SMALL_SLOPE.angle_gradient() == (0, 1)
-    size = sp.Symbol("size", positive=True)
-    near = {sy.x_X: 1 + size**2 * sy.x_X, sy.y_X: size * sy.y_X}
-    difference = (LARGE_ROTATION.stretch - SMALL_SLOPE.stretch).subs(near, simultaneous=True)
-    assert sp.limit(difference / size**3, size, 0) == 0
-
-
-def test_the_force_is_q_along_and_the_shear_across() -> None:
-    """Q t + (M_X/s) n for large rotations (2.1, 2.2)."""
-    force = internal_force(LARGE_ROTATION, bending=True)
-    wanted = (
-        sy.Q * sp.cos(sy.theta) - sy.M_X / sy.s * sp.sin(sy.theta),
-        sy.Q * sp.sin(sy.theta) + sy.M_X / sy.s * sp.cos(sy.theta),
-    )
-    for found, right in zip((force.horizontal, force.vertical), wanted, strict=True):
-        assert sp.simplify(found.subs(TANGENT) - right) == 0
-
-
 # Work conjugacy of the material closure; the printed closure is the paper's, losses and all.
 SHAPES = sorted(SECTIONS)
 PAPERS = ["circle", "rectangle"]
-
-
-def modulus(shape: str) -> sp.Expr:
-    """E, or E/(1 - nu^2) where the width is held."""
-    return sy.E / (1 - nu**2) if shape == "sheet" else sy.E
-
-
-def half_thickness(shape: str) -> sp.Expr:
-    return (sy.h0 / sy.s if shape == "sheet" else sy.h0 / sp.sqrt(sy.s)) / 2
 
 
 CONSISTENT = [{"finite": True, "thin": True}, {"finite": False, "thin": False}]
@@ -148,15 +99,6 @@ def test_the_axial_force_gains_three_halves_of_the_moment(shape: str) -> None:
     for factor in (0, 1):
         wrong = axial + factor * moment * sy.theta_X / sy.s
         assert sp.simplify(sp.diff(energy(shape), sy.s) - wrong) != 0
-
-
-@pytest.mark.parametrize("shape", SHAPES)
-def test_the_stress_is_that_of_material_fibres(shape: str) -> None:
-    """sigma = E [log s - theta_s (h/2) zeta - a_0 - a_1 zeta]."""
-    response = filament(shape, "material").response
-    assert sp.simplify(response.branch.stress_mean - modulus(shape) * (sp.log(sy.s) - sy.a_0)) == 0
-    half = half_thickness(shape)
-    assert sp.simplify(response.branch.stress_bending + modulus(shape) * (sy.theta_X / sy.s * half + sy.a_1)) == 0
 
 
 @pytest.mark.parametrize("shape", PAPERS)

@@ -160,7 +160,7 @@ def test_turned_clamps_at_the_length_of_their_arc_are_that_arc() -> None:
     angle = 0.6
     length = angle / np.sin(angle)
     radius, at = length / (2 * angle), np.linspace(0, length, 7)
-    arc = curves.held(curves.uniform(1e5, 1.0), 0.0, length, 1.0, at, ("clamped", -angle), ("clamped", angle))
+    arc = curves.held(curves.uniform(1e6, 1.0), 0.0, length, 1.0, at, ("clamped", -angle), ("clamped", angle))
     np.testing.assert_allclose(arc.x, radius * (np.sin(at / radius - angle) + np.sin(angle)), atol=1e-5)
     np.testing.assert_allclose(arc.y, radius * (np.cos(angle) - np.cos(at / radius - angle)), atol=1e-5)
 
