@@ -234,9 +234,9 @@ def test_stretching_is_implied_where_nothing_else_would_do() -> None:
         (INK, "bending", "finite-stretch"),
     ):
         explained = sc.explain(sc.load_scene(scene, [of(*names), "numerics.cells=4"]))
-        effects = {each.effect: each for each in explained.effects}
+        effects = {each["effect"]: each for each in explained.effects}
         implied = (scene, *names) != (INK, "inertia", "bending")
-        in_force = {name for name, each in effects.items() if each.in_force}
+        in_force = {name for name, each in effects.items() if each["in_force"]}
         assert in_force == {*names, *(["extensibility"] if implied else [])}, (scene, names)
         assert effects["extensibility"].reason != "named in run.effects"
 
