@@ -146,16 +146,6 @@ def test_what_makes_a_rule_fail() -> None:
     assert [one.cause for one in cable.blames] == [WORDS["bending"]]
 
 
-def test_a_rule_that_holds_runs_nothing() -> None:
-    class Never(Silence):
-        def stage(self, name: str) -> None:
-            raise AssertionError(name)
-
-    run = at_rest("1 GPa")
-    found = blamed(rule(run, "beam-clamped"), FIELD["beam-clamped"], Variants(run, Never()))
-    assert (found.text, found.blames) == ("holds", ())
-
-
 def test_no_rule_is_applied_to_what_it_was_not_made_for() -> None:
     scene = filament(ELASTIC)
     assert unusual(scene) == ""

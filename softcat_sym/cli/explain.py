@@ -134,7 +134,7 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
         ("Numerics", ("", ""), _numeric_rows(explanation), 1),
     ]
     for title, heads, rows, whole in tables:
-        styles = ["bold" if "on" in row[1:2] else "" for row in rows]
+        styles = ["dim" if rows is effects and row[1] == "off" else "" for row in rows]
         out.print(text_table(heads, rows, title=title, styles=styles, title_style="none", whole=range(whole)))
     for warning in explanation.warnings:
         out.print(Text(f"warning: {warning}", style="yellow"))
@@ -216,7 +216,10 @@ def _numeric_rows(explanation: Explanation) -> Rows:
     parameters = ", ".join(f"{name} {significant(value)}" for name, value in graph["parameters"].items())
     return [
         *(
-            ("algebraic" if each["algebraic"] else "differential", f"{each['number']} {each['kind']}: {each['meaning']}")
+            (
+                "algebraic" if each["algebraic"] else "differential",
+                f"{each['number']} {each['kind']}: {each['meaning']}",
+            )
             for each in explanation.unknowns
         ),
         ("graph", f"{graph['cells']} cells over {over}; {sizes}, {graph['instructions']} instructions"),

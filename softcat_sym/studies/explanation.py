@@ -82,8 +82,8 @@ class Explanation:
     sag, strain : float
         Rough largest sag over span, and mean strain.
     effects : list of dict
-        All, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the midpoint that
-        leaving it out would make over the largest, `estimate` (None where it cannot be had), `meaning`, `formula`.
+        All, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the midpoint
+        that leaving it out would make, `estimate` (None where it cannot be had), its `meaning` and `formula`.
     equations : tuple of Stated
         In force.
     unknowns : list of dict
