@@ -260,9 +260,6 @@ def test_overrides_reach_the_run_and_its_resolved_scene_runs_to_the_same_answer(
     assert softcat(*small, *ONCE).status == 0
     summary = json.loads(Path("small/summary.json").read_text())
     assert set(summary["effects"]) == {"inertia", "bending", "viscous-flow"}
-    for change, text in (("material.yeild_stress=5 kPa", "yield_stress"), ("model=small-deflection", "material.law")):
-        bad = softcat("run", "arrested-overdamped", "-o", "bad", "--set", change)
-        assert (bad.status, text in bad.err, Path("bad").exists()) == (2, True, False)
 
 
 def test_an_answer_not_to_be_trusted_exits_1_is_stamped_and_still_writes(softcat: Softcat) -> None:
@@ -417,18 +414,10 @@ def test_explain_integrates_and_writes_nothing_by_itself(softcat: Softcat, monke
     done = softcat("explain", "edge-of-rupture", *sets(SMALL, "run.duration=1000 s"))
     assert (done.status, done.err, list(Path.cwd().iterdir())) == (0, "", [])
     Path("not.toml").write_text("span == 3")
-    Path("empty.toml").write_text("")
     for words, text in (
         (("nowhere.toml",), "no such file"),
-        (("no-yeild",), "did you mean 'no-yield'"),
-        ((".",), "a directory, not a file"),
         (("not.toml",), "not TOML"),
-        (("empty.toml",), "empty"),
         (("cold-honey", "--set", "nonsense"), "'nonsense' sets nothing"),
-        (("cold-honey", "--set", "run.colour=red"), "run.colour"),
-        (("cold-honey", "--set", "numerics.cells=six"), "numerics.cells: 'six' is not a whole number"),
-        (("cold-honey", "--set", 'run.effects=["magic"]'), "unknown effect 'magic'"),
-        (("cold-honey", "--set", "run=3"), "run: 3 is not a table"),
         (("cold-honey", "no-yield"), "unexpected extra argument"),
         (("cold-honey", "--frames", "3"), "No such option"),
         ((), "Missing argument"),

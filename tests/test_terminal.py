@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
 import io
 import itertools
@@ -98,16 +97,6 @@ def test_quiet_or_soon_over_it_shows_nothing(monkeypatch, capsys):
             time.sleep(0.05)
         assert written(screen) == ""
         monkeypatch.undo()
-    # What redirects standard error meanwhile does not swallow it.
-    monkeypatch.setattr(progress, "_DELAY", 0.0)
-    monkeypatch.setattr(progress, "_PLAIN_DELAY", 0.0)
-    with contextlib.redirect_stderr(io.StringIO()) as taken, IntegrationProgress(2.0) as bar:
-        bar.doing("solving")
-        with contextlib.redirect_stderr(io.StringIO()) as inner:
-            limit = time.monotonic() + 20
-            while not taken.getvalue() and time.monotonic() < limit:
-                time.sleep(0.01)
-    assert re.fullmatch(r"softcat: solving for \d+ s\n", taken.getvalue()) and inner.getvalue() == ""
 
 
 class Timed(io.StringIO):

@@ -425,14 +425,14 @@ def _compared(
     estimate: Estimate | None,
     base: PricedRun,
 ) -> PricingRow:
-    expected = (estimate.value, estimate.meaning) if estimate else (None, "")
+    value, meaning = (estimate.value, estimate.meaning) if estimate else (None, "")
     if isinstance(result, str):
-        return PricingRow(name, inside, (), None, None, base.reach, None, None, *expected, result)
+        return PricingRow(name, inside, (), None, None, base.reach, None, None, value, meaning, result)
     final: float | None = None
     if len(result.time) == len(base.time) and base.reach > 0:
         final = _finite(float(result.midpoint[-1] - base.midpoint[-1]) / base.reach)
     change = _change(result, base, base.reach)
-    return PricingRow(name, inside, also, result, reference, base.reach, change, final, *expected, "")
+    return PricingRow(name, inside, also, result, reference, base.reach, change, final, value, meaning, "")
 
 
 def _change(run: PricedRun, other: PricedRun, scale: float) -> float | None:

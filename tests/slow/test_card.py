@@ -68,7 +68,7 @@ def test_an_ink_at_the_published_limit_sags_by_the_published_share(ends: str, sh
     expected = 25 / 18 / 1.4 * (1 + 0.0193 / share) * (1 - 4 * (0.05 * share) ** 2) - 1
     assert off == pytest.approx(expected, abs=5e-3)
     own = next(one for one in found.rules if one.key == ("smay-pinned" if ends == "pinned" else "beam-clamped"))
-    assert own.holds if ends == "pinned" else [one.cause for one in own.blames] == ["shear"]
+    assert own.holds if ends == "pinned" else [each["cause"] for each in own.blames] == ["shear"]
 
 
 def test_the_longest_span_at_the_published_limit_is_the_published_one() -> None:
