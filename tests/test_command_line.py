@@ -621,7 +621,6 @@ def test_a_terminal_is_written_what_it_has(monkeypatch: pytest.MonkeyPatch) -> N
         assert written.getvalue().endswith(b"d\xff")
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="pipes of POSIX")
 def test_nobody_reads_on() -> None:
     with subprocess.Popen([PROGRAM, "scenes"], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
         assert running.stdout is not None and running.stderr is not None

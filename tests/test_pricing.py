@@ -22,10 +22,8 @@ from softcat_sym.studies.pricing import (
     EVERYTHING,
     Pricing,
     PricingRow,
-    Unpriced,
     dependants,
     everything,
-    price_bundled,
     price_effects,
     requirements,
     with_effects,
@@ -152,9 +150,6 @@ def test_what_cannot_be_run_is_a_row_with_its_reason(honey: Pricing) -> None:
     assert row.change is None and row.share is None and row.change_final is None
     with pytest.raises(SceneError, match="no effect 'inertai' to price"):
         price_effects(honey.scene, only=["inertai"])
-    bad, good = price_bundled(["no-such-scene", "cold-honey"], None, [*QUICK, "run.duration=0.02 s"])
-    assert isinstance(bad, Unpriced) and "no-such-scene" in bad.reason
-    assert isinstance(good, Pricing) and good.name == "cold-honey"
 
 
 @pytest.fixture(scope="module")
@@ -189,7 +184,7 @@ def test_chart_and_tables_hold_the_numbers(altered: Pricing) -> None:
     rows = list(csv.DictReader(io.StringIO(altered.to_frame().to_csv(index=False))))
     assert [row["effect"] for row in rows] == [*(row.effect for row in altered.rows), EVERYTHING]
     assert float(rows[2]["change"]) == 0.25 and rows[1]["outcome"] == "step_limit" and rows[1]["own_change"] == ""
-    lines = pricing_table([altered, Unpriced("broken", "no | such law")]).splitlines()
+    lines = pricing_table({"honey": altered, "broken": "no | such law"}).splitlines()
     assert len(lines) == 4 and all(line.count("|") == lines[0].count("|") for line in lines)
     screen = Console(file=io.StringIO(), width=80, color_system=None)
     print_pricing(altered, screen)

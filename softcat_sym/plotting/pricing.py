@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.pricing import Pricing, Unpriced, percent
+from softcat_sym.studies.pricing import Pricing, percent
 
 if TYPE_CHECKING:
     from softcat_sym.studies.pricing import PricingRow
@@ -23,16 +23,16 @@ if TYPE_CHECKING:
 _HEAD = ("scene", "effects in force", "time of everything", "in one sentence")
 
 
-def pricing_table(pricings: Iterable[Pricing | Unpriced]) -> str:
-    """Lay many scenes out as Markdown, a line for each."""
+def pricing_table(pricings: Mapping[str, Pricing | str]) -> str:
+    """Lay many scenes out as Markdown, a line for each; a text says why a scene could not be priced."""
     lines = [_HEAD, ("---",) * len(_HEAD)]
-    for each in pricings:
-        if isinstance(each, Unpriced):
-            lines.append((each.name, "", "", f"not priced: {each.reason}"))
+    for name, each in pricings.items():
+        if isinstance(each, str):
+            lines.append((name, "", "", f"not priced: {each}"))
             continue
         ratio = None if each.everything.fails else each.everything.to_dict()["time_ratio"]
         effects = ", ".join(each.base.effects) or "none"
-        lines.append((each.name or each.scene.title, effects, "–" if ratio is None else f"× {ratio:.2g}", each.reading))
+        lines.append((name, effects, "–" if ratio is None else f"× {ratio:.2g}", each.reading))
     return "".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |\n" for line in lines)
 
 
@@ -151,17 +151,3 @@ def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
         "scene.toml": pricing.scene.to_toml(),
     }
     return write_results(directory, contents)
-
-
-def write_pricings(pricings: Iterable[Pricing | Unpriced], directory: str | Path) -> list[Path]:
-    """Write ``effects_<scene>.json`` and ``.png`` of each scene as it comes, and ``pricing.md`` over all so far."""
-    done: list[Pricing | Unpriced] = []
-    written: dict[Path, None] = {}
-    for each in pricings:
-        done.append(each)
-        contents: dict[str, object] = {"pricing.md": pricing_table(done)}
-        if isinstance(each, Pricing):
-            contents[f"effects_{each.name}.json"] = each.to_dict()
-            contents[f"effects_{each.name}.png"] = each.figures()["effects"]
-        written |= dict.fromkeys(write_results(directory, contents))
-    return list(written)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterable, Iterator
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field
 from statistics import median
 from typing import TYPE_CHECKING, Any
@@ -22,7 +21,7 @@ from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.run import Run, run_form
-from softcat_sym.scene.reading import as_scene, load_scene
+from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene, refuse_settled
 from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate
 from softcat_sym.single_run import build
@@ -448,30 +447,3 @@ def _change(run: PricedRun, other: PricedRun, scale: float) -> float | None:
 
 def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
-
-
-@dataclass(frozen=True)
-class Unpriced:
-    """A scene whose own run could not be made."""
-
-    name: str
-    reason: str
-
-
-def price_bundled(
-    names: Iterable[str],
-    progress: Callable[[Scene], AbstractContextManager[Progress]] | None = None,
-    changes: Iterable[str] = (),
-) -> Iterator[Pricing | Unpriced]:
-    """Price scenes by name, one at a time, so that each can be written before the next begins."""
-    overrides = list(changes)
-    for name in names:
-        try:
-            scene = load_scene(name, overrides)
-            with progress(scene) if progress else nullcontext(Silence()) as listener:
-                pricing = price_effects(scene, listener, name)
-        # RuntimeError is CasADi's own: an integrator that cannot even begin.
-        except (SoftcatError, RuntimeError) as error:
-            yield Unpriced(name, " ".join(str(error).split()))
-        else:
-            yield pricing
