@@ -350,7 +350,7 @@ needs_locked_versions = pytest.mark.skipif(
 def test_the_two_products_are_what_is_generated_today() -> None:
     digests = DIGESTS.read_text(encoding="utf-8")
     for folder in FOLDERS:
-        files = model_files(export(sc.load_scene(folder)).description, generation.NAME, generation.PRODUCTS_COMMAND)
+        files = model_files(export(sc.load_scene(folder))[0], generation.NAME, generation.PRODUCTS_COMMAND)
         assert listed({f"{folder}/{name}": text for name, text in files.items()}) in digests, HELP
         for name, text in files.items():
             assert (ROOT / "generated" / folder / name).read_text(encoding="utf-8") == text, HELP
@@ -388,7 +388,7 @@ def test_the_examples_in_c_and_cpp_are_the_scene_and_catch_what_is_refused(tmp_p
         tables[target] = [line.split(",") for line in done.stdout.splitlines()[1:]]
     # The scene by its groups cannot be given a yield stress besides: as resolved it can.
     scene, changes = sc.load_scene("arrested-overdamped"), {"material.yield_stress": "8 kPa", "run.frames": 5}
-    names = list(export(scene).description.effects.names)
+    names = list(export(scene)[0].effects.names)
     truth = sc.simulate(scene.replace({**changes, "run.duration": "2 s", "run.effects": names})).data.midpoint.values
     for row, height in zip(tables["midpoint"], truth, strict=True):
         assert float(row[1]) == pytest.approx(height, rel=2e-3, abs=1e-9)
