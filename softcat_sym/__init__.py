@@ -35,30 +35,21 @@ if TYPE_CHECKING:
     __version__: str
 
 _HOMES = {
-    "Card": "studies.card",
-    "Ensemble": "ensemble.ensemble",
-    "Explanation": "studies.explanation",
-    "Fit": "fitting.fit",
-    "Measurements": "fitting.measurements",
-    "Outcome": "solvers.outcome",
-    "Pricing": "studies.pricing",
-    "Scene": "scene.scene",
-    "SceneError": "errors",
-    "SoftcatError": "errors",
-    "SoftcatWarning": "errors",
-    "Sweep": "studies.sweep",
-    "Run": "results.run",
-    "bundled_names": "scene.bundled",
-    "card": "studies.card",
-    "explain": "studies.explanation",
-    "fit": "fitting.fit",
-    "fit_flow_curve": "fitting.flow_curve",
-    "generate": "generation",
-    "load_scene": "scene.reading",
-    "open_run": "results.run",
-    "price_effects": "studies.pricing",
-    "simulate_many": "ensemble.ensemble",
-    "sweep": "studies.sweep",
+    "ensemble.ensemble": ("Ensemble", "simulate_many"),
+    "errors": ("SceneError", "SoftcatError", "SoftcatWarning"),
+    "fitting.fit": ("Fit", "fit"),
+    "fitting.flow_curve": ("fit_flow_curve",),
+    "fitting.measurements": ("Measurements",),
+    "generation": ("generate",),
+    "results.run": ("Run", "open_run"),
+    "scene.bundled": ("bundled_names",),
+    "scene.reading": ("load_scene",),
+    "scene.scene": ("Scene",),
+    "solvers.outcome": ("Outcome",),
+    "studies.card": ("Card", "card"),
+    "studies.explanation": ("Explanation", "explain"),
+    "studies.pricing": ("Pricing", "price_effects"),
+    "studies.sweep": ("Sweep", "sweep"),
 }
 
 __all__ = [
@@ -95,11 +86,10 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("softcat_sym")
-    try:
-        home = _HOMES[name]
-    except KeyError:
-        raise AttributeError(f"module 'softcat_sym' has no attribute {name!r}; it has {', '.join(__all__)}") from None
-    return getattr(importlib.import_module(f"softcat_sym.{home}"), name)
+    for home, names in _HOMES.items():
+        if name in names:
+            return getattr(importlib.import_module(f"softcat_sym.{home}"), name)
+    raise AttributeError(f"module 'softcat_sym' has no attribute {name!r}; it has {', '.join(__all__)}")
 
 
 def __dir__() -> list[str]:

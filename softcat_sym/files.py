@@ -14,6 +14,8 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext, supp
 from contextvars import ContextVar
 from pathlib import Path
 
+import platformdirs
+
 from softcat_sym.errors import SoftcatError
 
 _waiting: ContextVar[list[tuple[Path, Path]] | None] = ContextVar("waiting", default=None)
@@ -38,19 +40,17 @@ def read_limited(path: str | os.PathLike[str], size: int) -> bytes:
 
 
 def cache_folder() -> Path:
-    """SOFTCAT_CACHE, else ``softcat_sym`` in XDG_CACHE_HOME, else in ``~/.cache``; it may not exist yet."""
-    chosen, shared = os.environ.get("SOFTCAT_CACHE"), os.environ.get("XDG_CACHE_HOME")
-    if chosen:
+    """SOFTCAT_CACHE, else the user's folder of caches on this system; it may not exist yet."""
+    if chosen := os.environ.get("SOFTCAT_CACHE"):
         try:
             return Path(chosen).expanduser().absolute()
         except RuntimeError as error:
             raise SoftcatError(f"SOFTCAT_CACHE is {chosen!r}: {error}") from error
-    if shared:
-        return Path(shared).absolute() / "softcat_sym"
-    try:
-        return Path.home() / ".cache" / "softcat_sym"
-    except RuntimeError:  # a user without a home, as in some containers
-        return Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
+    usual = Path(platformdirs.user_cache_dir("softcat_sym", appauthor=False))
+    if usual.parts[0] != "~":
+        return usual.absolute()
+    # A user without a home, as in some containers.
+    return Path(tempfile.gettempdir()) / f"softcat_sym-{os.getuid() if sys.platform != 'win32' else 'user'}"
 
 
 def replace_atomically(path: Path, content: bytes, *, at_once: bool = False) -> Path:

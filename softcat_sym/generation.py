@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -73,18 +72,10 @@ def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: s
     return write_all(directory, {file: text.encode() for file, text in contents.items()})
 
 
-@dataclass(frozen=True)
-class Exported:
-    """A filament described for C, and as CasADi has it."""
-
-    description: Description
-    filament: Assembled
-
-
 def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
     """All files of a scene's solver, by name."""
-    exported = export(scene)
-    described, graph = exported.description, exported.filament.graph
+    described, filament = export(scene)
+    graph = filament.graph
     command, straight = COMMAND if name == "filament" else f"{COMMAND} --name {name}", is_straight(scene)
     files = {
         **model_files(described, name, command),
@@ -94,12 +85,12 @@ def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
         "scene.toml": scene.to_toml(),
     }
     if not straight:
-        files[START] = start_text(described, graph.grid.nodes, _start(scene, exported))
+        files[START] = start_text(described, graph.grid.nodes, _start(scene, described, filament))
     return {**files, **(rhs_source(graph).files if rhs else {})}
 
 
-def export(scene: Scene) -> Exported:
-    """A scene's filament, described for C; one without compiled form is refused."""
+def export(scene: Scene) -> tuple[Description, Assembled]:
+    """A scene's filament, described for C and as CasADi has it; one without compiled form is refused."""
     effects = choose_effects(scene)
     refuse_settled(scene, "a generated program runs to the end of its duration")
     if scene.model == "small-deflection":
@@ -108,14 +99,14 @@ def export(scene: Scene) -> Exported:
         raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
     filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
     structure, tolerances = filament.structure(), (settings.rtol, settings.atol)
-    return Exported(describe(scene, effects, filament.graph, structure, model_for(structure), tolerances), filament)
+    return describe(scene, effects, filament.graph, structure, model_for(structure), tolerances), filament
 
 
-def _start(scene: Scene, exported: Exported) -> Floats:
+def _start(scene: Scene, described: Description, filament: Assembled) -> Floats:
     """Unknowns at t = 0 in rows of sites, what the ends hold filled in."""
-    graph, described = exported.filament.graph, exported.description
+    graph = filament.graph
     p = graph.vector(parameter_values(scene))
-    start = starting_state(scene, graph, p, exported.filament.at_rest)
+    start = starting_state(scene, graph, p, filament.at_rest)
     if start is None:
         raise SoftcatError("at t = 0 s: no shape in balance was found to begin from")
     state = sites_of(graph, described.model.slots).state(start.x, start.z)
@@ -142,7 +133,7 @@ def bundled(on_progress: Callable[[str], None] = lambda _: None) -> dict[str, De
     described = {}
     for name in bundled_names():
         on_progress(name)
-        described[name] = export(load_scene(name)).description
+        described[name] = export(load_scene(name))[0]
     return described
 
 
@@ -153,13 +144,13 @@ def contents(described: dict[str, Description]) -> dict[str, str]:
     files["runtime/main.c"] = (templates / "main.c").read_text(encoding="utf-8")
     folders: dict[str, str] = {}
     rows = []
-    for scene, one in described.items():
-        if one.digest not in folders:
-            folders[one.digest] = scene
-            model = model_files(one, NAME, PRODUCTS_COMMAND)
+    for scene, product in described.items():
+        if product.digest not in folders:
+            folders[product.digest] = scene
+            model = model_files(product, NAME, PRODUCTS_COMMAND)
             files |= {f"{scene}/{file}": text for file, text in model.items()}
-        material, section = one.scene.material, one.scene.filament.section
-        rows.append(f"| {scene} | {material.law} | {section} | {folders[one.digest]} |")
+        material, section = product.scene.material, product.scene.filament.section
+        rows.append(f"| {scene} | {material.law} | {section} | {folders[product.digest]} |")
     counts = {"count": len(folders), "scenes": len(described), "table": "\n".join(rows)}
     files["README.md"] = rendered("products.md", command=PRODUCTS_COMMAND, **counts)
     return files

@@ -69,9 +69,9 @@ def simulated(scene: Scene, progress: Progress | None = None) -> Run:
 
 def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
     """Run, estimate, and repeat with what the finished run calls for."""
-    from softcat_sym.clock import Clock
     from softcat_sym.effects.choosing import choose_effects
     from softcat_sym.error_control.control import as_accurate_as_asked, frames_of_first
+    from softcat_sym.progress import Clock
     from softcat_sym.single_run import rest_of, run_once
 
     clock, shown, repeats = Clock(), dict[str, str](), list[str]()

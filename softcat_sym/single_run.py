@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from softcat_sym.clock import Clock
 from softcat_sym.discretization.assembly import choose_cells
 from softcat_sym.effects.choosing import Effects
+from softcat_sym.progress import Clock
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.motion import settling_time
 from softcat_sym.results.run import Run, judge

@@ -7,19 +7,17 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 import pytest
-import sympy as sp
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble, choose_theory, energy_scale
+from softcat_sym.discretization.assembly import assemble, choose_theory
+from softcat_sym.discretization.filament import energy_scale
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.parameters import CATALOGUE, TIME_SCALE, parameter_values, time_scale
 from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_span
+from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
-from softcat_sym.physics import small_deflection as small
-from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.filament import derive
-from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
+from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.initial_state import Equilibrium, sagging_guesses
 from tests.common.assembled import GRIDS, build, energy_of, parameters, place, random_state, rhs, scene_of, value
@@ -224,23 +222,6 @@ def test_half_a_span_is_the_whole_at_a_symmetric_state() -> None:
             assert speed == pytest.approx(sign * wanted[key], abs=1e-11 * size), name
 
 
-def test_internal_forces_telescope() -> None:
-    """Their sum over all nodes is the difference of the two end forces: what happens far from the ends drops out."""
-    cells, scene = 12, scene_of("elastic")
-    graph = build(scene, whole_span(cells // 2, End.CLAMPED, End.CLAMPED))
-    inner = [k for k, name in enumerate(graph.state_names) if name[0] in "xy" and 4 <= place(name)[1] <= cells - 4]
-    for direction in "uv":
-        forces = [
-            graph.ode[k] * graph.grid.node_length[place(name)[1]]
-            for k, name in enumerate(graph.state_names)
-            if name.startswith(direction)
-        ]
-        gradients = [ca.gradient(force, graph.x) for force in (sum(forces, ca.SX(0)), forces[len(forces) // 2])]
-        slopes = ca.Function("s", [graph.t, graph.x, graph.p], gradients)
-        of_sum, of_one = value(slopes, 0.0, random_state(graph, 8)[0], parameters(scene, graph))
-        assert np.max(np.abs(of_sum[inner])) <= 1e-11 * np.max(np.abs(of_one))
-
-
 def test_top_and_bottom_are_the_same() -> None:
     """Mirroring a pinned filament in the line of its supports keeps every stored energy but that of the weight."""
     scene = scene_of(ramp="0 s")
@@ -282,23 +263,6 @@ def test_rigid_motion_strains_nothing() -> None:
                 inner = observed[name][1 : grid.cells - 1]
                 np.testing.assert_allclose(inner, float(name == "stretch"), atol=1e-13 * size, err_msg=name)
             assert abs(observed["tension"][0]) > 1e-3 * modulus
-
-
-def test_section_angles_are_determined() -> None:
-    """The stiffness against turning is symmetric and positive: the index of the algebraic equations is one."""
-    scene = scene_of()
-    for grid in GRIDS.values():
-        for variant in ["fibres alone", "shear", "shear, gradient"]:
-            graph = resolved(scene, grid, SHEARS[variant], fibres=4)
-            jacobian = ca.Function("j", [graph.t, graph.x, graph.z, graph.p], [ca.jacobian(graph.alg, graph.z)])
-            # the angles' equations are divided by the length of their nodes
-            lengths = graph.grid.node_length[[place(name)[1] for name in graph.algebraic_names]]
-            for seed in range(5):
-                found = np.array(jacobian(TIME, *settled(graph, scene, seed), parameters(scene, graph)))
-                stiffness = -lengths[:, None] * found
-                np.testing.assert_allclose(stiffness, stiffness.T, atol=1e-12 * np.abs(stiffness).max())
-                eigenvalues = np.linalg.eigvalsh(stiffness)
-                assert eigenvalues[0] > 1e-5 * eigenvalues[-1]
 
 
 def elastic_sag(scene: Scene, cells: int, *, resolve: bool, shear: bool) -> float:
@@ -343,19 +307,6 @@ def test_a_stubby_beam_sags_by_shear_as_timoshenko_says() -> None:
         assert shearing > 0.09 * bending
 
 
-def test_the_right_hand_side_depends_on_every_parameter() -> None:
-    beyond_the_paper = {"poisson", "aspect", "curvature", "shake", "shake_frequency"}
-    beyond_the_paper |= {"surface_tension", "solid_viscosity"}
-    for absent in [(), ("inertia",)]:
-        graph = build(scene_of(), absent=absent)
-        assert set(graph.parameters) == {p.name for p in CATALOGUE} - beyond_the_paper | {TIME_SCALE}
-        touched = ca.DM(ca.jacobian_sparsity(ca.vertcat(graph.ode, graph.alg), graph.p), 1)
-        for k, name in enumerate(graph.parameters):
-            assert float(ca.sum1(touched[:, k])) > 0, name
-    with pytest.raises(KeyError, match="yield_stress"):
-        graph.vector(parameter_values(scene_of("maxwell")))
-
-
 def test_changing_a_value_is_rebuilding() -> None:
     old = scene_of()
     first = build(old)
@@ -376,17 +327,6 @@ def test_changing_a_value_is_rebuilding() -> None:
         for a, b in zip(*found, strict=True):
             np.testing.assert_array_equal(a, b)
         assert not np.array_equal(found[0][0], before[0]), change
-
-
-def test_time_is_an_input_only_with_a_ramp_or_a_shake() -> None:
-    ramped, sudden = build(scene_of()), build(scene_of(ramp="0 s"))
-    assert ca.depends_on(ramped.ode, ramped.t)
-    assert not ca.depends_on(ca.vertcat(sudden.ode, sudden.quad), sudden.t)
-    shaken = build(scene_of(ramp="0 s").replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
-    assert ca.depends_on(shaken.ode, shaken.t)
-    assert {*shaken.parameters} - {*sudden.parameters} == {"shake", "shake_frequency"}
-    at = random_state(sudden, 2)[0], parameters(scene_of(ramp="0 s"), sudden)
-    assert float(ca.Function("work", [sudden.x, sudden.p], [sudden.quad[1]])(*at)) == 0
 
 
 def test_the_jacobian_is_banded_whatever_the_grid() -> None:
@@ -413,62 +353,6 @@ def test_the_unit_of_time_does_not_matter() -> None:
     assert time_scale(scene) == pytest.approx(np.sqrt(0.2 / 9.81))
     weightless = scene.replace({"load.gravity": "0 m/s^2"})
     assert time_scale(weightless) == pytest.approx(0.2 * np.sqrt(1900 / 4e6))
-
-
-def test_observing_gives_a_row_for_each_time() -> None:
-    graph = build(scene_of())
-    states = np.stack([random_state(graph, seed)[0] for seed in range(3)], axis=1)
-    p, cells = parameters(scene_of(), graph), graph.grid.cells
-    observed = graph.observe(np.zeros(3), states, np.zeros((0, 3)), p)
-    for name, shape in (("x", cells + 1), ("stretch", cells), ("moment", cells), ("energy_elastic", 1)):
-        assert observed[name].shape == (3, shape)
-    for name, field in graph.observe(np.zeros(1), states[:, 1:2], np.zeros((0, 1)), p).items():
-        np.testing.assert_array_equal(field[0], observed[name][1])
-
-
-def test_a_filament_that_does_not_stretch_has_fewer_states_and_instructions() -> None:
-    for section in ["rectangle", "circle"]:
-        for law in ["elastic", "maxwell", "bingham"]:
-            plain, axial = beam(law, section), beam(law, section, axial=True)
-            kinds, all_kinds = ({place(name)[0] for name in graph.state_names} for graph in (plain, axial))
-            assert kinds == all_kinds - {"x", "u", "a_0"} and "a_0" not in plain.profiles
-            assert set(plain.parameters) <= set(axial.parameters)
-            assert plain.instructions < 0.7 * axial.instructions
-    pinned = {place(name) for name in beam(grid=half_span(5, End.PINNED)).state_names}
-    assert ("a_1", 5) not in pinned and ("a_1", 0) in pinned, "a pinned support carries no moment"
-    for ends in [(End.CLAMPED, End.FREE), (End.FREE, End.CLAMPED), (End.CLAMPED, End.PINNED)]:
-        grid = whole_span(4, *ends)
-        graph = beam(grid=grid)
-        x, z = random_state(graph, 1)
-        observed = graph.observe(np.zeros(1), x[:, None], z[:, None], parameters(scene_of(), graph))
-        np.testing.assert_allclose(observed["x"][0], 0.2 * grid.nodes, atol=1e-16)
-        assert not np.any(observed["tension"]) and np.all(observed["stretch"] == 1)
-
-
-def test_an_elastic_filament_that_does_not_stretch_is_linear() -> None:
-    scene, graph = scene_of("elastic"), beam("elastic")
-    p, function = parameters(scene, graph), rhs(graph)
-    states = [random_state(graph, seed, 10.0)[0] for seed in (1, 2)]
-    one, two, both, none = (value(function, 0.0, x, [], p)[0] for x in (*states, sum(states), 0 * states[0]))
-    np.testing.assert_allclose(one + two - none, both, rtol=1e-12, atol=1e-12 * np.max(np.abs(both)))
-
-
-def test_the_small_deflection_section_is_the_one_that_was_proved() -> None:
-    for shape in [RECTANGLE, CIRCLE]:
-        for flows in [True, False]:
-            scene = sc.load_scene("maxwell-slow", {"model": "small-deflection"})
-            if not flows:
-                scene = scene.replace({"material.law": "elastic", "material.viscosity": None})
-            equations = derive(choose_effects(scene).terms(), shape, "material")
-            response, proved = equations.response, small.small_deflection(shape, flows=flows)
-            renamed = {sy.s: 1 + small.e_mean, sy.theta_X: small.y_XX}
-            kinds = ("stress", "rate", "elastic", "dissipation")
-            for name in ("tension", "moment", *(f"{kind}_{part}" for kind in kinds for part in ("mean", "bending"))):
-                part = response if hasattr(response, name) else response.branch
-                assert sp.simplify(getattr(part, name).subs(renamed) - getattr(proved, name)) == 0, name
-            vertical = equations.force.vertical.subs(sy.Q, sy.T)
-            assert sp.simplify(vertical - proved.vertical_force) == 0
-            assert sp.simplify(equations.terms.centreline.stretch.subs(sy.x_X, 1) - 1 - proved.elongation) == 0
 
 
 def test_the_small_deflection_model_runs() -> None:

@@ -133,27 +133,17 @@ def test_what_makes_a_rule_fail() -> None:
     stretched = at_rest("20 MPa")  # sags by about its thickness: tension carries a good part
     beam = blame(stretched, "beam-clamped")
     assert beam.error is not None and beam.error > 0.2
-    assert [one.cause for one in beam.blames] == [WORDS["stretching"]]
+    assert [each["cause"] for each in beam.blames] == [WORDS["stretching"]]
     assert beam.bare == pytest.approx(0, abs=0.01)
-    assert beam.blames[0].error == pytest.approx(beam.error, rel=0.02)
+    assert beam.blames[0]["error"] == pytest.approx(beam.error, rel=0.02)
     pinned = blame(stretched, "smay-pinned")
-    alone = {one.cause: one.error for one in pinned.blames}
+    alone = {each["cause"]: each["error"] for each in pinned.blames}
     assert alone[WORDS["ends"]] == pytest.approx(4.0, rel=0.01) and WORDS["stretching"] in alone
     assert pinned.bare == pytest.approx(0, abs=0.01)
     # A beam that was run without tension still has a cable to be compared with.
     cable = blame(at_rest("10 GPa", "bending"), "elastic-cable")
     assert cable.bare == pytest.approx(0, abs=0.01)
-    assert [one.cause for one in cable.blames] == [WORDS["bending"]]
-
-
-def test_a_rule_that_holds_runs_nothing() -> None:
-    class Never(Silence):
-        def stage(self, name: str) -> None:
-            raise AssertionError(name)
-
-    run = at_rest("1 GPa")
-    found = blamed(rule(run, "beam-clamped"), FIELD["beam-clamped"], Variants(run, Never()))
-    assert (found.text, found.blames) == ("holds", ())
+    assert [each["cause"] for each in cable.blames] == [WORDS["bending"]]
 
 
 def test_no_rule_is_applied_to_what_it_was_not_made_for() -> None:

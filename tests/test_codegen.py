@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
+import ctypes as c
+import math
 import os
 import subprocess
 import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache
-from pathlib import Path
-from types import FunctionType
+from fractions import Fraction
 from typing import Any
 
 import casadi as ca
 import numpy as np
 import pytest
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
 
 import softcat_sym as sc
-from softcat_sym import store
-from softcat_sym.codegen import model as models
-from softcat_sym.codegen.c_printer import CSource
-from softcat_sym.codegen.library import kept_texts
-from softcat_sym.codegen.model import Structure, model_for, template_kept, template_of
-from softcat_sym.codegen.recording import record
-from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source, rolled
-from softcat_sym.discretization.graph import Graph
+from softcat_sym.codegen.c_printer import Target, When, helpers_of, number, statements
+from softcat_sym.codegen.instructions import Code, Instruction, code_of
+from softcat_sym.codegen.library import compile_library, load
+from softcat_sym.codegen.model import Structure, model_for
+from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
+from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.physics.laws import Branch, Flow
-from softcat_sym.physics.symbols import sigma
+from softcat_sym.errors import PrintingError
 from softcat_sym.solvers.run import assembled
-from tests.common.assembled import graph_of, short_scene, without
 from tests.common.pairs import differences, pair_of
 
 SAME, SEEDS, LONGEST = 1e-12, range(3), 200_000
@@ -63,7 +63,7 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
         },
     ),
 }
-QUICK = list(KINDS)[:9]
+QUICK = ("paper", "fibres, necking", "profile, free end", "viscous stress, moving support")
 TEXTS = """
 import hashlib, sys
 from softcat_sym.codegen.right_hand_side import rhs_source
@@ -72,14 +72,6 @@ from tests.test_codegen import pair_of, scene_of
 print(rhs_source(graph_of(short_scene("elastic"))).digest)
 for kind in ("paper", "fibres, necking", "viscous stress, moving support"):
     print(kind, hashlib.sha256(pair_of(scene_of(kind)).model.text.encode()).hexdigest())
-"""
-KEYS = """
-import softcat_sym as sc
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.solvers.run import assembled
-for name in ("arrested-overdamped", "bread-dough"):
-    scene = sc.load_scene(name)
-    print(assembled(scene, choose_effects(scene)).structure().key)
 """
 
 
@@ -145,102 +137,9 @@ def test_texts_are_the_same_whatever_the_hash_seed() -> None:
     assert len(texts) == 1 and texts.pop().count("\n") == 4
 
 
-@cache
-def graph(law: str = "bingham", inertia: bool = True, cells: int = 5) -> Graph:
-    scene = short_scene(law, cells=cells)
-    return graph_of(scene if inertia else without(scene, "inertia"))
-
-
-def test_the_plain_right_hand_side_has_every_value_and_slope_of_the_graph() -> None:
-    for law, inertia in [("elastic", True), ("bingham", True), ("bingham", False)]:
-        of, rng = graph(law, inertia), np.random.default_rng(5)
-        states = [start + 0.05 * rng.standard_normal(len(start)) for start in (of.start, of.straight)]
-        at, symbols = (0.3, *states, 1 + 0.1 * rng.random(of.p.numel())), [of.t, of.x, of.z, of.p]
-        dynamics = Dynamics(of)
-        blocks = [ca.jacobian(value, by) for value in (of.ode, of.alg) for by in symbols[:3]]
-        for function, expressions in [
-            (dynamics.rhs, [of.ode, of.alg]),
-            (dynamics.jacobian, blocks),
-            (dynamics.local_powers, [ca.vertcat(*of.powers)]),
-        ]:
-            wanted = ca.Function("wanted", symbols, expressions).call(at)
-            for one, other in zip(function.call(at), wanted, strict=True):
-                np.testing.assert_array_equal(np.asarray(one), np.asarray(other))
-        wanted = ca.Function("wanted", symbols, [ca.jacobian(of.quad, by) for by in symbols[:3]]).call(at)
-        for one, other in zip(dynamics.powers.jacobian()(*at, 0)[:3], wanted, strict=True):
-            np.testing.assert_allclose(np.asarray(one), np.asarray(other), rtol=1e-12, atol=1e-14)
-
-
-def test_cells_that_do_the_same_are_calls_of_one_function() -> None:
-    x = ca.SX.sym("x", 200)
-    inner = ca.sin(x[1:]) * x[:-1]
-    function = ca.Function("chain", [x], [inner[1:] - inner[:-1] * np.linspace(1, 2, 198)], ["x"], ["out"])
-    found = rolled(function, [list(range(198))])
-    assert found.n_instructions() < 60 < function.n_instructions()
-    at = np.random.default_rng(1).standard_normal(200)
-    np.testing.assert_array_equal(np.asarray(found(at)), np.asarray(function(at)))
-    x = ca.SX.sym("x", 3)
-    function = ca.Function("plain", [x], [ca.vertcat(x[2], 7, x[0] ** 2), ca.SX(2, 2)], ["x"], ["a", "b"])
-    one, two = rolled(function, [[0, 1, 2], []])([1.5, 2, 3])
-    assert (np.asarray(one).ravel().tolist(), two.nnz()) == ([3, 7, 2.25], 0)
-    few, many = (rhs_source(graph("elastic", cells=cells)).size for cells in (10, 20))
-    assert many < 1.5 * few, "the text grows by tables only"
-
-
-def test_a_source_says_what_it_is_and_a_digest_tells_names_from_texts() -> None:
-    files = rhs_source(graph()).files
-    assert list(files) == ["softcat_rhs.c", "softcat_rhs.h"]
-    for text in files.values():
-        for words in ("do not edit", f"CasADi {ca.CasadiMeta.version()}", "yield_stress", "softcat_jacobian"):
-            assert words in text.split("*/")[0]
-    assert CSource({"a": "bc"}).digest != CSource({"ab": "c"}).digest
-    assert CSource({"a": "1", "b": "2"}).digest == CSource({"b": "2", "a": "1"}).digest
-
-
-@pytest.fixture
-def new_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
-    forget()
-
-
-def forget() -> None:
-    model_for.cache_clear()
-    models._template.cache_clear()
-
-
 def structure_in(name: str, **changes: Any) -> Structure:
     scene = sc.load_scene(name, {key.replace("__", "."): value for key, value in changes.items()})
     return assembled(scene, choose_effects(scene)).structure()
-
-
-def never() -> Any:
-    raise AssertionError("it was there already")
-
-
-@pytest.mark.usefixtures("new_cache")
-def test_a_text_that_is_read_from_the_cache_is_the_one_that_was_written(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ["maxwell-fast", "cold-honey"]:
-        of = structure_in(name)
-        written = template_of(record(of.equations, of.theory, of.ends, of.body))
-        assert template_kept(of.key, lambda written=written: written) is written
-        assert template_kept(of.key, never) == written
-    of = structure_in("maxwell-fast", run__effects="paper")
-    first = model_for(of)
-    assert len(kept_texts()) == 3
-    forget()
-    assert model_for(of) == first and len(kept_texts()) == 3, "a further process writes none"
-    monkeypatch.setattr(store, "_program", lambda: ["changed"])
-    again: list[bool] = []
-    template_kept(of.key, lambda: again.append(True) or written)
-    assert again, "another program writes its own"
-
-
-@pytest.mark.usefixtures("new_cache")
-def test_another_number_of_fibres_is_another_library_of_the_same_template() -> None:
-    first, second = (structure_in("ink-bridge", numerics__fibres=fibres) for fibres in (8, 12))
-    assert first.key == second.key and first != second
-    assert [len(model_for(of).slots) for of in (first, second)] == [5 + 2 * 8, 5 + 2 * 12]
-    assert len(kept_texts()) == 1
 
 
 def test_surface_tension_is_another_structure_and_its_size_is_not() -> None:
@@ -252,21 +151,348 @@ def test_surface_tension_is_another_structure_and_its_size_is_not() -> None:
     assert structure_in("ink-bridge", surroundings__surface_tension="50 mN/m").key == pulled.key
 
 
-def test_structures_have_the_same_names_in_every_process(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert printed(KEYS, "1").split() == [structure_in(name).key for name in ("arrested-overdamped", "bread-dough")]
-    closure = (lambda: None,)
-    here = models._digest(closure)
-    namesake = FunctionType(never.__code__, {}, never.__name__)
-    namesake.__module__ = "elsewhere"
-    one, other = (models._digest((Branch(flow=Flow(sigma, closed_means=means)),)) for means in (never, namesake))
-    assert one != other, "functions of one name in two modules are two"
-    assert models._digest(closure) == here
-    monkeypatch.setattr(models, "_PROCESS", "another")
-    assert models._digest(closure) != here, "what only an address tells apart is not the same elsewhere"
+# Expressions as C: every operation, order and number is CasADi's.
+STRICT = ("-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-Wno-unused-function")
+A, B, C = (ca.SX.sym(name) for name in "abc")
+OPERATIONS: dict[str, ca.SX] = {
+    "ADD": A + B,
+    "SUB": A - B,
+    "MUL": A * B,
+    "DIV": A / B,
+    "NEG": -A,
+    "INV": 1 / A,
+    "TWICE": 2 * A,
+    "SQ": A * A,
+    "EXP": ca.exp(A),
+    "LOG": ca.log(ca.fabs(A)),
+    "POW": ca.power(ca.fabs(A), B),
+    "CONSTPOW": ca.power(ca.fabs(A), 0.3),
+    "SQRT": ca.sqrt(ca.fabs(A)),
+    "ASIN": ca.asin(A / 10),
+    "ACOS": ca.acos(A / 10),
+    "ATAN2": ca.atan2(A, B),
+    "COPYSIGN": ca.copysign(A, B),
+    "LOG1P": ca.log1p(ca.fabs(A)),
+    "HYPOT": ca.hypot(A, B),
+    "FMIN": ca.fmin(A, B),
+    "FMAX": ca.fmax(A, B),
+    "LT": A < B,
+    "LE": A <= B,
+    "EQ": ca.eq(A, B),
+    "NE": ca.ne(A, B),
+    "NOT": ca.logic_not(A),
+    "AND": ca.logic_and(A, B),
+    "OR": ca.logic_or(A, B),
+    "IF_ELSE_ZERO": ca.if_else(A < B, C, 0),
+    **{
+        n.upper(): getattr(ca, n)(A)
+        for n in ("sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "fabs", "expm1", "sign")
+    },
+}
 
 
-@pytest.mark.slow
-def test_no_bundled_scene_is_named_by_an_address(monkeypatch: pytest.MonkeyPatch) -> None:
-    keys = {name: structure_in(name).key for name in sc.bundled_names()}
-    monkeypatch.setattr(models, "_PROCESS", "another")
-    assert {name: structure_in(name).key for name in keys} == keys
+def text_of(code: Code, inputs: int, uniform: Sequence[bool] = ()) -> str:
+    """A C file with `void f(int n, const double *x, double *y)`: rows of x to rows of y, as a model has them."""
+    same = list(uniform) or [False] * inputs
+    given = [f"x[{k}]" if same[k] else f"x[{inputs} * i + {k}]" for k in range(inputs)]
+    outputs = len(code.results)
+    known = [When.BEFORE if one else When.SITE for one in same]
+    found = statements(code, given, known, [Target(f"y[{outputs} * i + {k}]") for k in range(outputs)])
+    body = "\n    ".join([*found[When.BEFORE], "for (int i = 0; i < n; i++) {", *found[When.SITE], "}"])
+    head = f"#include <math.h>\n{helpers_of(body)}\nvoid f(int n, const double *x, double *y)"
+    return f"{head}\n{{\n    (void)x;\n    {body}\n}}\n"
+
+
+def values(text: str, x: Floats, outputs: int) -> Floats:
+    """What the C makes of rows of x, shape (rows, outputs)."""
+    library = load(compile_library({"snippet.c": text}, flags=STRICT))
+    given, found = np.ascontiguousarray(x, dtype=float), np.full((len(x), outputs), np.nan)
+    library.f(len(x), *(array.ctypes.data_as(c.POINTER(c.c_double)) for array in (given, found)))
+    return found
+
+
+def both(expressions: Sequence[ca.SX], x: Floats) -> tuple[Floats, Floats]:
+    """What C and what CasADi make of expressions in A, B and C."""
+    function = ca.Function("f", [ca.vertcat(A, B, C)], [ca.vertcat(*expressions)])
+    in_c = values(text_of(code_of([A, B, C], list(expressions)), 3), x, len(expressions))
+    return in_c, np.array([np.asarray(function(row)).ravel() for row in x])
+
+
+def test_every_operation_is_casadis() -> None:
+    """At random points, and those at which cases differ: equal, zero, of either sign."""
+    edges = [[0, 0, 1], [0, 1, 2], [1, 0, 2], [-1, 0, 2], [2, 2, 3], [-2, -2, 3], [0, -1, 1]]
+    x = np.concatenate([np.random.default_rng(3).uniform(-3, 3, (40, 3)), np.array(edges, dtype=float)])
+    with np.errstate(all="ignore"):
+        found, wanted = both(list(OPERATIONS.values()), x)
+    for k, (name, expression) in enumerate(OPERATIONS.items()):
+        used = {one.operation for one in code_of([A, B, C], [expression]).instructions}
+        assert name in used, f"{name} is not what CasADi makes of it: {used}"
+        np.testing.assert_allclose(found[:, k], wanted[:, k], rtol=4e-16, atol=0, err_msg=name)
+
+
+def test_the_order_of_operations_is_kept_in_deep_expressions_too() -> None:
+    nested = [A - (B - C), (A - B) - C, A / (B / C), A / B / C, -(A + B) * C, A - (-B), (A + B) * (A - C), -(-A - 1.5)]
+    x = np.random.default_rng(4).uniform(0.5, 2, (20, 3))
+    np.testing.assert_allclose(*both(nested, x), rtol=1e-15, atol=1e-15)
+    deep = A
+    for k in range(60):
+        deep = ca.sin(deep * B + k) - C
+    assert max(map(len, text_of(code_of([A, B, C], [deep]), 3).splitlines())) < 200
+    np.testing.assert_allclose(*both([deep], x), rtol=1e-13)
+
+
+def test_numbers_are_read_as_the_same() -> None:
+    for value in [0.1, -0.1, 1e-300, 1 / 3, 5e-324, 1.7976931348623157e308, 12345678901234567.0]:
+        assert float(number(value).strip("()")) == value
+    code = Code(tuple(Instruction("CONST", (), value) for value in (-0.1, 5e-324)), (0, 1))
+    assert values(text_of(code, 1), np.zeros((1, 1)), 2).tolist() == [[-0.1, 5e-324]]
+    assert (number(float("inf")), number(float("-inf"))) == ("HUGE_VAL", "(-HUGE_VAL)")
+
+
+def test_what_has_no_c_is_refused() -> None:
+    with pytest.raises(PrintingError, match="sum over all"):
+        statements(code_of([A, B], [A * B]), ["z[k]", "sum"], [When.FIBRE, When.AFTER], [Target("f[i]")])
+    with pytest.raises(PrintingError, match="fibres"):
+        statements(code_of([A], [ca.sin(A)]), ["z[k]"], [When.FIBRE], [Target("f[i]")])
+    with pytest.raises(PrintingError, match="not a number"):
+        number(float("nan"))
+    with pytest.raises(PrintingError, match="ERF"):
+        statements(code_of([A], [ca.erf(A)]), ["x"], [When.SITE], [Target("y")])
+    with pytest.raises(PrintingError, match="no input"):
+        code_of([A], [A + B])
+
+
+# SymPy to twenty digits, and the printer at the same point.
+def exact(expr: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:
+    """SymPy's own value: every double is the number it is, and nothing is rounded before the twentieth digit."""
+    return float(expr.xreplace({symbol: sp.Float(value, 40) for symbol, value in values.items()}).evalf(20))
+
+
+def printed_sympy(expr: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:
+    """The printer's value in double precision."""
+    at = {symbol: ca.DM(value) for symbol, value in values.items()}
+    return float(CellFunction({"out": expr}, tuple(at))(at)["out"])
+
+
+# Numbers arrive in CasADi as the nearest double, whatever SymPy calls them.
+x = sp.Symbol("x", real=True)
+
+
+def number_sympy(expr: sp.Expr) -> float:
+    return float(CasadiPrinter({}).value(expr))
+
+
+def test_constants_are_the_nearest_double() -> None:
+    for expr, wanted in [
+        (sp.Rational(1, 10), 0.1),
+        (sp.Float(0.1), 0.1),
+        (sp.Float("0.1", 40), 0.1),
+        (sp.Rational(1, 3), 1 / 3),
+        (sp.Rational(-2, 7), -2 / 7),
+        (sp.Rational(10**30 + 1, 10**30), 1.0),
+        (sp.Rational(1, 10**300), 1e-300),
+        (sp.Integer(10) ** 300, 1e300),
+        (sp.Float(0.1) + sp.Float(0.2), 0.30000000000000004),
+        (sp.Float(1 / 3), 0.3333333333333333),
+        (sp.Float(5e-324), 5e-324),
+        (sp.Float(1.7976931348623157e308), 1.7976931348623157e308),
+        (sp.pi, math.pi),
+        (sp.E, math.e),
+        (sp.EulerGamma, 0.5772156649015329),
+    ]:
+        assert number_sympy(expr) == wanted
+
+
+@given(st.integers(-(10**40), 10**40), st.integers(1, 10**40))
+def test_every_rational_is_rounded_once(above: int, below: int) -> None:
+    expr = sp.Rational(above, below)
+    assert number_sympy(expr) == float(Fraction(above, below))
+
+
+# The printer against twenty-digit SymPy, over a table of expressions at random admissible points.
+x, y, z = sp.symbols("x y z", real=True)
+Q = sp.Rational
+
+# Smooth ones: (expression, (low, high) of x, y and z).
+POSITIVE = (0.2, 3.0)
+ANY = (-3.0, 3.0)
+UNIT = (-0.95, 0.95)
+LARGE = (1e3, 1e6)
+SMALL = (1e-6, 1e-3)
+
+SMOOTH: dict[str, tuple[sp.Expr, tuple[float, float]]] = {
+    "square": (x**2, ANY),
+    "cube": (x**3, ANY),
+    "fifth": (x**5, ANY),
+    "seventh": (x**7, ANY),
+    "eighth": (x**8, ANY),
+    "ninth": (x**9, ANY),
+    "large power": (x**31, ANY),
+    "reciprocal": (1 / x, POSITIVE),
+    "negative power": (x**-4, ANY),
+    "large negative power": (x**-17, POSITIVE),
+    "root": (sp.sqrt(x), POSITIVE),
+    "root of a small number": (sp.sqrt(x), SMALL),
+    "three halves": (x ** Q(3, 2), POSITIVE),
+    "seven halves": (x ** Q(7, 2), LARGE),
+    "minus a half": (x ** Q(-1, 2), POSITIVE),
+    "minus five halves": (x ** Q(-5, 2), POSITIVE),
+    "cube root": (x ** Q(1, 3), POSITIVE),
+    "two thirds of a large number": (x ** Q(2, 3), LARGE),
+    "minus two fifths": (x ** Q(-2, 5), POSITIVE),
+    "float power": (x**1.25, POSITIVE),
+    "symbolic power": (x**y, POSITIVE),
+    "negative symbolic power": (x ** (-y), POSITIVE),
+    "power of a number": (2**x, ANY),
+    "exp": (sp.exp(x), ANY),
+    "exp of a negative": (sp.exp(-(x**2)), ANY),
+    "log": (sp.log(x), (1.5, 20.0)),
+    "log of a large number": (sp.log(x), LARGE),
+    "sin": (sp.sin(x), UNIT),
+    "cos": (sp.cos(x), UNIT),
+    "tan": (sp.tan(x), UNIT),
+    "asin": (sp.asin(x), UNIT),
+    "acos": (sp.acos(x), UNIT),
+    "atan": (sp.atan(x), ANY),
+    "atan2": (sp.atan2(x, y), ANY),
+    "sinh": (sp.sinh(x), ANY),
+    "cosh": (sp.cosh(x), ANY),
+    "tanh": (sp.tanh(x), ANY),
+    "quotient": (x / y, POSITIVE),
+    "quotient of products": (2 * x**2 * y / (3 * z), POSITIVE),
+    "several below": (x / (y * z**2 * sp.sqrt(x)), POSITIVE),
+    "sum": (x + 2 * y + 3 * z, POSITIVE),
+    "rational coefficients": (Q(1, 3) * x + Q(2, 7) * y, POSITIVE),
+    "minus": (-x / 3, ANY),
+    "pi": (sp.pi * x / 4, ANY),
+    "e": (sp.E * x, ANY),
+    "golden": (sp.GoldenRatio * x, ANY),
+    "nested": (sp.exp(sp.sin(x) / (1 + y**2)) * sp.sqrt(1 + z**2), ANY),
+    "horner": (x**3 * (10 + x * (6 * x - 15)), POSITIVE),
+    "abs": (sp.Abs(x - 1), ANY),
+    "sign": (sp.sign(x) * y, ANY),
+    "max": (sp.Max(x, y), ANY),
+    "max of three": (sp.Max(x, y, z), ANY),
+    "max with a number": (sp.Max(x, 0), ANY),
+    "min": (sp.Min(x, y, Q(1, 2)), ANY),
+    "clamp": (sp.Min(sp.Max(x, -1), 1) * y, ANY),
+    "piecewise": (sp.Piecewise((x**2, x > 1), (y, x < -1), (z, True)), ANY),
+    "piecewise in a product": (2 * z * sp.Piecewise((1, x >= y), (-1, True)), ANY),
+    "nested piecewise": (sp.Piecewise((sp.Piecewise((x, y > 0), (y, True)), z > 0), (z, True)), ANY),
+    "piecewise of roots outside their domain": (sp.Piecewise((sp.sqrt(x), x > 0), (sp.sqrt(-x), True)), ANY),
+    "piecewise of a quotient by zero": (sp.Piecewise((1 / sp.Max(x, 0), x > 0), (y, True)), ANY),
+}
+
+
+def test_every_expression_to_fourteen_digits() -> None:
+    for name in SMOOTH:
+        expr, (low, high) = SMOOTH[name]
+        symbols = sorted(expr.free_symbols, key=str)
+        points = np.random.default_rng(20).uniform(low, high, (8, len(symbols)))
+        for point in points:
+            values = dict(zip(symbols, map(float, point), strict=True))
+            assert printed_sympy(expr, values) == pytest.approx(exact(expr, values), rel=2e-14, abs=0), values
+
+
+RELATIONS = {
+    "gt": (x > y, (0.0, 0.0, 1.0)),
+    "ge": (x >= y, (0.0, 1.0, 1.0)),
+    "lt": (x < y, (1.0, 0.0, 0.0)),
+    "le": (x <= y, (1.0, 1.0, 0.0)),
+    "eq": (sp.Eq(x, y), (0.0, 1.0, 0.0)),
+    "ne": (sp.Ne(x, y), (1.0, 0.0, 1.0)),
+}
+
+
+def test_relations_below_at_and_above_their_boundary() -> None:
+    for name in RELATIONS:
+        condition, wanted = RELATIONS[name]
+        expr = sp.Piecewise((1, condition), (0, True))
+        below, above = float(np.nextafter(0.3, 0)), float(np.nextafter(0.3, 1))
+        found = tuple(printed_sympy(expr, {x: at, y: 0.3}) for at in (below, 0.3, above))
+        assert found == wanted
+
+
+def test_a_branch_not_taken_cannot_spoil_the_value() -> None:
+    expr = sp.Piecewise((sp.log(x), x > 0), (sp.Integer(7), True))
+    assert printed_sympy(expr, {x: -1.0}) == 7.0
+    assert printed_sympy(sp.Piecewise((1 / x, sp.Ne(x, 0)), (0, True)), {x: 0.0}) == 0.0
+
+
+# What the printer does not know it refuses, by name: nothing becomes NaN, or zero, in silence.
+x, y, hidden = sp.symbols("x y hidden", real=True)
+unknown = sp.Function("unknown")
+
+REFUSED = {
+    "gamma": (sp.gamma(x), "gamma"),
+    "erf": (sp.erf(x), "erf"),
+    "Heaviside": (sp.Heaviside(x), "Heaviside"),
+    "DiracDelta": (sp.DiracDelta(x), "DiracDelta"),
+    "floor": (sp.floor(x), "floor"),
+    "user function": (unknown(x), "unknown"),
+    "derivative": (sp.Derivative(unknown(x), x), "Derivative"),
+    "integral": (sp.Integral(sp.exp(-(x**2)), (x, 0, y)), "Integral"),
+    "sum": (sp.Sum(x**y, (y, 1, 3)), "Sum"),
+    "limit": (sp.Limit(sp.sin(x) / x, x, 0), "Limit"),
+    "imaginary unit": (sp.I * x, "ImaginaryUnit"),
+    "infinity": (sp.oo, "Infinity"),
+    "minus infinity": (-sp.oo, "NegativeInfinity"),
+    "nan": (sp.nan, "NaN"),
+    "zoo": (sp.zoo, "ComplexInfinity"),
+    "piecewise without default": (sp.Piecewise((x, x > 0)), "says nothing about what remains"),
+    "piecewise with a last condition": (sp.Piecewise((x, x > 0), (y, x < -1)), "says nothing about what remains"),
+    "matrix": (sp.Matrix([x, y]), "Matrix"),
+    "hidden deep down": (sp.exp(1 + sp.sqrt(sp.gamma(x) + 2)), "gamma"),
+}
+
+
+def test_refused_by_name() -> None:
+    for name in REFUSED:
+        expr, word = REFUSED[name]
+        with pytest.raises(PrintingError, match=word):
+            CasadiPrinter({x: 1.0, y: 2.0}).value(expr)
+
+
+# One cell's expression, given vectors, is the expression of all cells; common parts are shared.
+x, y = sp.symbols("x y", real=True)
+AT_X = np.array([-1.5, -0.3, 0.0, 0.4, 2.0])
+AT_Y = np.array([0.7, -0.3, 1.0, 0.2, -1.0])
+
+EXPRESSIONS = {
+    "smooth": sp.exp(x) * sp.sqrt(1 + y**2) / (2 + sp.cos(x)),
+    "piecewise": sp.Piecewise((x, x > y), (y**2, x < 0), (sp.Integer(3), True)),
+    "piecewise of numbers": sp.Piecewise((1, x >= 0), (-1, True)),
+    "max": sp.Max(x, y, sp.Rational(1, 4)),
+    "min": sp.Min(sp.Max(x, -1), 1),
+    "sign": sp.sign(x) + sp.Abs(y),
+    "atan2": sp.atan2(y, x),
+}
+
+
+def one_by_one(expr: sp.Expr) -> np.ndarray[Any, Any]:
+    function = CellFunction({"out": expr}, (x, y))
+    return np.array([float(function({x: float(a), y: float(b)})["out"]) for a, b in zip(AT_X, AT_Y, strict=True)])
+
+
+def test_symbolic_vectors_are_elementwise() -> None:
+    for name in EXPRESSIONS:
+        for kind in [ca.SX, ca.MX]:
+            expr = EXPRESSIONS[name]
+            a, b = kind.sym("a", 5), kind.sym("b", 5)
+            value = CellFunction({"out": expr}, (x, y))({x: a, y: b})["out"]
+            found = np.asarray(ca.Function("f", [a, b], [value])(AT_X, AT_Y)).ravel()
+            np.testing.assert_allclose(found, one_by_one(expr), rtol=1e-15)
+
+
+def test_sharing_changes_no_value() -> None:
+    condition = x > y
+    several = {
+        "a": sp.Piecewise((x * y, condition), (0, True)) + sp.Abs(x * y),
+        "b": sp.Piecewise((x + y, condition), (x * y, True)),
+        "c": sp.Max(x * y, 0) * sp.Piecewise((1, condition), (-1, True)),
+    }
+    together = CellFunction(several, (x, y))
+    for a, b in zip(AT_X, AT_Y, strict=True):
+        values = together({x: float(a), y: float(b)})
+        for name, expr in several.items():
+            assert float(values[name]) == float(CellFunction({"o": expr}, (x, y))({x: float(a), y: float(b)})["o"])

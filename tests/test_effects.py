@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
 import math
-import random
 from collections.abc import Callable
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -14,42 +11,40 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import softcat_sym as sc
-from softcat_sym.discretization.assembly import assemble
-from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.grid import End, half_span
-from softcat_sym.discretization.kirchhoff import KIRCHHOFF
-from softcat_sym.discretization.reissner import reissner
-from softcat_sym.discretization.section_rule import fibre_rule
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.expected_regime import expected_regime
+from softcat_sym.effects.expected_regime import ExpectedRegime, expected_regime
 from softcat_sym.effects.forecast import (
+    damping,
     expected_sag,
     forecast,
     missed_inertia,
+    overshoot,
     shaken_share,
     steady_gain,
 )
-from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.effects.free_vibration import (
+    damping_note,
+    first_vibration,
+    ringing,
+    solid_decay,
+    solid_retardation,
+    solid_viscosity,
+)
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
-from softcat_sym.effects.quasi_static import cable_sag, flow_sag, quasi_static_history, smooth_step, start_sag
+from softcat_sym.effects.quasi_static import flow_sag, quasi_static_history
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
-    bending_stiffness,
     elastic_sag,
     first_yield_gravity_number,
-    smaller_of,
     weight_stress,
 )
+from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.errors import SceneError
-from softcat_sym.physics.filament import Terms, derive
-from softcat_sym.physics.laws import law_of
-from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.reference.calculix import calculix_deck
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.bundled import bundled_names
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
-from softcat_sym.studies.card_rules import unusual
 from softcat_sym.studies.phase_runs import refuse_scene
 from tests.common.scenes import scene_of
 
@@ -68,97 +63,10 @@ ALL = (
     "gravity-ramp",
 )
 """The published list."""
-BEYOND = (
-    *("shear", "fibres", "necking-gradient", "rotary-inertia", "gravity-shaking"),
-    *("surface-tension", "solid-damping"),
-)
-
-
-@cache
-def graph_of(names: tuple[str, ...], law: str = "bingham") -> Graph:
-    terms = Terms(law=law_of(law))
-    for effect in REGISTRY:
-        if effect.name in names:
-            terms = effect.contribute(terms)
-    equations = derive(terms, SECTIONS["rectangle"], "material")
-    theory = KIRCHHOFF if equations.resolved is None else reissner(fibre_rule(equations.shape, 3))
-    return assemble(equations, half_span(4, End.CLAMPED), names, theory)
 
 
 def without(*names: str) -> tuple[str, ...]:
     return tuple(name for name in ALL if name not in names)
-
-
-def test_the_registry_is_the_papers_list_and_what_goes_beyond() -> None:
-    assert NAMES == (*ALL, *BEYOND)
-    assert tuple(effect.name for effect in REGISTRY if effect.in_paper) == ALL
-
-
-def test_one_that_does_not_always_apply_says_why() -> None:
-    for effect in REGISTRY:
-        laws = ("elastic", "maxwell", "kelvin-voigt", "bingham")
-        scenes = [scene_of(law, ramp) for law, ramp in itertools.product(laws, ("0 s", "1 s"))]
-        scenes += [scene.replace({"model": "small-deflection"}) for scene in scenes[:2]]
-        scenes.append(scenes[0].replace({"material.loss_tangent": 0.1}))
-        scenes.append(scenes[0].replace({"load.shake": 0.5, "load.shake_frequency": "3 Hz"}))
-        scenes.append(scenes[0].replace({"surroundings.surface_tension": "20 mN/m"}))
-        applies = [effect.applies(scene) for scene in scenes]  # type: ignore[attr-defined]
-        assert any(applies)
-        assert bool(effect.without_it) is not all(applies)  # type: ignore[attr-defined]
-
-
-def test_every_effect_changes_the_terms() -> None:
-    for effect in REGISTRY:
-        assert effect.contribute(Terms()) != Terms()  # type: ignore[attr-defined]
-        others = Terms()
-        for other in REGISTRY:
-            if other is not effect:
-                others = other.contribute(others)
-        assert effect.contribute(others) != others  # type: ignore[attr-defined]
-
-
-def test_the_order_of_contributions_does_not_matter() -> None:
-    orders = [list(REGISTRY), list(reversed(REGISTRY))]
-    generator = random.Random(3)
-    for _ in range(20):
-        orders.append(generator.sample(REGISTRY, len(REGISTRY)))
-    results = []
-    for order in orders:
-        terms = Terms()
-        for effect in order:
-            terms = effect.contribute(terms)
-        results.append(terms)
-    assert all(terms == results[0] for terms in results)
-
-
-def test_contributing_twice_is_contributing_once() -> None:
-    for effect in REGISTRY:
-        once = effect.contribute(Terms())  # type: ignore[attr-defined]
-        assert effect.contribute(once) == once  # type: ignore[attr-defined]
-
-
-def test_a_law_without_a_viscous_stress_is_the_same_with_that_effect() -> None:
-    assert graph_of(without("viscous-stress")).instructions == graph_of(ALL).instructions
-
-
-def test_an_absent_viscous_stress_leaves_no_instruction_and_no_parameter() -> None:
-    solid, elastic = graph_of(ALL, "kelvin-voigt"), graph_of(without("viscous-stress"), "kelvin-voigt")
-    assert elastic.instructions == graph_of(ALL, "elastic").instructions < solid.instructions
-    assert "viscosity" in solid.parameters
-    assert "viscosity" not in elastic.parameters
-
-
-def test_without_inertia_a_viscous_stress_makes_the_velocities_algebraic() -> None:
-    graph = graph_of(without("inertia"), "newtonian")
-    assert {name[: name.index("[")] for name in graph.state_names} == {"x", "y"}
-    assert {name[: name.index("[")] for name in graph.algebraic_names} == {"u", "v"}
-
-
-def test_the_barest_filament_is_a_string_at_rest() -> None:
-    graph = graph_of(("extensibility",))
-    assert set(graph.parameters) == {"rest_length", "density", "gravity", "youngs_modulus", "time_scale"}
-    assert not graph.state_names
-    assert graph.is_dae
 
 
 def test_paper_takes_the_published_effects_that_apply() -> None:
@@ -306,27 +214,6 @@ def test_a_stiff_beam_sags_as_the_textbook_says() -> None:
             assert elastic_sag(scene) * SPAN < wanted
 
 
-def test_a_thin_cable_sags_as_the_elastic_cable() -> None:
-    scene = scene_of("elastic", filament={"thickness": "0.05 mm"})
-    wanted = (3 * RHO * G * SPAN**4 / (64 * 4e6)) ** (1 / 3)
-    assert elastic_sag(scene) * SPAN == pytest.approx(wanted, rel=0.01)
-
-
-def test_the_beam_of_one_clamp_lies_between() -> None:
-    between = bending_stiffness(scene_of(ends=MIXED))
-    mirrored = bending_stiffness(scene_of(ends={"left": "clamped", "right": "pinned"}))
-    assert between == mirrored
-    # sag of a propped cantilever at midspan: q L^4/(192 E I), half that of a clamped beam's stiffness
-    assert between == pytest.approx(bending_stiffness(scene_of()) / 2, rel=1e-14)
-    assert bending_stiffness(scene_of(ends=PINNED)) == pytest.approx(between * 2 / 5, rel=1e-14)
-
-
-def test_a_circle_bends_more_easily_than_a_square() -> None:
-    circle = bending_stiffness(scene_of(filament={"section": "circle"}))
-    assert circle / bending_stiffness(scene_of()) == pytest.approx(12 / 16, rel=1e-14)
-    assert bending_stiffness(scene_of()) == pytest.approx(384 / 12 * 0.03**2, rel=1e-12)
-
-
 def test_first_yield() -> None:
     for section, ends, wanted in [
         ("rectangle", {}, 2.0),
@@ -337,12 +224,6 @@ def test_first_yield() -> None:
     ]:
         scene = scene_of(filament={"section": section}, ends=ends)
         assert first_yield_gravity_number(scene) == pytest.approx(wanted * 0.03)
-
-
-def test_a_viscous_string_flows_as_the_cube_root_of_time() -> None:
-    scene = scene_of("maxwell", "0 s", filament={"thickness": "0.02 mm"}, run={"duration": "1 ms"})
-    wanted = (9 * RHO * G * SPAN**4 * 1e-3 / (128 * 13840)) ** (1 / 3)
-    assert flowing_sag(scene) * SPAN == pytest.approx(wanted, rel=0.01)
 
 
 def test_a_viscous_beam_flows_in_proportion_to_time() -> None:
@@ -368,23 +249,9 @@ def test_arrest_is_no_deeper_than_the_catenary_that_just_holds() -> None:
         assert stop <= 1 / math.sqrt(8)
 
 
-def test_above_the_square_root_of_two_nothing_holds() -> None:
-    weak = {"yield_stress": f"{RHO * G * SPAN / 1.5!r} Pa", "viscosity": "1 Pa*s"}
-    scene = scene_of(material=weak, run={"duration": "1000 s"})
-    assert flowing_sag(scene) > 1
-
-
 def test_no_prediction_goes_beyond_free_fall() -> None:
     scene = scene_of("maxwell", "0 s", run={"duration": "5 ms"})
     assert expected_sag(scene) * SPAN == pytest.approx(G * 0.005**2 / 2)
-
-
-def test_two_resistances_together() -> None:
-    for bending, stretching in [(1.0, 2.0), (0.5, 1e-3), (1e9, 0.3), (0.3, 1e9)]:
-        both = smaller_of(bending, stretching)
-        assert 0 < both < min(bending, stretching)
-        assert both >= min(bending, stretching) / 2
-        assert smaller_of(0.0, stretching) == smaller_of(bending, 0.0) == 0
 
 
 def test_estimates_of_bundled_scenes_are_finite_and_not_negative() -> None:
@@ -396,16 +263,6 @@ def test_estimates_of_bundled_scenes_are_finite_and_not_negative() -> None:
             assert estimate.value >= 0, effect.name
             assert estimate.meaning
         assert 0 < expected_sag(scene) < math.inf
-
-
-def test_estimates_of_any_scene_are_finite_and_not_negative() -> None:
-    for law in ["elastic", "maxwell", "bingham"]:
-        for gravity in ["0 m/s^2", "9.81 m/s^2"]:
-            for ends in [{}, PINNED, MIXED]:
-                scene = scene_of(law, load={"gravity": gravity}, ends=ends)
-                for effect in REGISTRY:
-                    assert math.isfinite(effect.estimate(scene, forecast(scene)).value), effect.name
-                    assert effect.estimate(scene, forecast(scene)).value >= 0, effect.name
 
 
 # What is foreseen of a motion agrees with one-mode filaments integrated here, to a factor that estimates may miss.
@@ -440,20 +297,6 @@ def test_a_string_misses_the_layer_at_its_beginning(drag: float) -> None:
     assert 0.3 < missed_inertia(TIMES, balanced, G_SHAKEN, 0.0) / missing < 4
 
 
-def test_a_slow_load_misses_its_acceleration() -> None:
-    frequency, ramp = 300.0, 0.5
-    truth = depth(lambda t, h, v: G_SHAKEN * float(smooth_step(np.array(t / ramp))) - frequency**2 * h)
-    balanced = G_SHAKEN / frequency**2 * smooth_step(TIMES / ramp)
-    missing = float(np.max(np.abs(truth - balanced)) / np.max(balanced))
-    assert 0.3 < missed_inertia(TIMES, balanced, G_SHAKEN, ramp) / missing < 10
-
-
-def test_cable_is_the_root_of_its_cubic() -> None:
-    for load, slack in [(1e-3, 0.0), (1e-3, 0.1), (1e-3, -0.1), (1e-9, 0.3), (2.0, 0.01)]:
-        roots = np.roots([1.0, 0.0, -slack, -load])
-        assert cable_sag(load, slack) == pytest.approx(float(np.max(roots.real)), rel=1e-8)
-
-
 def test_quasi_static_sag_of_a_thin_cable_and_of_a_viscous_string() -> None:
     cable = quasi_static_history(scene_of("elastic", "0 s", filament=THIN)).sag
     assert cable == pytest.approx((3 * STRESS / (64 * E)) ** (1 / 3), rel=0.01)
@@ -461,23 +304,6 @@ def test_quasi_static_sag_of_a_thin_cable_and_of_a_viscous_string() -> None:
     stiff = {"viscosity": "10 kPa*s", "youngs_modulus": "1e12 Pa"}
     string = quasi_static_history(scene_of("maxwell", "0 s", filament=THIN, run={"duration": "0.1 s"}, material=stiff))
     assert string.sag[1:] == pytest.approx(np.cbrt(9 * STRESS * string.time[1:] / (128 * 1e4)), rel=0.05)
-
-
-def test_a_slack_filament_begins_with_the_sag_of_its_length() -> None:
-    """Against the arc of a parabola: L (1 + 8/3 H^2 - 32/5 H^4 ...)."""
-    scene = scene_of("elastic", "0 s", filament={"rest_length": "0.202 m"})
-    assert 8 / 3 * start_sag(scene) ** 2 == pytest.approx(0.01)
-    assert float(np.min(quasi_static_history(scene).sag)) > start_sag(scene)
-
-
-@pytest.mark.parametrize("ends", [{}, {"left": "pinned", "right": "pinned"}])
-def test_frequency_of_a_stiff_beam(ends: dict[str, str]) -> None:
-    """(beta L)^2 sqrt(EI/(rho A L^4)), beta L = 4.730041 and pi."""
-    scene = scene_of("elastic", "0 s", filament={"thickness": "20 mm"}, ends=ends)
-    constant = math.pi**2 if ends else 4.730041**2
-    exact = constant * math.sqrt(E * 0.02**2 / 12 / (RHO_SHAKEN * SPAN_SHAKEN**4))
-    # a little of the load is carried in tension, most between pins
-    assert ringing(scene).frequency == pytest.approx(exact, rel=0.21 if ends else 0.05)
 
 
 def test_a_ramp_leaves_little_ringing() -> None:
@@ -493,12 +319,6 @@ def test_flow_and_a_viscous_stress_end_the_ringing() -> None:
     found = ringing(solid)
     assert found.decay == pytest.approx(found.frequency**2 * 1e-3 / 2)
     assert ringing(solid.replace({"material.viscosity": "4 MPa*s"})).amplitude == 0
-
-
-def test_a_light_filament_is_not_foreseen_to_yield_and_a_heavy_one_is() -> None:
-    assert forecast(load_scene("no-yield")).overstress < 1
-    assert forecast(load_scene("no-yield")).relaxed == 0
-    assert forecast(load_scene("arrested-overdamped")).overstress > 1
 
 
 KNOWN = {
@@ -533,11 +353,6 @@ def shaken(scene: Scene, a: float = 0.5, ratio: float = 0.1) -> Scene:
     frequency = ringing(scene).frequency
     hertz = ratio * (frequency if math.isfinite(frequency) else 30.0) / (2 * math.pi)
     return scene.replace({"load.shake": a, "load.shake_frequency": f"{hertz!r} Hz"})
-
-
-def test_the_small_deflection_model_has_it_too() -> None:
-    scene = shaken(scene_of("elastic").replace({"model": "small-deflection"}))
-    assert "gravity-shaking" in choose_effects(scene).names
 
 
 def test_a_list_without_it_is_refused_by_name() -> None:
@@ -579,10 +394,6 @@ def test_at_resonance_it_grows_with_the_run() -> None:
     assert shaken_share(long) == pytest.approx(10 * shaken_share(short), rel=1e-12)
 
 
-def test_what_flows_does_not_resonate() -> None:
-    assert shaken_share(shaken(load_scene("cold-honey"), a=0.3)) == pytest.approx(0.3)
-
-
 def test_a_shaken_filament_is_foreseen_to_go_deeper() -> None:
     scene = scene_of("elastic", "0 s", **BEAM)
     steady, moved = forecast(scene), forecast(shaken(scene, ratio=0.8))
@@ -606,11 +417,6 @@ def test_who_does_not_know_it_says_so(refuses: Callable[[Scene], object], scene:
     assert [fault.path for fault in caught.value.faults] == ["load.shake"]
 
 
-def test_no_rule_of_the_sag_card_knows_it() -> None:
-    assert unusual(load_scene("no-yield")) == ""
-    assert "shaken" in unusual(shaken(load_scene("no-yield")))
-
-
 def test_the_regime_to_expect() -> None:
     for name, a, regime in [
         ("arrested-overdamped", 0.3, "shaken"),
@@ -621,3 +427,254 @@ def test_the_regime_to_expect() -> None:
     ]:
         scene = shaken(load_scene(name), a=a)
         assert expected_regime(scene, choose_effects(scene).names).name == regime
+
+
+# The regime and the warnings foretold: numbers against independent roots, names against what runs have shown.
+PAPER = "arrested-overdamped"
+PUBLISHED = ("inertia", "bending", "viscous-flow", "yielding", "gravity-ramp")
+
+
+def of(name: str, *changes: str) -> ExpectedRegime:
+    scene = sc.load_scene(name, list(changes))
+    return expected_regime(scene, choose_effects(scene).names)
+
+
+def grouped(G: float, V: float) -> tuple[str, str]:
+    return f"groups.G={G}", f"groups.V={V}"
+
+
+def test_depths_end_where_no_catenary_is_held() -> None:
+    for G, paper, exact in [(1.32, True, True), (1.33, True, False), (1.41, True, False), (1.42, False, False)]:
+        found = expected_regime(sc.load_scene(PAPER, [f"groups.G={G}"]), PUBLISHED)
+        assert (found.stopping_depth_paper is not None, found.stopping_depth_exact is not None) == (paper, exact)
+        assert found.name == "descending"  # below the threshold by its hinges, beyond it for ever
+
+
+# What runs have shown: the bundled scenes at their own accuracy, the others on 16 cells a half span.
+BUNDLED = {
+    "arrested-overdamped": "arrested-overdamped", "arrested-underdamped": "arrested-underdamped",
+    "continual-descent": "descending", "no-yield": "no-yield",
+    "ink-bridge": "arrested-overdamped", "toothpaste": "arrested-underdamped", "maxwell-slow": "viscous",
+    "cold-honey": "viscous", "bread-dough": "viscous", "transient-gel": "viscous", "rubber-strand": "elastic",
+    "cooked-spaghetti": "elastic", "stretched-rubber-band": "elastic",
+}  # fmt: skip
+SHOWN = {
+    (0.03, 26): "no-yield", (0.04, 26): "arrested-underdamped", (0.08, 26): "arrested-underdamped",
+    (0.08, 1): "arrested-underdamped", (0.15, 26): "arrested-underdamped", (0.15, 3): "arrested-underdamped",
+    (0.25, 26): "arrested-underdamped", (0.25, 10): "arrested-underdamped", (0.25, 3): "arrested-underdamped",
+    (0.3, 0.4): "arrested-underdamped", (0.4, 10): "arrested-overdamped", (0.4, 3): "arrested-overdamped",
+    (0.8, 26): "descending", (1.2, 26): "descending", (1.37, 26): "descending", (1.5, 26): "descending",
+}  # fmt: skip
+
+
+def test_bundled_scenes_are_foretold() -> None:
+    for name in list(BUNDLED):
+        assert of(name, "run.effects=paper").name == BUNDLED[name]
+
+
+def test_the_paper_s_filament_is_foretold() -> None:
+    for G, V in list(SHOWN):
+        scene = sc.load_scene(PAPER, list(grouped(G, V)))
+        assert expected_regime(scene, PUBLISHED).name == SHOWN[G, V]
+
+
+@pytest.mark.parametrize("D", [0.0, 0.005, 0.05, 0.4, 0.85, 1.45, 2.2, 3.5, 6.0])
+def test_overshoot_is_where_the_falling_parabola_stops(D: float) -> None:
+    G = 0.4
+    V = D / damping(G, 1.0)
+
+    def still(time: float, state: np.ndarray) -> float:
+        return state[1] if time > 1e-3 else 1.0
+
+    still.terminal, still.direction = True, -1  # type: ignore[attr-defined]
+    # In sags over span and sqrt(L/g), as the balance of the parabola is first written.
+    fall = solve_ivp(
+        lambda _, s: [s[1], 5 / 4 - 10 * s[0] * (1 / G + 16 / 3 * V * s[0] * s[1])],
+        (0, 60),
+        [0.0, 0.0],
+        events=still,
+        rtol=1e-8,
+        atol=1e-12,
+        method="LSODA",
+    )
+    assert overshoot(G, V, 0.0) == pytest.approx(fall.y[0].max() / (G / 8), abs=0.01)
+
+
+def test_a_slow_ramp_leaves_nothing_to_ring() -> None:
+    assert overshoot(0.25, 0.4, 100.0) == pytest.approx(1, abs=1e-3)
+    slow = expected_regime(sc.load_scene("arrested-underdamped", ["groups.ramp=400"]), PUBLISHED)
+    assert slow.name == "arrested-overdamped"
+    # With nothing that rings the threshold is the static one; at once, or nearly so, it is half of it.
+    sudden = expected_regime(sc.load_scene(PAPER, ["groups.ramp=0"]), PUBLISHED)
+    assert slow.first_yield is not None
+    assert sudden.first_yield == pytest.approx(0.03)
+    assert slow.first_yield == pytest.approx(0.06, rel=0.2)
+
+
+def test_without_inertia_it_neither_overshoots_nor_rebounds() -> None:
+    scene = sc.load_scene("arrested-underdamped")
+    found = expected_regime(scene, [name for name in PUBLISHED if name != "inertia"])
+    assert (found.overshoot, found.rebound, found.name) == (1.0, 0.0, "arrested-overdamped")
+
+
+def test_a_cantilever_of_a_paste_stops_where_it_can_hang() -> None:
+    free = ['ends.right="free"', "run.effects=paper"]
+    assert of("toothpaste", *free, "filament.thickness=1 mm").stopping_depth_exact is None
+    held = expected_regime(sc.load_scene(PAPER, [*grouped(0.9, 0.4), 'ends.right="free"']), PUBLISHED)
+    lost = expected_regime(sc.load_scene(PAPER, [*grouped(1.1, 0.4), 'ends.right="free"']), PUBLISHED)
+    assert held.name != "no-yield"
+    assert "hangs" in held.reason
+    assert (lost.name, lost.arrest_exact) == ("descending", 1.0)
+
+
+def warned(name: str, *changes: str) -> str:
+    scene = sc.load_scene(name, list(changes))
+    return " | ".join(theory_limits(scene, expected_regime(scene, choose_effects(scene).names)))
+
+
+def test_rupture_is_foretold_where_runs_have_shown_it() -> None:
+    for G, V, ruptures in [
+        (0.25, 0.4, False),
+        (0.4, 0.4, True),
+        (0.4, 1, False),
+        (0.4, 26, False),
+        (1.2, 2, True),
+        (0.8, 3, True),
+        (0.8, 26, False),
+    ]:
+        scene = sc.load_scene(PAPER, list(grouped(G, V)))
+        told = " ".join(theory_limits(scene, expected_regime(scene, PUBLISHED)))
+        assert ("near rupture" in told) == ruptures
+
+
+def test_warnings_of_bundled_scenes() -> None:
+    assert "near rupture" in warned("edge-of-rupture")
+    assert "never stops" in warned("continual-descent")
+    assert warned("ink-bridge") == ""
+    assert "too thick" in warned("toothpaste")
+    for sound in ("arrested-overdamped", "arrested-underdamped", "no-yield", "maxwell-slow", "cold-honey", "glass-rod"):
+        assert warned(sound) == ""
+
+
+def test_surface_tension_left_out_by_name_is_told_with_its_worth() -> None:
+    assert "surface tension is left out by run.effects, but would take about" in warned(
+        "ink-bridge", "run.effects=paper"
+    )
+    assert "by run.closure = 'printed'" in warned("ink-bridge", "run.closure=printed")
+    assert warned("ink-bridge", "run.effects=paper", "surroundings.surface_tension=0.1 mN/m") == ""
+
+
+def test_surface_tension_adds_to_the_yield_stress_where_tension_holds() -> None:
+    """G = rho g L/(sigma_Y + gamma/R) of a circle, and no number of bending feels it."""
+    pulled, bare = of("ink-bridge"), of("ink-bridge", "surroundings.surface_tension=0 N/m")
+    number, limit, added = bare.gravity_number, 3**0.5 * 200, 0.072 / 0.2e-3
+    assert number is not None
+    assert bare.collapse is not None
+    assert pulled.gravity_number == pytest.approx(number * limit / (limit + added))
+    assert pulled.collapse == pytest.approx(bare.collapse * limit / (limit + added))
+    assert pulled.stopping_depth_paper == pytest.approx(pulled.gravity_number / 8, rel=0.01)
+    assert "gamma" in pulled.reason
+
+
+# The first natural frequency of a strand as it is held, and the viscosity that a loss tangent means at it.
+# Roots of the frequency equations (Rayleigh 1877, sections 172 to 177).
+BETA = {
+    ("clamped", "clamped"): 4.730040744862704,
+    ("clamped", "pinned"): 3.926602312047919,
+    ("pinned", "pinned"): math.pi,
+    ("clamped", "free"): 1.875104068711961,
+    ("free", "clamped"): 1.875104068711961,
+}
+
+
+def strand(diameter: str = "1 mm", modulus: str = "45 GPa", **changes: object) -> Scene:
+    table = {
+        "filament": {"span": "20 mm", "diameter": diameter, "density": "1050 kg/m^3"},
+        "material": {"law": "elastic", "youngs_modulus": modulus, "loss_tangent": 0.1},
+        "run": {"duration": "1 s"},
+    }
+    return Scene.model_validate(table).replace({key.replace("__", "."): value for key, value in changes.items()})
+
+
+def frequency(scene: Scene) -> float:
+    found = first_vibration(scene)
+    assert found is not None
+    return found.frequency
+
+
+def test_a_beam_has_the_frequency_of_its_ends() -> None:
+    for ends, beta in BETA.items():
+        scene = strand(ends__left=ends[0], ends__right=ends[1])
+        wanted = beta**2 / 0.02**2 * math.sqrt(45e9 * (1e-3) ** 2 / 16 / 1050)
+        assert frequency(scene) == pytest.approx(wanted, rel=2e-6)
+        assert first_vibration(scene).material_share == pytest.approx(1.0, abs=1e-6)  # type: ignore[union-attr]
+
+
+def test_a_taut_string_sings_by_its_tension_which_loses_nothing() -> None:
+    scene = strand(
+        "0.05 mm", "45 kPa", ends__left="pinned", ends__right="pinned", filament__rest_length="10 mm",
+        load__gravity="0 m/s^2",
+    )  # fmt: skip
+    # Drawn to twice its length it is half as thick, and as heavy along its rest length.
+    wanted = math.pi / 0.02 * math.sqrt(45e3 * math.log(2) / 2 / (1050 / 2))
+    assert frequency(scene) == pytest.approx(wanted, rel=1e-4)
+    assert first_vibration(scene).material_share < 1e-3  # type: ignore[union-attr]
+
+
+def test_a_string_that_hangs_in_its_weight_has_irvine_s_frequency() -> None:
+    """lambda^2 = 24 of a string that its own weight has stretched: tan u = u - u^3/6, omega^2 = 4 u^2 N/(m L^2)."""
+    scene = strand("0.02 mm", "45 kPa", ends__left="pinned", ends__right="pinned")
+    u = 2.67
+    for _ in range(50):
+        u -= (math.tan(u) - u + u**3 / 6) / (1 / math.cos(u) ** 2 - 1 + u**2 / 2)
+    sag = (3 * 1050 * 9.81 * 0.02**4 / (64 * 45e3)) ** (1 / 3)
+    assert frequency(scene) ** 2 == pytest.approx(4 * u**2 / 8 * 9.81 / sag, rel=2e-3)
+
+
+def test_a_mass_at_midspan_and_a_profile_count() -> None:
+    beam = 192 * 45e9 * math.pi * 1e-12 / 64 / 0.02**3
+    heavy = frequency(strand(load__point_mass="1 kg", load__gravity="0 m/s^2"))
+    assert heavy == pytest.approx(math.sqrt(beam), rel=1e-3)
+    thin = frequency(strand(filament__profile=[0.5, 0.5]))
+    assert thin == pytest.approx(frequency(strand()) / 2, rel=1e-6)
+
+
+def test_a_loss_tangent_is_the_viscosity_of_the_first_mode() -> None:
+    scene = strand()
+    assert solid_viscosity(scene) == pytest.approx(0.1 * 45e9 / frequency(scene))
+    assert solid_decay(scene) == pytest.approx(0.05 * frequency(scene), rel=1e-6)
+    given = scene.replace({"material.solid_viscosity": "2 Pa*s"})
+    assert solid_viscosity(given) == 2
+    assert "loss tangent" in damping_note(given)
+    assert solid_viscosity(scene.replace({"material.loss_tangent": 0.0})) == 0
+    assert damping_note(scene.replace({"material.loss_tangent": 0.0})) == ""
+
+
+def test_of_a_sheet_it_is_the_loss_tangent_of_its_fibres() -> None:
+    """4/3 eta over E/(1 - nu^2) there (THEORY 3), and the same ratio to lose."""
+    scene = Scene.model_validate(
+        {
+            "filament": {"span": "20 mm", "thickness": "1 mm", "section": "sheet", "density": "1050 kg/m^3"},
+            "material": {"law": "elastic", "youngs_modulus": "45 GPa", "loss_tangent": 0.1},
+            "run": {"duration": "1 s"},
+        }
+    )
+    ratio = 4 / 3 * solid_viscosity(scene) / (45e9 / (1 - 0.45**2))
+    assert ratio * frequency(scene) == pytest.approx(0.1)
+    assert solid_retardation(scene) == pytest.approx(ratio)
+
+
+@pytest.mark.parametrize("law", ["newtonian", "elastic"])
+def test_where_nothing_springs_back_there_is_none(law: str) -> None:
+    if law == "newtonian":
+        material = {"law": law, "viscosity": "1 Pa*s"}
+        scene = Scene.model_validate({**strand().given(), "material": material})
+    else:
+        scene = strand(material__loss_tangent=0.0, ends__left="pinned", ends__right="free")
+    assert first_vibration(scene) is None
+
+
+def test_bent_and_pulled_it_is_between_beam_and_string() -> None:
+    both = [frequency(strand("1 mm", "45 kPa", load__gravity="0 m/s^2", filament__rest_length=f"{length} mm"))
+            for length in (20, 19.9, 19, 15)]  # fmt: skip
+    assert np.all(np.diff(both) > 0)

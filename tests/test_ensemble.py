@@ -16,9 +16,10 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym import progress
-from softcat_sym.discretization.assembly import Body, assemble
-from softcat_sym.discretization.graph import Discretisation, Graph
+from softcat_sym.discretization.assembly import Theory, assemble
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Grid
+from softcat_sym.discretization.supports import Body
 from softcat_sym.ensemble.ensemble import Ensemble, MembersBar, Workshop, tolerances
 from softcat_sym.ensemble.members import Choosing, Row, constants_of, members_of, rows_of, written
 from softcat_sym.errors import SceneError, SoftcatError
@@ -229,7 +230,7 @@ def test_equations_are_assembled_once_for_each_structure_and_grid(monkeypatch: p
     made: list[int] = []
 
     def counting(
-        equations: FilamentEquations, grid: Grid, effects: tuple[str, ...], theory: Discretisation, body: Body
+        equations: FilamentEquations, grid: Grid, effects: tuple[str, ...], theory: Theory, body: Body
     ) -> Graph:
         made.append(grid.cells)
         return assemble(equations, grid, effects, theory, body)

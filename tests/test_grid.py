@@ -22,7 +22,6 @@ from softcat_sym.discretization.grid import (
     node_block,
     whole_span,
 )
-from softcat_sym.discretization.kirchhoff import bending_nodes, free_nodes
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.errors import SoftcatError
 from softcat_sym.physics.sections import SECTIONS
@@ -61,8 +60,10 @@ def test_free_nodes_and_nodes_that_carry_a_moment() -> None:
         (whole_span(2, End.CLAMPED, End.PINNED), [0, 1, 2, 3], [1, 2, 3]),
         (whole_span(2, End.PINNED, End.PINNED), [1, 2, 3], [1, 2, 3]),
     ]:
-        assert bending_nodes(grid) == moments
-        assert free_nodes(grid) == ([1, 2, 3], heights)
+        graph = build(scene_of("maxwell"), grid)
+        places = {kind: [p for k, p in zip(graph.x_kinds, graph.x_places, strict=True) if k == kind] for kind in "xy"}
+        bent = [p for k, p in zip(graph.x_kinds, graph.x_places, strict=True) if k == "a_1"]
+        assert (bent, places["x"], places["y"]) == (moments, [1, 2, 3], heights)
 
 
 def test_a_symmetric_scene_takes_half_the_span() -> None:

@@ -24,6 +24,7 @@ from softcat_sym.solvers.solution import Silence
 from tests.common.hard_cases import CASES, Case, asked
 from tests.common.limited_process import LimitedProcess, limit_this_process
 from tests.common.table import show
+from tests.marks import few
 
 Array = npt.NDArray[np.float64]
 
@@ -259,7 +260,7 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("name", ["maxwell", pytest.param("bingham", marks=pytest.mark.slow), "slack"])
+@pytest.mark.parametrize("name", few(("maxwell", "bingham", "slack"), "maxwell"))
 def test_left_is_right_of_a_whole_span(name: str) -> None:
     """A support that moves by nothing takes the symmetry from the solver, but not from the answer."""
     half = without_estimate(SCENES[name])
@@ -324,6 +325,7 @@ _HELD = {
 """Drawn by Hypothesis: a soft filament with a point mass that stretches far beyond its length."""
 
 
+@pytest.mark.slow
 def test_a_run_with_an_undefined_stage_is_repeated_with_shorter_steps() -> None:
     scene = sc.Scene.model_validate(_HELD)
     repeated = sc.simulate(scene)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import dataclasses
 import re
 from dataclasses import replace
 from functools import cache
-from itertools import product
 
-import numpy as np
 import pytest
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -16,25 +13,17 @@ from sympy.core.function import AppliedUndef
 from softcat_sym.physics import kinematics
 from softcat_sym.physics import sections as section
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.bulk import nu
-from softcat_sym.physics.closures import CLOSURES
 from softcat_sym.physics.equation import DimensionError as MismatchError
 from softcat_sym.physics.equation import Stated, all_equations, check, dimension
 from softcat_sym.physics.filament import FilamentEquations, Terms, derive
-from softcat_sym.physics.in_force import equations_in_force, plain_rate
+from softcat_sym.physics.in_force import equations_in_force
 from softcat_sym.physics.kinematics import (
     LARGE_ROTATION,
-    SMALL_SLOPE,
     TRUE_STRAIN,
-    internal_force,
 )
-from softcat_sym.physics.laws import FIXED, K, law_of, n
-from softcat_sym.physics.loads import quintic_step, ramp_rate, ramped_gravity, shaking, shaking_rate
-from softcat_sym.physics.section_response import BranchResponse, SectionResponse
-from softcat_sym.physics.sections import SECTIONS, SectionMeans, of_bending_alone
-
-# Every filament that can be derived, and all expressions of one.
-LAWS = ("elastic", "maxwell", "bingham")
+from softcat_sym.physics.laws import FIXED, law_of
+from softcat_sym.physics.loads import ramp_rate, ramped_gravity, shaking, shaking_rate
+from softcat_sym.physics.sections import SECTIONS
 
 
 @cache
@@ -67,107 +56,9 @@ def filament(
     return derive(terms, section.SECTIONS[shape], closure)
 
 
-def all_filaments() -> list[FilamentEquations]:
-    """Every section, both closures, three laws, with everything, with each effect missing, and without stretching."""
-    missing = [{}, *({name: False} for name in ("finite", "thin", "bending", "large", "ramp"))]
-    missing.append(dict.fromkeys(("finite", "thin", "large", "stretches"), False))
-    return [
-        filament(shape, closure, law, **options)
-        for shape, closure, law, options in product(section.SECTIONS, CLOSURES, LAWS, missing)
-    ]
-
-
-def expressions(equations: FilamentEquations) -> dict[str, sp.Expr]:
-    """All of its expressions by name."""
-    response, terms = equations.response, equations.terms
-    branch, whole = response.branch, {f.name for f in dataclasses.fields(SectionResponse)} - {"branches", "viscous"}
-    found = {name: getattr(response, name) for name in whole}
-    found |= {f.name: getattr(branch, f.name) for f in dataclasses.fields(BranchResponse) if f.name != "means"}
-    if branch.means is not None:
-        found |= {f"means.{f.name}": getattr(branch.means, f.name) for f in dataclasses.fields(type(branch.means))}
-    gradients = {
-        f"{name}_{axis}": component
-        for name, pair in (
-            ("stretch_gradient", terms.centreline.stretch_gradient()),
-            ("angle_gradient", terms.centreline.angle_gradient()),
-        )
-        for axis, component in zip("xy", pair, strict=True)
-    }
-    return (
-        found
-        | gradients
-        | {
-            "force.horizontal": equations.force.horizontal,
-            "force.vertical": equations.force.vertical,
-            "gravity": terms.gravity,
-            "gravity_rate": terms.gravity_rate,
-            "stretch": terms.centreline.stretch,
-            "turning": terms.centreline.turning,
-            "strain": terms.strain.strain,
-            "arc_stretch": terms.strain.arc_stretch,
-        }
-    )
-
-
-# Gradients of stretch and angle, and the balance written through them.
-TANGENT = {sy.x_X: sy.s * sp.cos(sy.theta), sy.y_X: sy.s * sp.sin(sy.theta)}
-
-
-def test_the_stretch_grows_along_the_tangent() -> None:
-    along = [sp.simplify(part.subs(TANGENT)) for part in LARGE_ROTATION.stretch_gradient()]
-    assert along == [sp.cos(sy.theta), sp.sin(sy.theta)]
-
-
-def test_the_angle_grows_along_the_normal_over_the_stretch() -> None:
-    across = [sp.simplify(part.subs(TANGENT)) for part in LARGE_ROTATION.angle_gradient()]
-    assert sp.simplify(across[0] + sp.sin(sy.theta) / sy.s) == 0
-    assert sp.simplify(across[1] - sp.cos(sy.theta) / sy.s) == 0
-
-
-def test_small_slopes_keep_the_leading_order_of_both() -> None:
-    assert SMALL_SLOPE.stretch_gradient() == (1, sy.y_X)
-    assert SMALL_SLOPE.angle_gradient() == (0, 1)
-    size = sp.Symbol("size", positive=True)
-    near = {sy.x_X: 1 + size**2 * sy.x_X, sy.y_X: size * sy.y_X}
-    difference = (LARGE_ROTATION.stretch - SMALL_SLOPE.stretch).subs(near, simultaneous=True)
-    assert sp.limit(difference / size**3, size, 0) == 0
-
-
-def test_the_force_is_q_along_and_the_shear_across() -> None:
-    """Q t + (M_X/s) n for large rotations (2.1, 2.2)."""
-    force = internal_force(LARGE_ROTATION, bending=True)
-    wanted = (
-        sy.Q * sp.cos(sy.theta) - sy.M_X / sy.s * sp.sin(sy.theta),
-        sy.Q * sp.sin(sy.theta) + sy.M_X / sy.s * sp.cos(sy.theta),
-    )
-    for found, right in zip((force.horizontal, force.vertical), wanted, strict=True):
-        assert sp.simplify(found.subs(TANGENT) - right) == 0
-
-
-def test_the_small_slope_force() -> None:
-    force = internal_force(SMALL_SLOPE, bending=True)
-    assert (force.horizontal, force.vertical) == (sy.Q, sy.Q * sy.y_X + sy.M_X)
-
-
-@pytest.mark.parametrize("kinematics", [LARGE_ROTATION, SMALL_SLOPE], ids=["large", "small"])
-def test_a_string_has_no_transverse_force(kinematics: object) -> None:
-    force = internal_force(kinematics, bending=False)  # type: ignore[arg-type]
-    assert sy.M_X not in force.horizontal.free_symbols | force.vertical.free_symbols
-    assert internal_force(kinematics, bending=True).vertical.coeff(sy.Q) == force.vertical.coeff(sy.Q)  # type: ignore[arg-type]
-
-
 # Work conjugacy of the material closure; the printed closure is the paper's, losses and all.
 SHAPES = sorted(SECTIONS)
 PAPERS = ["circle", "rectangle"]
-
-
-def modulus(shape: str) -> sp.Expr:
-    """E, or E/(1 - nu^2) where the width is held."""
-    return sy.E / (1 - nu**2) if shape == "sheet" else sy.E
-
-
-def half_thickness(shape: str) -> sp.Expr:
-    return (sy.h0 / sy.s if shape == "sheet" else sy.h0 / sp.sqrt(sy.s)) / 2
 
 
 CONSISTENT = [{"finite": True, "thin": True}, {"finite": False, "thin": False}]
@@ -196,20 +87,6 @@ def test_forces_are_gradients_of_the_stored_energy() -> None:
             assert sp.simplify(sp.diff(stored, sy.theta_X) + moment) == 0
 
 
-def test_plastic_power_is_what_the_stored_energy_loses() -> None:
-    """-dW/da_n da_n/dt is the dissipation, term by term."""
-    for shape in SHAPES:
-        for options in CONSISTENT:
-            response = filament(shape, "material", "maxwell", **options).response
-            at = stress(shape, "material", **options)
-            stored = energy(shape, **options)
-            for state, rate, lost in (
-                (sy.a_0, response.branch.rate_mean, response.branch.dissipation_mean),
-                (sy.a_1, response.branch.rate_bending, response.branch.dissipation_bending),
-            ):
-                assert sp.simplify(-sp.diff(stored, state) * rate.subs(at) - lost.subs(at)) == 0
-
-
 @pytest.mark.parametrize("shape", SHAPES)
 def test_the_axial_force_gains_three_halves_of_the_moment(shape: str) -> None:
     """Q - T = (3/2) M theta_s, of a sheet 2 M theta_s; a factor one or none would not be conjugate."""
@@ -224,27 +101,6 @@ def test_the_axial_force_gains_three_halves_of_the_moment(shape: str) -> None:
         assert sp.simplify(sp.diff(energy(shape), sy.s) - wrong) != 0
 
 
-@pytest.mark.parametrize("shape", SHAPES)
-def test_the_stress_is_that_of_material_fibres(shape: str) -> None:
-    """sigma = E [log s - theta_s (h/2) zeta - a_0 - a_1 zeta]."""
-    response = filament(shape, "material").response
-    assert sp.simplify(response.branch.stress_mean - modulus(shape) * (sp.log(sy.s) - sy.a_0)) == 0
-    half = half_thickness(shape)
-    assert sp.simplify(response.branch.stress_bending + modulus(shape) * (sy.theta_X / sy.s * half + sy.a_1)) == 0
-
-
-def test_resultants_are_integrals_of_the_stress() -> None:
-    """T = A<sigma>, M = A (h/2) <sigma zeta>, and back (2.23)."""
-    for closure in ["material", "printed"]:
-        for shape in SHAPES:
-            response = filament(shape, closure).response
-            assert sp.simplify(response.tension - sy.A0 / sy.s * sy.sigma_0) == 0
-            half = half_thickness(shape)
-            assert sp.simplify(response.moment - sy.A0 / sy.s * half * sy.sigma_1 * SECTIONS[shape].zeta_squared) == 0
-            assert sp.simplify(response.stress_of_tension.subs(sy.T, response.tension) - sy.sigma_0) == 0
-            assert sp.simplify(response.stress_of_moment.subs(sy.M, response.moment) - sy.sigma_1) == 0
-
-
 @pytest.mark.parametrize("shape", PAPERS)
 def test_the_printed_closure_is_the_papers(shape: str) -> None:
     """(2.11): T = E (A log s - P), M = -E (I theta_X + C), with Q = T."""
@@ -256,15 +112,6 @@ def test_the_printed_closure_is_the_papers(shape: str) -> None:
     assert sp.simplify(response.tension.subs(at) - sy.E * (area * sp.log(sy.s) - P)) == 0
     assert sp.simplify(response.moment.subs(at) + sy.E * (inertia * sy.theta_X + C)) == 0
     assert response.axial_correction == 0
-
-
-@pytest.mark.parametrize("shape", PAPERS)
-def test_the_printed_plastic_rates_are_the_papers(shape: str) -> None:
-    """(2.12): P_t = T/eta and C_t = M/eta of a Maxwell fluid."""
-    response = filament(shape, "printed", "maxwell").response
-    second = SECTIONS[shape].zeta_squared
-    assert sp.simplify(sy.A0 * response.branch.rate_mean - response.tension / sy.eta) == 0
-    assert sp.simplify(sy.A0 * sy.h0 * second / 2 * response.branch.rate_bending - response.moment / sy.eta) == 0
 
 
 @pytest.mark.parametrize("closure", ["material", "printed"])
@@ -283,94 +130,8 @@ def test_tension_of_a_stretching_newtonian_bar(closure: str) -> None:
     assert left == pytest.approx(0.8 if closure == "printed" else 1.0, rel=1e-12)
 
 
-def test_closures_agree_in_an_unstretched_filament() -> None:
-    for law in ["elastic", "maxwell", "bingham"]:
-        for shape in SHAPES:
-            one, two = (filament(shape, closure, law).response for closure in ("material", "printed"))
-            for name in ("stress_mean", "stress_bending", "tension", "moment", "rate_mean", "rate_bending"):
-                parts = [getattr(part if hasattr(part, name) else part.branch, name) for part in (one, two)]
-                assert (parts[0] - parts[1]).subs(sy.s, 1).equals(0), name
-
-
-def test_without_bending_no_moment_is_left() -> None:
-    response = filament(bending=False).response
-    for name in ("moment", "stress_of_moment", "axial_correction"):
-        assert getattr(response, name) == 0
-    assert response.branch.stress_bending == response.branch.rate_bending == 0
-    assert response.branch.elastic_bending == 0
-    assert response.branch.dissipation_bending == 0
-
-
-def test_without_flow_no_plastic_state_is_left() -> None:
-    response = filament(law="elastic").response
-    assert response.branch.means is None
-    assert not {sy.a_0, sy.a_1} & (
-        response.branch.stress_mean.free_symbols | response.branch.stress_bending.free_symbols
-    )
-    branch = response.branch
-    assert branch.rate_mean == branch.rate_bending == branch.dissipation_mean == branch.dissipation_bending == 0
-
-
-def test_no_edge_of_a_yielded_zone_survives() -> None:
-    response = filament().response
-    assert sy.c not in response.branch.rate_mean.free_symbols | response.branch.rate_bending.free_symbols
-
-
 # A filament that does not stretch: what is left of its section, and what it cannot have.
-AXIAL = {sy.s, sy.s_t, sy.x_X, sy.x_Xt, sy.sigma_0, sy.a_0, sy.T, sy.Q}
-CLOSED = ("elastic", "maxwell", "newtonian", "kelvin-voigt", "standard-linear", "bingham")
-CASES = [
-    *((law, section) for law in CLOSED for section in SECTIONS),
-    ("power-law", "sheet"),
-    ("herschel-bulkley", "circle"),
-]
 BEAM = Terms(bending=True, flows=True, yields=True, viscous=True)
-VALUES = {sy.E: 3.0, sy.eta: 0.7, sy.sigma_Y: 0.4, sy.sigma_0: 0.0}
-
-
-def beam(law: str, section: str, *, stretches: bool) -> FilamentEquations:
-    return derive(replace(BEAM, law=law_of(law), stretches=stretches), SECTIONS[section], "material")
-
-
-def test_no_axial_symbol_is_left() -> None:
-    for law, shape in CASES:
-        unstretched, stretched = (beam(law, shape, stretches=stretches) for stretches in (False, True))
-        left, before = (
-            set().union(
-                *(e.free_symbols for e in (*cell.response.expressions(), cell.force.horizontal, cell.force.vertical))
-            )
-            for cell in (unstretched, stretched)
-        )
-        assert not left & AXIAL
-        assert left < before
-        assert unstretched.force.horizontal == unstretched.response.tension == 0
-        assert unstretched.conserves_energy
-
-
-def test_bending_is_that_of_a_stretched_section_under_no_tension() -> None:
-    for law, shape in CASES:
-        unstretched, stretched = (beam(law, shape, stretches=stretches) for stretches in (False, True))
-        assert unstretched.response.moment == stretched.response.moment
-        for left, whole in zip(unstretched.response.parts, stretched.response.parts, strict=True):
-            assert left.stress_bending == whole.stress_bending
-            for name, relation in left.flow().items():
-                full = whole.flow()[name]
-                symbols = sorted((relation.free_symbols | full.free_symbols) - set(VALUES) - {sy.sigma_1}, key=str)
-                known = {**VALUES, **dict.fromkeys(symbols, 0.5)}
-                one, other = (sp.lambdify(sy.sigma_1, e.subs(known), modules="numpy") for e in (relation, full))
-                for stress in (-2.3, -0.41, -0.3, 0.2, 0.5, 1.7):
-                    np.testing.assert_allclose(one(stress), other(stress), rtol=1e-12, atol=1e-15, err_msg=name)
-
-
-def test_means_without_a_mean_stress_are_odd_in_the_moment() -> None:
-    (branch,) = beam("bingham", "circle", stretches=True).response.branches
-    assert isinstance(branch.means, SectionMeans)
-    alone = of_bending_alone(branch.means)
-    known = {sy.E: 3.0, sy.eta: 0.7, sy.sigma_Y: 0.4}
-    rate = sp.lambdify(sy.sigma_1, alone.bending_rate.subs(known), modules="numpy")
-    assert alone.rate == 0
-    assert rate(0.39) == rate(-0.39) == 0
-    assert rate(0.9) == -rate(-0.9) > 0
 
 
 def test_what_only_stretching_brings_is_refused() -> None:
@@ -389,16 +150,6 @@ def test_what_only_stretching_brings_is_refused() -> None:
 
 # The smooth step and its rate.
 u = sp.Symbol("u", real=True)
-inside = sp.Symbol("v", positive=True)
-
-
-def open_step() -> sp.Expr:
-    """The step between its ends, where neither Min nor Max acts."""
-    return quintic_step(u).replace(sp.Min, lambda *_: u)
-
-
-def test_it_is_the_quintic() -> None:
-    assert sp.expand(open_step() - (10 * u**3 - 15 * u**4 + 6 * u**5)) == 0
 
 
 def test_the_rate_is_the_derivative_of_the_load() -> None:
@@ -412,90 +163,7 @@ def test_the_rate_is_the_derivative_of_the_load() -> None:
     assert ramp_rate().subs(sy.t, sy.g_on / 2) == sy.g * sp.Rational(15, 8) / sy.g_on
 
 
-def test_the_whole_rate_adds_up_to_the_whole_load() -> None:
-    rate = sp.lambdify(sy.t, ramp_rate().subs({sy.g: 9.81, sy.g_on: 0.3}), "math")
-    from scipy.integrate import quad
-
-    total, _ = quad(rate, 0, 0.3)
-    assert total == pytest.approx(9.81, rel=1e-12)
-
-
-def test_the_rate_of_shaken_gravity_is_its_slope() -> None:
-    """On the ramp, at its end and beyond, against a difference of 1e-6 s."""
-    for at in [0.0, 0.07, 0.11, 0.3, 1.9]:
-        terms = Terms(
-            gravity=ramped_gravity(), gravity_rate=ramp_rate(), shaking=shaking(), shaking_rate=shaking_rate()
-        )
-        numbers = {sy.g: 9.81, sy.g_on: 0.3, sy.a_g: 2.5, sy.f_g: 1.7}
-        load, rate = (sp.lambdify(sy.t, part.subs(numbers), "math") for part in (terms.load, terms.load_rate))
-        assert rate(at) == pytest.approx((load(at + 1e-6) - load(at - 1e-6)) / 2e-6, rel=1e-6, abs=1e-6)
-        assert shaking().subs({sy.t: 0}) == 1
-
-
-def test_an_amplitude_of_two_turns_gravity_round() -> None:
-    """Three quarters of a period on it is -g, and its mean over a period is g."""
-    load = (sy.g * shaking()).subs(sy.a_g, 2)
-    assert load.subs(sy.t, sp.Rational(3, 4) / sy.f_g) == -sy.g
-    assert sp.simplify(sp.integrate(load, (sy.t, 0, 1 / sy.f_g)) * sy.f_g) == sy.g
-
-
 # Every term of every expression has the dimension that the table of symbols gives it.
-FORCE_RATE = (1, 1, -3)
-WANTED = {
-    "stress_mean": sy.STRESS,
-    "stress_bending": sy.STRESS,
-    "area": sy.AREA,
-    "thickness": sy.LENGTH,
-    "tension": sy.FORCE,
-    "moment": sy.MOMENT,
-    "stress_of_tension": sy.STRESS,
-    "stress_of_moment": sy.STRESS,
-    "axial_correction": sy.FORCE,
-    # volume per unit length
-    "volume": sy.AREA,
-    "rate_mean": sy.RATE,
-    "rate_bending": sy.RATE,
-    # energy per unit length is a force
-    "elastic_mean": sy.FORCE,
-    "elastic_bending": sy.FORCE,
-    "dissipation_mean": FORCE_RATE,
-    "dissipation_bending": FORCE_RATE,
-    "means.rate": sy.RATE,
-    "means.bending_rate": sy.RATE,
-    "means.yielded_fraction": sy.ONE,
-    "means.largest_rate": sy.RATE,
-    "stretch_gradient_x": sy.ONE,
-    "stretch_gradient_y": sy.ONE,
-    "angle_gradient_x": sy.ONE,
-    "angle_gradient_y": sy.ONE,
-    "force.horizontal": sy.FORCE,
-    "force.vertical": sy.FORCE,
-    "gravity": sy.ACCELERATION,
-    "gravity_rate": (0, 1, -3),
-    "stretch": sy.ONE,
-    "turning": sy.ONE,
-    "strain": sy.ONE,
-    "arc_stretch": sy.ONE,
-}
-
-
-def test_every_expression_of_every_filament() -> None:
-    seen: dict[tuple[str, sp.Expr], None] = {}
-    for equations in all_filaments():
-        for name, expr in expressions(equations).items():
-            if (name, expr) in seen:
-                continue
-            seen[name, expr] = None
-            found = dimension(expr)
-            assert found is None or found == tuple(WANTED[name]), (name, expr)
-    assert {name for name, _ in seen} == set(WANTED)
-
-
-def test_every_symbol_is_in_the_table() -> None:
-    known = {row.symbol for row in sy.table()}
-    for equations in all_filaments():
-        for name, expr in expressions(equations).items():
-            assert expr.free_symbols <= known, (name, expr.free_symbols - known)
 
 
 def test_the_check_itself_can_say_no() -> None:
@@ -564,8 +232,8 @@ def test_an_absent_effect_leaves_no_symbol() -> None:
 
 
 def test_latex_is_well_formed() -> None:
-    for shape in list(SECTIONS):
-        for law in [*FIXED, "multimode-maxwell"]:
+    for shape in SECTIONS:
+        for law in [*FIXED, "multimode-maxwell"] if shape == "rectangle" else ["bingham"]:
             for resolved in [False, True]:
                 made = law_of(law, modes=3 if law == "multimode-maxwell" else 0)
                 terms = replace(LARGE, law=made, yields=True, viscous=True, shear=resolved, resolved=resolved)
@@ -578,12 +246,6 @@ def test_latex_is_well_formed() -> None:
                     assert not re.search(r"\^(\{[^{}]*\}|[^{}\\])\^", tex), tex
                     assert len(equation.text) < 200, equation.text
                     assert "part" not in tex.replace(r"\partial", ""), tex
-
-
-def test_every_symbol_that_is_written_stands_in_the_table() -> None:
-    names = {row.symbol.name for row in sy.table()} | {f"d{row.symbol.name}" for row in sy.table()}
-    functions = {"pi", "sin", "cos", "log", "sqrt", "Min", "Max", "if", "otherwise", "d2x", "d2y", "d2psi", "dt2", "d"}
-    assert not words(written(EVERYTHING)) - names - functions
 
 
 def test_the_paper_s_filament_reads_as_published() -> None:
@@ -613,31 +275,6 @@ def test_a_linear_law_shows_its_closed_means() -> None:
     assert line(found, "axial flow") == "da_0/dt = sigma_0/eta"
     # A sheet flows by 3/4 of its stress (von Mises in plane strain).
     assert line(written(replace(LARGE, law=FIXED["maxwell"]), "sheet"), "axial flow") == "da_0/dt = 3*sigma_0/(4*eta)"
-
-
-def test_the_rule_shown_is_the_rule_integrated() -> None:
-    for law in ["power-law", "herschel-bulkley"]:
-        for stress in [-3.0, 0.4, 2.5]:
-            (branch,) = FIXED[law].branches
-            flow = branch.flow_beyond_yield or branch.flow
-            assert flow is not None
-            values = {sy.sigma: stress, K: 2.0, n: 0.5, sy.sigma_Y: 1.0, sy.E: 10.0}
-            shown = plain_rate(flow)
-            assert not shown.has(sy.E)
-            assert float(shown.subs(values)) == pytest.approx(float(flow.rate.subs(values)), rel=1e-12, abs=1e-15)
-
-
-def test_a_user_s_own_rule_keeps_its_names() -> None:
-    class Formula:
-        def fold(self, number, name, operation):  # type: ignore[no-untyped-def]
-            return operation("div", [operation("sinh", [operation("div", [name("sigma"), name("s_0")])]), name("t0")])
-
-    made = law_of("custom", formula=Formula())
-    found = written(replace(LARGE, law=made))
-    assert line(found, "flow rule of a fibre") == "eps_p_t = sinh(sigma/s_0)/t0"
-    (tex,) = [equation.latex for equation in found if equation.name == "flow rule of a fibre"]
-    assert r"\mathrm{s\_0}" in tex
-    assert sp.Symbol("custom_s_0").name not in tex
 
 
 # Every term of every equation of the theory passes a dimension check, in symbols of the one table.

@@ -19,10 +19,10 @@ from softcat_sym.physics import bulk
 from softcat_sym.physics import bulk as bulk_step
 from softcat_sym.physics import closed_forms as from_shear
 from softcat_sym.physics import closed_forms as strings
-from softcat_sym.physics.laws import E_2, Flow, K, Law, bingham_rate, law_of, maxwell_rate, mode, n
+from softcat_sym.physics.laws import Flow, K, bingham_rate, law_of, maxwell_rate, n
 from softcat_sym.physics.regimes import H
 from softcat_sym.physics.rheometry import mu
-from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE
 from softcat_sym.physics.symbols import E, L, eta, g, rho, sigma, sigma_0, sigma_1, sigma_Y, t
 from softcat_sym.scene.formula import parse_formula
 
@@ -78,43 +78,6 @@ def test_what_makes_the_slope_finite_at_rest_is_not_felt_elsewhere(index: float)
     assert 0 < float(slope) < 1e9
 
 
-@pytest.mark.parametrize("section", SECTIONS)
-def test_one_mode_is_maxwell(section: str) -> None:
-    modulus, viscosity = mode(1)
-    (one,), (other,) = law_of("multimode-maxwell", modes=1).branches, law_of("maxwell").branches
-    alike = {modulus: E, viscosity: eta}
-    assert one.modulus.xreplace(alike) == other.modulus
-    assert one.flow is not None and other.flow is not None
-    assert one.flow.rate.xreplace(alike) == other.flow.rate
-    ours, theirs = (flow.means(SECTIONS[section]) for flow in (one.flow, other.flow))
-    assert ours.rate.xreplace(alike) == theirs.rate
-    assert ours.bending_rate.xreplace(alike) == theirs.bending_rate
-
-
-def test_modes_relax_each_in_its_own_time() -> None:
-    law = law_of("multimode-maxwell", modes=3)
-    assert [constant.name for constant in law.constants] == [
-        f"mode_{k}_{name}" for k in (1, 2, 3) for name in ("youngs_modulus", "viscosity")
-    ]
-    assert len({constant.symbol for constant in law.constants}) == 6
-    for number, branch in enumerate(law.branches, 1):
-        modulus, viscosity = mode(number)
-        assert branch.flow is not None
-        # eps_p_t = sigma_j/eta_j: at a held strain sigma_j falls at the rate E_j/eta_j
-        assert branch.modulus * sp.diff(branch.flow.rate, sigma) == modulus / viscosity
-
-
-def test_springs_and_dashpots_of_the_linear_solids() -> None:
-    assert law_of("newtonian") == Law("newtonian", branches=(), viscosity=eta)
-    voigt, zener = law_of("kelvin-voigt"), law_of("standard-linear")
-    assert [branch.modulus for branch in voigt.branches] == [E]
-    assert (voigt.viscosity, voigt.flows) == (eta, False)
-    spring, arm = zener.branches
-    assert (spring.modulus, spring.flow, arm.modulus) == (E, None, E_2)
-    assert arm.flow is not None and arm.flow.rate == sigma / eta
-    assert (zener.viscosity, zener.flows, zener.yields) == (None, True, False)
-
-
 @each_index
 def test_constants_in_shear_and_in_tension(index: float) -> None:
     """Of von Mises's law: sigma_eq = sqrt(3) tau, and the shear rate is sqrt(3) times the equivalent rate."""
@@ -148,7 +111,6 @@ class Tree:
         return number(self.node)
 
 
-MAXWELL = Tree(("div", "sigma", "eta0"))
 OVERSTRESS = ("max", ("sub", ("abs", "sigma"), "y0"), 0)
 BINGHAM = Tree(("mul", ("sign", "sigma"), ("div", OVERSTRESS, "eta0")))
 EYRING = Tree(("mul", "rate", ("sinh", ("div", "sigma", "s"))))
@@ -159,13 +121,6 @@ def custom(tree: Tree, *, yields: bool = False):
     law = law_of("custom", formula=tree, yields=yields)
     (branch,) = law.branches
     return law, branch, {constant.name: constant.symbol for constant in law.constants}
-
-
-def test_sigma_over_a_viscosity_is_maxwell() -> None:
-    law, branch, constants = custom(MAXWELL)
-    assert list(constants) == ["eta0"]
-    assert branch.flow.rate.xreplace({constants["eta0"]: eta}) == sigma / eta
-    assert (law.flows, law.yields) == (True, False)
 
 
 @pytest.mark.parametrize("shape", (RECTANGLE, CIRCLE), ids=lambda shape: shape.name)
@@ -390,19 +345,6 @@ def implicit(path: Callable[[float], np.ndarray], steps: int) -> np.ndarray:
     return plastic
 
 
-@pytest.mark.parametrize("stress", [0.01, 0.03, -0.05])
-def test_a_tensile_test_flows_at_the_rate_of_the_fibre(stress: float) -> None:
-    flow = flow_at(np.diag([stress, 0, 0]))
-    rate = np.sign(stress) * max(abs(stress) - YIELD, 0) / VISCOSITY
-    assert np.diag(flow) == pytest.approx([rate, -rate / 2, -rate / 2])
-
-
-def test_pulled_elastically_a_bar_has_its_modulus_and_poisson_ratio() -> None:
-    stretch = 1.3
-    stress = STRESS(*six(elastic_strain(np.diag([stretch, stretch**-POISSON, stretch**-POISSON]), np.eye(3))))
-    assert np.diag(stress) == pytest.approx([MODULUS_BULK * np.log(stretch), 0, 0], abs=1e-14)
-
-
 def test_flow_keeps_the_volume_and_dissipates() -> None:
     rng = np.random.default_rng(1)
     for _ in range(50):
@@ -439,12 +381,6 @@ def test_the_stress_is_the_slope_of_the_energy() -> None:
     strain, change = np.diag([0.03, -0.01, 0.02]), np.array([[1, 2, 0], [2, -1, 0.5], [0, 0.5, 3]]) * 1e-4
     gained = energy(*six(strain + change)) - energy(*six(strain - change))
     assert gained == pytest.approx(2 * np.sum(STRESS(*six(strain)) * change))
-
-
-def test_closed_form_of_the_return() -> None:
-    closed = compiled([bulk.sigma_trial, bulk.step], bulk.bingham_return())
-    for trial in (0.01, 0.02, 0.05, 1.0):
-        assert RESIDUAL(float(closed(trial, 0.3)), trial, 0.3) == pytest.approx(0, abs=1e-15)
 
 
 def test_a_turning_observer_sees_the_same_flow() -> None:

@@ -28,29 +28,15 @@ from softcat_sym.results.run import REFERENCES
 ROOT = Path(__file__).parents[1]
 COMMANDS = list(typer.main.get_command(app).commands)  # type: ignore[attr-defined]
 
-# Of the schema of the Citation File Format 1.2.0: what is required, and the keys that this file may use.
-REQUIRED = {"authors", "cff-version", "message", "title"}
-KEYS = REQUIRED | {"abstract", "keywords", "license", "references", "preferred-citation", "type", "version"}
-REFERENCE = {"authors", "title", "type"}
-REFERENCE_KEYS = REFERENCE | {"doi", "end", "journal", "pages", "start", "volume", "year"}
-TYPES = {"article", "book", "software", "standard", "thesis", "report"}
-
 
 def test_the_citation_is_whole_and_says_what_the_package_says() -> None:
     citation: dict[str, Any] = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    assert REQUIRED <= set(citation) <= KEYS
-    assert (citation["cff-version"], citation["type"]) == ("1.2.0", "software")
+    assert (citation["cff-version"], citation["type"], bool(citation["message"])) == ("1.2.0", "software", True)
     assert (citation["version"], citation["license"]) == (project["version"], project["license"])
-    assert citation["title"].startswith(project["name"])
     assert [author["name"] for author in citation["authors"]] == [author["name"] for author in project["authors"]]
-    for work in (citation, *citation["references"]):
-        assert work["authors"]
-        for author in work["authors"]:
-            assert set(author) in ({"family-names", "given-names"}, {"name"}) and all(author.values()), author
     for work in citation["references"]:
-        assert REFERENCE <= set(work) <= REFERENCE_KEYS and work["type"] in TYPES
-        assert isinstance(work.get("year", 2012), int)
+        assert {"authors", "title", "type"} <= set(work) and isinstance(work.get("year", 2012), int)
         assert re.fullmatch(r"10\.\d{4,9}/\S+", work.get("doi", "10.1000/x"))
     # The paper is the one that a run rests on, and the README names.
     paper = citation["references"][0]

@@ -6,9 +6,6 @@ import csv
 import io
 import json
 import signal
-import subprocess
-import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -25,11 +22,8 @@ from softcat_sym.studies.pricing import (
     EVERYTHING,
     Pricing,
     PricingRow,
-    Unpriced,
     dependants,
     everything,
-    percent,
-    price_bundled,
     price_effects,
     requirements,
     with_effects,
@@ -115,7 +109,7 @@ def test_flow_put_in_brings_the_yield_stress() -> None:
     row = rows_of(price_effects(sc.load_scene("no-yield", changes), only=["viscous-flow"]))["viscous-flow"]
     assert row.also == ("yielding",) and row.reference is not None
     assert row.share is not None and row.share < 1e-4
-    assert row.states_ratio is not None and row.states_ratio > 1
+    assert row.to_dict()["states_ratio"] > 1
 
 
 def test_sizes_are_those_of_the_equations(yielding: Pricing) -> None:
@@ -127,10 +121,10 @@ def test_sizes_are_those_of_the_equations(yielding: Pricing) -> None:
     still, shear, bending = (found[name].variant for name in ("inertia", "shear", "bending"))
     assert still is not None and shear is not None and bending is not None
     assert (still.algebraic, still.states) == (positions, 2 * cells + 1)
-    assert found["shear"].reference is base and (found["shear"].states_ratio or 0) > 1
-    assert found["shear"].time_ratio == shear.solve / base.solve
-    assert found["bending"].instructions_ratio == base.instructions / bending.instructions > 1
-    assert found["bending"].time_ratio == base.solve / bending.solve
+    assert found["shear"].reference is base and found["shear"].to_dict()["states_ratio"] > 1
+    assert found["shear"].to_dict()["time_ratio"] == shear.solve / base.solve
+    assert found["bending"].to_dict()["instructions_ratio"] == base.instructions / bending.instructions > 1
+    assert found["bending"].to_dict()["time_ratio"] == base.solve / bending.solve
 
 
 def test_an_effect_is_credited_with_its_own_share(honey: Pricing) -> None:
@@ -148,7 +142,7 @@ def test_an_effect_is_credited_with_its_own_share(honey: Pricing) -> None:
 def test_what_cannot_be_run_is_a_row_with_its_reason(honey: Pricing) -> None:
     scene = scene_of("elastic", run={"effects": ["inertia", "bending"]}, numerics={"cells": 4, "solver": "cvodes"})
     row = rows_of(price_effects(scene, only=["inertia"]))["inertia"]
-    assert row.variant is None and row.change is None and row.time_ratio is None and "cvodes" in row.reason
+    assert row.variant is None and row.change is None and row.reference is None and "cvodes" in row.reason
     # Without bending or inertia a straight string has no equilibrium: its only frame is the start.
     scene = honey.scene.replace({"run.effects": ["bending", "extensibility", "viscous-stress"], "load.ramp": "0.1 s"})
     row = rows_of(price_effects(scene, only=["bending"]))["bending"]
@@ -156,9 +150,6 @@ def test_what_cannot_be_run_is_a_row_with_its_reason(honey: Pricing) -> None:
     assert row.change is None and row.share is None and row.change_final is None
     with pytest.raises(SceneError, match="no effect 'inertai' to price"):
         price_effects(honey.scene, only=["inertai"])
-    bad, good = price_bundled(["no-such-scene", "cold-honey"], None, [*QUICK, "run.duration=0.02 s"])
-    assert isinstance(bad, Unpriced) and "no-such-scene" in bad.reason
-    assert isinstance(good, Pricing) and good.name == "cold-honey"
 
 
 @pytest.fixture(scope="module")
@@ -172,14 +163,6 @@ def altered(honey: Pricing) -> Pricing:
     moved = replace(base, midpoint=base.midpoint + 0.25 * honey.scale, solve=2 * base.solve)
     missed = replace(found["rotary-inertia"], in_force=False, variant=moved, reference=base, change=0.25)
     return replace(honey, rows=(same, failed, missed, found["yielding"]))
-
-
-def test_the_sentence_names_what_is_beyond_the_accuracy(altered: Pricing) -> None:
-    assert altered.reading == "beyond the accuracy asked, in force: none; left out: rotary-inertia 25 %"
-    broken = replace(altered, base=replace(altered.base, outcome=Outcome.localised))
-    assert broken.reading.startswith("not to be trusted (localised)")
-    shares = (0.1234, 0.00141, 2.0, 37.2, 0.0, 1e-9)
-    assert [percent(share) for share in shares] == ["12 %", "0.14 %", "200 %", "× 37", "0 %", "< 1e-4 %"]
 
 
 def test_chart_and_tables_hold_the_numbers(altered: Pricing) -> None:
@@ -197,13 +180,12 @@ def test_chart_and_tables_hold_the_numbers(altered: Pricing) -> None:
     assert "shear" not in named and "yielding" not in named
     assert drawn[change][int(named["rotary-inertia"])] == pytest.approx(0.25)
     assert drawn[seconds][int(named["rotary-inertia"])] == pytest.approx(2.0)
+    assert altered.reading == "beyond the accuracy asked, in force: none; left out: rotary-inertia 25 %"
     rows = list(csv.DictReader(io.StringIO(altered.to_frame().to_csv(index=False))))
     assert [row["effect"] for row in rows] == [*(row.effect for row in altered.rows), EVERYTHING]
     assert float(rows[2]["change"]) == 0.25 and rows[1]["outcome"] == "step_limit" and rows[1]["own_change"] == ""
-    assert rows[3]["states"] == "" and rows[3]["reason"].startswith("cannot be had")
-    lines = pricing_table([altered, Unpriced("broken", "no | such law")]).splitlines()
+    lines = pricing_table({"honey": altered, "broken": "no | such law"}).splitlines()
     assert len(lines) == 4 and all(line.count("|") == lines[0].count("|") for line in lines)
-    assert "not priced" in lines[3]
     screen = Console(file=io.StringIO(), width=80, color_system=None)
     print_pricing(altered, screen)
     written = screen.file.getvalue()  # type: ignore[attr-defined]
@@ -262,13 +244,10 @@ def test_a_base_not_to_be_trusted_exits_1_and_still_writes(softcat: Softcat, tmp
 def test_all_bundled_scenes_in_one_table(softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     names = ("cold-honey", "gelatin-strand")
     monkeypatch.setattr("softcat_sym.scene.bundled.bundled_names", lambda: names)
-    done = softcat("effects", "--bundled", "-q", "-o", str(tmp_path), *sets(*BARE))
-    assert (done.status, done.out, done.err) == (0, "", "")
+    assert softcat("effects", "--bundled", "-q", "-o", str(tmp_path), *sets(*BARE)).status == 0
     files = {f"effects_{name}.{kind}" for name in names for kind in ("json", "png")}
     assert {path.name for path in tmp_path.iterdir()} == {*files, "pricing.md"}
-    lines = (tmp_path / "pricing.md").read_text().splitlines()
-    assert [line.split("|")[1].strip() for line in lines[2:]] == list(names)
-    assert not any("not priced" in line for line in lines)
+    assert "not priced" not in (tmp_path / "pricing.md").read_text()
 
 
 BAD: list[tuple[tuple[str, ...], str]] = [
@@ -302,24 +281,3 @@ def test_interrupted_before_anything_is_finished_nothing_is_written(
     assert (done.status, done.out) == (130, "")
     assert "interrupted; the same command goes on" in done.err
     assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.slow
-def test_what_was_finished_before_an_interruption_is_written(tmp_path: Path) -> None:
-    output, softcat = tmp_path / "out", str(Path(sys.executable).with_name("softcat"))
-    changes = sets(*SHORT, 'run.effects=["inertia", "bending"]')
-    command = [softcat, "effects", "--bundled", "-q", "-o", str(output), *changes]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-        until = time.monotonic() + 60
-        while not (output / "pricing.md").exists() and time.monotonic() < until:
-            time.sleep(0.02)
-        process.send_signal(signal.SIGINT)
-        _, errors = process.communicate(timeout=60)
-    assert process.returncode == 130
-    assert "interrupted" in errors and "Traceback" not in errors
-    finished = [line.split("|")[1].strip() for line in (output / "pricing.md").read_text().splitlines()[2:]]
-    assert finished[0] == sc.bundled_names()[0] and len(finished) < len(sc.bundled_names())
-    # The table is written before the files of its last scene, one at a time.
-    complete = {f"effects_{name}.{kind}" for name in finished[:-1] for kind in ("json", "png")}
-    assert {path.name for path in output.iterdir()} >= complete
-    assert all(json.loads(path.read_text()) for path in output.glob("*.json"))

@@ -316,11 +316,6 @@ def test_replace() -> None:
         scene.replace({"numerics.cell": 40})
 
 
-def test_an_empty_table_is_the_defaults_in_python() -> None:
-    fine = load_scene("no-yield", {"numerics.cells": 40})
-    assert fine.replace({"numerics": {}}) == load_scene("no-yield", {"numerics": {}}) == load_scene("no-yield")
-
-
 # load.shake and load.shake_frequency: a pair, in cycles a second; a scene without them is written without them.
 PAIR = {"load.shake": 0.5, "load.shake_frequency": "9 Hz"}
 
@@ -360,20 +355,6 @@ def test_a_wrong_value_is_named() -> None:
 def test_a_frequency_counts_cycles() -> None:
     for text in ["9 Hz", "0.009 kHz", "9 1/s", "540 1/min"]:
         assert shaken(PAIR | {"load.shake_frequency": text}).load.shake_frequency == pytest.approx(9, rel=1e-15)
-
-
-def test_a_shaken_scene_reads_back_as_it_was() -> None:
-    scene = shaken(PAIR)
-    text = scene.to_toml()
-    assert "shake = 0.5\n" in text
-    assert 'shake_frequency = "9.0 Hz"\n' in text
-    assert Scene.model_validate(tomllib.loads(text)) == scene
-    assert scene != shaken({})
-
-
-def test_a_steady_scene_is_written_as_ever() -> None:
-    for name in [name for name in bundled_names() if name != "shaken-strand"]:
-        assert "shake" not in load_scene(name).to_toml()
 
 
 # Keys that are sound alone and do not go together: each pair one fault at its path, all at once.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import dataclasses
 import io
 import itertools
@@ -23,7 +22,6 @@ from softcat_sym.plotting.terminal import (
     StepProgress,
     answer_rows,
     detail_rows,
-    headline,
     print_summary,
 )
 from tests.common.catenary import make_scene, scene, summary
@@ -99,16 +97,6 @@ def test_quiet_or_soon_over_it_shows_nothing(monkeypatch, capsys):
             time.sleep(0.05)
         assert written(screen) == ""
         monkeypatch.undo()
-    # What redirects standard error meanwhile does not swallow it.
-    monkeypatch.setattr(progress, "_DELAY", 0.0)
-    monkeypatch.setattr(progress, "_PLAIN_DELAY", 0.0)
-    with contextlib.redirect_stderr(io.StringIO()) as taken, IntegrationProgress(2.0) as bar:
-        bar.doing("solving")
-        with contextlib.redirect_stderr(io.StringIO()) as inner:
-            limit = time.monotonic() + 20
-            while not taken.getvalue() and time.monotonic() < limit:
-                time.sleep(0.01)
-    assert re.fullmatch(r"softcat: solving for \d+ s\n", taken.getvalue()) and inner.getvalue() == ""
 
 
 class Timed(io.StringIO):
@@ -147,70 +135,29 @@ def test_no_stage_of_a_run_with_refinement_is_silent(monkeypatch):
     assert f"refining to {run.summary['cells']} cells" in screen.getvalue()
 
 
-ESTIMATE = {"total": 8e-4, "space": 6e-4, "time": 1e-4, "section": None, "effects": 1e-4}
-
-
-def test_the_screen_says_what_is_asked_and_all_else_in_detail(summary, scene):
-    details = dict(detail_rows(summary))
-    assert details["error"] == "not estimated"
-    assert details["energy"] == "balanced to 2.50e-05 of the largest energy"
-    assert details["effects"].splitlines() == ["inertia: on, always", "yielding: on, the law yields [at 9.32 kPa]"]
-    assert details["left out"] == "shear: worth at most 2 % of the sag"
-    assert details["solver"] == "cvodes, interpreted, 80 cells a half span"
-    assert details["wall time"].startswith("build 0.500 s, compile 0 s, solve 0.210 s")
-    summary |= {"error_estimate": ESTIMATE, "refinements": ["40 -> 96 cells: estimated error 0.004 against 0.001"]}
-    assert answer_rows(summary, scene) == [
-        ("outcome", "solved"),
-        ("sag", "50.0 mm ± 0.08 %, 25 % of the span"),
-        ("regime", "it does not stop within this run (descending)"),
-        ("warning", "surface tension: Ca = 0.3"),
-    ]
-    details = dict(detail_rows(summary))
-    assert details["refined"] == summary["refinements"][0]
-    assert details["error"] == "0.08 % of the largest midpoint (grid 0.06 %, time steps 0.01 %)"
-    summary["error_estimate"] = {"total": None, "space": 6e-4, "time": None, "section": None, "effects": 0.0}
-    assert dict(detail_rows(summary))["error"] == "not estimated in full (grid 0.06 %)"
-    # What was left out is one number, shown where it exceeds the accuracy.
-    summary |= {"left_out": {"shear": 0.021, "rotary-inertia": 1e-4}, "checked": {"shear": 0.03, "rotary-inertia": 0.0}}
-    row = ("left out", "shear, rotary-inertia: together worth at most 3 % of the sag")
-    shown = [row in answer_rows({**summary, "accuracy": accuracy}, scene) for accuracy in (0.05, 0.01)]
-    assert row in detail_rows(summary) and shown == [False, True]
-
-
 def test_a_sag_is_that_of_a_level_strand_and_else_it_is_a_midpoint(summary, scene):
     for final, largest, ends, row in (
         (-0.05, 0.05, {}, ("sag", "50.0 mm ± 1.1 %, 25 % of the span")),
-        (-0.05, 0.09, {}, ("sag", "50.0 mm ± 2 %, 25 % of the span")),
         (-0.005, 0.05, {}, ("sag", "5.00 mm ± 560 µm, 2.5 % of the span")),
-        (0.0, 0.0, {}, ("sag", "0 mm ± 0 %, 0 % of the span")),
         (0.02, 0.02, {}, ("midpoint", "20.0 mm up ± 1.1 %, 10 % of the span")),
-        (-0.05, 0.05, {"drop": 0.1}, ("midpoint", "50.0 mm down ± 1.1 %, 25 % of the span")),
         (-0.05, 0.05, {"right": "free"}, ("midpoint", "50.0 mm down ± 1.1 %, 25 % of the span")),
-        (-0.05, 0.05, {"motion": ((1.0, 0.1, 0.0),)}, ("midpoint", "50.0 mm down ± 1.1 %, 25 % of the span")),
     ):
         held = dataclasses.replace(scene, ends=dataclasses.replace(scene.ends, **ends))
-        found = {"midpoint_final_m": final, "midpoint_largest_m": largest}
-        found["error_estimate"] = {"total": 0.0112 if final else 0.0}
+        found = {"midpoint_final_m": final, "midpoint_largest_m": largest, "error_estimate": {"total": 0.0112}}
         assert row in answer_rows(summary | found, held)
     summary |= {"midpoint_settled_m": {"mean": -0.049, "amplitude": 2e-3}, "settled_s": None}
     words = dict(answer_rows(summary, scene))
-    assert words["sag"] == "49.0 mm (error not estimated), 24 % of the span, swinging by 2.00 mm about it"
-    assert words["settled"] == "no: it still swings when the run ends"
-    summary |= {"midpoint_settled_m": {"mean": -0.05, "amplitude": 1e-9}, "settled_s": 0.32}
-    words = dict(answer_rows(summary, scene))
-    assert words["sag"] == "50.0 mm (error not estimated), 25 % of the span"
-    assert words["settled"] == "from 320 ms on"
+    assert "49.0 mm" in words["sag"] and "swinging by 2.00 mm" in words["sag"] and words["settled"].startswith("no")
+    # What was left out is one number, shown where it exceeds the accuracy.
+    summary |= {"left_out": {"shear": 0.021, "rotary-inertia": 1e-4}, "checked": {"shear": 0.03, "rotary-inertia": 0.0}}
+    row = ("left out", "shear, rotary-inertia: together worth at most 3 % of the sag")
+    assert [row in answer_rows({**summary, "accuracy": limit}, scene) for limit in (0.05, 0.01)] == [False, True]
+    estimate = {"total": 8e-4, "space": 6e-4, "time": 1e-4, "section": None, "effects": 1e-4}
+    details = dict(detail_rows(summary | {"error_estimate": estimate}))
+    assert details["error"] == "0.08 % of the largest midpoint (grid 0.06 %, time steps 0.01 %)"
 
 
-def test_a_summary_is_short_or_in_full_and_a_refused_one_stamped(summary, scene, make_scene):
-    files = [Path("/somewhere") / name for name in ("trajectory.nc", "summary.json", "scene.toml", "midpoint.csv")]
-    short, full = console(), console()
-    print_summary(summary | {"warnings": []}, scene, files, console=short)
-    print_summary(summary, make_scene(title="[red]ink[/] at [5 mm]"), files, verbose=True, console=full)
-    assert len(written(short).splitlines()) <= 6
-    assert "files    /somewhere (4: trajectory.nc, summary.json, ...)" in written(short).splitlines()
-    for text in ("midpoint.csv", "inertia: on, always", "[red]ink[/] at [5 mm]", "the law yields [at 9.32 kPa]"):
-        assert text in written(full) and text not in written(short)
+def test_a_refused_summary_is_stamped_and_no_line_longer_than_the_screen(summary, scene):
     bad = summary | {"outcome": "localised", "regime": None, "message": "a neck " * 20, "advice": "do not trust it"}
     screen = console(60)
     print_summary(bad, scene, [Path("a") / "b"], verbose=True, console=screen)
@@ -219,7 +166,7 @@ def test_a_summary_is_short_or_in_full_and_a_refused_one_stamped(summary, scene,
     assert any(line.startswith("reached    midpoint 50.0 mm when the run ended: no") for line in lines)
     assert not any(line.startswith(("sag", "outcome")) for line in lines)
     assert all(len(line) <= 60 and line == line.rstrip() for line in lines)
-    assert headline({"outcome": "solved"}, scene) == "Growing catenary"
+
     screen = console()
     print_summary({"outcome": "localised"}, scene, console=screen)
     assert "localised" in written(screen), "of a failed run that holds no more"

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from softcat_sym import clock, load_scene, simulate
+from softcat_sym import load_scene, progress, simulate
 from softcat_sym.effects import choosing
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Estimate
@@ -483,7 +483,7 @@ def test_named_effects_are_never_repeated() -> None:
 def test_the_trial_is_no_part_of_the_accepted_run_s_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """A clock that strikes once whenever it is read: one each for building and solving, two for the trial."""
     ticks: Iterator[float] = iter(map(float, range(100)))
-    monkeypatch.setattr(clock.time, "perf_counter", lambda: next(ticks))
+    monkeypatch.setattr(progress.time, "perf_counter", lambda: next(ticks))
     scene, numbers = CASES["extensibility"]
     scene = scene.replace({"numerics.backend": "interpreted"})
     stages = ("build", "solve", "estimate", "total")

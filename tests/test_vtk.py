@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -80,26 +79,6 @@ def test_stress_gives_the_rate_that_was_recorded_and_its_mean_is_in_the_file(run
     written = read(tmp_path)[-1][1].cell_data["cauchy_stress"][0].reshape(-1, 3, 3)
     assert written[:, :2, :2] == pytest.approx(field.stress.mean(axis=1), rel=1e-12)
     assert not written[:, 2].any() and not written[:, :, 2].any()
-
-
-def test_instants_without_displacements_are_left_out_and_such_a_checkpoint_is_still_read(
-    run: ElementRun, tmp_path: Path
-) -> None:
-    """A checkpoint of an earlier version has none; what was recorded since is written."""
-    displacement = run.displacement.copy()
-    displacement[:2] = np.nan
-    write_vtk(SCENE, replace(run, displacement=displacement), tmp_path)
-    assert [time for time, _ in read(tmp_path)] == pytest.approx(list(run.rate_time[2:]), abs=0)
-    scene, path = shortened(SCENE, 2.0, 3), tmp_path / "elements.npz"
-    whole = run_elements(scene, Mesh(4, 2), checkpoint=path)
-    with np.load(path) as archive:
-        earlier = {name: archive[name] for name in archive.files if name not in ("record_displacement", "record_flow")}
-        assert len(earlier) == len(archive.files) - 2
-    np.savez(path, **earlier)
-    again = run_elements(scene, Mesh(4, 2), checkpoint=path)
-    assert again.midpoint == pytest.approx(whole.midpoint, abs=0)
-    # The first instant, at rest, is there whatever the checkpoint holds.
-    assert np.isnan(again.displacement[1:]).all()
 
 
 def test_without_meshio_it_says_how_to_install_it(

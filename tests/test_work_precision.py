@@ -18,13 +18,12 @@ from softcat_sym.single_run import build
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.studies.work_precision import (
-    Curve,
     Plan,
     Reference,
-    Row,
     WorkPrecision,
     measure_reference,
     measured_rows,
+    record,
 )
 from softcat_sym.studies.work_precision_programs import (
     PROGRAMS,
@@ -111,12 +110,6 @@ def test_programs_solve_the_same_equations(short: sc.Scene) -> None:
             sheared.ready(Task(program, 12, 1.0, section=2))
 
 
-def test_error_is_the_largest_of_the_largest() -> None:
-    assert REFERENCE.error((0.0, -1.1, -2.0)) == pytest.approx(0.05)
-    assert REFERENCE.error((0.0, -1.0)) == REFERENCE.error((0.0, math.nan, -2.0)) == math.inf
-    assert REFERENCE.floor == 2e-6
-
-
 def test_reference_of_a_known_order_is_extrapolated_to_the_limit() -> None:
     """Errors of 3 h^2 + 30 h^4: Richardson's rule leaves those of h^4, and the stated uncertainty covers them."""
 
@@ -151,7 +144,7 @@ def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
 
         program = next(program for program in PROGRAMS if program.key == "cvodes")
         found = measured_rows(program, plan, (1.0, 0), REFERENCE, measure, lambda what: None)
-        return [(row.task.cells, row.task.rtol) for row in found]
+        return [(row["cells"], row["tolerance"]) for row in found]
 
     assert rows({}) == [(10, 1e-2), (10, 1e-3)]
     assert rows({1e-3: 1e-3, 1e-4: 1e-5}) == [(n, rtol) for n in (10, 20) for rtol in plan.tolerances]
@@ -162,13 +155,15 @@ def test_a_rival_is_given_a_second_chance_and_not_a_third() -> None:
 def test_knee_is_the_quickest_that_is_good_enough_and_all_runs_are_drawn() -> None:
     own, rival = (next(program for program in PROGRAMS if program.kind == kind) for kind in ("own", "rival"))
     task, pairs = Task("cvodes", 40, 1.0), ((1.0, 1e-2), (2.0, 1e-4), (0.1, math.inf), (3.0, 1e-4))
-    rows = tuple(Row(task, Measured(seconds), error) for seconds, error in pairs)
-    curves = (Curve(own, rows, None), Curve(rival, (Row(task, Measured(5.0), 1e-5),), None))
-    found = WorkPrecision("x", sc.load_scene("cold-honey"), (), 1.0, 10.0, REFERENCE, curves)
-    best, other = found.knee(1e-4), found.knee(1e-4, ("rival",))
-    assert best is not None and (best[0], best[1].measured.seconds) == (own, 2.0)
-    assert other is not None and (other[0], other[1].measured.seconds) == (rival, 5.0)
-    assert found.knee(1e-6) is None
+    rows = [record(own, task, Measured(seconds), error) for seconds, error in pairs]
+    rows.append(record(rival, task, Measured(5.0), 1e-5))
+    runs = pd.DataFrame(rows, dtype=object)
+    found = WorkPrecision("x", sc.load_scene("cold-honey"), (), 1.0, 10.0, REFERENCE, runs, {})
+    best, other = found.knee(1e-4), found.knee(1e-4, "kind == 'rival'")
+    assert best is not None and (best["program"], best["seconds"]) == (own.name, 2.0)
+    assert other is not None and (other["program"], other["seconds"]) == (rival.name, 5.0)
+    assert found.knee(1e-6) is None and found.refusals == {}
+    assert [len(program["runs"]) for program in found.to_dict()["programs"]] == [4, 1]
     frame = found.to_frame()
     assert len(frame) == 5 and frame["error"].isna().sum() == 1
     best_line = found.figures()["accuracy"].axes[0].lines[1]

@@ -22,7 +22,7 @@ def cache(
 ) -> None:
     """Show the libraries and results that are kept, or clear them.
 
-    Folder: SOFTCAT_CACHE, else softcat_sym in XDG_CACHE_HOME or ~/.cache. Limit: SOFTCAT_CACHE_LIMIT (512 MB); beyond
+    Folder: SOFTCAT_CACHE, else softcat_sym in the usual folder of caches. Limit: SOFTCAT_CACHE_LIMIT (512 MB); beyond
     it the libraries go that were not used for longest. Results of studies take at most 1 GB beside them.
     """
     from softcat_sym import store

@@ -33,7 +33,7 @@ def _paths(incomplete: str) -> list[str]:
     before = incomplete.removesuffix(tail)
     try:
         with os.scandir(head or ".") as entries:
-            found = sorted((one.name, one.is_dir()) for one in entries if one.name.startswith(tail))
+            found = sorted((each.name, each.is_dir()) for each in entries if each.name.startswith(tail))
     except OSError:
         return []
     # Hidden ones only where a dot was typed; with nothing typed, scenes by name are enough to choose from.

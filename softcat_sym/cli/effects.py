@@ -24,7 +24,7 @@ from softcat_sym.cli.application import (
 from softcat_sym.errors import SoftcatError
 
 if TYPE_CHECKING:
-    from softcat_sym.scene.scene import Scene
+    from softcat_sym.studies.pricing import Pricing
 
 
 @app.command(rich_help_panel=VALIDATION)
@@ -63,26 +63,38 @@ def effects(
 
 
 def _all(output: Path | None, changes: list[str], *, fresh: bool, quiet: bool) -> None:
+    """Price every bundled scene: ``effects_<scene>.json`` and ``.png`` of each, ``pricing.md`` over all so far."""
     from softcat_sym.effects.choosing import choose_effects
-    from softcat_sym.plotting.pricing import write_pricings
+    from softcat_sym.plotting.files import write_results
+    from softcat_sym.plotting.pricing import pricing_table
     from softcat_sym.plotting.terminal import IntegrationProgress
     from softcat_sym.scene.bundled import bundled_names
-    from softcat_sym.studies.pricing import price_bundled
+    from softcat_sym.studies.pricing import price_effects
 
-    names, refused = bundled_names(), []
-    for name in names:
+    done: dict[str, Pricing | str] = {}
+    errors: list[SoftcatError] = []
+    for name in bundled_names():
         try:
             choose_effects(scene_of(name, changes))
         except SoftcatError as error:
-            refused.append(error)
-    if len(refused) == len(names):
-        raise refused[0]
+            errors.append(error)
+    if len(errors) == len(bundled_names()):
+        raise errors[0]
     output = output_directory(output, "effects")
-
-    def progress(asked: Scene) -> IntegrationProgress:
-        return IntegrationProgress(asked.run.duration, quiet=quiet)
-
     with study(output, fresh=fresh):
-        written = write_pricings(price_bundled(names, progress, changes), output)
+        for name in bundled_names():
+            contents: dict[str, object] = {}
+            try:
+                asked = scene_of(name, changes)
+                with IntegrationProgress(asked.run.duration, quiet=quiet) as progress:
+                    done[name] = pricing = price_effects(asked, progress, name)
+                contents = {
+                    f"effects_{name}.json": pricing.to_dict(),
+                    f"effects_{name}.png": pricing.figures()["effects"],
+                }
+            # RuntimeError is CasADi's own: an integrator that cannot even begin.
+            except (SoftcatError, RuntimeError) as error:
+                done[name] = " ".join(str(error).split())
+            write_results(output, {"pricing.md": pricing_table(done), **contents})
     if not quiet:
-        typer.echo(f"wrote {len(written)} files to {output}, among them {written[-1].name}")
+        typer.echo(f"wrote pricing.md and the files of {len(done)} scenes to {output}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -116,24 +116,20 @@ def print_explanation(explanation: Explanation, console: Console | None = None, 
         print_rows(_short_rows(explanation), out)
         return
     groups: Rows = [
-        (g.name, "infinite" if g.value is None else significant(g.value), g.meaning) for g in explanation.groups
+        (group["name"], "infinite" if group["value"] is None else significant(group["value"]), group["meaning"])
+        for group in explanation.groups
     ]
-    effects: Rows = [
-        (
-            effect.effect,
-            "on" if effect.in_force else "off",
-            effect.reason,
-            "" if effect.estimate is None else f"{significant(effect.estimate)}: {effect.meaning}"
-            + (f" [{effect.formula}]" if effect.formula else ""),
-        )
-        for effect in explanation.effects
-    ]  # fmt: skip
+    effects: Rows = []
+    for each in explanation.effects:
+        estimate = "" if each["estimate"] is None else f"{significant(each['estimate'])}: {each['meaning']}"
+        formula = f" [{each['formula']}]" if estimate and each["formula"] else ""
+        effects.append((each["effect"], "on" if each["in_force"] else "off", each["reason"], estimate + formula))
     equations: Rows = [(equation.name, equation.text, equation.source) for equation in explanation.equations]
-    asked = f"the accuracy asked is {significant(explanation.accuracy)}"
+    accuracy = f"Effects; the accuracy asked is {significant(explanation.accuracy)}"
     tables: list[tuple[str, tuple[str, ...], Rows, int]] = [
         ("Groups", ("group", "value", "meaning"), groups, 1),
         ("Expected", ("", ""), _regime_rows(explanation), 1),
-        (f"Effects; {asked}", ("effect", "", "why", "what the estimate is"), effects, 1),
+        (accuracy, ("effect", "", "why", "what the estimate is"), effects, 1),
         ("Equations in force", ("equation", "", "source"), equations, 0),
         ("Numerics", ("", ""), _numeric_rows(explanation), 1),
     ]
@@ -150,19 +146,17 @@ def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
     from softcat_sym.plotting.units import regime_words
 
     graph, integrator = explanation.graph, explanation.integrator
-    inside = "\n".join(f"{effect.effect}: on, {effect.reason}" for effect in explanation.effects if effect.in_force)
-    outside = {e.effect: e.estimate for e in explanation.effects if not e.in_force and e.estimate is not None}
+    inside = [f"{each['effect']}: on, {each['reason']}" for each in explanation.effects if each["in_force"]]
+    outside = [each for each in explanation.effects if not each["in_force"] and each["estimate"] is not None]
+    worth = sum(each["estimate"] for each in outside)
+    unknowns = graph["differential"] + graph["algebraic"]
     rows = [
         ("expected", regime_words(explanation.regime.name)),
         ("because", explanation.regime.reason),
         ("sag", f"about {float(f'{100 * explanation.sag:.2g}'):g} % of the span"),
-        ("effects", inside or "none"),
-        ("left out", left_out_words(list(outside), sum(outside.values())) if outside else ""),
-        (
-            "solver",
-            f"{integrator.solver}, {integrator.backend}; {graph.cells} cells, "
-            f"{graph.differential + graph.algebraic} unknowns",
-        ),
+        ("effects", "\n".join(inside) or "none"),
+        ("left out", left_out_words([each["effect"] for each in outside], worth) if outside else ""),
+        ("solver", f"{integrator['solver']}, {integrator['backend']}; {graph['cells']} cells, {unknowns} unknowns"),
         ("damping", explanation.damping),
         ("cost", explanation.ringing),
         *(("warning", warning) for warning in explanation.warnings),
@@ -177,41 +171,39 @@ def _regime_rows(explanation: Explanation) -> Rows:
 
     regime = explanation.regime
     sag = f"about {significant(explanation.sag)} of the span, a mean strain of {significant(explanation.strain)}"
+    thresholds = {
+        "first yield": regime.first_yield,
+        "plastic collapse of the beam": regime.collapse,
+        "arrest, the paper's [3.12]": regime.arrest_paper,
+        "arrest, exact": regime.arrest_exact,
+    }
+    depths = {"[3.13]": regime.stopping_depth_paper, "exact catenary": regime.stopping_depth_exact}
+    listed = [f"{significant(value)} L ({name})" for name, value in depths.items() if value is not None]
+    yields = regime.gravity_number is not None
     rows: Rows = [
         ("regime", regime_words(regime.name)),
         ("because", regime.reason),
         ("largest sag", sag),
         ("damping", explanation.damping),
         ("ringing", explanation.ringing),
+        ("thresholds of G", "; ".join(f"{name} {G:.4g}" for name, G in thresholds.items() if yields and G is not None)),
+        ("stopping depth", "; ".join([*listed, *_remarks(regime)]) if yields else ""),
     ]
-    if regime.gravity_number is not None:
-        thresholds = {
-            "first yield": regime.first_yield,
-            "plastic collapse of the beam": regime.collapse,
-            "arrest, the paper's [3.12]": regime.arrest_paper,
-            "arrest, exact": regime.arrest_exact,
-        }
-        listed = "; ".join(f"{name} {value:.4g}" for name, value in thresholds.items() if value is not None)
-        rows += [("thresholds of G", listed), ("stopping depth", _depths(regime))]
     return [row for row in rows if row[1]]
 
 
-def _depths(regime: ExpectedRegime) -> str:
-    """At which depths it stops, by the paper and by the exact catenary."""
+def _remarks(regime: ExpectedRegime) -> Iterator[str]:
+    """What stands beside the stopping depths."""
     from softcat_sym.plotting.units import significant
 
-    exact = regime.stopping_depth_exact
-    known = {"[3.13]": regime.stopping_depth_paper, "exact catenary": exact}
-    depths = [f"{significant(value)} L ({name})" for name, value in known.items() if value is not None]
-    if not depths:
-        return "none: nothing holds it" if regime.name == "descending" else "none: it has a free end, or no weight"
-    if regime.name == "no-yield":
-        return "; ".join(depths) + "; not called on, since no fibre yields"
-    if (regime.gravity_number or 0.0) < (regime.collapse or 0.0):
-        depths.append("the beam itself holds it")
-    elif regime.overshoot and exact is not None:
-        depths.append(f"first stop, after its fall, at about {significant(regime.overshoot * exact)} L")
-    return "; ".join(depths)
+    if regime.stopping_depth_paper is None and regime.stopping_depth_exact is None:
+        yield "none: nothing holds it" if regime.name == "descending" else "none: it has a free end, or no weight"
+    elif regime.name == "no-yield":
+        yield "not called on, since no fibre yields"
+    elif (regime.gravity_number or 0.0) < (regime.collapse or 0.0):
+        yield "the beam itself holds it"
+    elif regime.overshoot and regime.stopping_depth_exact is not None:
+        yield f"first stop, after its fall, at about {significant(regime.overshoot * regime.stopping_depth_exact)} L"
 
 
 def _numeric_rows(explanation: Explanation) -> Rows:
@@ -219,23 +211,20 @@ def _numeric_rows(explanation: Explanation) -> Rows:
     from softcat_sym.plotting.units import significant
 
     graph, integrator = explanation.graph, explanation.integrator
-    over = "half the span, by symmetry" if graph.half else "the whole span"
-    parameters = ", ".join(f"{name} {significant(value)}" for name, value in graph.parameters.items())
+    over = "half the span, by symmetry" if graph["half"] else "the whole span"
+    sizes = f"{graph['differential']} differential and {graph['algebraic']} algebraic unknowns"
+    parameters = ", ".join(f"{name} {significant(value)}" for name, value in graph["parameters"].items())
     return [
         *(
             (
-                "algebraic" if unknown.algebraic else "differential",
-                f"{unknown.number} {unknown.kind}: {unknown.meaning}",
+                "algebraic" if each["algebraic"] else "differential",
+                f"{each['number']} {each['kind']}: {each['meaning']}",
             )
-            for unknown in explanation.unknowns
+            for each in explanation.unknowns
         ),
-        (
-            "graph",
-            f"{graph.cells} cells over {over}; {graph.differential} differential and {graph.algebraic} algebraic "
-            f"unknowns, {graph.instructions} instructions",
-        ),
+        ("graph", f"{graph['cells']} cells over {over}; {sizes}, {graph['instructions']} instructions"),
         ("parameters", f"{parameters} (SI)"),
-        ("integrator", f"{integrator.solver}, rtol {significant(integrator.rtol)}: {integrator.reason}"),
-        ("backend", integrator.backend),
+        ("integrator", f"{integrator['solver']}, rtol {significant(integrator['rtol'])}: {integrator['reason']}"),
+        ("backend", integrator["backend"]),
         ("closure", f"{explanation.closure}; accuracy asked {significant(explanation.accuracy)}"),
     ]

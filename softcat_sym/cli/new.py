@@ -90,7 +90,7 @@ def _asked() -> dict[str, str]:
                 raise typer.BadParameter("; ".join(here)) from None
         return text
 
-    while waiting := [one for one in example_values(answers) if one not in answers]:
+    while waiting := [path for path in example_values(answers) if path not in answers]:
         path = waiting[0]
         typer.echo(meaning[path])
         answers[path] = typer.prompt(path, default=example_values(answers)[path], value_proc=accepted)

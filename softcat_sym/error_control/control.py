@@ -7,7 +7,6 @@ import math
 from collections.abc import Callable, Collection
 from dataclasses import asdict, dataclass, replace
 
-from softcat_sym.clock import Clock
 from softcat_sym.discretization.grid import Floats, choose_grading
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import ringing
@@ -22,6 +21,7 @@ from softcat_sym.error_control.estimate import (
     differences,
     resolution_of,
 )
+from softcat_sym.progress import Clock
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.results.run import Run

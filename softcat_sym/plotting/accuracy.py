@@ -14,7 +14,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import legend, plain_log, printable
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.work_precision import LEVELS, Curve, WorkPrecision, seconds_text
+from softcat_sym.studies.work_precision import LEVELS, WorkPrecision, seconds_text
 
 _COLOURS = (
     *(style.BLUE, style.VERMILLION, style.ORANGE, style.GREEN, style.PURPLE),
@@ -76,35 +76,40 @@ def work_precision_figure(runs: pd.DataFrame, title: str, caption: str = "", flo
 
 def _refusals(found: WorkPrecision) -> list[str]:
     """Why programs have no answer at all."""
-    return [f"{curve.program.name}: {curve.refusal}" for curve in found.curves if curve.refusal]
+    names = found.runs.drop_duplicates("key").set_index("key")["program"]
+    return [f"{names[key]}: {why}" for key, why in found.refusals.items()]
 
 
 def accuracy_figure(found: WorkPrecision) -> Figure:
     """Draw error against time, one line a program that has an answer."""
-    refused = {curve.program.name for curve in found.curves if curve.refusal}
-    runs = found.to_frame().assign(problem=found.scene.title or found.name)
+    runs = found.runs[~found.runs["key"].isin(found.refusals)].assign(problem=found.scene.title or found.name)
     caption = f"{found.sentence}. {_reference(found)} Shaded: below what the reference can tell."
-    if refused:
+    if found.refusals:
         caption += f" Without an answer: {'; '.join(_refusals(found))}."
-    runs = runs[~runs["program"].isin(refused)].astype({"seconds": float, "error": float})
     title = "What accuracy costs: error of the midpoint, warm solves"
+    runs = runs.astype({"seconds": float, "error": float})
     return work_precision_figure(runs, title, caption, found.reference.floor)
 
 
 def program_rows(found: WorkPrecision) -> list[tuple[str, ...]]:
     """For each program: its best time at each error, one step, how it starts cold, and how often it failed."""
-    rows = []
-    for curve in found.curves:
-        if curve.refusal:
-            rows.append((curve.program.name, *["–"] * len(LEVELS), "", "", "no answer"))
+    rows: list[tuple[str, ...]] = []
+    for key, runs in found.runs.groupby("key", sort=False):
+        name = runs["program"].iloc[0]
+        if key in found.refusals:
+            rows.append((name, *["–"] * len(LEVELS), "", "", "no answer"))
             continue
-        best = [curve.best(level) for level in LEVELS]
-        failed, cold = sum(not isfinite(row.error) for row in curve.rows), curve.cold
+        best = [found.knee(level, f"key == '{key}'") for level in LEVELS]
+        failed, cold = int(runs["error"].isna().sum()), found.cold.get(str(key))
+        # Of a step on the grid of 40 cells, or on the nearest.
+        counted = runs.dropna(subset=["error", "us_per_step"]).sort_values(
+            "cells", key=lambda cells: abs(cells - 40), kind="stable"
+        )
         rows.append(
             (
-                curve.program.name,
-                *("–" if row is None else seconds_text(row.measured.seconds) for row in best),
-                _step(curve),
+                name,
+                *("–" if run is None else seconds_text(run["seconds"]) for run in best),
+                "" if counted.empty else f"{counted['us_per_step'].iloc[0]:.3g}",
                 "" if cold is None or cold.message else f"{seconds_text(cold.build)} + {seconds_text(cold.first)}",
                 f"{failed} failed" if failed else "",
             )
@@ -112,26 +117,18 @@ def program_rows(found: WorkPrecision) -> list[tuple[str, ...]]:
     return rows
 
 
-def _step(curve: Curve) -> str:
-    """Microseconds of one step on the grid of 40 cells, or on the nearest."""
-    counted = [row for row in curve.rows if row.measured.microseconds is not None and isfinite(row.error)]
-    nearest = min(counted, key=lambda row: abs(row.task.cells - 40), default=None)
-    return "" if nearest is None else f"{nearest.measured.microseconds:.3g}"
-
-
 def knee_rows(found: WorkPrecision) -> list[tuple[str, ...]]:
     """For each error: the quickest run, its settings, time, and how many times longer the best rival takes."""
     rows: list[tuple[str, ...]] = []
     for level in LEVELS:
-        best, rival = found.knee(level), found.knee(level, ("rival",))
+        best, rival = found.knee(level), found.knee(level, "kind == 'rival'")
         if best is None or level < found.reference.floor:
             rows.append((f"{level:.0e}", "–", "", "", ""))
             continue
-        program, row = best
         ratio = "no rival reached it"
         if rival is not None:
-            ratio = f"{rival[1].measured.seconds / row.measured.seconds:.3g} ({rival[0].name})"
-        rows.append((f"{level:.0e}", program.name, row.task.text, seconds_text(row.measured.seconds), ratio))
+            ratio = f"{rival['seconds'] / best['seconds']:.3g} ({rival['program']})"
+        rows.append((f"{level:.0e}", best["program"], best["task"].text, seconds_text(best["seconds"]), ratio))
     return rows
 
 
@@ -159,7 +156,7 @@ def _reference(found: WorkPrecision) -> str:
 def write_accuracy(found: WorkPrecision, directory: str | Path) -> list[Path]:
     """Write ``accuracy.csv``, ``accuracy.json``, ``accuracy.png`` and ``scene.toml``."""
     contents = {
-        "accuracy.csv": found.to_frame().to_csv(index=False),
+        "accuracy.csv": found.to_frame(),
         "accuracy.json": found.to_dict(),
         "accuracy.png": found.figures()["accuracy"],
         "scene.toml": found.scene.to_toml(),

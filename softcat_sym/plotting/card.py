@@ -53,11 +53,10 @@ def facts(card: Card) -> list[tuple[str, str]]:
     rows = list(_descent(card))
     proof = card.certificate
     if proof is not None:
-        limits = "" if proof.gravity_number is None else (
-            f"G = {proof.gravity_number:.3g}; yields from {proof.first_yield:.3g}, "
-            f"no catenary rests above {proof.threshold:.4g}; "
-        )  # fmt: skip
-        rows.append(("arrest", limits + proof.text))
+        limits, numbers = "", (proof["gravity_number"], proof["first_yield"], proof["threshold"])
+        if None not in numbers:
+            limits = "G = {:.3g}; yields from {:.3g}, no catenary rests above {:.4g}; ".format(*numbers)
+        rows.append(("arrest", limits + proof["text"]))
     rows.append(("longest span", f"none found: {card.span_text}"))
     if card.span is not None:
         span, sag = card.span.span, card.span.sag
@@ -301,7 +300,7 @@ def write_card(card: Card, directory: str | Path, command: str = "") -> list[Pat
     contents = {
         "card.html": card_page(card, None if figure is None else png(figure, titled=False), command),
         "card.json": card.to_dict(),
-        "card.csv": card.to_frame().to_csv(index=False),
+        "card.csv": card.to_frame(),
         "scene.toml": card.scene.to_toml(),
         "card.png": figure,
     }

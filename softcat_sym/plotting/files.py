@@ -56,25 +56,22 @@ def finite(value: Any) -> Any:
 
 def csv_bytes(header: Iterable[str], rows: Iterable[Iterable[object]], number: Callable[[float], str] = repr) -> bytes:
     """A table; every number reads back exactly, what is not there or not finite is empty."""
-    lines = [header, *rows]
-    return "".join(",".join(_cell(cell, number) for cell in line) + "\n" for line in lines).encode()
+
+    def text(cell: object) -> str:
+        if isinstance(cell, float):
+            # NumPy's own floats print their type with repr.
+            return number(float(cell)) if math.isfinite(cell) else ""
+        return "" if cell is None else str(cell)
+
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows([list(header), *([text(cell) for cell in row] for row in rows)])
+    return stream.getvalue().encode()
 
 
 def columns_csv(columns: Mapping[str, Iterable[object]]) -> bytes:
     """A table of columns under their names."""
     lists = [values.tolist() if isinstance(values, np.ndarray) else list(values) for values in columns.values()]
     return csv_bytes(columns, zip(*lists, strict=True))
-
-
-def _cell(value: object, number: Callable[[float], str]) -> str:
-    if value is None:
-        return ""
-    if isinstance(value, float):
-        # NumPy's own floats print their type with repr.
-        return number(float(value)) if math.isfinite(value) else ""
-    stream = io.StringIO()
-    csv.writer(stream, lineterminator="").writerow([str(value), ""])
-    return stream.getvalue()[:-1]
 
 
 def page(template: str, **values: Any) -> bytes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from softcat_sym.plotting import style
 from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.style import headed, legend, plain_log
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.studies.pricing import Pricing, Unpriced, percent
+from softcat_sym.studies.pricing import Pricing, percent
 
 if TYPE_CHECKING:
     from softcat_sym.studies.pricing import PricingRow
@@ -23,16 +23,16 @@ if TYPE_CHECKING:
 _HEAD = ("scene", "effects in force", "time of everything", "in one sentence")
 
 
-def pricing_table(pricings: Iterable[Pricing | Unpriced]) -> str:
-    """Lay many scenes out as Markdown, a line for each."""
+def pricing_table(pricings: Mapping[str, Pricing | str]) -> str:
+    """Lay many scenes out as Markdown, a line for each; a text says why a scene could not be priced."""
     lines = [_HEAD, ("---",) * len(_HEAD)]
-    for each in pricings:
-        if isinstance(each, Unpriced):
-            lines.append((each.name, "", "", f"not priced: {each.reason}"))
+    for name, each in pricings.items():
+        if isinstance(each, str):
+            lines.append((name, "", "", f"not priced: {each}"))
             continue
-        ratio = None if each.everything.fails else each.everything.time_ratio
+        ratio = None if each.everything.fails else each.everything.to_dict()["time_ratio"]
         effects = ", ".join(each.base.effects) or "none"
-        lines.append((each.name or each.scene.title, effects, "–" if ratio is None else f"× {ratio:.2g}", each.reading))
+        lines.append((name, effects, "–" if ratio is None else f"× {ratio:.2g}", each.reading))
     return "".join(f"| {' | '.join(cell.replace('|', '/') for cell in line)} |\n" for line in lines)
 
 
@@ -51,8 +51,9 @@ def pricing_figure(pricing: Pricing) -> Figure:
     """Draw a row an effect: change of the midpoint, and ratios with the effect over without it."""
     # Everything is a point of its own only where it is more than the base.
     rows = [*pricing.rows, *([pricing.everything] if pricing.everything.also else [])]
-    shown = [row for row in rows if row.share is not None and row.time_ratio is not None]
-    shown.sort(key=lambda row: -(row.share or 0.0))
+    found = [(row, row.to_dict()) for row in rows]
+    shown = [pair for pair in found if pair[1]["share"] is not None and pair[1]["time_ratio"] is not None]
+    shown.sort(key=lambda pair: -pair[1]["share"])
     accuracy, lost = pricing.scene.run.accuracy, "; ".join(text for row in rows if row.fails for text in _failure(row))
     notes = _NOTE + (f"\nNot to be trusted, and not drawn: {lost}." if lost else "")
     with style.styled():
@@ -61,14 +62,16 @@ def pricing_figure(pricing: Pricing) -> Figure:
             height=1.4 + 0.22 * len(shown), notes=notes,
         )  # fmt: skip
         panels = body.subplots(1, 4, sharey=True, width_ratios=[3, 2, 2, 2])
-        columns: dict[str, list[Any]] = {
-            "change of the midpoint": [max(row.share or 0.0, _SMALLEST * accuracy) for row in shown],
-            "solve time": [row.time_ratio for row in shown],
-            "unknowns": [row.states_ratio for row in shown],
-            "instructions": [row.instructions_ratio for row in shown],
+        columns = {
+            "change of the midpoint": [max(values["share"], _SMALLEST * accuracy) for _, values in shown],
+            "solve time": [values["time_ratio"] for _, values in shown],
+            "unknowns": [values["states_ratio"] for _, values in shown],
+            "instructions": [values["instructions_ratio"] for _, values in shown],
         }
         places = np.arange(len(shown))
-        kinds = ["everything at once" if row is pricing.everything else list(_MARKS)[not row.in_force] for row in shown]
+        kinds = [
+            "everything at once" if row is pricing.everything else list(_MARKS)[not row.in_force] for row, _ in shown
+        ]
         for axes, (name, values) in zip(panels, columns.items(), strict=True):
             axes.set_xscale("log")
             for kind, mark in _MARKS.items():
@@ -89,7 +92,7 @@ def pricing_figure(pricing: Pricing) -> Figure:
         change.axvline(accuracy, color=style.GREY, linestyle="--", linewidth=0.9, label=asked)
         plain_log(change.xaxis, lambda share: f"{100 * share:g} %")
         change.xaxis.get_major_locator().set_params(numticks=5)
-        change.set_yticks(places, [row.effect for row in shown])
+        change.set_yticks(places, [row.effect for row, _ in shown])
         change.invert_yaxis()
         legend(body, handles=change.get_legend_handles_labels()[0], ncols=4)
     return figure
@@ -127,9 +130,9 @@ def print_pricing(pricing: Pricing, console: Console | None = None) -> None:
     names = ("effect", "", "change", "own", "expected", "un-\nknowns", "instruc-\ntions", "time")
     rows = []
     for row in (*pricing.rows, pricing.everything):
-        side = "" if row.variant is None else "out" if row.in_force else "in"
-        amounts = ["–" if value is None else percent(value) for value in (row.change, row.share, row.estimate)]
-        ratios = (row.states_ratio, row.instructions_ratio, row.time_ratio)
+        side, values = "" if row.variant is None else "out" if row.in_force else "in", row.to_dict()
+        amounts = ["–" if values[key] is None else percent(values[key]) for key in ("change", "share", "estimate")]
+        ratios = [values[key] for key in ("states_ratio", "instructions_ratio", "time_ratio")]
         costs = ["–" if value is None else f"{value:.2g}" if value < 100 else f"{value:.0f}" for value in ratios]
         rows.append((row.effect, side, *amounts, *costs))
     looks: dict[str, Any] = {"right": range(2, 8), "whole": range(9), "padding": (0, 1, 0, 0)}
@@ -143,22 +146,8 @@ def write_pricing(pricing: Pricing, directory: str | Path) -> list[Path]:
     """Write ``effects.json``, ``effects.csv``, ``effects.png`` and ``scene.toml``."""
     contents = {
         "effects.json": pricing.to_dict(),
-        "effects.csv": pricing.to_frame().to_csv(index=False),
+        "effects.csv": pricing.to_frame(),
         "effects.png": pricing.figures()["effects"],
         "scene.toml": pricing.scene.to_toml(),
     }
     return write_results(directory, contents)
-
-
-def write_pricings(pricings: Iterable[Pricing | Unpriced], directory: str | Path) -> list[Path]:
-    """Write ``effects_<scene>.json`` and ``.png`` of each scene as it comes, and ``pricing.md`` over all so far."""
-    done: list[Pricing | Unpriced] = []
-    written: dict[Path, None] = {}
-    for each in pricings:
-        done.append(each)
-        contents: dict[str, object] = {"pricing.md": pricing_table(done)}
-        if isinstance(each, Pricing):
-            contents[f"effects_{each.name}.json"] = each.to_dict()
-            contents[f"effects_{each.name}.png"] = each.figures()["effects"]
-        written |= dict.fromkeys(write_results(directory, contents))
-    return list(written)

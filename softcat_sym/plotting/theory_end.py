@@ -44,11 +44,10 @@ _LABELS = {
 def theory_end_figure(end: TheoryEnd) -> Figure:
     """Draw one panel for the published theory, one for the scene's own; errors in % upwards, all on one scale."""
     names = [name for name in _TITLES if name in end.names]
-    shown = [theory for each in end.measured for theory in each.theories if theory.row.name in names]
-    values = [value for theory in shown if theory.error.trusted for value in (*theory.error.at, theory.error.largest)]
-    extent = 112 * max([0.5e-2, *(abs(value) for value in values if math.isfinite(value))])
-    notes = []
-    untrusted = [each.text for each in end.measured if any(t in shown and not t.error.trusted for t in each.theories)]
+    shown = [(each.text, each.theories[name]) for each in end.measured for name in names if name in each.theories]
+    values = [np.delete(theory.error, 4) for _, theory in shown if theory.trusted]  # the mean is not drawn
+    extent = 112 * np.nanmax([0.5e-2, *np.abs(values).ravel()])
+    notes, untrusted = [], dict.fromkeys(text for text, theory in shown if not theory.trusted)
     if untrusted:
         notes.append(f"Refused by the program itself (crosses, some beyond the axes): {', '.join(untrusted)}.")
     if end.unmeasured:
@@ -86,41 +85,42 @@ def theory_end_figure(end: TheoryEnd) -> Figure:
 
 def _draw(axes: Axes, end: TheoryEnd, name: str) -> None:
     """Errors of one theory at four moments, with the extrapolation to a thickness of zero if there is one."""
-    found = [(each.value, theory) for each in end.measured for theory in each.theories if theory.row.name == name]
+    found = [(each.value, each.theories[name]) for each in end.measured if name in each.theories]
     values = np.array([each.value for each in end.measured])
-    own = 100 * np.abs([each.mesh.at for each in end.measured]).max(axis=1)
+    own = 100 * np.abs([each.mesh[:4] for each in end.measured]).max(axis=1)
     axes.fill_between(values, -own, own, **_BAND)
     axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=1)
-    sound = [(value, theory.error) for value, theory in found if theory.error.trusted]
-    places = [value for value, _ in sound]
-    axes.plot(places, [100 * error.largest for _, error in sound], **_LARGEST)
+    places = [value for value, theory in found if theory.trusted]
+    errors = 100 * np.array([theory.error for _, theory in found if theory.trusted]).reshape(-1, len(end.moments))
+    axes.plot(places, errors[:, -1], **_LARGEST)
     for k, colour in enumerate(_COLOURS):
         limit = end.limits[name][k] if end.limits else None
         if not end.limits:
-            axes.plot(places, [100 * error.at[k] for _, error in sound], color=colour, linewidth=1.2, zorder=2)
+            axes.plot(places, errors[:, k], color=colour, linewidth=1.2, zorder=2)
         elif limit is not None:
             # The variable is h0/L or h0 itself.
             unit = 1.0 if end.variation.path == "groups.delta" else 1 / end.scene.filament.span
             line = np.linspace(0.0, values[-1], 60)
-            axes.plot(line, 100 * limit.at(line * unit), color=colour, linewidth=1.2, zorder=2)
+            fitted = np.polynomial.polynomial.polyval(line * unit, limit["coefficients"])
+            axes.plot(line, 100 * fitted, color=colour, linewidth=1.2, zorder=2)
             bar: dict[str, Any] = {"fmt": "D", "markersize": 4.0, "capsize": 2.5, "linewidth": 1.0, "zorder": 4}
-            axes.errorbar([0.0], [100 * limit.intercept], [100 * limit.uncertainty], color=colour, **bar)
+            axes.errorbar([0.0], [100 * limit["intercept"]], [100 * limit["uncertainty"]], color=colour, **bar)
         for value, theory in found:
-            axes.plot([value], [100 * theory.error.at[k]], color=colour, linestyle="none", zorder=3, **_mark(theory))
+            axes.plot([value], [100 * theory.error[k]], color=colour, linestyle="none", zorder=3, **_mark(theory))
 
 
 def _mark(theory: TheoryError) -> dict[str, Any]:
     """Full where it flows on, hollow where it has come to rest, a cross where it is not to be trusted."""
-    if not theory.error.trusted:
+    if not theory.trusted:
         return {"marker": "x", "markersize": 5.5}
     regime = theory.row.trajectory.summary["regime"] or ""
     rests = regime.startswith(("arrested", "no-yield", "elastic"))
     return {"marker": "o", "markersize": 4.5, **({"markerfacecolor": "white"} if rests else {})}
 
 
-def percent(error: float | None) -> str:
+def percent(error: float) -> str:
     """A share as a signed percentage without its sign of per cent."""
-    if error is None or not math.isfinite(error):
+    if not math.isfinite(error):
         return "–"
     return f"{100 * error:+.2f}" if abs(error) < 1 else f"{100 * error:+.3g}"
 
@@ -132,30 +132,34 @@ def tables(end: TheoryEnd) -> list[tuple[str, tuple[str, ...], list[tuple[str, .
     """Title, header and rows: errors of half as many elements and of each theory, limits, costs."""
     errors: list[tuple[str, ...]] = []
     for each in end.measured:
-        errors.append((each.text, "half the elements", *map(percent, each.mesh.values)))
-        errors += [("", _short(theory.row.name), *map(percent, theory.error.values)) for theory in each.theories]
+        errors.append((each.text, "half the elements", *map(percent, each.mesh)))
+        errors += [("", _short(name), *map(percent, theory.error)) for name, theory in each.theories.items()]
     errors += [(lost.text, "not run", *[""] * 6) for lost in end.unmeasured]
     header = ("", "", *(name.replace("t = ", "t ") for name in end.moments))
     found = [(f"{end.variation.path}: error of the midpoint\n{_NOTE}", header, errors)]
     limits: list[tuple[str, ...]] = []
     for name, row in end.limits.items():
-        limits += [
-            (_short(name), "limit", *(percent(limit.intercept if limit else None) for limit in row)),
-            ("", "±", *(f"{100 * limit.uncertainty:.2f}" if limit else "–" for limit in row)),
-            ("", "order", *(f"{limit.order:.2f}" if limit and math.isfinite(limit.order) else "–" for limit in row)),
-        ]
+        known = [each or dict.fromkeys(("intercept", "uncertainty", "order"), math.nan) for each in row]
+        for label, key, text in (
+            ("limit", "intercept", percent),
+            ("±", "uncertainty", lambda share: percent(share).removeprefix("+")),
+            ("order", "order", _plain),
+        ):
+            limits.append((_short(name) if label == "limit" else "", label, *(text(each[key]) for each in known)))
     if limits:
         found.append(("Slender limit: the error as the thickness goes to zero, in %", header, limits))
     costs: list[tuple[str, ...]] = []
-    for _, cost in end.costs().groupby("value", sort=False):
-        text = next(each.text for each in end.measured if each.value == cost["value"].iloc[0])
+    for each, (_, cost) in zip(end.measured, end.costs().groupby("value", sort=False), strict=True):
         for k, row in enumerate(cost.itertuples()):
-            ratio = significant(row.solve_ratio) if math.isfinite(row.solve_ratio) else "–"
-            sizes = (str(row.dofs), str(row.steps), significant(row.solve_s), ratio)
+            sizes = (str(row.dofs), str(row.steps), significant(row.solve_s), _plain(row.solve_ratio))
             # The finest mesh has no finer one to be measured against.
-            costs.append(("" if k else text, row.run, *sizes, percent(row.largest_error) if k else ""))
+            costs.append(("" if k else each.text, row.run, *sizes, percent(row.largest_error) if k else ""))
     title = "Cost; ×: seconds of the finer elements over it; error: the largest, in %"
     return [*found, (title, ("", "", "unknowns", "steps", "solve [s]", "×", "error"), costs)]
+
+
+def _plain(number: float) -> str:
+    return significant(number) if math.isfinite(number) else "–"
 
 
 def _short(name: str) -> str:
@@ -166,9 +170,9 @@ def remarks(end: TheoryEnd) -> list[str]:
     """Each value at which a theory is not to be trusted or could not be run, and the warnings, each once."""
     path = end.variation.path
     texts = [
-        f"{path} = {each.text}, {theory.row.name}: {theory.row.trajectory.outcome.name}, not to be trusted"
+        f"{path} = {each.text}, {name}: {theory.row.trajectory.outcome.name}, not to be trusted"
         for each in end.measured
-        for theory in each.theories
+        for name, theory in each.theories.items()
         if not theory.row.trajectory.outcome.is_success
     ]
     texts += [f"{path} = {lost.text}: {lost.reason}" for lost in end.unmeasured]
@@ -195,8 +199,8 @@ def write_theory_end(end: TheoryEnd, directory: str | Path) -> list[Path]:
         "compare.json": end.to_dict(),
         "scene.toml": end.scene.to_toml(),
         "compare_vary.png": end.figures()["compare_vary"],
-        "compare_vary_errors.csv": end.errors().to_csv(index=False),
-        "compare_vary_cost.csv": end.costs().to_csv(index=False),
-        "compare_vary_limit.csv": end.limit_table().to_csv(index=False) if end.limits else None,
+        "compare_vary_errors.csv": end.to_frame(),
+        "compare_vary_cost.csv": end.costs(),
+        "compare_vary_limit.csv": end.limit_table() if end.limits else None,
     }
     return write_results(directory, contents)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -41,7 +42,8 @@ STRESSES = (Unit("mPa", 1e-3), Unit("Pa", 1.0), Unit("kPa", 1e3), Unit("MPa", 1e
 
 def _choose(units: tuple[Unit, ...], largest: float) -> Unit:
     """Take the last unit whose range has begun; the slack keeps 0.999999999999 s in seconds."""
-    reached = [unit for unit in units if abs(largest) >= (unit.begin or unit.size) * (1 - 1e-9)]
+    size = abs(largest or 1.0)
+    reached = [unit for unit in units if size >= (unit.begin or unit.size) * (1 - 1e-9)]
     return reached[-1] if reached else units[0]
 
 
@@ -50,24 +52,8 @@ def length_unit(largest: float, fallback: float = 1.0) -> Unit:
     return _choose(LENGTHS, largest or fallback)
 
 
-def time_unit(largest: float) -> Unit:
-    """Choose µs, ms, s, min (from 300 s) or h (from 3 h) for times up to ``largest`` [s]."""
-    return _choose(TIMES, largest or 1.0)
-
-
-def energy_unit(largest: float) -> Unit:
-    """Choose a prefix of the joule for energies up to ``largest`` [J]."""
-    return _choose(ENERGIES, largest or 1.0)
-
-
-def share_unit(largest: float) -> Unit:
-    """Choose ppb, ppm (from 1e-6) or per cent (from 1e-4) for shares up to ``largest``."""
-    return _choose(SHARES, largest or 1.0)
-
-
-def stress_unit(largest: float) -> Unit:
-    """Choose a prefix of the pascal for stresses up to ``largest`` [Pa]."""
-    return _choose(STRESSES, largest or 1.0)
+time_unit = partial(_choose, TIMES)  # of times up to a largest [s]: min from 300 s, h from 3 h
+energy_unit, share_unit, stress_unit = (partial(_choose, units) for units in (ENERGIES, SHARES, STRESSES))
 
 
 def significant(value: float) -> str:

@@ -116,7 +116,8 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
         *material_lines(scene),
         *held,
         *_ramp(scene),
-        *_time_points(time[1:]),
+        "*TIME POINTS, NAME=FRAMES",
+        *_rows(map(_real, time[1:])),
         *_motion(scene, step * elastic_time(scene)),
     ]
     return Deck(
@@ -146,10 +147,6 @@ class _Layers:
         corners = nodes[np.isin(nodes, self._corners)]
         return np.concatenate([self.bottom[nodes], self.middle[corners], self.top[nodes]])
 
-    def over(self, node: int) -> Indices:
-        """Numbers of the bricks' nodes at one node of the strip, from z = 0 outwards."""
-        return self.all_at(np.array([node], dtype=np.int32))
-
     def lines(self) -> Iterator[str]:
         """Nodes, elements and sets."""
         place = self._span * self._strip.position
@@ -162,9 +159,7 @@ class _Layers:
         for element, nodes in enumerate(self._strip.corner, start=1):
             corners, edges = nodes[:4], nodes[4:]
             parts = (self.bottom[corners], self.top[corners], self.bottom[edges], self.top[edges], self.middle[corners])
-            rows = list(_rows([element, *np.concatenate(parts)]))
-            yield from (row + "," for row in rows[:-1])
-            yield rows[-1]
+            yield ",\n".join(_rows([element, *np.concatenate(parts)]))
         yield "*NSET, NSET=CENTRE"
         yield from _rows(self.bottom[self._strip.centreline])
 
@@ -220,7 +215,7 @@ def _held(strip: Strip, layers: _Layers, clamp: Clamp) -> list[str]:
     upper = int(strip.face[-1])
     free = int(layers.bottom[upper])
     for node, share in zip(strip.face[~middle], height[~middle] / height[-1], strict=True):
-        for number in layers.over(int(node)):
+        for number in layers.all_at(np.array([node])):
             if number != free:
                 lines += ["*EQUATION", "2", f"{number}, 2, 1., {free}, 2, {_real(-share)}"]
     return lines
@@ -233,11 +228,6 @@ def _ramp(scene: Scene) -> Iterator[str]:
     yield "*AMPLITUDE, NAME=RAMP, TIME=TOTAL TIME"
     for u in np.linspace(0.0, 1.0, _RAMP_POINTS):
         yield f"{_real(u * scene.load.ramp)}, {_real(u**3 * (10 - 15 * u + 6 * u**2))}"
-
-
-def _time_points(time: Floats) -> Iterator[str]:
-    yield "*TIME POINTS, NAME=FRAMES"
-    yield from _rows(f"{_real(instant)}" for instant in time)
 
 
 def _motion(scene: Scene, longest: float) -> Iterator[str]:
@@ -258,9 +248,6 @@ _KEPT = (f"{_JOB}.inp", f"{_JOB}.dat", f"{_JOB}.sta", f"{_JOB}.cvg")
 
 # Seconds between two looks at how far the run is, and those a program is given to end by itself.
 _LOOK, _GRACE = 0.2, 5.0
-
-_METRE = 1e-3
-"""A millimetre, the unit of the deck."""
 
 
 @dataclass(frozen=True)
@@ -312,9 +299,16 @@ def run_calculix(
     mesh = mesh if mesh is not None else Mesh()
     deck, program = calculix_deck(scene, mesh, clamp=clamp, step=step), require_calculix()
     start = time.perf_counter()
-    files = _files_of(deck, program, progress)
+    with tempfile.TemporaryDirectory(prefix="softcat-calculix-") as name:
+        folder = Path(name)
+        (folder / f"{_JOB}.inp").write_text(deck.text, encoding="ascii")
+        _execute(program, folder, progress)
+        files = {kept: (folder / kept).read_bytes() for kept in _KEPT if (folder / kept).is_file()}
     wall = time.perf_counter() - start
-    x, y = _centreline(deck, _text(files, "dat"))
+    printed, status = (files.get(f"{_JOB}.{ending}", b"").decode("ascii", "replace") for ending in ("dat", "sta"))
+    displacement = np.zeros((len(deck.time), len(deck.centreline), 3))
+    displacement[1:] = 1e-3 * read_displacements(printed, deck.centreline, deck.time[1:])
+    x, y = deck.X + displacement[..., 0], displacement[..., 1]
     return CalculixRun(
         time=deck.time,
         elastic_time=elastic_time(scene),
@@ -323,25 +317,12 @@ def run_calculix(
         x=x,
         y=y,
         dofs=deck.dofs,
-        steps=read_status(_text(files, "sta"))[0],
+        steps=read_status(status)[0],
         wall=wall,
         mesh=mesh,
         clamp=clamp,
         files=files,
     )
-
-
-def _files_of(deck: Deck, program: str, progress: Progress | None) -> dict[str, bytes]:
-    """Run a deck in a folder of its own; what is kept of it, by file name."""
-    with tempfile.TemporaryDirectory(prefix="softcat-calculix-") as name:
-        folder = Path(name)
-        (folder / f"{_JOB}.inp").write_text(deck.text, encoding="ascii")
-        _execute(program, folder, progress)
-        return {kept: (folder / kept).read_bytes() for kept in _KEPT if (folder / kept).is_file()}
-
-
-def _text(files: Mapping[str, bytes], ending: str) -> str:
-    return files.get(f"{_JOB}.{ending}", b"").decode("ascii", "replace")
 
 
 def _execute(program: str, folder: Path, progress: Progress | None) -> None:
@@ -389,10 +370,3 @@ def _message(folder: Path, code: int) -> str:
     _, reached, _ = read_status(status.read_text("ascii", "replace") if status.is_file() else "")
     advice = "refine the mesh, or shorten the increments" if code > 0 else "if memory ran out, coarsen the mesh"
     return f"{words} (after {reached:.6g} s of simulated time); {advice}"
-
-
-def _centreline(deck: Deck, printed: str) -> tuple[Floats, Floats]:
-    """Positions of the centreline [m], at rest in the first frame; two arrays of shape (frames, columns)."""
-    displacement = np.zeros((len(deck.time), len(deck.centreline), 3))
-    displacement[1:] = _METRE * read_displacements(printed, deck.centreline, deck.time[1:])
-    return deck.X + displacement[..., 0], displacement[..., 1]

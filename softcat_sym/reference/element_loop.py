@@ -11,10 +11,11 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from enum import Enum
-from functools import cache, cached_property
+from functools import cache
 from importlib.resources import files
+from operator import attrgetter
 from pathlib import Path
-from types import FrameType
+from types import FrameType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -27,28 +28,18 @@ from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.reference.material_point import LAWS, PointCode
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
 
-# The only value of each key that the elements know.
-_ONLY: tuple[tuple[str, object], ...] = (
-    ("model", "filament"),
-    ("filament.section", "rectangle"),
-    ("filament.profile", ()),
-    ("filament.curvature", 0.0),
-    ("ends.left", "clamped"),
-    ("ends.right", "clamped"),
-    ("ends.drop", 0.0),
-    ("ends.left_angle", 0.0),
-    ("ends.right_angle", 0.0),
-    ("ends.motion", ()),
-    ("material.loss_tangent", 0.0),
-    ("material.solid_viscosity", None),
-    ("run.until", "duration"),
-    ("load.point_mass", 0.0),
-    ("load.shake", 0.0),
-    ("surroundings.surface_tension", 0.0),
-    ("initial.stretch", 1.0),
-    ("initial.P", ()),
-    ("initial.C", ()),
-)
+_ONLY: dict[str, object] = {
+    "model": "filament",
+    "filament.section": "rectangle",
+    **dict.fromkeys(("filament.profile", "ends.motion", "initial.P", "initial.C"), ()),
+    **dict.fromkeys(("ends.left", "ends.right"), "clamped"),
+    **dict.fromkeys(("filament.curvature", "ends.drop", "ends.left_angle", "ends.right_angle"), 0.0),
+    **dict.fromkeys(("material.loss_tangent", "load.point_mass", "load.shake", "surroundings.surface_tension"), 0.0),
+    "material.solid_viscosity": None,
+    "run.until": "duration",
+    "initial.stretch": 1.0,
+}
+"""The only value of each key that the elements know."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,9 +58,19 @@ class Problem:
 
 def problem_of(scene: Scene) -> Problem:
     """Make a scene dimensionless."""
-    faults = [_fault(path, value, wanted) for path, wanted in _ONLY if (value := _value(scene, path)) != wanted]
-    if not math.isclose(rest_length(scene), scene.filament.span, rel_tol=1e-12):
-        faults.append(_fault("filament.rest_length", rest_length(scene), scene.filament.span))
+    found = {path: attrgetter(path)(scene) for path in _ONLY} | {"filament.rest_length": rest_length(scene)}
+    only = _ONLY | {"filament.rest_length": scene.filament.span}
+    if math.isclose(rest_length(scene), scene.filament.span, rel_tol=1e-12):
+        del found["filament.rest_length"]
+    faults = [
+        Fault(
+            path,
+            f"{value!r} has no finite elements",
+            "leaving it out" if only[path] in ((), None) else repr(only[path]),
+        )
+        for path, value in found.items()
+        if value != only[path]
+    ]
     if scene.material.law not in LAWS:
         faults.append(Fault("material.law", f"'{scene.material.law}' has no finite elements", ", ".join(LAWS)))
     if faults or scene.material.youngs_modulus is None:
@@ -89,17 +90,6 @@ def problem_of(scene: Scene) -> Problem:
     )
 
 
-def _value(scene: Scene, path: str) -> object:
-    value: object = scene
-    for name in path.split("."):
-        value = getattr(value, name)
-    return value
-
-
-def _fault(path: str, value: object, wanted: object) -> Fault:
-    return Fault(path, f"{value!r} has no finite elements", "leaving it out" if wanted in ((), None) else f"{wanted!r}")
-
-
 Floats = npt.NDArray[np.float64]
 
 # Corners, then the middles of the edges, on the square of edge 2.
@@ -114,17 +104,28 @@ _POWERS = np.array([[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2], [2, 1], [1, 
 _CANDIDATES = 16
 
 
+@cache
+def _coefficients() -> Floats:
+    """Coefficients of the monomials, a column for each shape function: 1 at its node, 0 at the others."""
+    return np.asarray(np.linalg.inv(_monomials(NODES)[0]), dtype=np.float64)
+
+
+def _monomials(at: Floats) -> tuple[Floats, Floats, Floats]:
+    """Monomials of the serendipity space and their derivatives along the two edges; each of shape (points, 8)."""
+    (m, n), x, y = _POWERS.T, at[:, :1], at[:, 1:]
+    slope_x, slope_y = m * x ** np.maximum(m - 1, 0), n * y ** np.maximum(n - 1, 0)
+    return x**m * y**n, slope_x * y**n, x**m * slope_y
+
+
 def shape_values(at: Floats) -> Floats:
-    """Shape functions."""
-    return _powers(at[:, :1], 0) * _powers(at[:, 1:], 1) @ _coefficients()
+    """Shape functions at some points of the square; shape (points, 8)."""
+    return np.asarray(_monomials(at)[0] @ _coefficients())
 
 
 def shape_gradients(at: Floats) -> Floats:
-    """Derivatives of the shape functions along the two edges."""
-    x, y = at[:, :1], at[:, 1:]
-    along = _slopes(x, 0) * _powers(y, 1) @ _coefficients()
-    across = _powers(x, 0) * _slopes(y, 1) @ _coefficients()
-    return np.ascontiguousarray(np.stack([along.T, across.T]))
+    """Derivatives of the shape functions along the two edges; shape (2, 8, points)."""
+    _, along, across = _monomials(at)
+    return np.ascontiguousarray(np.stack([(along @ _coefficients()).T, (across @ _coefficients()).T]))
 
 
 def mass_shares() -> Floats:
@@ -133,11 +134,6 @@ def mass_shares() -> Floats:
     at = np.array([[x, y] for x in gauss for y in gauss])
     diagonal = np.array([p * q for p in weights for q in weights]) @ shape_values(at) ** 2
     return np.asarray(diagonal / diagonal.sum())
-
-
-def plane_stress_moduli(poisson: float) -> Floats:
-    """Elastic moduli over E in plane stress, for strains 11, 22 and the engineering shear 12; shape (3, 3)."""
-    return np.array([[1, poisson, 0], [poisson, 1, 0], [0, 0, (1 - poisson) / 2]]) / (1 - poisson**2)
 
 
 def largest_frequency(size: Floats, poisson: float, deformation: Floats | None = None) -> float:
@@ -156,28 +152,13 @@ def largest_frequency(size: Floats, poisson: float, deformation: Floats | None =
     strain = np.zeros((*gradient.shape[:2], 3, 16))
     strain[..., 0, 0::2] = strain[..., 2, 1::2] = gradient[..., 0, :]
     strain[..., 1, 1::2] = strain[..., 2, 0::2] = gradient[..., 1, :]
+    # Elastic moduli over E in plane stress, for strains 11, 22 and the engineering shear 12.
+    moduli = np.array([[1, poisson, 0], [poisson, 1, 0], [0, 0, (1 - poisson) / 2]]) / (1 - poisson**2)
     # Per mass: the area cancels between stiffness and mass.
-    stiffness = np.einsum("epai,ab,epbj->eij", strain, plane_stress_moduli(poisson), strain, optimize=True)
+    stiffness = np.einsum("epai,ab,epbj->eij", strain, moduli, strain, optimize=True)
     lightness = np.repeat(mass_shares(), 2) ** -0.5
     values = np.linalg.eigvalsh(stiffness / len(POINTS) * np.outer(lightness, lightness))
     return math.sqrt(float(values.max()))
-
-
-def _powers(x: Floats, axis: int) -> Floats:
-    """Powers of one coordinate in the serendipity monomials; shape (points, 8)."""
-    return np.asarray(x ** _POWERS[:, axis])
-
-
-def _slopes(x: Floats, axis: int) -> Floats:
-    """Derivatives of :func:`_powers`."""
-    powers = _POWERS[:, axis]
-    return np.asarray(powers * x ** np.maximum(powers - 1, 0))
-
-
-@cache
-def _coefficients() -> Floats:
-    """Coefficients of the monomials, a column for each shape function: 1 at its node, 0 at the others."""
-    return np.asarray(np.linalg.inv(_powers(NODES[:, :1], 0) * _powers(NODES[:, 1:], 1)), dtype=np.float64)
 
 
 Indices = npt.NDArray[np.int32]
@@ -210,71 +191,40 @@ class Mesh:
         return np.asarray(edges)
 
 
-@dataclass(frozen=True)
 class Strip:
     """Nodes and elements of half a filament; lengths over the span, mass over density times span^2 times width."""
 
-    mesh: Mesh
-    thickness: float
-
-    @cached_property
-    def _lattice(self) -> Indices:
-        """Node at each place of the half-element lattice, -1 in the middles of elements."""
-        lattice = np.full((2 * self.mesh.along + 1, 2 * self.mesh.through + 1), -1, dtype=np.int32)
+    def __init__(self, mesh: Mesh, thickness: float) -> None:
+        self.mesh, self.thickness = mesh, thickness
+        edges, along, through = mesh.edges(), mesh.along, mesh.through
+        # Node at each place of the half-element lattice, -1 in the middles of elements.
+        lattice = np.full((2 * along + 1, 2 * through + 1), -1, dtype=np.int32)
         taken = np.ones(lattice.shape, dtype=bool)
         taken[1::2, 1::2] = False
         lattice[taken] = np.arange(taken.sum())
-        return lattice
-
-    @cached_property
-    def position(self) -> Floats:
-        """Reference positions X, Y; shape (nodes, 2)."""
-        edges = self.mesh.edges()
+        # From midspan to the clamp, and upwards.
+        self.centreline: Indices = np.ascontiguousarray(lattice[:, through])
+        self.midspan: Indices = np.ascontiguousarray(lattice[0])
+        self.face: Indices = np.ascontiguousarray(lattice[-1])  # Nodes of the clamped face
         columns = np.empty(2 * len(edges) - 1)
         columns[::2], columns[1::2] = edges, (edges[1:] + edges[:-1]) / 2
         # Symmetric to the last bit, so that the centreline lies at 0 and a face has no net height.
-        rows = self.thickness * np.arange(-self.mesh.through, self.mesh.through + 1) / (2 * self.mesh.through)
+        rows = thickness * np.arange(-through, through + 1) / (2 * through)
         grid = np.stack(np.meshgrid(columns, rows, indexing="ij"), axis=-1)
-        return np.ascontiguousarray(grid[self._lattice >= 0])
-
-    @cached_property
-    def corner(self) -> Indices:
-        """Nodes of each element, in the order of ``element.NODES``; shape (along x through, 8), column by column."""
-        i, j = (a.ravel() for a in np.mgrid[: self.mesh.along, : self.mesh.through])
+        # Reference positions X, Y; shape (nodes, 2)
+        self.position: Floats = np.ascontiguousarray(grid[lattice >= 0])
+        # Nodes of each element, in the order of `NODES`; shape (along x through, 8), column by column
+        i, k = (a.ravel() for a in np.mgrid[:along, :through])
         x, y = (NODES.astype(int) + 1).T
-        return np.ascontiguousarray(self._lattice[2 * i[:, None] + x, 2 * j[:, None] + y])
-
-    @cached_property
-    def size(self) -> Floats:
-        """Edge lengths of each element; shape (elements, 2)."""
-        lengths = np.repeat(np.diff(self.mesh.edges()), self.mesh.through)
-        return np.stack([lengths, np.full_like(lengths, self.thickness / self.mesh.through)], axis=1)
-
-    @cached_property
-    def mass(self) -> Floats:
-        """Lumped mass; shape (nodes,)."""
+        self.corner: Indices = np.ascontiguousarray(lattice[2 * i[:, None] + x, 2 * k[:, None] + y])
+        # Edge lengths of each element; shape (elements, 2)
+        lengths = np.repeat(np.diff(edges), through)
+        self.size: Floats = np.stack([lengths, np.full_like(lengths, thickness / through)], axis=1)
+        # Lumped mass; shape (nodes,)
         shares = self.size.prod(axis=1)[:, None] * mass_shares()
-        return np.asarray(np.bincount(self.corner.ravel(), weights=shares.ravel()), dtype=np.float64)
-
-    @cached_property
-    def centreline(self) -> Indices:
-        """Nodes at Y = 0, from midspan to the clamp; shape (2 along + 1,)."""
-        return np.ascontiguousarray(self._lattice[:, self.mesh.through])
-
-    @cached_property
-    def midspan(self) -> Indices:
-        """Nodes in the plane of symmetry, upwards; shape (2 through + 1,)."""
-        return np.ascontiguousarray(self._lattice[0])
-
-    @cached_property
-    def face(self) -> Indices:
-        """Nodes of the clamped face, upwards; shape (2 through + 1,)."""
-        return np.ascontiguousarray(self._lattice[-1])
-
-    @cached_property
-    def points(self) -> Floats:
-        """Reference positions of the Gauss points; shape (elements, 4, 2)."""
-        return np.asarray(np.einsum("pa,eai->epi", shape_values(POINTS), self.position[self.corner]))
+        self.mass: Floats = np.bincount(self.corner.ravel(), weights=shares.ravel()).astype(np.float64)
+        # Reference positions of the Gauss points; shape (elements, 4, 2)
+        self.points: Floats = np.asarray(np.einsum("pa,eai->epi", shape_values(POINTS), self.position[self.corner]))
 
 
 class Clamp(Enum):
@@ -304,32 +254,25 @@ def half_span_supports(strip: Strip, clamp: Clamp) -> Supports:
     return Supports(held, strip.face if clamp is Clamp.THINNING else strip.face[:0])
 
 
-class Interrupt:
-    """Whether SIGINT has come."""
-
-    def __init__(self) -> None:
-        self.pending = False
-
-    def note(self, number: int, frame: FrameType | None) -> None:
-        """Handle the signal: remember it; when it comes again, do not wait any longer."""
-        del number, frame
-        if self.pending:
-            raise KeyboardInterrupt
-        self.pending = True
-
-
 @contextmanager
-def deferred() -> Iterator[Interrupt]:
-    """Put SIGINT off, unless the program handles it in its own way or this is not its main thread."""
-    interrupt = Interrupt()
-    with interrupts_go_to(interrupt.note):
+def deferred() -> Iterator[SimpleNamespace]:
+    """Put SIGINT off, to `pending`; when it comes again, do not wait any longer."""
+    interrupt = SimpleNamespace(pending=False)
+
+    def note(number: int, frame: FrameType | None) -> None:
+        del number, frame
+        if interrupt.pending:
+            raise KeyboardInterrupt
+        interrupt.pending = True
+
+    with interrupts_go_to(note):
         yield interrupt
 
 
-State = Mapping[str, npt.NDArray[np.generic]]
+State = Mapping[str, npt.NDArray[Any]]
 
 # Raised when the Python side of a run changes what it computes; the C side is hashed.
-_VERSION = 1
+_VERSION = 2
 _KEY = "fingerprint"
 
 
@@ -360,7 +303,7 @@ def write_checkpoint(path: Path, key: str, state: State) -> None:
         raise SoftcatError(f"cannot write the checkpoint {path}: {error.strerror or error}") from error
 
 
-def read_checkpoint(path: Path, key: str) -> dict[str, npt.NDArray[np.generic]] | None:
+def read_checkpoint(path: Path, key: str) -> dict[str, npt.NDArray[Any]] | None:
     """The state in a file, or None where there is no file."""
     if not path.exists():
         return None
@@ -379,45 +322,7 @@ def read_checkpoint(path: Path, key: str) -> dict[str, npt.NDArray[np.generic]] 
 
 
 POINT_STATE = 3
-_UNSTRAINED = (1.0, 0.0, 1.0)
-_FUNCTIONS = ("softcat_gravity", "softcat_evaluate", "softcat_march")
-_ARRAYS = ("displacement", "velocity", "acceleration", "point", "rate")
-_SCALARS = ("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy")
-
 _DOUBLES, _INTEGERS = ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_int)
-
-
-class StripStructure(ctypes.Structure):
-    """``struct softcat_strip`` of elements.h, field by field."""
-
-    _fields_ = (
-        ("elements", ctypes.c_long),
-        ("nodes", ctypes.c_long),
-        ("corner", _INTEGERS),
-        ("size", _DOUBLES),
-        ("gradient", _DOUBLES),
-        ("mass", _DOUBLES),
-        ("mobility", _DOUBLES),
-        ("face", ctypes.c_long),
-        ("face_node", _INTEGERS),
-        ("face_height", _DOUBLES),
-        ("face_inertia", ctypes.c_double),
-        ("material", _DOUBLES),
-        ("gravity", ctypes.c_double),
-        ("ramp", ctypes.c_double),
-        ("start", ctypes.c_double),
-        ("step", ctypes.c_double),
-        ("steps", ctypes.c_long),
-        ("taken", ctypes.c_long),
-        ("displacement", _DOUBLES),
-        ("velocity", _DOUBLES),
-        ("acceleration", _DOUBLES),
-        ("point", _DOUBLES),
-        ("gravity_work", ctypes.c_double),
-        ("plastic_work", ctypes.c_double),
-        ("elastic_energy", ctypes.c_double),
-        ("rate", _DOUBLES),
-    )
 
 
 def element_sources(code: PointCode) -> dict[str, str]:
@@ -426,8 +331,34 @@ def element_sources(code: PointCode) -> dict[str, str]:
     return {**code.source, **own}
 
 
-class ElementLoop:
-    """A strip in motion. Span, Young's modulus and density are 1; energies are for unit width."""
+_ARRAYS = ("displacement", "velocity", "acceleration", "point", "rate")
+_SCALARS = ("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy")
+_TYPES: dict[str, Any] = {
+    **dict.fromkeys(("elements", "nodes"), ctypes.c_long),
+    "p_corner": _INTEGERS,
+    **dict.fromkeys(("p_size", "p_gradient", "p_mass", "p_mobility"), _DOUBLES),
+    "face": ctypes.c_long,
+    "p_face_node": _INTEGERS,
+    "p_face_height": _DOUBLES,
+    "face_inertia": ctypes.c_double,
+    "p_material": _DOUBLES,
+    **dict.fromkeys(("full_gravity", "ramp", "start", "step"), ctypes.c_double),
+    **dict.fromkeys(("steps", "taken"), ctypes.c_long),
+    **dict.fromkeys(("p_displacement", "p_velocity", "p_acceleration", "p_point"), _DOUBLES),
+    **dict.fromkeys(("gravity_work", "plastic_work", "elastic_energy"), ctypes.c_double),
+    "p_rate": _DOUBLES,
+}
+"""``struct softcat_strip`` of elements.h in its order; ``p_`` stands before what points at an array."""
+
+
+class ElementLoop(ctypes.Structure):
+    """A strip in motion. Span, Young's modulus and density are 1; energies are for unit width.
+
+    What C counts it holds itself: `step`, `steps` and `taken` of the present stretch of time, the works of gravity and
+    of the flow since the beginning, and the elastic energy at the end of a stretch, or when last evaluated.
+    """
+
+    _fields_ = tuple(_TYPES.items())
 
     def __init__(
         self,
@@ -439,16 +370,26 @@ class ElementLoop:
         gravity: float = 0.0,
         ramp: float = 0.0,
     ) -> None:
-        self._library = load(compile_library(element_sources(code), units=["elements.c"]), *_FUNCTIONS)
-        _declare(self._library)
-        self.strip = strip
-        elements, nodes = len(strip.corner), len(strip.position)
-        self.displacement, self.velocity, self.acceleration = (np.zeros((nodes, 2)) for _ in range(3))
-        self.point = np.tile(_UNSTRAINED, (elements, len(POINTS), 1))
-        self.rate = np.zeros((elements, len(POINTS)))
         height = np.ascontiguousarray(strip.position[supports.face, 1])
+        elements, nodes = len(strip.corner), len(strip.position)
+        inertia = float(strip.mass[supports.face] @ height**2)
+        super().__init__(
+            elements=elements, nodes=nodes, face=len(height), face_inertia=inertia, full_gravity=gravity, ramp=ramp
+        )
+        functions = ("softcat_gravity", "softcat_evaluate", "softcat_march")
+        self._library = load(compile_library(element_sources(code), units=["elements.c"]), *functions)
+        this, real, count = ctypes.POINTER(ElementLoop), ctypes.c_double, ctypes.c_long
+        for name, given, returned in zip(
+            functions, ((real,), (real, real), (count,)), (real, count, count), strict=True
+        ):
+            function = getattr(self._library, name)
+            function.argtypes, function.restype = (this, *given), returned
+        self.strip = strip
+        self.displacement, self.velocity, self.acceleration = (np.zeros((nodes, 2)) for _ in range(3))
+        self.point = np.tile([1.0, 0.0, 1.0], (elements, len(POINTS), 1))
+        self.rate = np.zeros((elements, len(POINTS)))
         # What C points at is kept alive here.
-        self._constant: dict[str, npt.NDArray[np.float64] | npt.NDArray[np.int32]] = {
+        self._constant: dict[str, npt.NDArray[Any]] = {
             "corner": strip.corner,
             "size": strip.size,
             "gradient": shape_gradients(POINTS),
@@ -458,52 +399,13 @@ class ElementLoop:
             "face_height": height,
             "material": np.array([material[name] for name in code.parameters]),
         }
-        self._structure = StripStructure(
-            elements=elements,
-            nodes=nodes,
-            face=len(height),
-            face_inertia=float(strip.mass[supports.face] @ height**2),
-            gravity=gravity,
-            ramp=ramp,
-        )
         for name, array in {**self._constant, **{name: getattr(self, name) for name in _ARRAYS}}.items():
-            kind = _INTEGERS if array.dtype == np.int32 else _DOUBLES
-            setattr(self._structure, name, array.ctypes.data_as(kind))
-
-    @property
-    def taken(self) -> int:
-        """Steps taken in this stretch of time."""
-        return int(self._structure.taken)
-
-    @property
-    def steps(self) -> int:
-        """Steps of this stretch of time."""
-        return int(self._structure.steps)
-
-    @property
-    def step(self) -> float:
-        """Length of a step."""
-        return float(self._structure.step)
+            setattr(self, f"p_{name}", array.ctypes.data_as(_TYPES[f"p_{name}"]))
 
     @property
     def time(self) -> float:
         """Time reached."""
-        return float(self._structure.start + self._structure.step * self._structure.taken)
-
-    @property
-    def gravity_work(self) -> float:
-        """Work done by gravity since the beginning."""
-        return float(self._structure.gravity_work)
-
-    @property
-    def plastic_work(self) -> float:
-        """Work dissipated since the beginning."""
-        return float(self._structure.plastic_work)
-
-    @property
-    def elastic_energy(self) -> float:
-        """Stored energy at the end of the last stretch of time, or when last evaluated."""
-        return float(self._structure.elastic_energy)
+        return float(self.start + self.step * self.taken)
 
     @property
     def kinetic_energy(self) -> float:
@@ -517,43 +419,40 @@ class ElementLoop:
 
     def gravity(self, time: float) -> float:
         """Gravity at a time, rho g L/E."""
-        return float(self._library.softcat_gravity(ctypes.byref(self._structure), time))
+        return float(self._library.softcat_gravity(ctypes.byref(self), time))
 
     def deformation(self) -> Floats:
         """Deformation gradients at the Gauss points; shape (elements, 4, 2, 2)."""
-        slopes = np.einsum("eai,Jap->epiJ", self.displacement[self.strip.corner], shape_gradients(POINTS))
-        return np.asarray(np.eye(2) + slopes * (2 / self.strip.size)[:, None, None, :])
+        return deformation_of(self.strip, self.displacement)
 
     def evaluate(self, step: float, time: float) -> None:
         """Compute accelerations, elastic energy and rates where the strip is, its points flowing for `step`."""
-        self._check(self._library.softcat_evaluate(ctypes.byref(self._structure), step, time))
+        self._check(self._library.softcat_evaluate(ctypes.byref(self), step, time))
 
     def begin(self, start: float, step: float, steps: int) -> None:
         """Begin a stretch of time."""
-        self._structure.start, self._structure.step = start, step
-        self._structure.steps, self._structure.taken = steps, 0
+        self.start, self.step, self.steps, self.taken = start, step, steps, 0
 
     def march(self, until: int) -> None:
         """Step until so many steps of this stretch are taken; the last one leaves elastic energy and rates."""
-        self._check(self._library.softcat_march(ctypes.byref(self._structure), until))
+        self._check(self._library.softcat_march(ctypes.byref(self), until))
 
-    def state(self) -> dict[str, npt.NDArray[np.float64]]:
-        """All that is needed to go on, as copies."""
-        arrays = {name: np.array(getattr(self, name)) for name in _ARRAYS}
-        return {**arrays, **{name: np.array(getattr(self._structure, name)) for name in _SCALARS}}
+    def state(self) -> dict[str, npt.NDArray[Any]]:
+        """All that is needed to resume, as copies."""
+        return {name: np.array(getattr(self, name)) for name in (*_ARRAYS, *_SCALARS)}
 
-    def restore(self, state: Mapping[str, npt.NDArray[np.generic]]) -> None:
+    def restore(self, state: State) -> None:
         """Go back to a :meth:`state` of the same strip."""
         for name in _ARRAYS:
             getattr(self, name)[...] = state[name]
         for name in _SCALARS:
-            setattr(self._structure, name, state[name].item())
+            setattr(self, name, state[name].item())
 
     def _check(self, failed: int) -> None:
         if failed == 0:
             return
-        column, row = divmod(failed - 1, self.strip.mesh.through)
         mesh = self.strip.mesh
+        column, row = divmod(failed - 1, mesh.through)
         place = f"element {column + 1} of {mesh.along} from midspan, {row + 1} of {mesh.through} from below"
         raise SoftcatError(
             f"finite elements: {place}, was turned inside out at t = {self.time:.6g} L sqrt(rho/E); "
@@ -561,9 +460,7 @@ class ElementLoop:
         )
 
 
-def _declare(library: ctypes.CDLL) -> None:
-    """Say what the functions of elements.h take and return."""
-    strip, real, count = ctypes.POINTER(StripStructure), ctypes.c_double, ctypes.c_long
-    library.softcat_gravity.argtypes, library.softcat_gravity.restype = (strip, real), real
-    library.softcat_evaluate.argtypes, library.softcat_evaluate.restype = (strip, real, real), count
-    library.softcat_march.argtypes, library.softcat_march.restype = (strip, count), count
+def deformation_of(strip: Strip, displacement: Floats) -> Floats:
+    """Deformation gradients at the Gauss points; shape (elements, 4, 2, 2)."""
+    slopes = np.einsum("eai,Jap->epiJ", displacement[strip.corner], shape_gradients(POINTS))
+    return np.asarray(np.eye(2) + slopes * (2 / strip.size)[:, None, None, :])

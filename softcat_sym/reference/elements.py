@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -21,15 +21,16 @@ from softcat_sym.reference.element_loop import (
     Floats,
     Mesh,
     Problem,
+    State,
     Strip,
     deferred,
+    deformation_of,
     element_sources,
     fingerprint,
     half_span_supports,
     largest_frequency,
     problem_of,
     read_checkpoint,
-    shape_gradients,
     write_checkpoint,
 )
 from softcat_sym.reference.material_point import MaterialPoint, point_code
@@ -37,7 +38,6 @@ from softcat_sym.scene.scene import Scene, elastic_time
 
 # Fields kept, evenly spaced; the last output time is always among them.
 _FIELDS = 21
-_LATER = ("displacement", "flow")
 ENERGIES = ("kinetic", "elastic", "dissipated", "gravity_work", "potential")
 
 
@@ -45,54 +45,40 @@ class Records:
     """Arrays that fill up as a run goes on."""
 
     def __init__(self, problem: Problem, strip: Strip) -> None:
-        frames = problem.frames
+        frames, elements = problem.frames, len(strip.corner)
         self.frame_of_field = np.unique(np.linspace(0, frames - 1, min(_FIELDS, frames)).round().astype(int))
         fields = len(self.frame_of_field)
-        self.arrays: dict[str, Floats] = {
-            "centreline": np.full((frames, len(strip.centreline), 2), np.nan),
-            "thinning": np.full(frames, np.nan),
-            "clamp_strain_mean": np.full(frames, np.nan),
-            "clamp_strain_largest": np.full(frames, np.nan),
-            "steps": np.full(frames, np.nan),
-            "rate": np.full((fields, len(strip.corner), len(POINTS)), np.nan),
-            "displacement": np.full((fields, *strip.position.shape), np.nan),
-            "flow": np.full((fields, len(strip.corner), len(POINTS), POINT_STATE), np.nan),
-            **{name: np.full(frames, np.nan) for name in ENERGIES},
+        shapes: dict[str, tuple[int, ...]] = {
+            "centreline": (frames, len(strip.centreline), 2),
+            **dict.fromkeys(("thinning", "clamp_strain", "clamp_strain_largest", "steps", *ENERGIES), (frames,)),
+            "rate": (fields, elements, len(POINTS)),
+            "displacement": (fields, *strip.position.shape),
+            "flow": (fields, elements, len(POINTS), POINT_STATE),
         }
+        self.arrays: dict[str, Floats] = {name: np.full(shape, np.nan) for name, shape in shapes.items()}
 
-    def take(self, frame: int, loop: ElementLoop, gravity: float, steps: int) -> None:
-        """Keep what the loop holds now."""
-        strip, arrays = loop.strip, self.arrays
+    def take(self, frame: int, loop: ElementLoop, steps: int) -> None:
+        """Record what the loop holds now."""
+        strip = loop.strip
         place = strip.position + loop.displacement
-        arrays["centreline"][frame] = place[strip.centreline]
-        arrays["thinning"][frame] = np.ptp(place[strip.face, 1]) / np.ptp(strip.position[strip.face, 1])
         fibre = np.linalg.norm(loop.deformation()[-strip.mesh.through :, :, :, 0], axis=-1)
-        arrays["clamp_strain_mean"][frame] = np.log(fibre).mean()
-        arrays["clamp_strain_largest"][frame] = np.log(fibre.max())
-        arrays["steps"][frame] = steps
-        arrays["kinetic"][frame] = loop.kinetic_energy
-        arrays["elastic"][frame] = loop.elastic_energy
-        arrays["dissipated"][frame] = loop.plastic_work
-        arrays["gravity_work"][frame] = loop.gravity_work
-        arrays["potential"][frame] = gravity * (strip.mass @ loop.displacement[:, 1])
-        field = np.searchsorted(self.frame_of_field, frame)
-        if field < len(self.frame_of_field) and self.frame_of_field[field] == frame:
-            arrays["rate"][field] = loop.rate
-            arrays["displacement"][field] = loop.displacement
-            arrays["flow"][field] = loop.point
-
-    def state(self) -> dict[str, Floats]:
-        """The arrays, for a checkpoint."""
-        return {f"record_{name}": array for name, array in self.arrays.items()}
-
-    def restore(self, state: Mapping[str, npt.NDArray[np.generic]]) -> None:
-        """Take the arrays of a :meth:`state`.
-
-        A checkpoint from before displacements and flow were kept lacks them: those instants stay NaN.
-        """
-        for name, array in self.arrays.items():
-            if name not in _LATER or f"record_{name}" in state:
-                array[...] = state[f"record_{name}"]
+        now = {
+            "centreline": place[strip.centreline],
+            "thinning": np.ptp(place[strip.face, 1]) / np.ptp(strip.position[strip.face, 1]),
+            "clamp_strain": np.log(fibre).mean(),
+            "clamp_strain_largest": np.log(fibre.max()),
+            "steps": steps,
+            "kinetic": loop.kinetic_energy,
+            "elastic": loop.elastic_energy,
+            "dissipated": loop.plastic_work,
+            "gravity_work": loop.gravity_work,
+            "potential": loop.gravity(loop.time) * (strip.mass @ loop.displacement[:, 1]),
+        }
+        for name, value in now.items():
+            self.arrays[name][frame] = value
+        field = np.flatnonzero(self.frame_of_field == frame)
+        for name, value in (("rate", loop.rate), ("displacement", loop.displacement), ("flow", loop.point)):
+            self.arrays[name][field] = value
 
 
 @dataclass(frozen=True)
@@ -143,7 +129,8 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
     span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     # Two halves, as wide as the filament.
-    joule, stored = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width, _stored(kept)
+    joule = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width
+    energy = {name: joule * kept[name] for name in ENERGIES}
     return ElementRun(
         time=time,
         elastic_time=scale,
@@ -151,20 +138,14 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
         X=span * strip.position[strip.centreline, 0],
         x=span * kept["centreline"][..., 0],
         y=span * kept["centreline"][..., 1],
-        thinning=kept["thinning"],
-        clamp_strain=kept["clamp_strain_mean"],
-        clamp_strain_largest=kept["clamp_strain_largest"],
-        energy_kinetic=joule * kept["kinetic"],
-        energy_elastic=joule * kept["elastic"],
-        energy_potential=joule * kept["potential"],
-        energy_dissipated=joule * kept["dissipated"],
+        **{name: kept[name] for name in ("thinning", "clamp_strain", "clamp_strain_largest", "flow")},
+        **{f"energy_{name}": energy[name] for name in ("kinetic", "elastic", "potential", "dissipated")},
         work_external=joule * (kept["gravity_work"] + kept["potential"]),
-        energy_residual=joule * (stored - kept["gravity_work"]),
-        work=float(joule * np.abs(kept["gravity_work"]).max()),
+        energy_residual=joule * (kept["kinetic"] + kept["elastic"] + kept["dissipated"] - kept["gravity_work"]),
+        work=float(np.abs(energy["gravity_work"]).max()),
         rate_time=time[records.frame_of_field],
         rate=kept["rate"] / scale,
         displacement=span * kept["displacement"],
-        flow=kept["flow"],
         point=span * strip.points,
         dofs=dofs,
         steps=int(kept["steps"][-1]),
@@ -172,11 +153,6 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
         mesh=strip.mesh,
         clamp=clamp,
     )
-
-
-def _stored(kept: Mapping[str, Floats]) -> Floats:
-    """Kinetic, elastic and dissipated energy."""
-    return kept["kinetic"] + kept["elastic"] + kept["dissipated"]
 
 
 @dataclass(frozen=True)
@@ -199,25 +175,15 @@ def element_fields(scene: Scene, run: ElementRun) -> Iterator[ElementField]:
     strip, problem = strip_of(scene, run), problem_of(scene)
     modulus = scene.material.youngs_modulus or 0.0
     law = MaterialPoint(problem.law, dict(problem.material))
-    gradient = shape_gradients(POINTS)
     for at, rate, displacement, flow in zip(run.rate_time, run.rate, run.displacement, run.flow, strict=True):
-        if not np.isfinite(displacement).all():
-            continue
-        slopes = np.einsum("eai,Jap->epiJ", displacement[strip.corner] / scene.filament.span, gradient)
-        deformation = np.eye(2) + slopes * (2 / strip.size)[:, None, None, :]
-        stress = modulus * _cauchy(law, deformation, flow)
+        deformation = deformation_of(strip, displacement / scene.filament.span)
+        stress = np.empty_like(deformation)
+        for place in np.ndindex(stress.shape[:2]):
+            law.state = flow[place]
+            # No time passes: the elastic response from the plastic state.
+            law.step(deformation[place], 0.0)
+            stress[place] = modulus * law.cauchy
         yield ElementField(float(at), displacement, math.sqrt(3) * rate, stress)
-
-
-def _cauchy(law: MaterialPoint, deformation: Floats, flow: Floats) -> Floats:
-    """Cauchy stresses over E of points whose plastic state is known; shape (elements, 4, 2, 2)."""
-    found = np.empty_like(deformation)
-    for place in np.ndindex(found.shape[:2]):
-        law.state = flow[place]
-        # No time passes: the elastic response from the plastic state.
-        law.step(deformation[place], 0.0)
-        found[place] = law.cauchy
-    return found
 
 
 # Step over the largest stable one, 2/omega: the rest is for stiffening until the step is chosen anew.
@@ -247,7 +213,7 @@ class March:
         self.records = Records(problem, loop.strip)
         self._begin()
         loop.evaluate(loop.step, 0.0)
-        self.records.take(0, loop, loop.gravity(0.0), 0)
+        self.records.take(0, loop, 0)
 
     @property
     def finished(self) -> bool:
@@ -274,25 +240,23 @@ class March:
         self._stretches += 1
         self._audit()
         if self._stretches % self._per_frame == 0:
-            self.records.take(self._stretches // self._per_frame, loop, loop.gravity(loop.time), self._steps)
+            self.records.take(self._stretches // self._per_frame, loop, self._steps)
         if not self.finished:
             self._begin()
 
-    def state(self) -> dict[str, npt.NDArray[np.generic]]:
-        """All that is needed to go on."""
-        progress = {
-            "stretches": np.array(self._stretches),
-            "total": np.array(self._steps),
-            "work": np.array(self._work),
-        }
-        return {**self._loop.state(), **self.records.state(), **progress}
+    def state(self) -> dict[str, npt.NDArray[Any]]:
+        """All that is needed to resume."""
+        records = {f"record_{name}": array for name, array in self.records.arrays.items()}
+        done = {name: np.array(getattr(self, f"_{name}")) for name in ("stretches", "steps", "work")}
+        return {**self._loop.state(), **records, **{f"march_{name}": value for name, value in done.items()}}
 
-    def restore(self, state: Mapping[str, npt.NDArray[np.generic]]) -> None:
+    def restore(self, state: State) -> None:
         """Go back to a :meth:`state` of the same problem, loop and step factor."""
         self._loop.restore(state)
-        self.records.restore(state)
-        self._stretches, self._steps = int(state["stretches"].item()), int(state["total"].item())
-        self._work = float(state["work"].item())
+        for name, array in self.records.arrays.items():
+            array[...] = state[f"record_{name}"]
+        for name in ("stretches", "steps", "work"):
+            setattr(self, f"_{name}", state[f"march_{name}"].item())
 
     def _begin(self) -> None:
         loop = self._loop
@@ -367,56 +331,29 @@ def run_elements(
     """
     if not 0 < step_factor <= 1:
         raise SoftcatError(f"step_factor of {step_factor}: take a value above 0, and at most 1, the stable step")
-    strip = Strip(mesh if mesh is not None else Mesh(), problem_of(scene).thickness)
-    run, dofs = _set_up(problem_of(scene), strip, clamp, step_factor, checkpoint)
-    run.finish(checkpoint_every, progress, elastic_time(scene))
-    return run_of(scene, strip, clamp, run.march.records, dofs=dofs, wall=run.wall)
-
-
-def _set_up(
-    problem: Problem, strip: Strip, clamp: Clamp, step_factor: float, checkpoint: Path | None
-) -> tuple[_Resumable, int]:
-    """The run, where its checkpoint left it, and its degrees of freedom."""
-    supports, code = half_span_supports(strip, clamp), point_code(problem.law)
+    if checkpoint is not None and not checkpoint.parent.is_dir():
+        raise SoftcatError(f"no folder {checkpoint.parent} for the checkpoint {checkpoint.name}; make it first")
+    problem, began = problem_of(scene), time.perf_counter()
+    strip, code = Strip(mesh if mesh is not None else Mesh(), problem.thickness), point_code(problem.law)
+    supports = half_span_supports(strip, clamp)
     key = fingerprint(problem, strip.mesh, clamp, step_factor, element_sources(code))
     loop = ElementLoop(strip, supports, code, dict(problem.material), gravity=problem.gravity, ramp=problem.ramp)
+    march, second = March(problem, loop, step_factor), elastic_time(scene)
+    if checkpoint is not None and (state := read_checkpoint(checkpoint, key)) is not None:
+        march.restore(state)
+        began -= float(state["wall"].item())
+    saved = time.perf_counter()
+    with deferred() as interrupt:
+        while not march.finished:
+            march.advance()
+            if progress is not None:
+                progress.update(second * march.time, second * march.step)
+            ends = interrupt.pending or march.finished
+            if checkpoint is not None and (ends or time.perf_counter() - saved > checkpoint_every):
+                saved = time.perf_counter()
+                write_checkpoint(checkpoint, key, {**march.state(), "wall": np.array(saved - began)})
+            if interrupt.pending:
+                raise KeyboardInterrupt
     # The nodes of a face that thins share one displacement.
     dofs = int(np.sum(~supports.held)) + (1 if len(supports.face) else 0)
-    return _Resumable(March(problem, loop, step_factor), checkpoint, key), dofs
-
-
-class _Resumable:
-    """A march that keeps a checkpoint, if there is a place for one."""
-
-    def __init__(self, march: March, path: Path | None, key: str) -> None:
-        self.march, self._path, self._key = march, path, key
-        self._start, self._before = time.perf_counter(), 0.0
-        if path is not None and not path.parent.is_dir():
-            raise SoftcatError(f"no folder {path.parent} for the checkpoint {path.name}; make it first")
-        state = read_checkpoint(path, key) if path is not None else None
-        if state is not None:
-            march.restore(state)
-            self._before = float(state["wall"].item())
-
-    @property
-    def wall(self) -> float:
-        """Seconds spent, those before a resumption included."""
-        return self._before + time.perf_counter() - self._start
-
-    def finish(self, every: float, progress: Progress | None, second: float) -> None:
-        """Advance to the last output time; `second` is the elastic time in s."""
-        saved = time.perf_counter()
-        with deferred() as interrupt:
-            while not self.march.finished:
-                self.march.advance()
-                if progress is not None:
-                    progress.update(second * self.march.time, second * self.march.step)
-                if interrupt.pending or self.march.finished or time.perf_counter() - saved > every:
-                    self._save()
-                    saved = time.perf_counter()
-                if interrupt.pending:
-                    raise KeyboardInterrupt
-
-    def _save(self) -> None:
-        if self._path is not None:
-            write_checkpoint(self._path, self._key, {**self.march.state(), "wall": np.array(self.wall)})
+    return run_of(scene, strip, clamp, march.records, dofs=dofs, wall=time.perf_counter() - began)

@@ -23,7 +23,6 @@ from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.laws import bingham_rate, maxwell_rate
 
 _HAND_WRITTEN = ("point.h", "point.c")
-_GENERATED = "point_law.h"
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,21 +55,22 @@ LAWS: Mapping[str, PointLaw] = MappingProxyType(
 
 def point_code(law: str | PointLaw) -> PointCode:
     """C of the implicit step (3.8) in plane stress."""
-    return _of_name(law) if isinstance(law, str) else _of_law(law)
+    if isinstance(law, PointLaw):
+        return _code_of(law.rate, tuple(law.constants.items()))
+    if law not in LAWS:
+        raise SoftcatError(f"no flow rule {law!r} for a material point; there are {', '.join(LAWS)}")
+    return point_code(LAWS[law])
 
 
 @functools.lru_cache(maxsize=8)
-def _of_name(name: str) -> PointCode:
-    if name not in LAWS:
-        raise SoftcatError(f"no flow rule {name!r} for a material point; there are {', '.join(LAWS)}")
-    return _of_law(LAWS[name])
-
-
-def _of_law(law: PointLaw) -> PointCode:
-    constants = {"youngs_modulus": sy.E, "poisson": bulk.nu, **law.constants}
+def _code_of(rate: Any, own: tuple[tuple[str, Any], ...]) -> PointCode:
+    constants = {"youngs_modulus": sy.E, "poisson": bulk.nu, **dict(own)}
     hand_written = {name: (files(__package__) / "c" / name).read_text(encoding="utf-8") for name in _HAND_WRITTEN}
-    generated = _generate(_functions(law.rate, tuple(constants.values())))
-    return PointCode(MappingProxyType({**hand_written, _GENERATED: generated}), tuple(constants))
+    generator = ca.CodeGenerator("point_law", {"with_header": False, "casadi_int": "int"})
+    for function in _functions(rate, tuple(constants.values())):
+        generator.add(function)
+    source = {**hand_written, "point_law.h": str(generator.dump())}
+    return PointCode(MappingProxyType(source), tuple(constants))
 
 
 Symbols = tuple[Any, ...]
@@ -156,13 +156,6 @@ def _with_slope(function: ca.Function) -> ca.Function:
     arguments = function.sx_in()
     value = function(*arguments)
     return ca.Function(function.name(), arguments, [value, ca.densify(ca.jacobian(value, arguments[0]))])
-
-
-def _generate(functions: Iterable[ca.Function]) -> str:
-    generator = ca.CodeGenerator("point_law", {"with_header": False, "casadi_int": "int"})
-    for function in functions:
-        generator.add(function)
-    return str(generator.dump())
 
 
 Floats = npt.NDArray[np.float64]

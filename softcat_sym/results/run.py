@@ -210,11 +210,7 @@ class Run:
 
     def files(self) -> dict[str, Any]:
         """What a folder of the run holds, pictures apart."""
-        return {
-            "trajectory.nc": self.to_netcdf(),
-            "summary.json": self.summary,
-            "scene.toml": self.scene.to_toml(),
-        }
+        return {"trajectory.nc": self.to_netcdf(), "summary.json": self.summary, "scene.toml": self.scene.to_toml()}
 
     def save(self, directory: str | Path) -> list[Path]:
         """Write ``trajectory.nc``, ``summary.json`` and ``scene.toml``; files of the same name are replaced whole.

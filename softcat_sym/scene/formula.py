@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TypeVar
@@ -30,17 +31,7 @@ _BINARY: dict[type[ast.operator], str] = {
 }
 _LONGEST = 500
 _DEEPEST = 100
-
-
-@dataclass(frozen=True, slots=True)
-class Node:
-    """A number, a name, or an operation on other nodes: one of the three is set."""
-
-    piece: str = field(compare=False)  # The text it was read from
-    number: float | None = None
-    name: str = ""
-    operation: str = ""
-    arguments: tuple[Node, ...] = ()
+_HUGE = 10**308
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,18 +39,25 @@ class Formula:
     """An expression in `sigma` and named parameters. Build one with `parse_formula`."""
 
     text: str  # As the user wrote it
-    tree: Node = field(compare=False, repr=False)  # What it means
+    tree: ast.expr = field(compare=False, repr=False)  # What it means: of nothing but `_operation`
 
     @property
     def names(self) -> frozenset[str]:
         """Names besides sigma and pi."""
-        return frozenset(node.name for node in _walk(self.tree) if node.name) - {STRESS_NAME, *FORMULA_CONSTANTS}
+        return _names(self.tree) - {STRESS_NAME}
 
     def fold(
         self, number: Callable[[float], T], name: Callable[[str], T], operation: Callable[[str, tuple[T, ...]], T]
     ) -> T:
         """Rebuild the expression from its leaves up, in any arithmetic."""
-        return _fold(self.tree, number, name, operation)
+
+        def rebuilt(node: ast.expr) -> T:
+            head, operands = _operation(node)
+            if operands:
+                return operation(str(head), tuple(map(rebuilt, operands)))
+            return name(head) if isinstance(head, str) else number(head)
+
+        return rebuilt(self.tree)
 
     def value(self, sigma: float, parameters: Mapping[str, float]) -> float:
         """Evaluate in plain floats."""
@@ -78,56 +76,53 @@ def parse_formula(text: str) -> Formula:
         with warnings.catch_warnings():
             # Of text that is refused below in any case.
             warnings.simplefilter("ignore")
-            body = ast.parse(text.strip(), mode="eval").body
-        return Formula(text, _read(body, text.strip(), 0))
+            tree = ast.parse(text.strip(), mode="eval").body
+        _check(tree)
     except SyntaxError as error:
         raise refusal(f"{shown(text)} is no formula: {error.msg}", ACCEPTED) from None
     except (ValueError, RecursionError, MemoryError) as error:
         if hasattr(error, "context"):
             raise
         raise refusal(f"{shown(text)} is no formula", ACCEPTED) from None
+    return Formula(text, tree)
 
 
-def _read(node: ast.expr, text: str, depth: int) -> Node:
-    piece = ast.get_source_segment(text, node) or text
+def _check(node: ast.expr, depth: int = 0) -> None:
     if depth > _DEEPEST:
         raise refusal(f"nested more than {_DEEPEST} deep", "a shorter formula")
+    head, operands = _operation(node)
+    if isinstance(head, float) and not math.isfinite(head):
+        raise refusal(f"{_piece(node)} is not finite", "a moderate number")
+    if isinstance(node, ast.Call):
+        _check_call(str(head), operands)
+    elif not operands and head in FUNCTIONS:
+        raise refusal(f"the function {head} has no argument", f"{head}(...)")
+    for operand in operands:
+        _check(operand, depth + 1)
+
+
+def _operation(node: ast.expr) -> tuple[float | str, list[ast.expr]]:
+    """Name and operands of an operation; of a number its value, of a name itself, and none."""
     match node:
-        case ast.Constant(value=bool()):
-            raise refusal(f"{shown(piece)} is not arithmetic", ACCEPTED)
-        case ast.Constant(value=int() | float() as number):
-            return Node(piece, number=_finite(number, piece))
-        case ast.Name(id=name) if name in FORMULA_CONSTANTS:
-            return Node(piece, number=FORMULA_CONSTANTS[name])
-        case ast.Name(id=name) if name in FUNCTIONS:
-            raise refusal(f"the function {name} has no argument", f"{name}(...)")
+        case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
+            return (float(number) if abs(number) < _HUGE else math.inf), []
         case ast.Name(id=name):
-            return Node(piece, name=name)
+            return FORMULA_CONSTANTS.get(name, name), []
         case ast.UnaryOp(op=ast.USub(), operand=operand):
-            return Node(piece, operation="neg", arguments=(_read(operand, text, depth + 1),))
+            return "neg", [operand]
         case ast.UnaryOp(op=ast.UAdd(), operand=operand):
-            return _read(operand, text, depth + 1)
+            return _operation(operand)
         case ast.BinOp(op=ast.BitXor()):
-            raise refusal(f"'^' in {shown(piece)}", "** for powers")
+            raise refusal(f"'^' in {_piece(node)}", "** for powers")
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
-            both = (_read(left, text, depth + 1), _read(right, text, depth + 1))
-            return Node(piece, operation=_BINARY[type(op)], arguments=both)
+            return _BINARY[type(op)], [left, right]
         case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-            _check_call(name, arguments)
-            read = tuple(_read(argument, text, depth + 1) for argument in arguments)
-            return Node(piece, operation=name, arguments=read)
-        case _:
-            raise refusal(f"{shown(piece)} is not arithmetic", ACCEPTED)
+            return name, arguments
+    raise refusal(f"{_piece(node)} is not arithmetic", ACCEPTED)
 
 
-def _finite(number: float, piece: str) -> float:
-    try:
-        finite = float(number)
-    except OverflowError:
-        finite = math.inf
-    if not math.isfinite(finite):
-        raise refusal(f"{shown(piece)} is not finite", "a moderate number")
-    return finite
+def _piece(node: ast.expr) -> str:
+    return shown(re.sub(r" ([*/]+) ", r"\1", ast.unparse(node)))
 
 
 def _check_call(name: str, arguments: list[ast.expr]) -> None:
@@ -136,22 +131,6 @@ def _check_call(name: str, arguments: list[ast.expr]) -> None:
     if len(arguments) != FUNCTIONS[name]:
         count = "one argument" if FUNCTIONS[name] == 1 else "two arguments"
         raise refusal(f"{name} of {len(arguments)} arguments", f"{name} of {count}")
-
-
-def _walk(node: Node) -> Iterator[Node]:
-    yield node
-    for argument in node.arguments:
-        yield from _walk(argument)
-
-
-def _fold(
-    node: Node, number: Callable[[float], T], name: Callable[[str], T], operation: Callable[[str, tuple[T, ...]], T]
-) -> T:
-    if node.number is not None:
-        return number(node.number)
-    if node.name:
-        return name(node.name)
-    return operation(node.operation, tuple(_fold(a, number, name, operation) for a in node.arguments))
 
 
 _COMPUTE: dict[str, Callable[..., float]] = {
@@ -165,10 +144,7 @@ _COMPUTE: dict[str, Callable[..., float]] = {
     "sign": lambda a: math.copysign(1.0, a) if a else a,
     "min": lambda a, b: math.nan if math.isnan(a) or math.isnan(b) else min(a, b),
     "max": lambda a, b: math.nan if math.isnan(a) or math.isnan(b) else max(a, b),
-    **{
-        name: getattr(math, name)
-        for name in ["exp", "log", "sqrt", "sinh", "cosh", "tanh", "asinh", "atan", "sin", "cos"]
-    },
+    **{name: getattr(math, name) for name in _ELEMENTARY},
 }
 
 
@@ -187,86 +163,85 @@ def _compute(operation: str, operands: tuple[float, ...]) -> float:
 
 
 RATE: Dimension = (0.0, 0.0, -1.0)
-_ALIKE = ("add", "sub", "min", "max")
+Sized = Dimension | None
+"""Exponents of kg, m and s; None for a literal zero, which goes with any unit."""
 
 
 def check_units(formula: Formula, of: Mapping[str, Dimension], values: Mapping[str, float]) -> None:
     """Refuse a formula that is not a rate."""
-    found = _dimension(formula.tree, of, values)
+    found = _dimension(formula.tree, {**of, STRESS_NAME: STRESS}, values)
     if found is not None and not same_dimension(found, RATE):
         raise refusal(f"{formula.text!r} is {_words(found)}", "a strain rate, 1/s; check the units of the parameters")
 
 
-def _dimension(node: Node, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Dimension | None:
-    """Exponents of kg, m and s; None for a literal zero, which goes with any unit."""
-    if node.number is not None:
-        return PURE if node.number else None
-    if node.name:
-        return STRESS if node.name == STRESS_NAME else of[node.name]
-    operands = [_dimension(argument, of, values) for argument in node.arguments]
-    match node.operation:
+def _dimension(node: ast.expr, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Sized:
+    head, operands = _operation(node)
+    if not operands:
+        return of[head] if isinstance(head, str) else PURE if head else None
+    first, *others = (_dimension(operand, of, values) for operand in operands)
+    match head:
         case "neg" | "abs":
-            return operands[0]
-        case "sign":
-            return PURE
+            return first
         case "sqrt":
-            return _times(operands[0], 0.5)
+            return _times(first, 0.5)
         case "mul":
-            return _plus(operands[0], operands[1], 1)
+            return _plus(first, others[0], 1)
         case "div":
-            return _plus(operands[0], operands[1], -1)
+            return _plus(first, others[0], -1)
         case "pow":
-            return _power(node, operands, values)
-        case _ if node.operation in _ALIKE:
-            return _alike(node, operands)
-        case _:
-            if operands[0] is not None and not same_dimension(operands[0], PURE):
-                found = f"the argument {node.arguments[0].piece!r} of {node.operation} is {_words(operands[0])}"
-                raise refusal(found, "a pure number, such as sigma over a stress")
-            return PURE
+            return _power(node, operands[1], first, others[0], values)
+        case "add" | "sub" | "min" | "max":
+            return _alike(node, operands, first, others[0])
+    if head != "sign" and not _is_pure(first):
+        found = f"the argument {_piece(operands[0])} of {head} is {_words(first)}"
+        raise refusal(found, "a pure number, such as sigma over a stress")
+    return PURE
 
 
-def _alike(node: Node, operands: list[Dimension | None]) -> Dimension | None:
-    one, other = operands
-    if one is not None and other is not None and not same_dimension(one, other):
-        left, right = (argument.piece for argument in node.arguments)
-        raise refusal(
-            f"{node.piece!r} puts {left!r}, {_words(one)}, beside {right!r}, {_words(other)}", "two of the same unit"
-        )
-    return one if one is not None else other
+def _alike(node: ast.expr, operands: list[ast.expr], first: Sized, second: Sized) -> Sized:
+    if first is None or second is None:
+        return second if first is None else first
+    if not same_dimension(first, second):
+        left, right = map(_piece, operands)
+        found = f"{_piece(node)} puts {left}, {_words(first)}, beside {right}, {_words(second)}"
+        raise refusal(found, "two of the same unit")
+    return first
 
 
-def _power(node: Node, operands: list[Dimension | None], values: Mapping[str, float]) -> Dimension | None:
-    base, exponent = operands
-    written = node.arguments[1]
-    if exponent is not None and not same_dimension(exponent, PURE):
-        raise refusal(f"the exponent {written.piece!r} is {_words(exponent)}", "a pure number")
-    if base is None or same_dimension(base, PURE):
+def _power(node: ast.expr, exponent: ast.expr, base: Sized, power: Sized, values: Mapping[str, float]) -> Sized:
+    if not _is_pure(power):
+        raise refusal(f"the exponent {_piece(exponent)} is {_words(power)}", "a pure number")
+    if _is_pure(base):
         return base
-    part = Formula(written.piece, written)
-    if STRESS_NAME in _names(written):
-        raise refusal(
-            f"{node.piece!r}: the exponent depends on sigma, but the base is {_words(base)}", "a base without a unit"
-        )
-    return _times(base, part.value(0.0, values))
+    if STRESS_NAME in _names(exponent):
+        found = f"{_piece(node)}: the exponent depends on sigma, but the base is {_words(base)}"
+        raise refusal(found, "a base without a unit")
+    return _times(base, Formula("", exponent).value(0.0, values))
 
 
-def _names(node: Node) -> set[str]:
-    return {node.name}.union(*(_names(argument) for argument in node.arguments))
+def _is_pure(dimension: Sized) -> bool:
+    return dimension is None or same_dimension(dimension, PURE)
 
 
-def _times(dimension: Dimension | None, factor: float) -> Dimension | None:
+def _names(node: ast.expr) -> frozenset[str]:
+    """Names in an expression, functions and constants apart."""
+    head, operands = _operation(node)
+    own = {head} if isinstance(head, str) and not operands else set()
+    return frozenset(own.union(*map(_names, operands)))
+
+
+def _times(dimension: Sized, factor: float) -> Sized:
     return None if dimension is None else (dimension[0] * factor, dimension[1] * factor, dimension[2] * factor)
 
 
-def _plus(one: Dimension | None, other: Dimension | None, sign: int) -> Dimension | None:
+def _plus(one: Sized, other: Sized, sign: int) -> Sized:
     if one is None or other is None:
         return None
     return (one[0] + sign * other[0], one[1] + sign * other[1], one[2] + sign * other[2])
 
 
-def _words(dimension: Dimension) -> str:
-    return "a pure number" if same_dimension(dimension, PURE) else f"of unit {si_unit(dimension)}"
+def _words(dimension: Sized) -> str:
+    return "a pure number" if dimension is None or _is_pure(dimension) else f"of unit {si_unit(dimension)}"
 
 
 # Below and above the stress scales of the scene.
@@ -283,8 +258,8 @@ def check_rule(formula: Formula, values: dict[str, float], scales: Iterable[floa
     """Refuse a rule that is not odd, not finite, decreases or creates energy, at many stresses."""
     stresses = _stresses(scales)
     at_rest = formula.value(0.0, values)
-    rates = _rates(lambda sigma: formula.value(sigma, values), stresses)
-    if not rates or not any(rates):
+    rates = _rates(formula, values, stresses)
+    if not any(rates):
         raise refusal(f"nothing flows at any stress up to {stresses[-1]:.4g} Pa", "a rate that grows with stress")
     tiny = 1e-12 * next(rate for rate in map(abs, rates) if rate)
     if not abs(at_rest) <= tiny:
@@ -294,19 +269,10 @@ def check_rule(formula: Formula, values: dict[str, float], scales: Iterable[floa
         if not abs(rate + mirror) <= _ROUNDING * abs(rate) + tiny:
             found = f"not odd: {rate:.4g} 1/s at {sigma:.4g} Pa, but {mirror:.4g} 1/s at {-sigma:.4g} Pa"
             raise refusal(found, "phi(-sigma) = -phi(sigma), such as sign(sigma)*abs(sigma)**2")
-    _check_dissipation(stresses, rates, tiny)
-
-
-def _check_dissipation(stresses: list[float], rates: list[float], tiny: float) -> None:
-    accepted = "a rate that has the sign of the stress and never decreases"
-    last = 0.0
-    for sigma, rate in zip(stresses, rates, strict=False):
-        if rate < -tiny:
-            raise refusal(f"negative dissipation: the rate is {rate:.4g} 1/s at sigma = {sigma:.4g} Pa", accepted)
-        if rate < last - _ROUNDING * last - tiny:
-            found = f"decreases from {last:.4g} to {rate:.4g} 1/s at sigma = {sigma:.4g} Pa (negative dissipation)"
-            raise refusal(found, accepted)
-        last = rate
+    for sigma, last, rate in zip(stresses, [0.0, *rates], rates, strict=False):
+        if rate < -tiny or rate < last - _ROUNDING * last - tiny:
+            found = f"negative dissipation: from {last:.4g} to {rate:.4g} 1/s the rate decreases at {sigma:.4g} Pa"
+            raise refusal(found, "a rate that has the sign of the stress and never decreases")
 
 
 @lru_cache(maxsize=256)
@@ -330,11 +296,11 @@ def threshold(text: str, values: tuple[tuple[str, float], ...], scales: tuple[fl
     return short if formula.value(short, known) == 0 else closed
 
 
-def _rates(rule: Callable[[float], float], stresses: list[float]) -> list[float]:
+def _rates(formula: Formula, values: dict[str, float], stresses: list[float]) -> list[float]:
     """Rates up to where they are too fast to matter."""
     rates: list[float] = []
     for sigma in stresses:
-        rate = rule(sigma)
+        rate = formula.value(sigma, values)
         if math.isnan(rate):
             raise refusal(f"not a number at sigma = {sigma:.4g} Pa", "a rate that is finite at every stress")
         if abs(rate) > _FASTEST:

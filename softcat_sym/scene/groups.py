@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import ValidationInfo, ValidatorFunctionWrapHandler, field_validator
+from pydantic import ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError, ValidationError
 
 from softcat_sym.errors import Fault
@@ -38,7 +38,7 @@ class GroupBlock(Part):
 
     delta: Annotated[float, Number(above=0, below=1)]
     """Thickness over span, h0/L."""
-    law: Annotated[Law, Choice(get_args(Law))]
+    law: Annotated[Law, Choice(Law)]
     """How the material answers to stress."""
     G: Positive = None
     """Gravity over yield stress, rho g L/sY."""
@@ -58,32 +58,20 @@ class GroupBlock(Part):
     """Time in which gravity grows, in units of groups.time_unit."""
     duration: Positive = None
     """Simulated time, in units of groups.time_unit."""
-    time_unit: Annotated[TimeUnit, Choice(("gravity", "elastic"))] = "gravity"
+    time_unit: Annotated[TimeUnit, Choice(TimeUnit)] = "gravity"
     """Unit of groups.ramp and groups.duration; gravity: sqrt(L/g), elastic: L sqrt(rho/E)."""
 
-    @field_validator("law", mode="wrap")
+    @field_validator("law", "n", "time_unit")
     @classmethod
-    def _few_enough_constants(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> Any:
-        law = handler(value)
-        if law not in GROUPED:
+    def _of_the_law(cls, value: Any, info: ValidationInfo) -> Any:
+        law = info.data.get("law", value)
+        if info.field_name == "law" and law not in GROUPED:
             raise refusal(f"the law '{law}' has more constants than groups", f"give physical values; or {_GROUPED}")
-        return law
-
-    @field_validator("n", mode="wrap")
-    @classmethod
-    def _of_laws_with_an_index(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        n, law = handler(value), info.data.get("law")
-        if n != 1 and law is not None and law not in INDEXED:
+        if info.field_name == "n" and value != 1 and law in CONSTANTS and law not in INDEXED:
             raise refusal(f"given, but the law '{law}' has no index", f"leaving it out, or {' or '.join(INDEXED)}")
-        return n
-
-    @field_validator("time_unit", mode="wrap")
-    @classmethod
-    def _of_laws_with_a_modulus(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
-        unit = handler(value)
-        if unit == "elastic" and info.data.get("law") == "newtonian":
+        if (value, law) == ("elastic", "newtonian"):
             raise refusal("'elastic', but the law 'newtonian' has no Young's modulus", "gravity")
-        return unit
+        return value
 
 
 GROUND = "1"

@@ -74,6 +74,7 @@ LAWS = tuple(law for law, constants in CONSTANTS.items() if constants and law no
 """Laws whose constants a template asks for: each has some, and nothing besides."""
 
 _GEOMETRY = {"filament.span": "5 mm", "filament.thickness": "0.4 mm", "filament.density": "2200 kg/m^3"}
+_CHOICES = ("filament.section", "material.law", "ends.left", "ends.right")
 _LATER = ("ends.left", "ends.right", "load.ramp", "run.frames", "run.accuracy", "run.effects")
 """Keys whose defaults are written as comments, for who wants to change them next."""
 
@@ -90,7 +91,8 @@ def example_values(given: Mapping[str, str]) -> dict[str, str]:
     if law in INDEXED:
         index = given.get("material.index", "0.5")
         values["material.index"] = index
-        values["material.shear_consistency"] = f"10 {_consistency_unit(index)}"
+        number = _value("material.index", index)
+        values["material.shear_consistency"] = f"10 {consistency_unit(number if isinstance(number, float) else 1.0)}"
     elif "viscosity" in constants:
         values["material.shear_viscosity"] = "10 Pa*s"
     return {**values, "surroundings.surface_tension": "0 N/m", "run.duration": "0.5 s"}
@@ -115,17 +117,16 @@ def scene_template(title: str, given: Mapping[str, str]) -> tuple[str, Scene]:
         if here != table:
             lines += ["", f"[{here}]"]
             table = here
-        lines += [f"# {key.meaning}{_choice(key)}", _line(key, name, values)]
+        choice = f" ({key.accepted})" if key.path in _CHOICES else ""
+        lines.append(f"# {key.meaning}{choice}")
+        if key.path == "filament.section":
+            lines.append(f'{name} = "circle"')
+        elif key.path in values:
+            lines.append(f"{name} = {toml_value(_value(key.path, values[key.path]))}")
+        else:
+            lines.append(f"# {name} = {key.default}")
     text = "\n".join([*lines, ""])
     return text, Scene.model_validate(tomllib.loads(text))
-
-
-def _line(key: SceneKey, name: str, values: Mapping[str, str]) -> str:
-    if key.path == "filament.section":
-        return f'{name} = "circle"'
-    if key.path not in values:
-        return f"# {name} = {key.default}"
-    return f"{name} = {toml_value(_value(key.path, values[key.path]))}"
 
 
 def _value(path: str, text: str) -> object:
@@ -136,15 +137,3 @@ def _value(path: str, text: str) -> object:
         return float(text)
     except ValueError:
         return text
-
-
-def _choice(key: SceneKey) -> str:
-    """The names among which a key chooses."""
-    return f" ({key.accepted})" if key.path in ("filament.section", "material.law", "ends.left", "ends.right") else ""
-
-
-def _consistency_unit(index: str) -> str:
-    try:
-        return consistency_unit(float(index))
-    except ValueError:
-        return consistency_unit(1)

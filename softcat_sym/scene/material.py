@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from keyword import iskeyword
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator, model_validator
 from pydantic_core import PydanticCustomError
@@ -75,11 +75,11 @@ class Parameter:
     dimension: Dimension
 
 
-@dataclass(frozen=True, slots=True)
 class Modes(Kind):
     """A list of modes."""
 
-    accepted: str = 'a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
+    si = True
+    accepted = 'a list of modes, such as [{youngs_modulus = "1 MPa", viscosity = "2 kPa*s"}]'
 
     def read(self, value: object) -> tuple[Mode, ...]:
         if not isinstance(value, (list, tuple)):
@@ -114,11 +114,10 @@ class Modes(Kind):
         return [{name: kind.write(getattr(mode, name)) for name, kind in _MODE.items()} for mode in value]
 
 
-@dataclass(frozen=True, slots=True)
 class Parameters(Kind):
     """A table of named constants of any unit."""
 
-    accepted: str = 'a table of named constants, such as {s0 = "1 kPa", t0 = "2 s", m = 3}'
+    accepted = 'a table of named constants, such as {s0 = "1 kPa", t0 = "2 s", m = 3}'
 
     def read(self, value: object) -> tuple[Parameter, ...]:
         if isinstance(value, tuple) and all(isinstance(item, Parameter) for item in value):
@@ -269,7 +268,7 @@ _LISTS = {"modes": "multimode-maxwell", "flow": "custom", "parameters": "custom"
 OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency", "consistency")
 """Keys whose unit may depend on the law and its index."""
 
-_STRESS = Quantity("stress", "9.32 kPa")
+_STRESS, _VISCOSITY = Quantity("stress", "9.32 kPa"), Quantity("viscosity", "13.84 kPa*s")
 
 
 def kind_of_constant(name: str, law: str | None, index: float) -> Quantity:
@@ -279,15 +278,7 @@ def kind_of_constant(name: str, law: str | None, index: float) -> Quantity:
     if name in ("shear_consistency", "consistency") or (name == "viscosity" and law in INDEXED):
         unit = consistency_unit(index)
         return Quantity("consistency", f"120 {unit}", unit=unit)
-    return Quantity("viscosity", "13.84 kPa*s")
-
-
-def check_loss(law: str | None) -> None:
-    """Refuse a loss below yield of a law without a spring, or whose stress beside the spring is viscous already."""
-    why = {"newtonian": "has no spring that could ring", "kelvin-voigt": "has this viscosity as material.viscosity"}
-    if law in why:
-        others = ", ".join(other for other in CONSTANTS if other not in why)
-        raise refusal(f"given, but the law '{law}' {why[law]}", f"leaving it out, or one of the laws {others}")
+    return _VISCOSITY
 
 
 def check_against_law(name: str, law: str | None, value: object, accepted: str) -> None:
@@ -333,10 +324,8 @@ def check_own_law(formula: Formula, parameters: tuple[Parameter, ...], youngs_mo
         raise refusals("material", faults)
 
 
-_VISCOSITY = Quantity("viscosity", "13.84 kPa*s")
 Viscosity = Annotated[float | None, _VISCOSITY]
 Stress = Annotated[float | None, _STRESS]
-_SOLID_VISCOSITY = Quantity("viscosity", "1.2 Pa*s")
 POISSON = 0.45
 """Poisson's ratio unless a scene states one."""
 
@@ -351,7 +340,7 @@ class Material(Part):
 
     table_name: ClassVar[str] = "material"
 
-    law: Annotated[Law, Choice(get_args(Law))]
+    law: Annotated[Law, Choice(Law)]
     """How the material answers to stress."""
     # Before the consistency, whose unit depends on it.
     index: Annotated[float, Number(above=0)] = 1.0
@@ -380,7 +369,7 @@ class Material(Part):
     """G'' below yield, beside storage_modulus: loss_tangent is their ratio."""
     loss_tangent: Annotated[float, Number(above=0, closed=True)] = Field(default=0.0, validate_default=True)
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
-    solid_viscosity: Annotated[float | None, _SOLID_VISCOSITY] = None
+    solid_viscosity: Annotated[float | None, Quantity("viscosity", "1.2 Pa*s")] = None
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
@@ -452,8 +441,10 @@ class Material(Part):
             # G' of a Young's modulus that was given itself.
             own = (data.get("youngs_modulus") or math.nan) / (2 * (1 + data.get("poisson", math.nan)))
             loss = modulus / (data.get("storage_modulus") or own)
-        if loss:
-            check_loss(data.get("law"))
+        why = {"newtonian": "has no spring that could ring", "kelvin-voigt": "has this viscosity as material.viscosity"}
+        if loss and (law := data.get("law")) in why:
+            others = ", ".join(other for other in CONSTANTS if other not in why)
+            raise refusal(f"given, but the law '{law}' {why[law]}", f"leaving it out, or one of the laws {others}")
         return loss
 
     @field_validator("modes", "flow", "parameters", mode="wrap")

@@ -17,21 +17,7 @@ from pydantic import (
     model_validator,
 )
 
-from softcat_sym.errors import Fault
-from softcat_sym.scene.units import (
-    Choice,
-    Flag,
-    Kind,
-    Motion,
-    Names,
-    Number,
-    Numbers,
-    Quantity,
-    Whole,
-    refusal,
-    shown,
-    with_unit,
-)
+from softcat_sym.scene.units import Choice, Flag, Kind, Motion, Names, Number, Numbers, Quantity, Whole, refusal, shown
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
@@ -102,7 +88,7 @@ class Filament(Part):
     """Diameter of a circle, which the section then is; instead of thickness."""
     thickness: Length = Field(default=None, validate_default=True)
     """h0, in the plane of bending; the diameter of a circle."""
-    section: Annotated[Section, Choice(("rectangle", "circle", "sheet"))] = "rectangle"
+    section: Annotated[Section, Choice(Section)] = "rectangle"
     """Shape of the cross-section."""
     width: Length = Field(default=None, validate_default=True)
     """D0, across the plane of bending; the thickness unless given."""
@@ -169,9 +155,11 @@ class Filament(Part):
 
 
 Point = tuple[float, float]
+Rule = tuple[object, str, str, str]
+"""Whether it is broken; by which key, what was found, and what is accepted."""
 
 
-def places(scene: Scene) -> list[Point]:
+def _places(scene: Scene) -> list[Point]:
     """Return the places of the right support seen from the left one, first and at each row of its motion [m]."""
     first = (scene.filament.span, -scene.ends.drop)
     return [first, *((first[0] + dx, first[1] + dy) for _, dx, dy in scene.ends.motion)]
@@ -179,32 +167,29 @@ def places(scene: Scene) -> list[Point]:
 
 def farthest(scene: Scene) -> float:
     """Return the greatest distance of the supports at any time [m]; a straight path has it at one of its ends."""
-    return max(math.hypot(*place) for place in places(scene))
+    return max(math.hypot(*place) for place in _places(scene))
 
 
 def nearest(scene: Scene) -> float:
     """Return the least distance of the supports at any time [m]."""
-    path = places(scene)
+    path = _places(scene)
     return min((_to_origin(a, b) for a, b in pairwise(path)), default=math.hypot(*path[0]))
 
 
-def motion_faults(scene: Scene) -> Iterator[Fault]:
-    """List what is wrong with the motion of the right support."""
-    rows, path = scene.ends.motion, "ends.motion"
+def motion_rules(scene: Scene) -> Iterator[Rule]:
+    """List what may be wrong with the motion of the right support."""
+    rows, path, thickness = scene.ends.motion, "ends.motion", scene.filament.thickness
+    if not rows:
+        return
     times = [time for time, _, _ in rows]
-    if any(time < 0 for time in times):
-        yield Fault(path, f"a row at {min(times):g} s, before the start", "times from 0 s on")
-    for before, after in pairwise(times):
-        if after <= before:
-            yield Fault(path, f"a row at {after:g} s after one at {before:g} s", "times that increase from row to row")
-            break
-    if rows and rows[0][1:] != (0.0, 0.0):
-        start = f'["{with_unit(0.0, "time")}", "0 m", "0 m"]'
-        found = f"the first row, at {times[0]:g} s, moves the support at once"
-        yield Fault(path, found, f"a first row without displacement, such as {start}")
-    if rows and nearest(scene) < scene.filament.thickness:
-        found = f"the supports come within {nearest(scene):.4g} m of each other"
-        yield Fault(path, found, f"a path that keeps them the thickness apart, {scene.filament.thickness:g} m")
+    yield min(times) < 0, path, f"a row at {min(times):g} s, before the start", "times from 0 s on"
+    back = next(((before, after) for before, after in pairwise(times) if after <= before), None)
+    if back:
+        yield True, path, f"a row at {back[1]:g} s after one at {back[0]:g} s", "times that increase from row to row"
+    accepted = 'a first row without displacement, such as ["0.0 s", "0 m", "0 m"]'
+    yield any(rows[0][1:]), path, f"the first row, at {times[0]:g} s, moves the support at once", accepted
+    found = f"the supports come within {nearest(scene):.4g} m of each other"
+    yield nearest(scene) < thickness, path, found, f"a path that keeps them the thickness apart, {thickness:g} m"
 
 
 def _to_origin(start: Point, end: Point) -> float:
@@ -218,7 +203,7 @@ def _to_origin(start: Point, end: Point) -> float:
 
 
 End = Literal["clamped", "pinned", "free"]
-_END = Choice(("clamped", "pinned", "free"))
+_END = Choice(End)
 _ANGLE = Quantity("angle", "10 deg", "any")
 Angle = Annotated[float, _ANGLE]
 
@@ -306,11 +291,11 @@ class RunSettings(Part):
     """Number of evenly spaced output times, t = 0 included."""
     accuracy: Annotated[float, Number(above=0, below=1)] = 0.01
     """Largest error of the midpoint over the largest midpoint."""
-    until: Annotated[Until, Choice(("duration", "settled"))] = "duration"
+    until: Annotated[Until, Choice(Until)] = "duration"
     """Whether the run ends with its duration, or before when nothing moves any more by the accuracy asked."""
-    effects: Annotated[str | tuple[str, ...], Names(("auto", "paper"))] = "auto"
+    effects: Annotated[str | tuple[str, ...], Names("auto", "paper")] = "auto"
     """Which physics is in force: auto chooses by estimates, paper is the published theory; or names of effects."""
-    closure: Annotated[Closure, Choice(("material", "printed"))] = "material"
+    closure: Annotated[Closure, Choice(Closure)] = "material"
     """Plastic state, strain measure and axial force: that of the material, or as the paper prints it."""
 
 
@@ -331,11 +316,11 @@ class Numerics(Part):
     """k, order of the plastic strain through the thickness; chosen by the program unless given."""
     fibres: Annotated[int | None, Whole(2, 1000)] = None
     """Fibres through the thickness; chosen by the program unless given."""
-    solver: Annotated[Solver | None, Choice(("cvodes", "idas", "rosenbrock"))] = None
+    solver: Annotated[Solver | None, Choice(Solver)] = None
     """Integrator; chosen by the program unless given."""
     rtol: Annotated[float | None, Number(above=0, below=1)] = None
     """Relative tolerance of the integrator; chosen by the program unless given."""
-    backend: Annotated[Backend, Choice(("auto", "interpreted", "compiled"))] = "auto"
+    backend: Annotated[Backend, Choice(Backend)] = "auto"
     """Interpreted by CasADi, or compiled from generated C; auto: compiled where there is a C compiler."""
     estimate: Annotated[bool, Flag()] = True
     """Whether the error is estimated on other grids, and the run refined until it is below run.accuracy."""

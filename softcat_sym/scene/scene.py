@@ -14,7 +14,7 @@ from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import SOLIDS, Material, Modes, power
+from softcat_sym.scene.material import SOLIDS, Material, power
 from softcat_sym.scene.parts import (
     Ends,
     Filament,
@@ -22,15 +22,16 @@ from softcat_sym.scene.parts import (
     Load,
     Numerics,
     Part,
+    Rule,
     RunSettings,
     Surroundings,
     dotted,
     farthest,
     kinds_of,
-    motion_faults,
+    motion_rules,
 )
 from softcat_sym.scene.toml import Override, apply, toml_of
-from softcat_sym.scene.units import Choice, Motion, Quantity, Text, fault_of, in_si, shown
+from softcat_sym.scene.units import Choice, Text, fault_of, in_si, shown
 
 _ROUNDING = 1e-12
 
@@ -102,11 +103,11 @@ _REFUSED_LATER = ("bingham", "herschel-bulkley")
 
 def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
-    checks = (
-        *(_of_ends, motion_faults, _of_reach, _of_slack, _of_initial_state, _of_newtonian, _of_small_deflection),
-        *(_of_shaking, _of_loss, _of_section),
+    checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state)
+    rules = (
+        rule for check in (*checks, _of_newtonian, _of_small_deflection, _of_load_and_loss) for rule in check(scene)
     )
-    return [fault for check in checks for fault in check(scene)]
+    return [Fault(*words) for broken, *words in rules if broken]
 
 
 def refuse_settled(scene: Scene, why: str) -> None:
@@ -115,158 +116,133 @@ def refuse_settled(scene: Scene, why: str) -> None:
         raise SceneError([Fault("run.until", f"'settled', but {why}", "duration")])
 
 
-def _of_ends(scene: Scene) -> Iterator[Fault]:
+def _sides(scene: Scene) -> tuple[tuple[str, str, float], ...]:
     ends = scene.ends
-    if ends.left == ends.right == "free":
-        yield Fault("ends", "both ends are free", "at least one end clamped or pinned")
-    for side, how in (("left", ends.left), ("right", ends.right)):
-        if how != "clamped" and getattr(ends, f"{side}_angle") != 0:
-            found = f"given, but the {side} end is {how}"
-            yield Fault(f"ends.{side}_angle", found, f'leaving it out, or ends.{side} = "clamped"')
-    if ends.drop != 0 and not is_held(scene):
-        yield Fault("ends.drop", "given, but one end is free", "leaving it out, or two ends that are held")
-    if ends.motion and ends.right == "free":
-        yield Fault("ends.motion", "given, but the right end is free", "leaving it out, or a right end that is held")
+    return ("left", ends.left, ends.left_angle), ("right", ends.right, ends.right_angle)
 
 
-def _of_section(scene: Scene) -> Iterator[Fault]:
-    numerics = scene.numerics
-    if numerics.order is not None and numerics.fibres is not None:
-        found = f"{numerics.order}, but numerics.fibres is {numerics.fibres}: polynomials stand in the place of fibres"
-        yield Fault("numerics.order", found, "one of the two")
+def _of_ends(scene: Scene) -> Iterator[Rule]:
+    ends, out = scene.ends, "leaving it out"
+    yield ends.left == ends.right == "free", "ends", "both ends are free", "at least one end clamped or pinned"
+    for side, how, angle in _sides(scene):
+        found, accepted = f"given, but the {side} end is {how}", f'{out}, or ends.{side} = "clamped"'
+        yield how != "clamped" and angle != 0, f"ends.{side}_angle", found, accepted
+    loose = "free" in (ends.left, ends.right)
+    yield ends.drop and loose, "ends.drop", "given, but one end is free", f"{out}, or two ends that are held"
+    broken, found = ends.motion and ends.right == "free", "given, but the right end is free"
+    yield broken, "ends.motion", found, f"{out}, or a right end that is held"
 
 
-def _of_shaking(scene: Scene) -> Iterator[Fault]:
-    load = scene.load
-    if load.shake > 0 and scene.run.until == "settled":
-        found = f"'settled', but load.shake is {load.shake:g}: what is shaken does not come to rest"
-        yield Fault("run.until", found, "duration")
-    if load.shake > 0 and load.shake_frequency == 0:
-        found = f"zero or missing, but load.shake is {load.shake:g}"
-        yield Fault("load.shake_frequency", found, 'a positive frequency, such as "5 Hz", or no load.shake')
-    if load.shake_frequency > 0 and load.shake == 0:
-        found = f"zero or missing, but load.shake_frequency is {load.shake_frequency:g} Hz"
-        yield Fault("load.shake", found, "a positive number without a unit, such as 0.3, or no load.shake_frequency")
-
-
-def _of_loss(scene: Scene) -> Iterator[Fault]:
-    """A loss below yield is a stress that only the filament of the material closure has."""
-    material, ends = scene.material, scene.ends
-    if not material.has_loss:
-        return
-    key = "loss_modulus" if material.loss_modulus else "loss_tangent" if material.loss_tangent else "solid_viscosity"
-    path, accepted = f"material.{key}", "leaving it out"
-    if scene.model == "small-deflection":
-        yield Fault(path, "given with model 'small-deflection'", f'{accepted}, or model = "filament"')
-    if scene.run.closure == "printed":
+def _of_load_and_loss(scene: Scene) -> Iterator[Rule]:
+    """What is shaken does not rest; a loss below yield is a stress that only the filament's material closure has."""
+    load, material, numerics, ends = scene.load, scene.material, scene.numerics, scene.ends
+    shakes, turns, out = load.shake > 0, load.shake_frequency > 0, "leaving it out"
+    found = f"'settled', but load.shake is {load.shake:g}: what is shaken does not come to rest"
+    yield shakes and scene.run.until == "settled", "run.until", found, "duration"
+    found = f"zero or missing, but load.shake is {load.shake:g}"
+    yield shakes and not turns, "load.shake_frequency", found, 'a frequency, such as "5 Hz", or no load.shake'
+    found = f"zero or missing, but load.shake_frequency is {load.shake_frequency:g} Hz"
+    yield turns and not shakes, "load.shake", found, "a number without a unit, such as 0.3, or no load.shake_frequency"
+    if material.has_loss:
+        given = (key for key in ("loss_modulus", "loss_tangent", "solid_viscosity") if getattr(material, key))
+        path = f"material.{next(given)}"
+        found, accepted = "given with model 'small-deflection'", f'{out}, or model = "filament"'
+        yield scene.model == "small-deflection", path, found, accepted
         found = "given with run.closure = 'printed', whose section has no viscous stress beside its flow"
-        yield Fault(path, found, f'{accepted}, or run.closure = "material"')
-    if key != "solid_viscosity" and sorted((ends.left, ends.right)) == ["free", "pinned"]:
+        yield scene.run.closure == "printed", path, found, f'{out}, or run.closure = "material"'
+        swings = material.solid_viscosity is None and {ends.left, ends.right} == {"free", "pinned"}
         found = "given, but a strand that a pin alone holds has no elastic natural frequency at which it holds"
-        yield Fault(path, found, f"material.solid_viscosity, or {accepted}")
+        yield swings, path, found, f"material.solid_viscosity, or {out}"
+    found = f"{numerics.order}, but numerics.fibres is {numerics.fibres}: polynomials stand in the place of fibres"
+    yield None not in (numerics.order, numerics.fibres), "numerics.order", found, "one of the two"
 
 
-def _of_reach(scene: Scene) -> Iterator[Fault]:
+def _of_reach(scene: Scene) -> Iterator[Rule]:
     """The force A0 E log(s)/s of a true-strain bar is greatest at s = e: beyond it no weight is carried stably."""
-    if scene.material.law not in SOLIDS or not is_held(scene):
-        return
-    length = rest_length(scene)
+    length, reach = rest_length(scene), farthest(scene)
     limit = math.e * length * (1 + _ROUNDING)
-    reach = farthest(scene)
-    if reach <= limit:
-        return
     # By what stretches it: a motion if that is why, else the length, however it was given.
-    drawn_at_first = distance(scene) > limit
-    given = "initial.stretch" if scene.filament.rest_length is None else "filament.rest_length"
+    path = "initial.stretch" if scene.filament.rest_length is None else "filament.rest_length"
+    path = path if distance(scene) > limit else "ends.motion"
     found = (
         f"the supports are up to {reach:.4g} m apart, {reach / length:.4g} times the rest length {length:.4g} m: "
         "beyond what the filament can follow; an elastic filament of true strain is strongest at stretch e = 2.718"
     )
-    yield Fault(
-        given if drawn_at_first else "ends.motion", found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
-    )
+    broken = scene.material.law in SOLIDS and is_held(scene) and reach > limit
+    yield broken, path, found, f"at most {math.e:.4g} times, {math.e * length:.4g} m"
 
 
-def _of_slack(scene: Scene) -> Iterator[Fault]:
+def _of_slack(scene: Scene) -> Iterator[Rule]:
     if not is_slack(scene):
         return
-    if rest_length(scene) > _LONGEST * distance(scene):
-        times = rest_length(scene) / distance(scene)
-        found = f"{rest_length(scene):.4g} m, {times:.4g} times the distance of the supports"
-        yield Fault("filament.rest_length", found, f"at most {_LONGEST} times, {_LONGEST * distance(scene):.4g} m")
-    slack = f"the filament is slack ({rest_length(scene):.4g} m over {distance(scene):.4g} m)"
-    if scene.material.law == "newtonian":
-        yield Fault("material.law", f"'newtonian', but {slack}: a fluid has no shape to start from", "maxwell")
-    if scene.load.ramp > 0:
-        found = f"{scene.load.ramp:g} s, but {slack}: a slack filament hangs in its weight from the start"
-        yield Fault("load.ramp", found, "leaving it out")
-    if scene.load.gravity == 0:
-        yield Fault("load.gravity", f"zero, but {slack}: nothing tells what shape it has", "a positive acceleration")
+    length, apart, load = rest_length(scene), distance(scene), scene.load
+    found, accepted = f"{length:.4g} m, {length / apart:.4g} times the distance of the supports", f"at most {_LONGEST}"
+    yield length > _LONGEST * apart, "filament.rest_length", found, f"{accepted} times, {_LONGEST * apart:.4g} m"
+    slack = f"but the filament is slack ({length:.4g} m over {apart:.4g} m)"
+    found = f"'newtonian', {slack}: a fluid has no shape to start from"
+    yield scene.material.law == "newtonian", "material.law", found, "maxwell"
+    found = f"{load.ramp:g} s, {slack}: a slack filament hangs in its weight from the start"
+    yield load.ramp > 0, "load.ramp", found, "leaving it out"
+    found = f"zero, {slack}: nothing tells what shape it has"
+    yield load.gravity == 0, "load.gravity", found, "a positive acceleration"
     for name in ("P", "C"):
-        if getattr(scene.initial, name):
-            yield Fault(f"initial.{name}", f"given, but {slack}", "leaving it out, or a taut filament")
+        found, accepted = f"given, {slack}", "leaving it out, or a taut filament"
+        yield getattr(scene.initial, name), f"initial.{name}", found, accepted
 
 
-def _of_initial_state(scene: Scene) -> Iterator[Fault]:
-    initial, law = scene.initial, scene.material.law
-    stretched = initial.stretch != 1
-    if law in SOLIDS and initial.relaxed and stretched:
-        found = f"true with a stretch, but the law '{law}' does not flow"
-        yield Fault("initial.relaxed", found, "false; or filament.rest_length instead of initial.stretch")
-    if not initial.relaxed and stretched and scene.filament.rest_length is not None:
-        follows = distance(scene) / initial.stretch
-        if not math.isclose(scene.filament.rest_length, follows, rel_tol=_ROUNDING):
-            found = f"{initial.stretch:g}, but filament.rest_length is {scene.filament.rest_length:g} m"
-            yield Fault("initial.stretch", found, f"one of the two, or a rest length of {follows!r} m")
-    if law in (*SOLIDS, "newtonian"):
-        for name in ("P", "C"):
-            if getattr(initial, name):
-                yield Fault(f"initial.{name}", f"given, but the law '{law}' has no plastic strain", "leaving it out")
+def _of_initial_state(scene: Scene) -> Iterator[Rule]:
+    initial, law, given = scene.initial, scene.material.law, scene.filament.rest_length
+    found = f"true with a stretch, but the law '{law}' does not flow"
+    broken, accepted = initial.relaxed and initial.stretch != 1, "false; or filament.rest_length instead of the stretch"
+    yield law in SOLIDS and broken, "initial.relaxed", found, accepted
+    follows = distance(scene) / initial.stretch
+    differs = given is not None and not math.isclose(given, follows, rel_tol=_ROUNDING)
+    found, accepted = f"{initial.stretch:g}, but filament.rest_length is {given} m", f"one of the two, or {follows!r} m"
+    yield differs and not initial.relaxed and initial.stretch != 1, "initial.stretch", found, accepted
+    for name in ("P", "C"):
+        broken, found = getattr(initial, name), f"given, but the law '{law}' has no plastic strain"
+        yield broken and law in (*SOLIDS, "newtonian"), f"initial.{name}", found, "leaving it out"
 
 
-def _of_newtonian(scene: Scene) -> Iterator[Fault]:
+def _of_newtonian(scene: Scene) -> Iterator[Rule]:
     if scene.material.law != "newtonian":
         return
-    ends, accepted = scene.ends, "leaving it out, or the law 'maxwell'"
-    if scene.filament.curvature != 0:
-        yield Fault(
-            "filament.curvature", "given, but a newtonian filament has no elastic shape to start from", accepted
-        )
-    if not is_held(scene):
-        return
-    chord = chord_angle(scene)
-    for side, how, angle in (("left", ends.left, ends.left_angle), ("right", ends.right, ends.right_angle)):
-        if how == "clamped" and abs(angle - chord) > _ANGLE_ROUNDING:
-            found = (
-                f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports, at "
-                f"{math.degrees(chord):.4g} deg: a newtonian filament has no elastic shape to start from"
-            )
-            yield Fault(f"ends.{side}_angle", found, f"\"{chord!r} rad\", a pinned end, or the law 'maxwell'")
+    no_shape, chord = "a newtonian filament has no elastic shape to start from", chord_angle(scene)
+    accepted = "leaving it out, or the law 'maxwell'"
+    yield scene.filament.curvature, "filament.curvature", f"given, but {no_shape}", accepted
+    for side, how, angle in _sides(scene):
+        off = f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports"
+        found = f"{off}, at {math.degrees(chord):.4g} deg: {no_shape}"
+        broken = is_held(scene) and how == "clamped" and abs(angle - chord) > _ANGLE_ROUNDING
+        yield broken, f"ends.{side}_angle", found, f"\"{chord!r} rad\", a pinned end, or the law 'maxwell'"
 
 
-def _of_small_deflection(scene: Scene) -> Iterator[Fault]:
+_NOT_SMALL = {
+    "filament": ("rest_length", "profile", "curvature"),
+    "ends": ("drop", "left_angle", "right_angle", "motion"),
+    "initial": ("stretch", "P", "C"),
+}
+"""Keys that the small-deflection model has at their defaults only."""
+
+
+def _of_small_deflection(scene: Scene) -> Iterator[Rule]:
     if scene.model != "small-deflection":
         return
-    law, accepted = scene.material.law, 'leaving it out, or model = "filament"'
-    if law not in (*_SMALL_LAWS, *_REFUSED_LATER):
-        yield Fault("material.law", f"{law!r} with model 'small-deflection'", " or ".join(_SMALL_LAWS))
-    defaults = (
-        ("filament", {"rest_length": None, "profile": (), "curvature": 0.0}),
-        ("ends", {"drop": 0.0, "left_angle": 0.0, "right_angle": 0.0, "motion": ()}),
-        ("initial", {"stretch": 1.0, "P": (), "C": ()}),
-    )
-    for table, keys in defaults:
-        for key, default in keys.items():
-            if getattr(getattr(scene, table), key) != default:
-                yield Fault(f"{table}.{key}", "given with model 'small-deflection'", accepted)
-    if scene.filament.section == "sheet":
-        yield Fault("filament.section", "'sheet' with model 'small-deflection'", "rectangle, circle")
-    for side in ("left", "right"):
-        if getattr(scene.ends, side) == "free":
-            yield Fault(f"ends.{side}", "'free' with model 'small-deflection'", "clamped, pinned")
+    law, small = scene.material.law, "with model 'small-deflection'"
+    yield law not in (*_SMALL_LAWS, *_REFUSED_LATER), "material.law", f"{law!r} {small}", " or ".join(_SMALL_LAWS)
+    for table, keys in _NOT_SMALL.items():
+        part = getattr(scene, table)
+        for key in keys:
+            broken = getattr(part, key) != type(part).model_fields[key].default
+            yield broken, f"{table}.{key}", f"given {small}", 'leaving it out, or model = "filament"'
+    sheet = scene.filament.section == "sheet"
+    yield sheet, "filament.section", f"'sheet' {small}", "rectangle, circle"
+    for side, how, _ in _sides(scene):
+        yield how == "free", f"ends.{side}", f"'free' {small}", "clamped, pinned"
 
 
 LATE = "late overrides"
+Model = Literal["filament", "small-deflection"]
 
 
 class Scene(Part):
@@ -293,7 +269,7 @@ class Scene(Part):
 
     title: Annotated[str, Text()] = ""
     """For pictures and tables."""
-    model: Annotated[Literal["filament", "small-deflection"], Choice(("filament", "small-deflection"))] = "filament"
+    model: Annotated[Model, Choice(Model)] = "filament"
     """The theory: the filament with all its effects, or small deflections of an elastic or Maxwell one."""
     filament: Filament
     material: Material
@@ -424,8 +400,7 @@ def _from_python(tables: Any) -> Any:
         if isinstance(table, Mapping):
             kinds = kinds_of(part)
             marked[name] = {
-                key: in_si(value) if isinstance(kinds.get(key), (Quantity, Motion, Modes)) else value
-                for key, value in table.items()
+                key: in_si(value) if key in kinds and kinds[key].si else value for key, value in table.items()
             }
     return marked
 
@@ -494,7 +469,12 @@ def groups_of(scene: Scene) -> Groups:
     """Compute the dimensionless groups [3.9, 3.10]."""
     filament, material = scene.filament, scene.material
     modulus, viscosity, yields_at = _modulus(scene), _viscosity(scene), material.threshold or None
-    stress, impulse = filament.density * scene.load.gravity * filament.span, _impulse(scene)
+    gravity, n = scene.load.gravity, material.index
+    stress = filament.density * gravity * filament.span
+    # Scale of a viscosity, rho g L (L/g)^(n/2), written so that it has a limit without gravity.
+    impulse = filament.density * math.sqrt(gravity * filament.span * filament.span * filament.span)
+    if n != 1:
+        impulse = stress * power(filament.span / gravity, n / 2) if gravity > 0 else 0.0
     slowness = None if viscosity is None or modulus is None else viscosity / modulus
     return Groups(
         delta=filament.thickness / filament.span,
@@ -505,16 +485,6 @@ def groups_of(scene: Scene) -> Groups:
         tau_star=None if slowness is None else _ratio(slowness, power(gravity_time(scene), material.index)),
         B=None if viscosity is None else impulse / (2 * viscosity),
     )
-
-
-def _impulse(scene: Scene) -> float:
-    """Scale of a viscosity, rho g L (L/g)^(n/2), written so that it has a limit without gravity."""
-    filament, gravity, n = scene.filament, scene.load.gravity, scene.material.index
-    if n == 1:
-        return filament.density * math.sqrt(gravity * filament.span * filament.span * filament.span)
-    if gravity == 0:
-        return 0.0
-    return filament.density * gravity * filament.span * power(filament.span / gravity, n / 2)
 
 
 def _ratio(value: float, scale: float) -> float:

@@ -6,13 +6,12 @@ import math
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from difflib import get_close_matches
 from functools import cache, lru_cache
 from numbers import Integral, Real
 from tokenize import TokenError
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, get_args
 from unicodedata import category
 
 from pydantic import GetCoreSchemaHandler
@@ -294,8 +293,8 @@ def refusals(title: str, faults: Iterable[tuple[tuple[str, ...], PydanticCustomE
 class Kind(ABC):
     """How one sort of value is read, described and written; stands in ``Annotated[float, kind]``."""
 
-    __slots__ = ()
-    accepted: Any  # What is accepted, in words for a fault
+    accepted: str  # What is accepted, in words for a fault
+    si = False  # Whether Python may give it as bare numbers in SI
 
     @abstractmethod
     def read(self, value: object) -> Any:
@@ -317,19 +316,15 @@ class Kind(ABC):
 # ruff: noqa: D102
 
 
-@dataclass(frozen=True, slots=True)
 class Quantity(Kind):
     """A dimensional quantity, stored as an SI float; `unit` where its SI unit is not that of its dimension."""
 
-    dimension: str
-    example: str
-    sign: Literal["any", "non-negative", "positive"] = "positive"
-    unit: str = ""
+    si = True
 
-    @property
-    def accepted(self) -> str:
-        what = self.dimension if self.sign == "any" else f"{self.sign} {self.dimension}"
-        return f'{_article(what)} with its unit, such as "{self.example}"'
+    def __init__(self, dimension: str, example: str, sign: str = "positive", unit: str = "") -> None:
+        self.dimension, self.example, self.sign, self.unit = dimension, example, sign, unit
+        what = dimension if sign == "any" else f"{sign} {dimension}"
+        self.accepted = f'{_article(what)} with its unit, such as "{example}"'
 
     def read(self, value: object) -> float:
         try:
@@ -348,20 +343,15 @@ class Quantity(Kind):
         return with_unit(value, self.dimension, self.unit)
 
 
-@dataclass(frozen=True, slots=True)
 class Number(Kind):
     """A dimensionless number strictly between two bounds, or equal to the lower one if that is `closed`."""
 
-    above: float = -math.inf
-    below: float = math.inf
-    closed: bool = False
-
-    @property
-    def accepted(self) -> str:
-        if self.below < math.inf:
-            return f"a number between {self.above:g} and {self.below:g}, both excluded"
-        sign = "" if self.above < 0 else "non-negative " if self.closed else "positive "
-        return f"a {sign}number without a unit"
+    def __init__(self, above: float = -math.inf, below: float = math.inf, *, closed: bool = False) -> None:
+        self.above, self.below, self.closed = above, below, closed
+        sign = "" if above < 0 else "non-negative " if closed else "positive "
+        self.accepted = f"a {sign}number without a unit"
+        if below < math.inf:
+            self.accepted = f"a number between {above:g} and {below:g}, both excluded"
 
     def read(self, value: object) -> float:
         if not _is_number(value):
@@ -374,52 +364,43 @@ class Number(Kind):
         return number
 
 
-@dataclass(frozen=True, slots=True)
 class Whole(Kind):
     """A whole number between two bounds, both included."""
 
-    least: int
-    most: int
-
-    @property
-    def accepted(self) -> str:
-        return f"a whole number from {self.least} to {self.most}"
+    def __init__(self, least: int, most: int) -> None:
+        self.least, self.most = least, most
+        self.accepted = f"a whole number from {least} to {most}"
 
     def read(self, value: object) -> int:
         if isinstance(value, bool) or not isinstance(value, Integral):
             raise self.refuse(f"{shown(value)} is not a whole number")
-        number = int(value)
-        if not self.least <= number <= self.most:
+        if not self.least <= int(value) <= self.most:
             raise self.refuse(f"{shown(value)} is out of range")
-        return number
+        return int(value)
 
 
-def _unknown_name(value: object, names: tuple[str, ...]) -> str:
+class Choice(Kind):
+    """One of a few names, those of a `Literal`."""
+
+    def __init__(self, literal: Any) -> None:
+        self.accepted = ", ".join(get_args(literal))
+
+    def read(self, value: object) -> str:
+        names = self.accepted.split(", ")
+        if isinstance(value, str) and value in names:
+            return value
+        raise self.refuse(_unknown_name(value, names))
+
+
+def _unknown_name(value: object, names: Sequence[str]) -> str:
     hint = did_you_mean(value, names) if isinstance(value, str) else ""
     return f"{shown(value)} is not a name known here{hint}"
 
 
-@dataclass(frozen=True, slots=True)
-class Choice(Kind):
-    """One of a few names."""
-
-    names: tuple[str, ...]
-
-    @property
-    def accepted(self) -> str:
-        return ", ".join(self.names)
-
-    def read(self, value: object) -> str:
-        if isinstance(value, str) and value in self.names:
-            return value
-        raise self.refuse(_unknown_name(value, self.names))
-
-
-@dataclass(frozen=True, slots=True)
 class Text(Kind):
     """Any text."""
 
-    accepted: str = "text in quotes"
+    accepted = "text in quotes"
 
     def read(self, value: object) -> str:
         if not isinstance(value, str):
@@ -430,11 +411,10 @@ class Text(Kind):
         return value
 
 
-@dataclass(frozen=True, slots=True)
 class Flag(Kind):
     """True or false."""
 
-    accepted: str = "true or false"
+    accepted = "true or false"
 
     def read(self, value: object) -> bool:
         if isinstance(value, bool):
@@ -442,35 +422,28 @@ class Flag(Kind):
         raise self.refuse(f"{shown(value)} is neither true nor false")
 
 
-@dataclass(frozen=True, slots=True)
 class Numbers(Kind):
     """A list of dimensionless numbers above a bound; if it is not empty, of at least so many."""
 
-    above: float = -math.inf
-    least: int = 1
-
-    @property
-    def accepted(self) -> str:
-        sign = "" if self.above < 0 else "positive "
-        return f"a list of {sign}numbers without units" + (f", at least {self.least}" if self.least > 1 else "")
+    def __init__(self, above: float = -math.inf, least: int = 1) -> None:
+        self.item, self.least = Number(above), least
+        sign = "" if above < 0 else "positive "
+        self.accepted = f"a list of {sign}numbers without units" + (f", at least {least}" if least > 1 else "")
 
     def read(self, value: object) -> tuple[float, ...]:
         if not isinstance(value, (list, tuple)):
             raise self.refuse(f"{shown(value)} is not a list")
         if 0 < len(value) < self.least:
             raise self.refuse(f"a list of {len(value)}")
-        return tuple(Number(self.above).read(item) for item in value)
+        return tuple(self.item.read(item) for item in value)
 
 
-@dataclass(frozen=True, slots=True)
 class Names(Kind):
     """A list of names, or one of a few words that stand for a list."""
 
-    words: tuple[str, ...]
-
-    @property
-    def accepted(self) -> str:
-        return f"{', '.join(self.words)}, or a list of names"
+    def __init__(self, *words: str) -> None:
+        self.words = words
+        self.accepted = f"{', '.join(words)}, or a list of names"
 
     def read(self, value: object) -> str | tuple[str, ...]:
         if isinstance(value, str):
@@ -493,11 +466,11 @@ class Names(Kind):
 _ROW = (Quantity("time", "1 s", "any"), Quantity("length", "5 mm", "any"), Quantity("length", "5 mm", "any"))
 
 
-@dataclass(frozen=True, slots=True)
 class Motion(Kind):
     """A path in the plane: rows of a time and two displacements."""
 
-    accepted: str = '"hold", or a list of rows [time, dx, dy], such as [["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]'
+    si = True
+    accepted = '"hold", or a list of rows [time, dx, dy], such as [["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]'
 
     def read(self, value: object) -> tuple[tuple[float, ...], ...]:
         if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):

@@ -22,7 +22,6 @@ from softcat_sym.simulate import recalled
 from softcat_sym.solvers.solution import Progress, Silence
 from softcat_sym.studies.card_rules import (
     RULES,
-    Certificate,
     Descent,
     Rule,
     Variants,
@@ -145,8 +144,8 @@ class Card:
         Its run, with an error estimate.
     descent : Descent or None
         None if the run has no frame to show.
-    certificate : Certificate or None
-        Likewise.
+    certificate : dict or None
+        Whether and why it is at rest; None likewise.
     rules : tuple of Rule
         The field's.
     limit : str
@@ -163,7 +162,7 @@ class Card:
     scene: Scene
     run: Run
     descent: Descent | None
-    certificate: Certificate | None
+    certificate: dict[str, Any] | None
     rules: tuple[Rule, ...]
     limit: str
     span: CriticalSpan | None
@@ -197,7 +196,7 @@ class Card:
             "regime": self.regime or None,
             "error_estimate": self.error_estimate,
             "descent": None if self.descent is None else asdict(self.descent),
-            "certificate": None if self.certificate is None else asdict(self.certificate),
+            "certificate": self.certificate,
             "rules": [{**asdict(rule), "error": rule.error, "holds": rule.holds} for rule in self.rules],
             "longest_span": {
                 "limit": self.limit,

@@ -54,29 +54,6 @@ class Descent:
 
 
 @dataclass(frozen=True, slots=True)
-class Certificate:
-    """Why the filament is, or is not, at rest."""
-
-    arrested: bool | None = None  # None for a law without a yield stress
-    gravity_number: float | None = None  # G of the scene
-    first_yield: float | None = None  # G from which a fibre yields
-    threshold: float | None = None  # G above which no catenary rests: 1.3255
-    stress: float | None = None  # Largest fibre stress at the end over the yield stress
-    yielding: float | None = None  # Share of the filament that still yields at the end
-    rate: float | None = None  # Largest plastic rate in the last tenth, over sigma_Y/eta; arrested below 0.5
-    drift: float = 0.0  # Change of the sag in the last tenth of the run, over the final sag
-    text: str = ""  # In words
-
-
-@dataclass(frozen=True, slots=True)
-class Blame:
-    """One thing that a rule leaves out."""
-
-    cause: str  # In words
-    error: float  # Of the rule against a filament with this and nothing else of what the rule leaves out
-
-
-@dataclass(frozen=True, slots=True)
 class Rule:
     """A rule of the field beside the solver's answer."""
 
@@ -88,7 +65,9 @@ class Rule:
     predicted: float | None  # None where it does not apply
     solver: float
     bare: float | None = None  # Error against the solver without anything that the rule leaves out, if it was run
-    blames: tuple[Blame, ...] = ()  # The strongest first
+    # What it leaves out, the strongest first: `cause` in words, and `error` of the rule against a filament with this
+    # and nothing else of what it leaves out.
+    blames: tuple[dict[str, Any], ...] = ()
     text: str = ""  # Why it fails or does not apply
 
     @property
@@ -117,11 +96,18 @@ def descent_of(run: Run) -> Descent | None:
     moving = np.flatnonzero(np.abs(sag - final) > _STILL * abs(final))
     first = int(moving[-1]) + 1 if moving.size else 0
     rests = first == 0 or time[first] <= time[0] + (1 - ARREST_TIME) * (time[-1] - time[0])
+    to_90 = None
+    if final > 0:
+        reached = int(np.argmax(sag >= 0.9 * final))
+        before, to_90 = max(reached - 1, 0), float(time[0])
+        if reached:
+            share = (0.9 * final - sag[before]) / (sag[reached] - sag[before])
+            to_90 = float(time[before] + share * (time[reached] - time[before]))
     return Descent(
         final=final,
         largest=float(np.max(sag)),
         settled=float(time[first]) if rests else None,
-        to_90=_first_at(time, sag, 0.9 * final) if final > 0 else None,
+        to_90=to_90,
         rise=rise,
         damping="underdamped" if rise > TURNED_BACK else "overdamped",
         stretch=float(stretch[at]),
@@ -129,25 +115,22 @@ def descent_of(run: Run) -> Descent | None:
     )
 
 
-def _first_at(time: Floats, sag: Floats, level: float) -> float:
-    """When the sag first reaches a level, linear between frames."""
-    after = int(np.argmax(sag >= level))
-    if after == 0:
-        return float(time[0])
-    low, high = float(sag[after - 1]), float(sag[after])
-    return float(time[after - 1] + (level - low) / (high - low) * (time[after] - time[after - 1]))
+def certificate_of(run: Run, descent: Descent) -> dict[str, Any]:
+    """What says that it has stopped, or that it has not; None where the law has no such number.
 
-
-def certificate_of(run: Run, descent: Descent) -> Certificate:
-    """Gather what says that it has stopped, or that it has not."""
+    G of the scene, from which a fibre yields, and above which no catenary rests; at the end the largest fibre stress
+    over the yield stress, and the share that yields; over the last tenth the largest plastic rate over sigma_Y/eta
+    (arrested below 0.5), and the change of the sag over the final one.
+    """
     scene, data, names = run.scene, run.data, tuple(run.summary["effects"])
     sag, regime = -data["midpoint"].values, str(run.summary.get("regime") or "")
     begin = min(len(sag) - 1, int((1 - ARREST_TIME) * (len(sag) - 1)))
     drift = float(np.ptp(sag[begin:]) / abs(descent.final)) if descent.final else 0.0
+    keys = ("arrested", "gravity_number", "first_yield", "threshold", "stress", "yielding", "rate")
     limit = yield_stress_of(scene)
     if limit is None:
         stops = "it never stops" if "viscous-flow" in names else "only elasticity stops it"
-        return Certificate(drift=drift, text=f"no yield stress: {stops}")
+        return {**dict.fromkeys(keys), "drift": drift, "text": f"no yield stress: {stops}"}
     expected, viscosity = expected_regime(scene, names), effective_viscosity(scene)
     rate = float(np.max(data["plastic_rate"].values[begin:])) * viscosity / limit if viscosity else None
     yielding = float(np.average(data["yielded_fraction"].values[-1], weights=np.diff(data["X_node"].values)))
@@ -158,17 +141,10 @@ def certificate_of(run: Run, descent: Descent) -> Certificate:
         text = "; ".join(filter(None, (flow, f"{100 * yielding:.2g} % still yields")))
     else:
         text = f"the run is not to be trusted; {flow}"
-    return Certificate(
-        arrested=(regime == "no-yield" or regime.startswith("arrested")) if regime else None,
-        gravity_number=expected.gravity_number,
-        first_yield=expected.first_yield,
-        threshold=expected.arrest_exact,
-        stress=largest_fibre_stress(run, -1) / limit,
-        yielding=yielding,
-        rate=rate,
-        drift=drift,
-        text=text,
-    )
+    arrested = (regime == "no-yield" or regime.startswith("arrested")) if regime else None
+    numbers = (expected.gravity_number, expected.first_yield, expected.arrest_exact)
+    at_end = (largest_fibre_stress(run, -1) / limit, yielding, rate)
+    return {**dict(zip(keys, (arrested, *numbers, *at_end), strict=True)), "drift": drift, "text": text}
 
 
 def largest_fibre_stress(run: Run, frame: int | None = None) -> float:
@@ -247,9 +223,9 @@ def _elastic(sag: Callable[[Scene], Any], scene: Scene, run: Run) -> Prediction:
     """A sag that falls with the modulus."""
     del run
     modulus = static_modulus(scene)
-    return (
-        f"the law '{scene.material.law}' has no modulus" if modulus is None else _value(sag(scene), scene, {E: modulus})
-    )
+    if modulus is None:
+        return f"the law '{scene.material.law}' has no modulus"
+    return _value(sag(scene), scene, {E: modulus})
 
 
 _NEVER_FLOWS = "no fibre yields, so that nothing flows"
@@ -269,15 +245,13 @@ def _viscous(shape: str, scene: Scene, run: Run) -> Prediction:
     if _rigid(scene, run):
         return _NEVER_FLOWS
     time = max(float(run.data["time"].values[-1]) - scene.load.ramp / 2, 0.0)
-    if material.index == 1:
-        beam = closed_forms.viscous_beam_sag(SECTIONS[scene.filament.section], beam_of(scene))
-        sag = beam if shape == "beam" else closed_forms.viscous_string_sag()
-        return _value(sag, scene, {eta: viscosity, t: time})
-    if shape == "beam":
+    known = {t: time, eta: viscosity, K: material.viscosity or 0.0, n: material.index}
+    if shape == "beam" and material.index != 1:
         return "its viscosity changes with the rate of flow"
-    return _value(
-        closed_forms.power_law_string_sag(), scene, {t: time, K: material.viscosity or 0.0, n: material.index}
-    )
+    if shape == "beam":
+        return _value(closed_forms.viscous_beam_sag(SECTIONS[scene.filament.section], beam_of(scene)), scene, known)
+    string = closed_forms.viscous_string_sag() if material.index == 1 else closed_forms.power_law_string_sag()
+    return _value(string, scene, known)
 
 
 def _stopping(exact: bool, scene: Scene, run: Run) -> Prediction:
@@ -365,8 +339,9 @@ _STIFFER = 100.0
 _NEEDS = {"shear": "stretching"}
 """Causes that cannot be put back without another, which then counts for itself: a beam that shears also stretches."""
 
+# Effects that go, by cause; stiffness and ends are changed instead. At rest without flow: a filament that can lose
+# nothing would swing for ever.
 LEAVING_OUT: Mapping[str, tuple[str, ...]] = {
-    # At rest without flow: a filament that can lose nothing would swing for ever.
     "flow": ("viscous-flow", "viscous-stress", "inertia"),
     "yield stress": ("yielding",),
     "stretching": ("extensibility",),
@@ -378,8 +353,6 @@ LEAVING_OUT: Mapping[str, tuple[str, ...]] = {
     "elasticity": (),
     "ends": (),
 }
-"""Effects that go, by cause; stiffness and ends are changed instead."""
-
 WORDS: Mapping[str, str] = {name: name for name in LEAVING_OUT} | {
     "stretching": "tension",
     "surface": "surface tension",
@@ -475,12 +448,12 @@ def blamed(rule: Rule, field: RuleOfTheField, variants: Variants) -> Rule:
         # Of one that brings another along, its factor beyond that of the other.
         both, other = error_without(neglected - {cause, needed}), error_without(neglected - {needed})
         alone[cause] = None if both is None or other is None else (1 + both) / (1 + other) * (1 + bare) - 1
-    blames = [
-        Blame(WORDS[cause], error)
+    blames: list[dict[str, Any]] = [
+        {"cause": WORDS[cause], "error": error}
         for cause, error in alone.items()
         if error is not None and abs(error) > HOLDS and abs(error - bare) > HOLDS * max(1.0, 1 + bare)
     ]
-    blames.sort(key=lambda blame: -_off(blame.error))
+    blames.sort(key=lambda blame: -_off(blame["error"]))
     failed = [WORDS[cause] for cause, error in alone.items() if error is None]
     return replace(rule, bare=bare, blames=tuple(blames), text=_sentence(blames, failed, bare, rule.error))
 
@@ -490,12 +463,12 @@ def _off(error: float) -> float:
     return abs(math.log1p(error)) if error > -1 else math.inf
 
 
-def _sentence(blames: list[Blame], failed: list[str], bare: float, error: float) -> str:
+def _sentence(blames: list[dict[str, Any]], failed: list[str], bare: float, error: float) -> str:
     """The two strongest causes, each with what it does alone; said so where none alone does half of it."""
     if not blames:
         return "no single effect: several together" if not failed else f"perhaps {', '.join(failed)}: no answer with it"
-    weak = len(blames[:2]) + len(failed) > 1 and _off(blames[0].error) < _off(error) / 2
-    listed = ", ".join(f"{blame.cause} ({percent(blame.error)})" for blame in blames[:2])
+    weak = len(blames[:2]) + len(failed) > 1 and _off(blames[0]["error"]) < _off(error) / 2
+    listed = ", ".join(f"{blame['cause']} ({percent(blame['error'])})" for blame in blames[:2])
     return f"{'only together: ' if weak else ''}{listed}{f'; else {percent(bare)}' if abs(bare) > HOLDS else ''}"
 
 

@@ -68,62 +68,6 @@ _NUMBERS = re.compile(r"_mode\d+$|(?<=axial)_\d+(_mode\d+)?$|(?<=shear)_\d+(_mod
 
 
 @dataclass(frozen=True, slots=True)
-class Group:
-    """A dimensionless group; the value None where it is infinite."""
-
-    name: str
-    value: float | None
-    meaning: str
-
-
-@dataclass(frozen=True, slots=True)
-class Decided:
-    """One effect."""
-
-    effect: str  # Its name and what it adds
-    summary: str
-    in_force: bool  # Whether the run holds it
-    # Change of the midpoint that leaving it out would make, over the largest; None where it cannot be had.
-    estimate: float | None
-    meaning: str  # What the estimate is, in words and in symbols, and why the effect is in or out
-    formula: str
-    reason: str
-
-
-@dataclass(frozen=True, slots=True)
-class Unknown:
-    """One kind of unknown; `algebraic` has no rate of its own."""
-
-    kind: str
-    meaning: str
-    number: int
-    algebraic: bool
-
-
-@dataclass(frozen=True, slots=True)
-class GraphSize:
-    """Size of what is integrated; `cells` are those of the half span where it is symmetric."""
-
-    cells: int
-    half: bool
-    differential: int
-    algebraic: int
-    instructions: int
-    parameters: dict[str, float]
-
-
-@dataclass(frozen=True, slots=True)
-class Integrator:
-    """The integrator, its tolerances and why it was taken; whether generated C runs it, and by which compiler."""
-
-    solver: str
-    backend: str
-    rtol: float
-    atol: float
-    reason: str
-
-
-@dataclass(frozen=True, slots=True)
 class Explanation:
     """Everything that is known of a run before it is made.
 
@@ -131,22 +75,23 @@ class Explanation:
     ----------
     title, law, model, closure, accuracy : str or float
         What is asked.
-    groups : tuple of Group
-        Those that the law has.
+    groups : list of dict
+        Those that the law has: `name`, `value` (None where it is infinite), `meaning`.
     regime : ExpectedRegime
         What it should show.
     sag, strain : float
         Rough largest sag over span, and mean strain.
-    effects : tuple of Decided
-        All of them, in the order of the registry.
+    effects : list of dict
+        All, in the order of the registry: `effect`, `summary`, `in_force`, `reason`, and the change of the midpoint
+        that leaving it out would make, `estimate` (None where it cannot be had), its `meaning` and `formula`.
     equations : tuple of Stated
         In force.
-    unknowns : tuple of Unknown
-        By kind.
-    graph : GraphSize
-        How large they make the graph.
-    integrator : Integrator
-        How it is integrated.
+    unknowns : list of dict
+        By `kind`: `meaning`, `number`, and `algebraic`, whether it has no rate of its own.
+    graph : dict
+        Its size: `cells` (of the half span where `half`), `differential`, `algebraic`, `instructions`, `parameters`.
+    integrator : dict
+        `solver`, `backend`, `rtol`, `atol`, `reason`.
     damping, ringing : str
         First natural frequency and the loss below yield at it, and for how long it rings and what that costs; empty
         where there is none.
@@ -159,15 +104,15 @@ class Explanation:
     model: str
     closure: str
     accuracy: float
-    groups: tuple[Group, ...]
+    groups: list[dict[str, Any]]
     regime: ExpectedRegime
     sag: float
     strain: float
-    effects: tuple[Decided, ...]
+    effects: list[dict[str, Any]]
     equations: tuple[Stated, ...]
-    unknowns: tuple[Unknown, ...]
-    graph: GraphSize
-    integrator: Integrator
+    unknowns: list[dict[str, Any]]
+    graph: dict[str, Any]
+    integrator: dict[str, Any]
     damping: str
     ringing: str
     warnings: tuple[str, ...]
@@ -175,7 +120,7 @@ class Explanation:
     @property
     def in_force(self) -> tuple[str, ...]:
         """Names of the effects in force."""
-        return tuple(decided.effect for decided in self.effects if decided.in_force)
+        return tuple(each["effect"] for each in self.effects if each["in_force"])
 
     def to_dict(self) -> dict[str, Any]:
         """What ``explain.json`` holds."""
@@ -204,30 +149,35 @@ def explain(scene: SceneLike) -> Explanation:
     effects = choose_effects(scene)
     filament = assembled(scene, effects)
     graph, regime = filament.graph, expected_regime(scene, effects.names)
-    decisions = []
-    for decision in effects.decisions:
-        guess = decision.estimate
-        worth: tuple[Any, str, str] = (guess.value, guess.meaning, guess.formula) if guess else (None, "", "")
-        decisions.append(
-            Decided(decision.effect.name, decision.effect.summary, decision.in_force, *worth, decision.why)
-        )
+    decisions = [
+        {
+            "effect": decision.effect.name,
+            "summary": decision.effect.summary,
+            "in_force": decision.in_force,
+            "estimate": decision.estimate.value if decision.estimate else None,
+            "meaning": decision.estimate.meaning if decision.estimate else "",
+            "formula": decision.estimate.formula if decision.estimate else "",
+            "reason": decision.why,
+        }
+        for decision in effects.decisions
+    ]
     groups = groups_of(scene)
     known = {name: getattr(groups, name) for name in GROUP_MEANINGS}
     # The plastic states of all points through the thickness are one kind of unknown, and so of all modes.
     unknowns = [
-        Unknown(kind, KINDS.get(kind, "plastic strains"), number, algebraic)
+        {"kind": kind, "meaning": KINDS.get(kind, "plastic strains"), "number": number, "algebraic": algebraic}
         for kinds, algebraic in ((graph.x_kinds, False), (graph.z_kinds, True))
         for kind, number in Counter(_NUMBERS.sub("", kind) or kind for kind in kinds).items()
     ]
     values = parameter_values(scene)
-    size = GraphSize(
-        cells=graph.grid.cells,
-        half=graph.grid.is_half,
-        differential=int(graph.x.numel()),
-        algebraic=int(graph.z.numel()),
-        instructions=graph.instructions,
-        parameters={name: float(values[name]) for name in graph.parameters},
-    )
+    size: dict[str, Any] = {
+        "cells": graph.grid.cells,
+        "half": graph.grid.is_half,
+        "differential": int(graph.x.numel()),
+        "algebraic": int(graph.z.numel()),
+        "instructions": graph.instructions,
+        "parameters": {name: float(values[name]) for name in graph.parameters},
+    }
     backend = choose_backend(scene, effects)
     settings = settings_for(scene, effects, compiled=backend.compiled)
     return Explanation(
@@ -236,26 +186,30 @@ def explain(scene: SceneLike) -> Explanation:
         model=scene.model,
         closure=scene.run.closure,
         accuracy=scene.run.accuracy,
-        groups=tuple(
-            Group(name, float(value) if value < math.inf else None, GROUP_MEANINGS[name])
+        groups=[
+            {"name": name, "value": float(value) if value < math.inf else None, "meaning": GROUP_MEANINGS[name]}
             for name, value in known.items()
             if value is not None
-        ),
+        ],
         regime=regime,
         sag=expected_sag(scene),
         strain=expected_strain(scene),
-        effects=tuple(decisions),
+        effects=decisions,
         equations=equations_in_force(filament.equations, reduced=scene.model == "small-deflection"),
-        unknowns=tuple(unknowns),
+        unknowns=unknowns,
         graph=size,
-        integrator=Integrator(settings.solver, str(backend), settings.rtol, settings.atol, settings.reason),
+        integrator={
+            "solver": settings.solver,
+            "backend": str(backend),
+            **{key: getattr(settings, key) for key in ("rtol", "atol", "reason")},
+        },
         damping=damping_note(scene),
-        ringing=_ringing(scene, effects, size),
+        ringing=_ringing(scene, effects, size["differential"] + size["algebraic"]),
         warnings=theory_limits(scene, regime),
     )
 
 
-def _ringing(scene: Scene, effects: Effects, size: GraphSize) -> str:
+def _ringing(scene: Scene, effects: Effects, unknowns: int) -> str:
     """For how many periods of the first mode the filament rings, and the seconds of the processor that takes.
 
     Right to a factor of two or three where it is compiled; see :data:`STEPS_PER_PERIOD`.
@@ -270,7 +224,7 @@ def _ringing(scene: Scene, effects: Effects, size: GraphSize) -> str:
     at_first, growth, power = STEPS_PER_PERIOD["damped" if damped else "ramp" if scene.load.ramp > 0 else "sudden"]
     steps = at_first * (frequency * lasts) ** growth * (0.01 / scene.run.accuracy) ** power
     runs = BESIDE if scene.numerics.estimate else 1.0
-    seconds = steps * (size.differential + size.algebraic) * SECONDS_PER_UNKNOWN * runs
+    seconds = steps * unknowns * SECONDS_PER_UNKNOWN * runs
     about = float(f"{seconds:.1g}")
     text = f"rings some {frequency * lasts:.0f} periods of {1 / frequency:.3g} s: about {about:g} s of the processor"
     return text if damped or seconds < LONG else f"{text}; set load.ramp or material.loss_tangent"

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterable, Iterator
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field
 from statistics import median
 from typing import TYPE_CHECKING, Any
@@ -22,7 +21,7 @@ from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.run import Run, run_form
-from softcat_sym.scene.reading import as_scene, load_scene
+from softcat_sym.scene.reading import as_scene
 from softcat_sym.scene.scene import Scene, refuse_settled
 from softcat_sym.simulate import identity_of, recalled, simulated, without_estimate
 from softcat_sym.single_run import build
@@ -45,9 +44,8 @@ def ordered(names: Collection[str]) -> Names:
 
 def dependants(name: str, names: Iterable[str]) -> Names:
     """Which of the names cannot stay without this one: what needs it, what needs that, and so on."""
-    present = {effect.name: effect for effect in REGISTRY if effect.name in set(names)}
-    gone = {name}
-    while more := {other for other, effect in present.items() if other not in gone and gone & set(effect.needs)}:
+    present, gone = [effect for effect in REGISTRY if effect.name in set(names)], {name}
+    while more := {effect.name for effect in present if gone & set(effect.needs)} - gone:
         gone |= more
     return ordered(gone - {name})
 
@@ -57,9 +55,8 @@ def requirements(name: str, names: Collection[str], scene: Scene) -> Names:
 
     Flow brings the yield stress of a law that has one: without it the filament would be another material, a liquid.
     """
-    effects = {effect.name: effect for effect in REGISTRY}
     needed = {name}
-    while more := {need for other in needed for need in effects[other].needs} - needed:
+    while more := {need for effect in REGISTRY if effect.name in needed for need in effect.needs} - needed:
         needed |= more
     if VISCOUS_FLOW.name in needed - set(names) and YIELDING.applies(scene):
         needed.add(YIELDING.name)
@@ -122,15 +119,9 @@ class PricedRun:
 
     def cost(self) -> dict[str, Any]:
         """Sizes, time and verdict as plain values."""
-        return {
-            "states": self.states,
-            "algebraic": self.algebraic,
-            "instructions": self.instructions,
-            "solve_s": self.solve,
-            "solver": self.solver,
-            "outcome": self.outcome.name,
-            "message": self.message,
-        }
+        named = {name: getattr(self, name) for name in ("states", "algebraic", "instructions")}
+        ending = {"solver": self.solver, "outcome": self.outcome.name, "message": self.message}
+        return {**named, "solve_s": self.solve, **ending}
 
 
 def priced_run(scene: Scene, progress: Progress, run: Run | None = None) -> PricedRun:
@@ -219,22 +210,8 @@ class PricingRow:
         changes = [value for value in (self.change, self.own_change) if value is not None]
         return min(changes) if changes and not self.fails else None
 
-    @property
-    def states_ratio(self) -> float | None:
-        """Unknowns with the effect over those without it, all else equal."""
-        return self._ratio(lambda run: run.states + run.algebraic)
-
-    @property
-    def instructions_ratio(self) -> float | None:
-        """Instructions with the effect over those without it, all else equal."""
-        return self._ratio(lambda run: run.instructions)
-
-    @property
-    def time_ratio(self) -> float | None:
-        """Solve time with the effect over that without it, all else equal."""
-        return self._ratio(lambda run: run.solve)
-
-    def _ratio(self, size: Callable[[PricedRun], float]) -> float | None:
+    def ratio(self, size: Callable[[PricedRun], float]) -> float | None:
+        """A size with the effect over that without it, all else equal."""
         if self.variant is None or self.reference is None:
             return None
         having, lacking = (self.reference, self.variant) if self.in_force else (self.variant, self.reference)
@@ -252,9 +229,9 @@ class PricingRow:
             "share": self.share,
             "estimate": self.estimate,
             "estimate_is": self.meaning,
-            "states_ratio": self.states_ratio,
-            "instructions_ratio": self.instructions_ratio,
-            "time_ratio": self.time_ratio,
+            "states_ratio": self.ratio(lambda run: run.states + run.algebraic),
+            "instructions_ratio": self.ratio(lambda run: run.instructions),
+            "time_ratio": self.ratio(lambda run: run.solve),
             "run": None if self.variant is None else self.variant.cost(),
             "reason": self.reason,
         }
@@ -390,11 +367,9 @@ def price_effects(
     runs = _Runs(listed, base, progress, stage, {names: base})
     rows = tuple(_row(each, names, runs) for each in choose_effects(listed).decisions if each.effect.name in requested)
     whole = everything(listed, names)
-    variant = runs.run(whole, EVERYTHING)
-    also = ordered(set(whole) - set(names))
-    return Pricing(
-        name, scene, base, cells, grading, rows, _compared(EVERYTHING, False, also, variant, base, None, base)
-    )
+    variant, also = runs.run(whole, EVERYTHING), ordered(set(whole) - set(names))
+    total = _compared(EVERYTHING, False, also, variant, base, None, base)
+    return Pricing(name, scene, base, cells, grading, rows, total)
 
 
 @dataclass
@@ -449,23 +424,14 @@ def _compared(
     estimate: Estimate | None,
     base: PricedRun,
 ) -> PricingRow:
-    variant = None if isinstance(result, str) else result
+    value, meaning = (estimate.value, estimate.meaning) if estimate else (None, "")
+    if isinstance(result, str):
+        return PricingRow(name, inside, (), None, None, base.reach, None, None, value, meaning, result)
     final: float | None = None
-    if variant is not None and len(variant.time) == len(base.time) and base.reach > 0:
-        final = _finite(float(variant.midpoint[-1] - base.midpoint[-1]) / base.reach)
-    return PricingRow(
-        effect=name,
-        in_force=inside,
-        also=() if variant is None else also,
-        variant=variant,
-        reference=None if variant is None else reference,
-        scale=base.reach,
-        change=None if variant is None else _change(variant, base, base.reach),
-        change_final=final,
-        estimate=None if estimate is None else estimate.value,
-        meaning="" if estimate is None else estimate.meaning,
-        reason=result if isinstance(result, str) else "",
-    )
+    if len(result.time) == len(base.time) and base.reach > 0:
+        final = _finite(float(result.midpoint[-1] - base.midpoint[-1]) / base.reach)
+    change = _change(result, base, base.reach)
+    return PricingRow(name, inside, also, result, reference, base.reach, change, final, value, meaning, "")
 
 
 def _change(run: PricedRun, other: PricedRun, scale: float) -> float | None:
@@ -481,30 +447,3 @@ def _change(run: PricedRun, other: PricedRun, scale: float) -> float | None:
 
 def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
-
-
-@dataclass(frozen=True)
-class Unpriced:
-    """A scene whose own run could not be made."""
-
-    name: str
-    reason: str
-
-
-def price_bundled(
-    names: Iterable[str],
-    progress: Callable[[Scene], AbstractContextManager[Progress]] | None = None,
-    changes: Iterable[str] = (),
-) -> Iterator[Pricing | Unpriced]:
-    """Price scenes by name, one at a time, so that each can be written before the next begins."""
-    overrides = list(changes)
-    for name in names:
-        try:
-            scene = load_scene(name, overrides)
-            with progress(scene) if progress else nullcontext(Silence()) as listener:
-                pricing = price_effects(scene, listener, name)
-        # RuntimeError is CasADi's own: an integrator that cannot even begin.
-        except (SoftcatError, RuntimeError) as error:
-            yield Unpriced(name, " ".join(str(error).split()))
-        else:
-            yield pricing

@@ -6,9 +6,9 @@ import math
 import re
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -89,88 +89,47 @@ DEFINITION = (
 )
 
 
-@dataclass(frozen=True)
-class RelativeError:
-    """How much more one curve sags than another.
-
-    NaN where there is nothing to compare.
-    """
-
-    at: tuple[float, ...]  # At 10, 25, 50 and 100 % of the duration
-    mean: float  # Of the means over the last 6/7 of the duration
-    largest: float  # Of largest magnitude from the first of the moments on, with its sign
-    trusted: bool = True  # Whether the runs behind it are
-
-    @property
-    def values(self) -> tuple[float, ...]:
-        """All of them: the moments, the mean, the largest."""
-        return (*self.at, self.mean, self.largest)
-
-
-def relative_error(time: Floats, curve: Floats, reference: Floats) -> RelativeError:
-    """Compare two midpoint curves."""
-    frames = moments(len(time))
+def relative_error(time: Floats, curve: Floats, reference: Floats) -> Floats:
+    """How much more one midpoint sags than another: at four moments, of the means, and the largest, shape (6,)."""
+    frames = list(moments(len(time)))
     with np.errstate(divide="ignore", invalid="ignore"):
         error = np.where(reference == 0, np.nan, curve / reference - 1)
-    since = error[frames[0] :]
+    since, settled = error[frames[0] :], late(time)
     known = since[np.isfinite(since)]
-    settled = late(time)
     average = float(reference[settled].mean())
-    return RelativeError(
-        at=tuple(float(error[frame]) for frame in frames),
-        mean=float(curve[settled].mean()) / average - 1 if average else float("nan"),
-        largest=float(known[np.abs(known).argmax()]) if known.size else float("nan"),
-    )
+    mean = float(curve[settled].mean()) / average - 1 if average else math.nan
+    return np.array([*error[frames], mean, known[np.abs(known).argmax()] if known.size else math.nan])
 
 
 _MIN_LINE, _MIN_PARABOLA = 3, 5
 
 
-@dataclass(frozen=True)
-class Limit:
-    """The intercept of an error fitted by e0 + a delta (+ b delta^2, from five values on)."""
-
-    intercept: float  # e0, the error of the slender limit
-    coefficients: tuple[float, ...]  # e0, a and, if fitted, b
-    leaving_out: float  # Largest change of the intercept when one value is left out
-    mesh: float  # Change of the intercept when the coarser elements judge instead of the finer
-    order: float  # Power of delta that the error itself follows, by its two smallest values; NaN where the sign changes
-
-    @property
-    def uncertainty(self) -> float:
-        """Leaving out and mesh together."""
-        return math.hypot(self.leaving_out, self.mesh)
-
-    def at(self, delta: Floats) -> Floats:
-        """The fitted error; same shape as `delta`."""
-        return np.asarray(np.polynomial.polynomial.polyval(delta, self.coefficients), dtype=np.float64)
-
-
-def slender_limit(delta: Floats, error: Floats, mesh: Floats) -> Limit | None:
-    """Extrapolate an error to delta = 0."""
+def slender_limit(delta: Floats, error: Floats, mesh: Floats) -> dict[str, Any] | None:
+    """Extrapolate an error, and that of the coarser elements, to delta = 0; see :data:`LIMIT_DEFINITION`."""
     known = np.isfinite(error) & np.isfinite(mesh)
-    x, y, m = delta[known], error[known], mesh[known]
+    x, y = delta[known], error[known]
     if len(x) < _MIN_LINE:
         return None
-    degree = 2 if len(x) >= _MIN_PARABOLA else 1
-    fitted = _fit(x, y, degree)
-    shifts = [abs(_fit(np.delete(x, k), np.delete(y, k), degree)[0] - fitted[0]) for k in range(len(x))]
-    thin = np.argsort(x)[:2]
-    ratio = y[thin[1]] / y[thin[0]] if y[thin[0]] else math.nan
-    return Limit(
-        intercept=float(fitted[0]),
-        coefficients=tuple(map(float, fitted)),
-        leaving_out=float(max(shifts)),
-        # A fit is linear in what it fits.
-        mesh=float(abs(_fit(x, m, degree)[0])),
-        order=float(math.log(ratio) / math.log(x[thin[1]] / x[thin[0]])) if ratio > 0 else math.nan,
-    )
+    powers = np.arange(3 if len(x) >= _MIN_PARABOLA else 2)
 
+    def fit(x: Floats, y: Floats, scale: float) -> Floats:
+        found = np.linalg.lstsq((x[:, None] / scale) ** powers, y, rcond=None)[0]
+        return np.asarray(found / scale**powers, dtype=np.float64)
 
-def _fit(x: Floats, y: Floats, degree: int) -> Floats:
-    scale = float(x.max())
-    found = np.linalg.lstsq(np.vander(x / scale, degree + 1, increasing=True), y, rcond=None)[0]
-    return np.asarray(found / scale ** np.arange(degree + 1), dtype=np.float64)
+    fitted = fit(x, y, x.max())
+    shifts = [abs(fit(thin := np.delete(x, k), np.delete(y, k), thin.max())[0] - fitted[0]) for k in range(len(x))]
+    # A fit is linear in what it fits: against the coarser elements the intercept moves by that of the mesh's own error.
+    leaving_out, moved = float(max(shifts)), float(abs(fit(x, mesh[known], x.max())[0]))
+    first, second = np.argsort(x)[:2]
+    ratio = y[second] / y[first] if y[first] else math.nan
+    return {
+        "intercept": float(fitted[0]),
+        "coefficients": tuple(map(float, fitted)),
+        "leaving_out": leaving_out,
+        "mesh": moved,
+        "order": math.log(ratio) / math.log(x[second] / x[first]) if ratio > 0 else math.nan,
+        "uncertainty": math.hypot(leaving_out, moved),
+    }
 
 
 ASPECT, _STEEPEST = 1.5, 64.0
@@ -221,12 +180,11 @@ class TheoryError:
     """One theory at one value of the variable."""
 
     row: Row  # Its run as the program chooses cells and tolerance: what it costs
-    # Of the same theory with twice the cells and a tenth of the tolerance, against the finer elements; of the
+    # Relative error, shape (6,), with twice the cells and a tenth of the tolerance, against the finer elements; of the
     # program's own run where that is not to be trusted, or runs away.
-    error: RelativeError
-    # Largest change of that error, in magnitude, when the program's own cells and tolerance are taken; NaN where
-    # there is no other.
-    grid: float
+    error: Floats
+    trusted: bool
+    grid: float  # Largest change of that error with the program's own cells and tolerance; NaN without another run
 
 
 @dataclass(frozen=True)
@@ -237,12 +195,11 @@ class Measured:
     value: float  # As a number
     comparison: Comparison  # The finer elements, and the filaments as the program runs them
     coarse: ElementRun  # Half as many elements both ways
-    mesh: RelativeError  # Of the coarser elements against the finer, as though they were a theory
-    theories: tuple[TheoryError, ...]  # In the order of ``comparison.rows``
+    mesh: Floats  # Relative error of the coarser elements against the finer, shape (6,)
+    theories: dict[str, TheoryError]  # By name, in the order of ``comparison.rows``
 
 
-@dataclass(frozen=True)
-class Unmeasured:
+class Unmeasured(NamedTuple):
     """A value at which the elements, or a filament, could not be run."""
 
     text: str
@@ -266,80 +223,71 @@ class TheoryEnd:
     measured: tuple[Measured, ...]  # By increasing value
     unmeasured: tuple[Unmeasured, ...]  # By increasing value
     # By theory, at the moments of :class:`RelativeError`; empty unless the variable is the thickness.
-    limits: dict[str, tuple[Limit | None, ...]]
+    limits: dict[str, list[dict[str, Any] | None]]
 
     @property
     def names(self) -> tuple[str, ...]:
         """Theories that were run at any value, the scene's own first."""
-        return tuple(dict.fromkeys(theory.row.name for each in self.measured for theory in each.theories))
+        return tuple(dict.fromkeys(name for each in self.measured for name in each.theories))
 
     @property
     def moments(self) -> tuple[str, ...]:
-        """What the errors of :class:`RelativeError` belong to: ``t = 46``, ..., ``mean``, ``largest``."""
+        """What the errors belong to: ``t = 46``, ..., ``mean``, ``largest``."""
         run = self.measured[0].comparison.elements
         times = (run.time[frame] / run.elastic_time for frame in moments(len(run.time)))
         return (*(f"t = {time:.4g}" for time in times), "mean", "largest")
 
-    def errors(self) -> pd.DataFrame:
+    def to_frame(self) -> pd.DataFrame:
         """A row for each value and theory; the elements' own rows are those of the coarser against the finer."""
         names = [name.replace(" = ", "_") for name in self.moments]
-        rows: list[dict[str, Any]] = []
+        rows: list[tuple[Any, ...]] = []
         for each in self.measured:
-            span, none = each.comparison.scene.filament.span, [math.nan] * len(names)
-            for run, values in ((each.comparison.elements, none), (each.coarse, each.mesh.values)):
-                row = {"value": each.value, "theory": mesh_name(run), "outcome": "", "regime": ""}
-                last = {"midpoint_final_over_span": run.midpoint[-1] / span}
-                rows.append({**row, **last, **dict(zip(names, values, strict=True)), "grid": math.nan})
-            for theory in each.theories:
-                summary, errors = theory.row.trajectory.summary, dict(zip(names, theory.error.values, strict=True))
-                row = {"value": each.value, "theory": theory.row.name.replace(",", ""), "outcome": summary["outcome"]}
-                last = {"midpoint_final_over_span": theory.row.midpoint[-1] / span}
-                rows.append({**row, "regime": summary["regime"] or "", **last, **errors, "grid": theory.grid})
-        lost = [{"value": each.value, "theory": "", "outcome": "not run", "regime": ""} for each in self.unmeasured]
-        return pd.DataFrame([*rows, *lost])
+            elements, span = each.comparison.elements, each.comparison.scene.filament.span
+            for run, errors in ((elements, np.full(len(names), math.nan)), (each.coarse, each.mesh)):
+                rows.append((each.value, mesh_name(run), "", "", run.midpoint[-1] / span, *errors, math.nan))
+            for name, theory in each.theories.items():
+                summary, final = theory.row.trajectory.summary, theory.row.midpoint[-1] / span
+                known = (name.replace(",", ""), summary["outcome"], summary["regime"] or "", final)
+                rows.append((each.value, *known, *theory.error, theory.grid))
+        rows += [(lost.value, "", "not run", "", *[math.nan] * (len(names) + 2)) for lost in self.unmeasured]
+        first = ["value", "theory", "outcome", "regime", "midpoint_final_over_span"]
+        return pd.DataFrame(rows, columns=[*first, *names, "grid"])
 
     def costs(self) -> pd.DataFrame:
         """A row for each value and run, with the ratios of the finer elements over it; seconds are of the solve.
 
         The finer elements have the error that their coarser companions have against them; the coarser have the same.
         """
-        rows = []
+        rows: list[tuple[Any, ...]] = []
         for each in self.measured:
-            elements, span = each.comparison.elements, each.mesh.largest
-            runs = [(mesh_name(run), run.dofs, run.steps, run.wall, None, span) for run in (elements, each.coarse)]
-            for theory in each.theories:
-                summary = theory.row.trajectory.summary
-                wall, error = summary["wall_s"], theory.error.largest
-                name = theory.row.name.replace(",", "")
-                runs.append((name, theory.row.dofs, summary["steps"], wall["solve"], wall["total"], error))
-            for name, dofs, steps, solve, total, error in runs:
-                ratios = _over(elements.dofs, dofs), _over(elements.steps, steps), _over(elements.wall, solve)
-                rows.append((each.value, name, dofs, steps, solve, total, error, *ratios))
-        columns = ["value", "run", "dofs", "steps", "solve_s", "total_s", "largest_error"]
-        return pd.DataFrame(rows, columns=[*columns, "dofs_ratio", "steps_ratio", "solve_ratio"])
+            fine = each.comparison.elements
+            for run in (fine, each.coarse):
+                rows.append((each.value, mesh_name(run), run.dofs, run.steps, run.wall, math.nan, each.mesh[-1]))
+            for name, theory in each.theories.items():
+                summary, wall = theory.row.trajectory.summary, theory.row.trajectory.summary["wall_s"]
+                sizes = (theory.row.dofs, summary["steps"], wall["solve"], wall["total"])
+                rows.append((each.value, name.replace(",", ""), *sizes, theory.error[-1]))
+        names = ["value", "run", "dofs", "steps", "solve_s", "total_s", "largest_error"]
+        table = pd.DataFrame(rows, columns=names)
+        finer = table.groupby("value").transform("first")
+        for name, size in (("dofs_ratio", "dofs"), ("steps_ratio", "steps"), ("solve_ratio", "solve_s")):
+            table[name] = finer[size] / table[size].where(table[size] != 0)
+        return table
 
     def limit_table(self) -> pd.DataFrame:
         """A row for each theory and moment that has a limit."""
+        names = ["intercept", "uncertainty", "leaving_out", "mesh"]
         rows = [
-            {"theory": name.replace(",", ""), "moment": moment, "intercept": limit.intercept,
-             "uncertainty": limit.uncertainty, "leaving_out": limit.leaving_out, "mesh": limit.mesh,
-             "slope": limit.coefficients[1], "order": limit.order}
+            (name.replace(",", ""), moment, *(limit[key] for key in names), limit["coefficients"][1], limit["order"])
             for name, limits in self.limits.items()
             for moment, limit in zip(self.moments, limits, strict=True)
             if limit is not None
-        ]  # fmt: skip
-        return pd.DataFrame(rows)
-
-    def to_frame(self) -> pd.DataFrame:
-        """The errors."""
-        return self.errors()
+        ]
+        return pd.DataFrame(rows, columns=["theory", "moment", *names, "slope", "order"])
 
     def to_dict(self) -> dict[str, Any]:
         """What ``compare.json`` holds of a varied scene; each of ``values`` as a comparison of that scene alone."""
-        limits: dict[str, Any] = {
-            _key(name): [limit and {**asdict(limit), "uncertainty": limit.uncertainty} for limit in each]
-            for name, each in self.limits.items()
-        }
+        limits: dict[str, Any] = {_key(name): each for name, each in self.limits.items()}
         return {
             "title": self.scene.title,
             "vary": self.variation.path,
@@ -368,24 +316,19 @@ def mesh_name(run: ElementRun) -> str:
     return f"elements {mesh.along} x {mesh.through}" + (f" graded {mesh.grading:g}" if mesh.grading != 1 else "")
 
 
-def _over(value: float, other: float) -> float:
-    return value / other if other else math.nan
-
-
 def _value(each: Measured) -> dict[str, Any]:
-
     coarse, elements = each.coarse, each.comparison.elements
     theories = {}
-    for theory in each.theories:
+    for name, theory in each.theories.items():
         summary = theory.row.trajectory.summary
-        theories[_key(theory.row.name)] = {
-            "errors": list(theory.error.values),
-            "trusted": theory.error.trusted,
-            "grid": theory.grid,
-            "dofs_ratio": _over(elements.dofs, theory.row.dofs),
-            "steps_ratio": _over(elements.steps, summary["steps"]),
-            "solve_ratio": _over(elements.wall, summary["wall_s"]["solve"]),
+        sizes = {
+            "dofs_ratio": (elements.dofs, theory.row.dofs),
+            "steps_ratio": (elements.steps, summary["steps"]),
+            "solve_ratio": (elements.wall, summary["wall_s"]["solve"]),
         }
+        ratios = {key: fine / own if own else math.nan for key, (fine, own) in sizes.items()}
+        errors = {"errors": theory.error.tolist(), "trusted": theory.trusted, "grid": theory.grid}
+        theories[_key(name)] = {**errors, **ratios}
     return {
         "value": each.value,
         **each.comparison.to_dict(),
@@ -397,7 +340,7 @@ def _value(each: Measured) -> dict[str, Any]:
             "wall_s": coarse.wall,
             "dofs": coarse.dofs,
             "steps": coarse.steps,
-            "errors": list(each.mesh.values),
+            "errors": each.mesh.tolist(),
         },
         "theory_errors": theories,
     }
@@ -455,7 +398,7 @@ def _measure(
     with named(f"{half.along} x {half.through} elements") as listener:
         coarse = run_elements(scene, half, clamp=clamp, checkpoint=checkpoint(half), progress=listener)
     error = relative_error(fine.time, coarse.midpoint, fine.midpoint)
-    return Measured(text, value, comparison, coarse, error, tuple(_theory(row, fine) for row in comparison.rows))
+    return Measured(text, value, comparison, coarse, error, {row.name: _theory(row, fine) for row in comparison.rows})
 
 
 def _theory(row: Row, elements: ElementRun) -> TheoryError:
@@ -464,26 +407,23 @@ def _theory(row: Row, elements: ElementRun) -> TheoryError:
     chosen = relative_error(elements.time, row.midpoint, elements.midpoint)
     # What is not to be trusted is not made better by a finer grid.
     if not run.outcome.is_success or run.summary["steps"] > _MAX_STEPS:
-        return TheoryError(row, replace(chosen, trusted=run.outcome.is_success), math.nan)
+        return TheoryError(row, chosen, run.outcome.is_success, math.nan)
     finer = {"numerics.cells": 2 * run.summary["cells"], "numerics.rtol": _TIGHTER * run.summary["rtol"]}
     refined = recalled(without_estimate(run.scene.replace(finer)))
     heights = aligned(refined.data["time"].values, refined.data["midpoint"].values, elements.time)
     error = relative_error(elements.time, heights, elements.midpoint)
-    apart = np.abs(np.subtract(chosen.values, error.values))
+    apart = np.abs(chosen - error)
     apart = apart[np.isfinite(apart)]
-    trusted = replace(error, trusted=refined.outcome.is_success)
-    return TheoryError(row, trusted, float(apart.max()) if apart.size else math.nan)
+    return TheoryError(row, error, refined.outcome.is_success, float(apart.max()) if apart.size else math.nan)
 
 
-def _limits(end: TheoryEnd, name: str) -> tuple[Limit | None, ...]:
+def _limits(end: TheoryEnd, name: str) -> list[dict[str, Any] | None]:
     """The limit of each error of a theory; values where it was not run, or not to be trusted, are left out."""
     filaments = [each.comparison.scene.filament for each in end.measured]
     delta = np.array([filament.thickness / filament.span for filament in filaments])
-    # Against the coarser elements every error is smaller by what lies between the meshes.
-    meshes = np.array([each.mesh.values for each in end.measured])
+    meshes = np.array([each.mesh for each in end.measured])
     errors = np.full_like(meshes, math.nan)
     for k, each in enumerate(end.measured):
-        for theory in each.theories:
-            if theory.row.name == name and theory.error.trusted:
-                errors[k] = theory.error.values
-    return tuple(slender_limit(delta, errors[:, k], meshes[:, k]) for k in range(errors.shape[1]))
+        if name in each.theories and each.theories[name].trusted:
+            errors[k] = each.theories[name].error
+    return [slender_limit(delta, *columns) for columns in zip(errors.T, meshes.T, strict=True)]

@@ -202,62 +202,27 @@ _TWICE = 2
 _REFERENCE_LIMIT = 120.0  # s for each run that the reference needs
 
 
-@dataclass(frozen=True)
-class Row:
-    """A measured task with its error, not finite if it failed."""
-
-    task: Task
-    measured: Measured
-    error: float
-
-    def to_dict(self) -> dict[str, Any]:
-        """Settings, error and cost as plain values."""
-        task, run = self.task, self.measured
-        return {
-            "cells": task.cells,
-            "grading": task.grading,
-            "fibres": task.section if task.section and not task.by_order else None,
-            "order": task.section if task.by_order else None,
-            "tolerance": task.rtol,
-            "seconds": run.seconds,
-            "error": self.error if isfinite(self.error) else None,
-            "steps": run.steps or None,
-            "evaluations": run.evaluations or None,
-            "us_per_step": run.microseconds,
-            "repeats": run.repeats,
-            "build_s": run.build,
-            "message": run.message or None,
-        }
-
-
-@dataclass(frozen=True)
-class Curve:
-    """A program with all that was measured of it, and how it starts cold."""
-
-    program: Program
-    rows: tuple[Row, ...]
-    cold: Measured | None
-
-    @property
-    def refusal(self) -> str:
-        """Why it has no answer at all; empty if it has one."""
-        return "" if any(isfinite(row.error) for row in self.rows) else self.rows[0].measured.message
-
-    def best(self, error: float) -> Row | None:
-        """The quickest run with at most this error."""
-        return min((row for row in self.rows if row.error <= error), key=lambda row: row.measured.seconds, default=None)
-
-    def to_dict(self) -> dict[str, Any]:
-        """The program and its runs as plain values."""
-        cold = None if self.cold is None else {"build_s": self.cold.build, "first_solve_s": self.cold.first}
-        return {
-            "key": self.program.key,
-            "name": self.program.name,
-            "kind": self.program.kind,
-            "refusal": self.refusal or None,
-            "cold": cold,
-            "runs": [row.to_dict() for row in self.rows],
-        }
+def record(program: Program, task: Task, run: Measured, error: float) -> dict[str, Any]:
+    """A measured task as a row of the table; the error is None if it failed."""
+    return {
+        "key": program.key,
+        "task": task,
+        "program": program.name,
+        "kind": program.kind,
+        "cells": task.cells,
+        "grading": task.grading,
+        "fibres": task.section if task.section and not task.by_order else None,
+        "order": task.section if task.by_order else None,
+        "tolerance": task.rtol,
+        "seconds": run.seconds,
+        "error": error if isfinite(error) else None,
+        "steps": run.steps or None,
+        "evaluations": run.evaluations or None,
+        "us_per_step": 1e6 * run.seconds / run.steps if run.steps else None,
+        "repeats": run.repeats,
+        "build_s": run.build,
+        "message": run.message or None,
+    }
 
 
 @dataclass(frozen=True)
@@ -270,13 +235,20 @@ class WorkPrecision:
     grading: float
     limit: float
     reference: Reference
-    curves: tuple[Curve, ...]
+    runs: pd.DataFrame  # Columns of :func:`record`, failures included
+    cold: dict[str, Measured]  # How programs start in a new process that has compiled nothing yet, by key
 
-    def knee(self, error: float, kinds: Sequence[str] = ("own", "rival")) -> tuple[Program, Row] | None:
-        """The quickest run with at most this error; None if there is none."""
-        pairs = [(curve.program, curve.best(error)) for curve in self.curves if curve.program.kind in kinds]
-        found = [(program, row) for program, row in pairs if row is not None]
-        return min(found, key=lambda pair: pair[1].measured.seconds, default=None)
+    @property
+    def refusals(self) -> dict[str, str]:
+        """Why programs have no answer at all, by key."""
+        answered = self.runs.groupby("key", sort=False)["error"].count()
+        first = self.runs.drop_duplicates("key").set_index("key")["message"]
+        return {str(key): first[key] for key in answered[answered == 0].index}
+
+    def knee(self, error: float, where: str = "kind in ('own', 'rival')") -> pd.Series[Any] | None:
+        """The quickest run with at most this error of those that a query selects; None if there is none."""
+        sound = self.runs[self.runs["error"].astype(float) <= error].query(where)
+        return None if sound.empty else sound.loc[sound["seconds"].astype(float).idxmin()]
 
     @property
     def sentence(self) -> str:
@@ -286,19 +258,30 @@ class WorkPrecision:
             best, name = self.knee(level), f"1e-{round(-log10(level))}"
             if level < self.reference.floor:
                 parts.append(f"{name} is below what the reference can tell")
-            elif best is None:
-                parts.append(f"{name} was not reached")
             else:
-                parts.append(f"{name} costs {seconds_text(best[1].measured.seconds)}")
+                costs = "was not reached" if best is None else f"costs {seconds_text(best['seconds'])}"
+                parts.append(f"{name} {costs}")
         return ", ".join(parts)
 
     def to_dict(self) -> dict[str, Any]:
         """What ``accuracy.json`` holds."""
-        reference, knees = self.reference, []
+        reference, knees, programs, hidden = self.reference, [], [], ["key", "task", "kind"]
         for level in LEVELS:
-            pairs = {"best": self.knee(level), "best_rival": self.knee(level, ("rival",))}
-            named = {key: pair and {"program": pair[0].name, **pair[1].to_dict()} for key, pair in pairs.items()}
-            knees.append({"error": level, **named})
+            pairs = {"best": self.knee(level), "best_rival": self.knee(level, "kind == 'rival'")}
+            quick = {name: None if run is None else run.drop(hidden).to_dict() for name, run in pairs.items()}
+            knees.append({"error": level, **quick})
+        for key, runs in self.runs.groupby("key", sort=False):
+            cold, first = self.cold.get(str(key)), runs.iloc[0]
+            programs.append(
+                {
+                    "key": key,
+                    "name": first["program"],
+                    "kind": first["kind"],
+                    "refusal": self.refusals.get(str(key)),
+                    "cold": cold and {"build_s": cold.build, "first_solve_s": cold.first},
+                    "runs": runs.drop(columns=[*hidden, "program"]).to_dict("records"),
+                }
+            )
         return {
             "scene": self.name,
             "title": self.scene.title,
@@ -316,17 +299,12 @@ class WorkPrecision:
             "limit_s": self.limit,
             "knee": self.sentence,
             "knees": knees,
-            "programs": [curve.to_dict() for curve in self.curves],
+            "programs": programs,
         }
 
     def to_frame(self) -> pd.DataFrame:
         """One row a run, failures included."""
-        rows = [
-            {"program": curve.program.name, "kind": curve.program.kind, **row.to_dict()}
-            for curve in self.curves
-            for row in curve.rows
-        ]
-        return pd.DataFrame(rows, dtype=object)
+        return self.runs.drop(columns=["key", "task"])
 
     def figures(self) -> dict[str, Figure]:
         """Error against time, one line a program."""
@@ -371,19 +349,25 @@ def study(name: str, asked: Scene, plan: Plan, on_progress: Callable[[str], None
         on_progress("the reference")
         measure = functools.cache(worker.measure)
         reference = measure_reference(measure, grading, section, compiled=find_compiler() is not None)
-    curves = []
+    rows: list[dict[str, Any]] = []
+    cold: dict[str, Measured] = {}
     with closing(Worker(scene, plan.limit)) as worker:
         measure = functools.cache(worker.measure)
-        for program in PROGRAMS:
-            if program.key in plan.programs:
-                rows = tuple(measured_rows(program, plan, (grading, section), reference, measure, on_progress))
-                cold, enough = None, min(_GRADED, *plan.cells)
-                sound = (row.task for row in rows if isfinite(row.error) and row.task.cells >= enough)
-                if plan.cold and (task := next(sound, None)) is not None:
-                    on_progress(f"{program.name}: cold")
-                    cold = _cold(scene, plan.limit, task)
-                curves.append(Curve(program, rows, cold))
-    return WorkPrecision(name, asked, effects.names, grading, plan.limit, reference, tuple(curves))
+        for program in (each for each in PROGRAMS if each.key in plan.programs):
+            own = list(measured_rows(program, plan, (grading, section), reference, measure, on_progress))
+            rows += own
+            enough = min(_GRADED, *plan.cells)
+            sound = (row["task"] for row in own if row["error"] is not None and row["cells"] >= enough)
+            if plan.cold and (task := next(sound, None)) is not None:
+                on_progress(f"{program.name}: cold")
+                # A run in a new process that has compiled nothing yet.
+                with (
+                    tempfile.TemporaryDirectory() as cache,
+                    closing(Worker(scene, plan.limit, {"SOFTCAT_CACHE": cache})) as fresh,
+                ):
+                    cold[program.key] = fresh.measure(task)
+    table = pd.DataFrame(rows, dtype=object)
+    return WorkPrecision(name, asked, effects.names, grading, plan.limit, reference, table, cold)
 
 
 def measured_rows(
@@ -393,7 +377,7 @@ def measured_rows(
     reference: Reference,
     measure: Measure,
     on_progress: Callable[[str], None],
-) -> Iterator[Row]:
+) -> Iterator[dict[str, Any]]:
     """All that is measured of one program: on each grid and section tolerances until they gain nothing.
 
     A method may be unstable, and slow, at a loose tolerance: it is given up only where the next tighter one is stopped
@@ -405,7 +389,7 @@ def measured_rows(
             on_progress(f"{program.name}: {task.text}")
             measured = measure(task)
             error = inf if measured.message else reference.error(measured.midpoint)
-            yield Row(task, measured, error)
+            yield record(program, task, measured, error)
             if measured.hopeless:
                 return
             stopped = stopped + 1 if measured.stopped else 0
@@ -433,12 +417,3 @@ def _ladders(program: Program, plan: Plan, grading: float, section: int) -> Iter
     if section and program.key == PROGRAMS[0].key:
         for k in plan.orders:
             yield [Task(program.key, _GRADED, grading, k, by_order=True, rtol=rtol) for rtol in plan.tolerances[1:4]]
-
-
-def _cold(scene: Scene, limit: float, task: Task) -> Measured:
-    """A run in a new process that has compiled nothing yet."""
-    with (
-        tempfile.TemporaryDirectory() as cache,
-        closing(Worker(scene, limit, {"SOFTCAT_CACHE": cache})) as worker,
-    ):
-        return worker.measure(task)

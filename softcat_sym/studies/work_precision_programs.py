@@ -82,11 +82,6 @@ class Measured:
     stopped: bool = False  # Whether it took longer than the limit
     hopeless: bool = False  # Whether no other grid or tolerance would mend it
 
-    @property
-    def microseconds(self) -> float | None:
-        """Of one step; None where nobody counts them."""
-        return 1e6 * self.seconds / self.steps if self.steps else None
-
 
 _HEADER = "softcat_model.h"
 _ON_THE_LIMIT = 1 + 1e-9

@@ -1,4 +1,4 @@
-"""Scenes in SI numbers, and runs of them through the layers of the package."""
+"""Scenes in SI numbers, and runs of them."""
 
 from __future__ import annotations
 
@@ -8,16 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from softcat_sym import simulate
-from softcat_sym.discretization.assembly import assemble, choose_grid
-from softcat_sym.discretization.grid import Grid
-from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.physics.filament import derive
-from softcat_sym.physics.sections import SECTIONS
-from softcat_sym.results.run import Run, judge
+from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.run import prepare
-from softcat_sym.solvers.settings import choose_settings
-from softcat_sym.solvers.solution import Silence
 
 Array = npt.NDArray[np.float64]
 
@@ -78,15 +70,9 @@ def scene(
     )
 
 
-def run(asked: Scene, grid: Grid | None = None) -> Run:
-    """Run a scene; on a grid of one's own, through the same layers as `simulate`."""
-    if grid is None:
-        return simulate(asked)
-    effects = choose_effects(asked)
-    equations = derive(effects.terms(), SECTIONS[asked.filament.section], asked.run.closure)
-    graph = assemble(equations, grid or choose_grid(asked), effects.names)
-    prepared = prepare(asked, graph, choose_settings(asked, effects))
-    return judge(asked, effects, prepared, prepared.solve(Silence()), {})
+def run(asked: Scene) -> Run:
+    """Run a scene."""
+    return simulate(asked)
 
 
 def sag(trajectory: Run) -> float:

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from softcat_sym.discretization.cell_printer import ResolvedPrinter, Strains
-from softcat_sym.discretization.graph import Setting
-from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
-from softcat_sym.discretization.grid import End, half_span, lengths_of
+from softcat_sym.discretization.cell import Builder, printed
+from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.section_rule import SectionRule
-from softcat_sym.discretization.supports import Profile, Supports, held
+from softcat_sym.discretization.shearing import sampled
+from softcat_sym.discretization.supports import Body
 from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics import reissner
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
 from tests.common.filaments import GEOMETRY, Array, scene
@@ -38,24 +39,24 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
         thickness=UNIT, span=10.0, E=UNIT, eta=UNIT, yield_stress=yield_stress, section=section, effects=names
     )
     equations = derive(choose_effects(asked).terms(), SECTIONS[section], asked.run.closure)
-    numbers = parameter_values(asked)
-    values = {p.symbol: numbers[p.name] for p in CATALOGUE if p.name in numbers}
-    supports = held(Supports(), {}, ca.SX(1), ca.SX(0))
-    grid = half_span(1, End.CLAMPED)
-    setting = Setting(values, grid, Profile(), supports, ca.SX(1), lengths_of(grid))
-    printer = ResolvedPrinter(equations, setting, rule)
+    builder = Builder(equations, (End.SYMMETRY, End.CLAMPED), Body())
     s, turning, a = ca.SX.sym("s"), ca.SX.sym("theta_X"), ca.SX.sym("a", rule.states)
-    straight, level = ca.SX(0), ca.SX(0)
-    axial = (ca.DM(rule.recall) @ a).T
-    strains = Strains(s, straight, turning, None)
-    points = printer.points(strains, [(axial, ca.SX(1, rule.points))])
-    section_forces = printer.resultants(strains, level, points)
+    straight = {reissner.Lam: s, reissner.Gam: ca.SX(0), reissner.k: turning}
+    resolved = equations.resolved
+    assert resolved is not None
+    fibres = sampled(builder, resolved, rule, {**builder.values, **straight})
+    means = {reissner.sigma_mean: fibres.axial, reissner.sigma_zeta: fibres.axial_zeta, reissner.Lam: s}
+    forces = [printed(force, {**builder.values, **means}) for force in (resolved.cell.tension, resolved.cell.moment)]
+    names = [f"axial_{label}" for label in rule.labels]
+    found = [ca.vertcat(*(fibres.plastic[name] for name in names)), *forces]
+    # Numbers in the place of parameters, and the states in that of unknowns.
+    numbers, states = parameter_values(asked), dict(zip(names, ca.vertsplit(a), strict=True))
+    leaves = builder.leaves.within(ca.vertcat(*found))
+    given = [states[leaf.name] if leaf.name in states else ca.SX(numbers[leaf.name]) for leaf in leaves]
+    symbols = ca.vertcat(*(builder.leaves.symbol(leaf) for leaf in leaves))
+    rates, *resultants = (ca.densify(ca.substitute(one, symbols, ca.vertcat(*given))) for one in found)
     inputs = [s, turning, a]
-    return OneCell(
-        ca.Function("rates", inputs, [ca.densify(ca.DM(rule.project) @ points.flows[0].axial_rate.T)]),
-        ca.Function("resultants", inputs, [section_forces.tension, section_forces.moment]),
-        rule.states,
-    )
+    return OneCell(ca.Function("rates", inputs, [rates]), ca.Function("resultants", inputs, resultants), rule.states)
 
 
 def follow(cell: OneCell, duration: float, s: Array, turning: Array) -> tuple[Array, Array]:

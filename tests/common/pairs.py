@@ -8,11 +8,11 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from softcat_sym.codegen.loops import Sites, places_of, sites_of
+from softcat_sym.codegen.loops import Sites, places_in_rows, sites_of
 from softcat_sym.codegen.model import Model, model_for
 from softcat_sym.discretization.graph import Graph
-from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.initial_state import Start, starting_state
@@ -74,7 +74,7 @@ def pair_of(scene: Scene) -> Pair:
     filament = assembled(scene, choose_effects(scene))
     graph, structure = filament.graph, filament.structure()
     model = model_for(structure)
-    places = places_of(graph, filament.body, structure.area_power, model.places)
+    places = places_in_rows(graph, filament.body, structure.area_power, model.places)
     p = np.ascontiguousarray(graph.vector(parameter_values(scene)))
     start = starting_state(scene, graph, p, filament.at_rest) or Start(graph.start, graph.straight)
     return Pair(graph, model, p, places, sites_of(graph, model.slots), start)

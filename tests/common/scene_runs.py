@@ -91,10 +91,7 @@ def _supports(scene: Scene, trajectory: Run) -> Iterator[str]:
     data, span = trajectory.data, scene.filament.span
     ends, time = scene.ends, trajectory.data["time"].values
     rows = np.array(ends.motion or [(0.0, 0.0, 0.0)])
-    right = (
-        span / 2 + np.interp(time, rows[:, 0], rows[:, 1]),
-        -ends.drop + np.interp(time, rows[:, 0], rows[:, 2]),
-    )
+    right = (span / 2 + np.interp(time, rows[:, 0], rows[:, 1]), -ends.drop + np.interp(time, rows[:, 0], rows[:, 2]))
     held = {"left": (0, np.full(time.shape, -span / 2), np.zeros(time.shape)), "right": (-1, *right)}
     for side, (node, x, y) in held.items():
         if getattr(ends, side) == "free":

@@ -67,8 +67,8 @@ def test_an_ink_at_the_published_limit_sags_by_the_published_share(ends: str, sh
     # and five times that between clamps, whose bending sags by a fifth; tension T L^2/(pi^2 E I) = 4 (H/D)^2 takes 1 %.
     expected = 25 / 18 / 1.4 * (1 + 0.0193 / share) * (1 - 4 * (0.05 * share) ** 2) - 1
     assert off == pytest.approx(expected, abs=5e-3)
-    own = next(one for one in found.rules if one.key == ("smay-pinned" if ends == "pinned" else "beam-clamped"))
-    assert own.holds if ends == "pinned" else [one.cause for one in own.blames] == ["shear"]
+    own = next(each for each in found.rules if each.key == ("smay-pinned" if ends == "pinned" else "beam-clamped"))
+    assert own.holds if ends == "pinned" else [each["cause"] for each in own.blames] == ["shear"]
 
 
 def test_the_longest_span_at_the_published_limit_is_the_published_one() -> None:
@@ -92,8 +92,8 @@ def test_every_rule_of_the_bundled_ink_is_explained() -> None:
     """Without what a rule leaves out the solver and the rule agree, so that what is put back is what is to blame."""
     found = card(load_scene("ink-bridge"), span=False)
     show(f"{found.scene.title}: {found.regime}", HEADER, rows(found))
-    off = [one for one in found.rules if one.error is not None and not one.holds]
+    off = [rule for rule in found.rules if rule.error is not None and not rule.holds]
     assert len(off) == 10
-    for one in off:
-        assert one.bare is not None and abs(one.bare) < 0.05, one.name
-        assert one.blames, one.name
+    for rule in off:
+        assert rule.bare is not None and abs(rule.bare) < 0.05, rule.name
+        assert rule.blames, rule.name

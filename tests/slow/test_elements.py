@@ -16,13 +16,17 @@ from softcat_sym.scene.scene import Scene, elastic_time
 from tests.common.elements import INSTANTS, curve, digits, elements, mean, midpoints, name_of, plane
 from tests.common.strips import timoshenko_frequency, timoshenko_sag
 from tests.common.table import show
-from tests.test_elements import cowper, harmonic
+from tests.test_elements import harmonic
 
 MESHES = (Mesh(32, 2), Mesh(64, 4), Mesh(96, 6))
 SCENES = ("no-yield", "arrested-overdamped", "arrested-underdamped", "continual-descent")
 
 REISSNER = 5 / 6
 _PERIODS = 3
+
+
+def cowper(poisson: float) -> float:
+    return 10 * (1 + poisson) / (12 + 11 * poisson)
 
 
 def under_a_small_load() -> Scene:

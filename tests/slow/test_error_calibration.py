@@ -22,6 +22,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import softcat_sym as sc
@@ -117,28 +118,6 @@ class Calibrated:
         nothing = NOTHING * self.accuracy
         return LEAST <= self.ratio <= MOST or (self.true < nothing and (self.estimate["total"] or 0.0) < nothing)
 
-    def row(self) -> list[str]:
-        parts = [f"{self.estimate[name] or 0:.1e}" for name in ("total", "space", "time", "section")]
-        at = f"{self.resolution['cells']} x {self.resolution['fibres'] or self.resolution['order'] or '-'}"
-        stages = "; ".join((*(stage.split(":")[0] for stage in self.refinements), at))
-        sag, processor = f"{1e6 * self.sag:.4g}", f"{self.seconds[2]:.1f}"
-        return [
-            self.name,
-            f"{self.accuracy:g}",
-            sag,
-            f"{self.true:.1e}",
-            *parts,
-            f"{self.ratio:.2f}",
-            processor,
-            stages,
-        ]
-
-
-HEADER = (
-    *("scene", "asked", "sag [um]", "true", "estimated", "space", "time", "section", "true/estimated", "processor [s]"),
-    "stages",
-)
-
 
 def processor() -> float:
     used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
@@ -204,9 +183,8 @@ def calibrated(scenes: Iterable[tuple[str, sc.Scene]], limits: tuple[float, floa
         return Calibrated(**kept(tuple(map(str, question)), sources, lambda: asdict(within_limits(ask, question))))
 
     found: list[Calibrated] = side_by_side(serve, answer, questions)
-    show("errors, true and estimated", HEADER, [scene.row() for scene in found if not scene.why_not])
-    silent = [(scene.name, scene.outcome, scene.why_not[:90]) for scene in found if scene.why_not]
-    show("nothing to compare", ("scene", "outcome", "why"), silent)
+    table = pd.json_normalize([asdict(scene) | {"ratio": scene.ratio if scene.estimate else None} for scene in found])
+    print(table.drop(columns=["why_not"]).to_string(), table.loc[table.why_not != "", ["name", "why_not"]].to_string())
     return found
 
 

@@ -34,15 +34,15 @@ def judged(effects: str) -> tuple[WorkPrecision, float, dict[str, str]]:
     found = study(NAME, sc.load_scene(NAME, {"run.effects": effects}), plan)
     header = ("program", *(f"{level:.0e}" for level in LEVELS), "us/step", "", "")
     show(f"{NAME}, effects {effects}: quickest warm solve with at most this error", header, program_rows(found))
-    best = {curve.program.key: curve.best(ERROR) for curve in found.curves}
-    times = {key: row.measured.seconds if row is not None else inf for key, row in best.items()}
+    programs = found.runs.drop_duplicates("key").set_index("key")["program"]
+    best = {key: found.knee(ERROR, f"key == '{key}'") for key in programs.index}
+    times = {key: inf if run is None else run["seconds"] for key, run in best.items()}
     rows = []
-    for curve in found.curves:
-        row, ratio = best[curve.program.key], f"{times[curve.program.key] / times[OWN]:.3g}"
-        cells = ["–", "", curve.refusal or "not reached within the limit"]
-        if row is not None:
-            cells = [f"{1e3 * row.measured.seconds:.1f}", f"{row.error:.1e}", row.task.text]
-        rows.append([curve.program.name, *cells, ratio])
+    for key, run in best.items():
+        cells = ["–", "", found.refusals.get(key, "not reached within the limit")]
+        if run is not None:
+            cells = [f"{1e3 * run['seconds']:.1f}", f"{run['error']:.1e}", run["task"].text]
+        rows.append([programs[key], *cells, f"{times[key] / times[OWN]:.3g}"])
     show(f"to {ERROR:.0e}", ("program", "ms", "error", "with", "times Rodas5P"), rows)
     reference = found.reference
     print(f"{found.sentence}\n{reference.note}: families {reference.time:.1e} apart, space {reference.space:.1e}")
@@ -51,7 +51,7 @@ def judged(effects: str) -> tuple[WorkPrecision, float, dict[str, str]]:
     rival = min(seconds for key, seconds in times.items() if key not in SAME_RUNTIME)
     print(f"ratio to the best rival: {rival / times[OWN]:.3g}")
     assert times[OWN] < rival
-    return found, times[OWN], {curve.program.key: curve.refusal for curve in found.curves if curve.refusal}
+    return found, times[OWN], found.refusals
 
 
 def test_published_theory_to_1e_4_is_faster_than_any_rival() -> None:
@@ -82,9 +82,7 @@ def test_a_tighter_limit_lists_what_it_stops() -> None:
     """A rival that is stopped is a line of the table with its reason, not a gap."""
     plan = Plan((40,), (1e-2,), (), ("compiled-rk4", "cvodes"), limit=0.05, cold=False)
     found = study(NAME, sc.load_scene(NAME, {"run.effects": "paper"}), plan)
-    (rk4,) = (curve for curve in found.curves if curve.program.key == "compiled-rk4")
-    assert "steps would take" in rk4.refusal
-    assert all(row.error == inf for row in rk4.rows)
+    assert "steps would take" in found.refusals["compiled-rk4"]
 
 
 def test_what_takes_too_long_is_ended_and_the_next_begins_anew(monkeypatch: pytest.MonkeyPatch) -> None:

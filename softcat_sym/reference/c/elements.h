@@ -9,7 +9,7 @@
 #define SOFTCAT_NODES 8  /* of an element */
 #define SOFTCAT_POINTS 4 /* of an element: 2 x 2 Gauss points */
 
-/* The same memory, field by field, as softcat_sym.reference.element_loop.StripStructure. */
+/* The same memory, field by field, as softcat_sym.reference.element_loop.ElementLoop. */
 struct softcat_strip {
     /* mesh */
     long elements;

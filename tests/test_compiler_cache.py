@@ -1,0 +1,485 @@
+"""C is compiled once and kept within a limit; what fails, hangs or is killed is one clear error and leaves nothing."""
+
+from __future__ import annotations
+
+import errno
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from softcat_sym.codegen import compiler as asking
+from softcat_sym.codegen import library as cached
+from softcat_sym.codegen.compiler import beside, cache_folder, compiler_name, find_compiler
+from softcat_sym.codegen.library import GRACE, OPTIMISED, cache_entries, cache_limit, clear_cache, compile_library, load
+from softcat_sym.errors import SoftcatError
+from tests.common.compilers import ANSWER, COMPILE, Counter, compiler, left_in
+
+OLD = 10 * GRACE
+
+
+@pytest.fixture(autouse=True)
+def native(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("SOFTCAT_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache" / "native"
+
+
+def usual_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of libraries where the user names none."""
+    monkeypatch.delenv("SOFTCAT_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    return tmp_path / "softcat_sym" / "native"
+
+
+def in_process(code: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, check=True)
+
+
+def refused(match: str, sources: dict[str, str] = ANSWER) -> None:
+    with pytest.raises(SoftcatError, match=match):
+        compile_library(sources)
+
+
+# What makes a library, and what is compiled again.
+def test_a_library_runs_and_is_compiled_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    counter = Counter(tmp_path, monkeypatch)
+    path = compile_library(ANSWER)
+    assert load(path, "answer").answer() == 42 and counter.compilations == 1
+    before = counter.calls
+    assert compile_library(ANSWER) == path
+    assert in_process(f"import subprocess; subprocess.Popen = None\n{COMPILE}").stdout == "42\n"
+    assert counter.calls == before, "neither again nor in another process is the compiler asked anything"
+    assert load(compile_library({"r.c": "#include <math.h>\ndouble r(double x) { return cbrt(x); }\n"}), "r")
+    with pytest.raises(SoftcatError, match="lacks hidden, which its C sources define"):
+        load(path, "answer", "hidden")
+    (tmp_path / "text.so").write_text("no library")
+    for name in ("text.so", "missing.so"):
+        with pytest.raises(SoftcatError, match="cannot load"):
+            load(tmp_path / name)
+
+
+def test_sources_flags_units_versions_and_compiler_each_make_another_library(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    paths = [
+        compile_library(ANSWER),
+        compile_library({**ANSWER, "answer.h": "#define ANSWER 43\n"}),
+        compile_library(ANSWER, flags=("-O1",)),
+        compile_library({**ANSWER, "note.h": ""}),
+        compile_library({**ANSWER, "part.c": "int part;\n"}),
+        compile_library({**ANSWER, "part.c": "int part;\n"}, units=["answer.c"]),
+        compile_library(ANSWER, versions={"casadi": "3.6"}),
+    ]
+    counter = Counter(tmp_path, monkeypatch)
+    monkeypatch.setenv("CC", f"{counter.script} -DEXTRA=7")
+    paths.append(compile_library(ANSWER))
+    assert not any("native" in text for text in (*counter.calls, *OPTIMISED)), "no flag names the processor by itself"
+    monkeypatch.setenv("SOFTCAT_CFLAGS", "-march=native -DSPACE='a b'")
+    paths.append(compile_library(ANSWER))
+    assert "-march=native -DSPACE=a b -o" in counter.calls[-1], "after the flags of the package"
+    asking._processor.cache_clear()
+    monkeypatch.setattr(asking, "_output", lambda *command: "#define __OTHER__ 1\n")
+    paths.append(compile_library(ANSWER))
+    asking._processor.cache_clear()
+    assert len(set(paths)) == len(paths), "on another processor, too"
+    assert all(load(path).answer() == 42 for path in (paths[0], *paths[2:]))
+    found = find_compiler()
+    assert found is not None and found.command == (str(counter.script), "-DEXTRA=7") and found.version
+
+
+def test_a_compiler_is_examined_again_when_it_may_have_changed(
+    native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    counter = Counter(tmp_path, monkeypatch)
+    path, before = compile_library(ANSWER), len(counter.calls)
+    counter.script.write_text(counter.script.read_text() + "# another\n")
+    assert compile_library(ANSWER) == path and len(counter.calls) == before + 1
+    for known in (b"", b"[]", b'{"a": 1}', b"\xff"):
+        (native / "compilers.json").write_bytes(known)
+        asking._examine.cache_clear()
+        assert compile_library(ANSWER) == path
+
+
+def test_compilers_in_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for version, name in [
+        ("cc (Debian 12.2.0-14+deb12u1) 12.2.0", "gcc 12.2.0"),
+        ("gcc-13 (Homebrew GCC 13.2.0) 13.2.0", "gcc 13.2.0"),
+        ("Apple clang version 15.0.0 (clang-1500.3.9.4)", "clang 15.0.0"),
+        ("tcc version 0.9.27 (x86_64 Linux)", "tcc 0.9.27"),
+        ("strange", "strange"),
+    ]:
+        assert asking.Compiler(("cc",), version).name == name
+    assert compiler_name().split()[0] in ("gcc", "clang")
+    monkeypatch.setattr(asking, "_PATIENCE", 0.5)
+    script = tmp_path / "odd-cc"
+    for prints, name in [("printf '\\n\\nodd 1.2\\n'", "odd 1.2"), ("sleep 60", "")]:
+        script.write_text(f"#!/bin/sh\n{prints}\n")
+        script.chmod(0o755)
+        asking._examine.cache_clear()
+        monkeypatch.setenv("CC", str(script))
+        assert compiler_name() == name
+
+
+def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    assert cache_folder() == tmp_path / "cache"
+    assert usual_folder(tmp_path, monkeypatch).parent == cache_folder()
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    assert cache_folder() == tmp_path / "home" / ".cache" / "softcat_sym"
+
+
+@pytest.mark.parametrize("damage", ["cut", "changed", "no digest", "no library", "empty", "another's"])
+def test_a_damaged_entry_is_compiled_again(damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    counter = Counter(tmp_path, monkeypatch)
+    path = compile_library(ANSWER)
+    content = path.read_bytes()
+    if damage == "cut":
+        path.write_bytes(content[: len(content) // 2])
+    elif damage == "changed":
+        path.write_bytes(content[:-1] + bytes([content[-1] ^ 1]))
+    elif damage == "another's":
+        other = compile_library({"answer.c": "int answer(void) { return 43; }\n"}).parent
+        shutil.rmtree(path.parent)
+        other.rename(path.parent)
+        counter.log.unlink()
+    elif damage == "no digest":
+        path.with_name("library.sha256").unlink()
+    else:
+        for left in path.parent.iterdir():
+            if damage == "empty" or left == path:
+                left.unlink()
+    assert compile_library(ANSWER) == path
+    assert counter.compilations == (1 if damage == "another's" else 2)
+    assert load(path).answer() == 42
+    assert left_in(path.parent.parent) == [path.parent.name], "the damaged one is gone"
+
+
+def test_two_processes_compile_the_same_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    counter = Counter(tmp_path, monkeypatch, delay=0.5)
+    both = [subprocess.Popen([sys.executable, "-c", COMPILE], stdout=subprocess.PIPE, text=True) for _ in range(2)]
+    assert [process.communicate(timeout=60)[0] for process in both] == ["42\n"] * 2
+    assert counter.compilations == 2, "neither waited for the other"
+    assert len(cache_entries()) == 1
+
+
+# Faults: each is one error, and nothing is left behind.
+def test_what_is_wrong_with_compiler_or_flags_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for variable, text, message in [
+        ("CC", "/nowhere/cc", "CC is '/nowhere/cc', .* install gcc or clang"),
+        ("CC", "no-such-compiler -O2", "CC is .* install gcc or clang"),
+        ("CC", "false", "CC is 'false', .* install gcc or clang"),
+        ("CC", "'-O2", "CC is .*No closing quotation"),
+        ("SOFTCAT_CFLAGS", "'-O2", "SOFTCAT_CFLAGS is .*No closing quotation"),
+        ("SOFTCAT_CFLAGS", "-march=no-such-processor", "no-such-processor"),
+    ]:
+        with monkeypatch.context() as patch:
+            patch.setenv(variable, text)
+            refused(message)
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert find_compiler() is None
+    refused("no C compiler that runs was found; install gcc or clang, or set CC")
+
+
+@pytest.mark.parametrize(
+    ("does", "message"),
+    [
+        ("echo half > library.so; kill -9 $$", r"killed by signal 9: Killed[\s\S]*if memory ran out"),
+        ('echo part > "$TMPDIR/cc1.s"; kill -9 $$', "killed by signal 9"),
+        ("exit 0", "nothing; exit status 0"),
+    ],
+)
+def test_a_compiler_that_fails(
+    does: str, message: str, native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compiler(tmp_path, monkeypatch, does)
+    refused(message)
+    assert left_in(native) == []
+    monkeypatch.delenv("CC")
+    assert load(compile_library(ANSWER)).answer() == 42
+
+
+def test_broken_sources_give_the_first_errors(native: Path) -> None:
+    with pytest.raises(SoftcatError, match=r"broken\.c:1[\s\S]*nowhere[\s\S]*set CC") as refusal:
+        compile_library({"broken.c": "int f(void) { return nowhere; }\n"})
+    assert len(str(refusal.value).splitlines()) < 12
+    assert left_in(native) == []
+
+
+@pytest.mark.parametrize("limit", [2500, 100])
+def test_a_disk_that_fills(limit: int, native: Path) -> None:
+    """A limit on the size of files stops the linker, or already our own writing."""
+    source = {**ANSWER, "note.h": "/* " + 200 * "x" + " */\n"}
+    done = in_process(
+        "import resource\nfrom softcat_sym.codegen.library import compile_library\n"
+        "from softcat_sym.errors import SoftcatError\n"
+        f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
+        f"try:\n    compile_library({source!r})\nexcept SoftcatError as error:\n    print(error)"
+    )
+    assert "free some space, or set SOFTCAT_CACHE to a folder elsewhere" in done.stdout
+    assert left_in(native) == []
+    assert load(compile_library(source)).answer() == 42
+
+
+@pytest.mark.parametrize("usual", [False, True], ids=["named", "usual"])
+def test_a_folder_without_space_is_no_reason_to_compile_elsewhere(
+    usual: bool, native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    native = usual_folder(tmp_path, monkeypatch) if usual else native
+    write = Path.write_text
+
+    def full(path: Path, data: str, encoding: str | None = None) -> int:
+        if path.name in ("library.sha256", "answer.c"):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return write(path, data, encoding)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "write_text", full)
+        refused("No space left on device; free some space")
+    assert left_in(native) == []
+    assert load(compile_library(ANSWER)).answer() == 42
+
+
+def test_a_named_folder_that_cannot_be_used_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "a file").write_text("mine")
+    for place in (tmp_path / "a file", "/proc/nowhere", "~nobody-of-this-name/cache"):
+        monkeypatch.setenv("SOFTCAT_CACHE", str(place))
+        refused("set SOFTCAT_CACHE|SOFTCAT_CACHE is '~nobody-of-this-name/cache'")
+
+
+def test_without_the_usual_folder_every_process_compiles_its_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    counter = Counter(tmp_path, monkeypatch)
+    usual_folder(Path("/proc/nowhere"), monkeypatch)
+    asking.temporary.cache_clear()
+    with pytest.warns(UserWarning, match=r"/proc/nowhere/softcat_sym/native: .* set SOFTCAT_CACHE"):
+        path = compile_library(ANSWER)
+    assert load(path).answer() == 42 and compile_library(ANSWER) == path, "and says so only once"
+    assert path.parent.parent.stat().st_mode & 0o077 == 0
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    assert in_process(COMPILE).stdout == "42\n" and counter.compilations == 2
+    assert not list(tmp_path.glob("softcat_sym-*")), "the temporary folder goes with its process"
+
+
+def test_a_cache_that_is_only_read_serves_what_it_holds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = compile_library(ANSWER)
+
+    def refuse(*_: object, **__: object) -> None:
+        raise OSError(errno.EROFS, os.strerror(errno.EROFS))
+
+    monkeypatch.setattr(os, "utime", refuse)
+    monkeypatch.setattr(Path, "mkdir", refuse)
+    assert compile_library(ANSWER) == path
+    refused("Read-only file system; set SOFTCAT_CACHE", {"other.c": "int other;\n"})
+
+
+@pytest.mark.parametrize("usual", [False, True], ids=["named", "usual"])
+@pytest.mark.parametrize("whose", ["another's", "writable"])
+def test_code_is_not_loaded_from_where_others_can_write(
+    whose: str, usual: bool, native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    native = usual_folder(tmp_path, monkeypatch) if usual else native
+    path = compile_library(ANSWER)
+    assert native.stat().st_mode & 0o777 == 0o700
+    if whose == "writable":
+        native.chmod(0o770)
+    elif os.geteuid() == 0:
+        os.chown(native, 12345, 12345)
+    else:
+        monkeypatch.setattr(os, "geteuid", lambda: 12345)
+    message = "belongs to another user" if whose == "another's" else "can be written by others.*chmod go-w"
+    if usual:
+        with pytest.warns(UserWarning, match=message):
+            other = compile_library(ANSWER)
+        assert native not in other.parents and load(other).answer() == 42
+    else:
+        refused(message)
+    with pytest.raises(SoftcatError, match=message):
+        clear_cache()
+    assert path.exists()
+
+
+# Compilers that hang, and processes that are interrupted or killed.
+def hang(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A compiler whose pass hangs; the file will hold the process ids of driver and pass."""
+    pids = tmp_path / "pids"
+    compiler(tmp_path, monkeypatch, f"echo half > library.so; sleep 300 & echo $$ $! > {pids}; wait")
+    return pids
+
+
+def read_pids(path: Path) -> list[int]:
+    for _ in range(400):
+        if path.exists() and path.read_text().endswith("\n"):
+            return [int(word) for word in path.read_text().split()]
+        time.sleep(0.05)
+    raise AssertionError("the compiler was not called")
+
+
+def running(pid: int) -> bool:
+    """Whether a process runs: one that is dead but not yet reaped does not."""
+    state = Path(f"/proc/{pid}/stat")
+    return state.exists() and state.read_text().rsplit(")", 1)[1].split()[0] != "Z"
+
+
+def gone(pids: list[int]) -> bool:
+    for _ in range(100):
+        if not any(map(running, pids)):
+            return True
+        time.sleep(0.05)
+    return False
+
+
+def test_a_compiler_that_hangs_is_stopped_with_its_passes(
+    native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pids = hang(tmp_path, monkeypatch)
+    monkeypatch.setattr(cached, "_PATIENCE", 0.5)
+    refused("did not finish within")
+    assert gone(read_pids(pids)) and left_in(native) == []
+
+
+@pytest.mark.parametrize("killed", [False, True], ids=["interrupted", "killed"])
+def test_an_ended_process_leaves_nothing_that_is_taken_for_a_library(
+    killed: bool, native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = hang(tmp_path, monkeypatch)
+    process = subprocess.Popen([sys.executable, "-c", COMPILE], stderr=subprocess.PIPE, text=True)
+    driver, hanging = read_pids(path)
+    if not killed:
+        process.send_signal(signal.SIGINT)
+        assert "KeyboardInterrupt" in process.communicate(timeout=30)[1]
+        assert gone([driver, hanging]) and left_in(native) == []
+        return
+    (leftover,) = left_in(native)
+    clear_cache()
+    assert left_in(native) == [leftover], "what is under way is let alone"
+    process.kill()
+    process.communicate(timeout=30)
+    os.killpg(driver, signal.SIGKILL)
+    assert gone([driver, hanging]) and cache_entries() == ()
+    monkeypatch.delenv("CC")
+    assert load(compile_library(ANSWER)).answer() == 42
+    clear_cache()
+    assert not list(native.iterdir())
+
+
+def test_work_beside_the_compiler(native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both run at once; what one raises is raised, and a fault of the block ends the compiler, also a later one."""
+    meeting = threading.Barrier(2, timeout=30)
+    with beside(meeting.wait):
+        meeting.wait()
+    with pytest.raises(ZeroDivisionError), beside(lambda: 1 / 0):
+        pass
+    pids, threads = hang(tmp_path, monkeypatch), threading.active_count()
+    for fault in (KeyboardInterrupt, ValueError):
+        with pytest.raises(fault), beside(lambda: compile_library(ANSWER)):
+            started = read_pids(pids)
+            raise fault
+        assert gone(started) and left_in(native) == [] and threading.active_count() == threads
+        pids.unlink()
+    failed, began = threading.Event(), time.monotonic()
+    with pytest.raises(ValueError, match="a fault"), beside(lambda: failed.wait(30) and compile_library(ANSWER)):
+        threading.Timer(0.1, failed.set).start()
+        raise ValueError("a fault")
+    assert time.monotonic() - began < 100, "it sleeps for 300 s"
+
+
+# The limit of the cache: what was used least recently goes.
+def put(name: str, age: float, size: int = 1000) -> None:
+    """Store a library that was last used some seconds ago."""
+    path = cached.store(name * 64, lambda folder: (folder / "library.so").write_bytes(bytes(size)))
+    os.utime(path.with_name("library.sha256"), (time.time() - age,) * 2)
+
+
+def names() -> set[str]:
+    return {entry.key[0] for entry in cache_entries()}
+
+
+def test_the_least_recently_used_go_until_the_limit_holds(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", "3500")
+    for name, age in zip("abc", (3 * OLD, 2 * OLD, OLD), strict=True):
+        put(name, age)
+    used = cached.find("a" * 64)
+    assert used is not None
+    os.utime(used.with_name("library.sha256"), (time.time() - OLD / 2,) * 2)
+    put("d", 0)
+    assert names() == {"a", "c", "d"} and sum(entry.size for entry in cache_entries()) <= cache_limit()
+    put("e", 0, size=2100)
+    assert names() == {"d", "e"}, "d was used within the minute"
+    monkeypatch.setattr(cached, "GRACE", -1.0)  # a file server whose clock is behind
+    put("f", OLD, size=10_000)
+    assert names() == {"f"}, "the one just stored stays, however large"
+
+
+def test_a_loaded_library_works_after_it_was_dropped(native: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", "0")
+    path = compile_library(ANSWER)
+    library = load(path)
+    os.utime(path.with_name("library.sha256"), (0, 0))
+    old, young = (native / f".{digit * 64}.{'0' * 8}" for digit in "12")
+    for leftover in (old, young):
+        leftover.mkdir()
+    os.utime(old, (0, 0))
+    put("a", 0)
+    assert not path.exists() and left_in(native) == [young.name, "a" * 64], "old leftovers are swept"
+    assert library.answer() == 42 == load(compile_library(ANSWER)).answer()
+
+
+def test_sizes(monkeypatch: pytest.MonkeyPatch) -> None:
+    for text, size in {"": 512e6, "0": 0, "12345": 12345, "500 MB": 500e6, "2gib": 2 * 2**30, " 1.5 kB ": 1500}.items():
+        monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", text)
+        assert cache_limit() == size
+    for text in ["12 potatoes", "-1", "MB", "1e9", "nan", "٣", "1 2"]:
+        monkeypatch.setenv("SOFTCAT_CACHE_LIMIT", text)
+        refused(r"SOFTCAT_CACHE_LIMIT is .*'500 MB'")
+    words = [cached.size_text(size) for size in (0, 999, 1500, 512e6, 2.5e9)]
+    assert words == ["0 B", "999 B", "1.5 kB", "512.0 MB", "2.5 GB"]
+
+
+def test_clearing_frees_what_the_entries_weigh_and_nothing_else(native: Path) -> None:
+    assert cache_entries() == () and clear_cache() == 0
+    paths = {compile_library(ANSWER), compile_library(ANSWER, flags=("-O1",))}
+    entries = cache_entries()
+    assert {entry.path for entry in entries} == paths
+    assert all(entry.size >= entry.path.stat().st_size for entry in entries)
+    mine = [native.parent / "notes.txt", native / "notes.txt"]
+    for note in mine:
+        note.write_text("mine")
+    broken_off = native / f".{'0' * 64}.{'1' * 8}"
+    broken_off.mkdir()
+    (broken_off / "half.c").write_text("12345")
+    os.utime(broken_off, (0, 0))
+    (native / "compilers.json").write_text("{}")
+    assert clear_cache() == sum(entry.size for entry in entries) + 5 + 2
+    assert [path.name for path in native.iterdir()] == ["notes.txt"]
+    assert all(note.read_text() == "mine" for note in mine)
+
+
+def test_texts_are_recalled_as_they_were_or_not_at_all(native: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder, text = native.with_name("texts"), "phi(σ) = σ/η\n" * 1000
+    cached.keep("a" * 64, text)
+    assert cached.recall("a" * 64) == text and cached.recall("b" * 64) is None
+    (path,) = folder.iterdir()
+    path.write_bytes(path.read_bytes()[:-1] + b"?")
+    assert cached.recall("a" * 64) is None, "damaged"
+    cached.keep("a" * 64, text)
+    shutil.copy(path, folder / path.name.replace("a", "b"))
+    assert cached.recall("b" * 64) is None, "another's"
+    folder.chmod(0o777)
+    assert cached.recall("a" * 64) is None, "others can write it"
+    folder.chmod(0o700)
+    monkeypatch.setattr(cached, "MOST", 2)
+    for age, name in ((300, "a"), (200, "b")):
+        cached.keep(name * 64, name)
+        os.utime(folder / f"{name * 64}.text", (time.time() - age,) * 2)
+    cached.recall("a" * 64)
+    cached.keep("c" * 64, "c")
+    assert {name for name in "abc" if cached.recall(name * 64)} == {"a", "c"}, "the least recently used goes"
+    assert clear_cache() > 64 and cached.kept_texts() == []
