@@ -14,12 +14,11 @@ from softcat_sym.discretization.grid import (
     LEAST,
     MOST,
     SMOOTH_KIRCHHOFF,
+    Block,
     End,
     Layout,
-    cell_block,
     choose_grading,
     half_span,
-    node_block,
     whole_span,
 )
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
@@ -137,20 +136,19 @@ def test_grading_follows_ends_and_physics() -> None:
 def test_unknowns_are_sorted_along_the_filament_and_gathering_undoes_laying_out() -> None:
     grid = half_span(5, End.CLAMPED)
     heights = np.linspace(1.0, 2.0, 6)
-    layout = Layout("q", [node_block("y", [0, 2, 3], grid, heights), cell_block("a", grid)])
+    free = [0, 2, 3]
+    nodes = Block("y", tuple(free), grid.nodes[free], heights[free])
+    layout = Layout("q", [nodes, Block("a", tuple(range(5)), grid.centres, np.zeros(5))])
     positions = [float(name.rsplit("= ", 1)[1]) for name in layout.names]
     assert positions == sorted(positions)
     assert len(layout.names) == layout.vector.numel() == len(layout.start) == 8
     for name, start in zip(layout.names, layout.start, strict=True):
         kind, number = place(name)
         assert start == (1.0 + 0.2 * number if kind == "y" else 0.0)
-    fields = {"y": layout.field("y", ca.SX(6, 1)), "a": layout.field("a", ca.SX(5, 1))}
-    back = ca.Function("back", [layout.vector], [layout.gather(fields)])
+    back = ca.Function("back", [layout.vector], [layout.gather(layout.split(layout.vector))])
     state = np.arange(8.0) ** 2
     np.testing.assert_array_equal(np.asarray(back(state)).ravel(), state)
-    held = ca.Function("field", [layout.vector], [layout.field("y", ca.SX(np.full(6, 7.0)))])
-    assert [k for k, v in enumerate(np.asarray(held(np.zeros(8))).ravel()) if v == 7.0] == [1, 4, 5]
-    assert layout.field("u", ca.SX(6, 1)).is_zero()
+    assert layout.split(layout.start)["y"].tolist() == heights[free].tolist()
     empty = Layout("z", [])
     assert (empty.names, empty.vector.numel(), empty.gather({}).numel()) == ((), 0, 0)
 

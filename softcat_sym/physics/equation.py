@@ -148,7 +148,7 @@ class DimensionError(ValueError):
     """Terms that cannot be added, or a function of something that has a dimension: the equation is wrong."""
 
 
-def dimension(expr: sp.Basic) -> Exponents | None:
+def dimension(expr: sp.Basic) -> Exponents | None:  # noqa: C901 - one branch a kind of node
     """Exponents of (kg, m, s) of an expression; None for zero, which agrees with anything."""
     if expr == 0:
         return None

@@ -12,6 +12,7 @@ from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.section_rule import SectionRule
 from softcat_sym.discretization.shearing import sampled
+from softcat_sym.discretization.stencil import PARAMETER, UNKNOWN, Leaf
 from softcat_sym.discretization.supports import Body
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.physics import reissner
@@ -50,11 +51,10 @@ def one_cell(section: str, rule: SectionRule, yield_stress: float) -> OneCell:
     names = [f"axial_{label}" for label in rule.labels]
     found = [ca.vertcat(*(fibres.plastic[name] for name in names)), *forces]
     # Numbers in the place of parameters, and the states in that of unknowns.
-    numbers, states = parameter_values(asked), dict(zip(names, ca.vertsplit(a), strict=True))
-    leaves = builder.leaves.within(ca.vertcat(*found))
-    given = [states[leaf.name] if leaf.name in states else ca.SX(numbers[leaf.name]) for leaf in leaves]
-    symbols = ca.vertcat(*(builder.leaves.symbol(leaf) for leaf in leaves))
-    rates, *resultants = (ca.densify(ca.substitute(one, symbols, ca.vertcat(*given))) for one in found)
+    given = {Leaf(PARAMETER, name): ca.SX(number) for name, number in parameter_values(asked).items()}
+    given |= {Leaf(UNKNOWN, name): state for name, state in zip(names, ca.vertsplit(a), strict=True)}
+    symbols, values = ca.vertcat(*map(builder.leaves.symbol, given)), ca.vertcat(*given.values())
+    rates, *resultants = (ca.densify(ca.substitute(one, symbols, values)) for one in found)
     inputs = [s, turning, a]
     return OneCell(ca.Function("rates", inputs, [rates]), ca.Function("resultants", inputs, resultants), rule.states)
 
