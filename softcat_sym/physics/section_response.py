@@ -11,83 +11,41 @@ from softcat_sym.physics.closures import ClosedSection
 from softcat_sym.physics.kinematics import StrainMeasure
 from softcat_sym.physics.laws import Branch, Law
 from softcat_sym.physics.sections import Contraction, Section, SectionMeans, of_bending_alone, scaled
-from softcat_sym.physics.symbols import A0, M, T, a_0, a_1, h0, kappa_0, s, s_t, sigma_0, sigma_1, theta_X, theta_Xt
+from softcat_sym.physics.symbols import M, T, a_0, a_1, h0, kappa_0, s, s_t, sigma_0, sigma_1, theta_X, theta_Xt
 
 PLANE_STRAIN = sp.sqrt(3) / 2
 """Equivalent stress over axial stress in a section too wide to change its width (von Mises, incompressible flow)."""
 
 
 @dataclass(frozen=True, slots=True)
-class BranchResponse:
-    """One spring with its flow rule, the stress sigma_0 + sigma_1 zeta (2.23) its own."""
+class Part:
+    """One part of the stress sigma_0 + sigma_1 zeta (2.23), with its densities per unit material length."""
 
-    stress_mean: sp.Expr  # sigma_0 of (s, a_0) and sigma_1 of (s, theta_X, a_1)
+    stress_mean: sp.Expr  # sigma_0 and sigma_1 of the strains and the plastic state, or the rates of the strains
     stress_bending: sp.Expr
-    means: SectionMeans | None  # Means of the flow rule of (sigma_0, sigma_1)
-    rate_mean: sp.Expr  # da_0/dt and da_1/dt of (sigma_0, sigma_1, s) (2.24)
-    rate_bending: sp.Expr
-    elastic_mean: sp.Expr  # Stored energy per unit material length, of stretching and of bending
-    elastic_bending: sp.Expr
-    # Plastic power per unit material length, of stretching and of bending. Neither is ever negative: for an odd,
-    # monotone flow rule and a symmetric section <phi> has the sign of sigma_0 and <phi zeta> that of sigma_1.
-    dissipation_mean: sp.Expr
-    dissipation_bending: sp.Expr
-
-    @property
-    def stretching(self) -> sp.Expr:
-        """Stored energy per unit rest length and undeformed area of (s, a_0)."""
-        return self.elastic_mean.subs(sigma_0, self.stress_mean).subs(A0, 1)
-
-    @property
-    def bending(self) -> sp.Expr:
-        """Stored energy of (s, theta_X, a_1)."""
-        return self.elastic_bending.subs(sigma_1, self.stress_bending).subs(A0, 1)
-
-    @property
-    def dissipation(self) -> tuple[sp.Expr, sp.Expr]:
-        """Plastic power of stretching and of bending, of (sigma_0, sigma_1, s)."""
-        return self.dissipation_mean.subs(A0, 1), self.dissipation_bending.subs(A0, 1)
-
-    @property
-    def yielded_fraction(self) -> sp.Expr:
-        """Share of the section that flows."""
-        return self.means.yielded_fraction if self.means else sp.Integer(0)
-
-    @property
-    def plastic_rate(self) -> sp.Expr:
-        """Largest plastic rate over the section."""
-        return self.means.largest_rate if self.means else sp.Integer(0)
+    # What its tension and its moment derive from: the stored energy of a spring, of (s, a_0) and (s, theta_X, a_1), or
+    # the Rayleigh potential of a viscous stress, of (s, s_t) and (s, s_t, theta_X, theta_Xt).
+    stretching: sp.Expr
+    bending: sp.Expr
+    yielded_fraction: sp.Expr  # Share of the section that flows, and its largest rate, of (sigma_0, sigma_1)
+    plastic_rate: sp.Expr
 
 
 @dataclass(frozen=True, slots=True)
-class ViscousResponse:
+class BranchResponse(Part):
+    """A spring with its flow rule."""
+
+    means: SectionMeans | None  # Means of the flow rule of (sigma_0, sigma_1)
+    rate_mean: sp.Expr  # da_0/dt and da_1/dt of (sigma_0, sigma_1, s) (2.24)
+    rate_bending: sp.Expr
+    # Plastic power of stretching and of bending, of (sigma_0, sigma_1, s). Neither is ever negative: for an odd,
+    # monotone flow rule and a symmetric section <phi> has the sign of sigma_0 and <phi zeta> that of sigma_1.
+    dissipation: tuple[sp.Expr, sp.Expr]
+
+
+@dataclass(frozen=True, slots=True)
+class ViscousResponse(Part):
     """The viscous stress eta eps_t."""
-
-    stress_mean: sp.Expr  # sigma_0 of (s, s_t) and sigma_1 of (s, s_t, theta_X, theta_Xt)
-    stress_bending: sp.Expr
-    dissipation_mean: sp.Expr  # Power per unit material length, of (sigma_0, sigma_1)
-    dissipation_bending: sp.Expr
-    rate: sp.Expr  # Largest strain rate over the section, of (sigma_0, sigma_1)
-
-    @property
-    def stretching(self) -> sp.Expr:
-        """Rayleigh potential per unit rest length and undeformed area of (s, s_t): half the power."""
-        return self.dissipation_mean.subs(sigma_0, self.stress_mean).subs(A0, 1) / 2
-
-    @property
-    def bending(self) -> sp.Expr:
-        """Rayleigh potential of (s, s_t, theta_X, theta_Xt)."""
-        return self.dissipation_bending.subs(sigma_1, self.stress_bending).subs(A0, 1) / 2
-
-    @property
-    def yielded_fraction(self) -> sp.Expr:
-        """All of a fluid flows."""
-        return sp.Integer(1)
-
-    @property
-    def plastic_rate(self) -> sp.Expr:
-        """Largest strain rate over the section."""
-        return self.rate
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,16 +147,22 @@ def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchRespon
     plastic_mean = closed.recall_mean * a_0 if means and shape.stretches else zero
     plastic_bending = closed.recall_bending * a_1 if means else zero
     weight, bending_weight = shape.weight, bends * shape.weight * shape.section.zeta_squared
+    stress_mean = modulus * (shape.axial_strain - plastic_mean)
+    stress_bending = -bends * modulus * (bending + plastic_bending)
     return BranchResponse(
-        stress_mean=modulus * (shape.axial_strain - plastic_mean),
-        stress_bending=-bends * modulus * (bending + plastic_bending),
+        stress_mean=stress_mean,
+        stress_bending=stress_bending,
+        stretching=weight * stress_mean**2 / (2 * modulus),
+        bending=bending_weight * stress_bending**2 / (2 * modulus),
+        yielded_fraction=means.yielded_fraction if means else zero,
+        plastic_rate=means.largest_rate if means else zero,
         means=means,
         rate_mean=means.rate / closed.recall_mean if means else zero,
         rate_bending=bends * means.bending_rate / closed.recall_bending if means else zero,
-        elastic_mean=weight * shape.mean_stress**2 / (2 * modulus),
-        elastic_bending=bending_weight * sigma_1**2 / (2 * modulus),
-        dissipation_mean=weight * shape.mean_stress * means.rate if means else zero,
-        dissipation_bending=bending_weight * sigma_1 * means.bending_rate if means else zero,
+        dissipation=(
+            weight * shape.mean_stress * means.rate if means else zero,
+            bending_weight * sigma_1 * means.bending_rate if means else zero,
+        ),
     )
 
 
@@ -206,10 +170,12 @@ def _viscous(shape: Shape, closed: ClosedSection, viscosity: sp.Expr) -> Viscous
     eta = resistance(shape.section, viscosity)
     bends = sp.Integer(1) if shape.bends else sp.Integer(0)
     turning = sp.diff(closed.lever, s) * s_t * theta_X + closed.lever * theta_Xt
+    stress_mean, stress_bending = eta * sp.diff(shape.axial_strain, s) * s_t, -bends * eta * turning
     return ViscousResponse(
-        stress_mean=eta * sp.diff(shape.axial_strain, s) * s_t,
-        stress_bending=-bends * eta * turning,
-        dissipation_mean=shape.weight * shape.mean_stress**2 / eta,
-        dissipation_bending=bends * shape.weight * shape.section.zeta_squared * sigma_1**2 / eta,
-        rate=(sp.Abs(shape.mean_stress) + sp.Abs(sigma_1)) / eta,
+        stress_mean=stress_mean,
+        stress_bending=stress_bending,
+        stretching=shape.weight * stress_mean**2 / (2 * eta),
+        bending=bends * shape.weight * shape.section.zeta_squared * stress_bending**2 / (2 * eta),
+        yielded_fraction=sp.Integer(1),
+        plastic_rate=(sp.Abs(shape.mean_stress) + sp.Abs(sigma_1)) / eta,
     )
