@@ -899,8 +899,6 @@ for law in ("maxwell", "bingham"):
     assert (stiff.force.horizontal, stiff.force.vertical) == (0, M_X)
     kept = (alone.stress_bending, alone.bending, alone.rate_bending, stiff.response.moment)
     assert not {s, sigma_0, a_0, T} & set().union(*(expression.free_symbols for expression in kept))
-        *(e.free_symbols for e in (alone.stress_bending, alone.bending, alone.rate_bending, stiff.response.moment))
-    )
 
 # %% [markdown]
 # ## The appendix: (A1), (A2)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import casadi as ca
 import numpy as np
 import pytest
+import sympy as sp
 
 import softcat_sym as sc
 from softcat_sym.discretization.assembly import assemble, choose_theory
@@ -16,8 +17,10 @@ from softcat_sym.discretization.grid import End, Floats, Grid, half_span, whole_
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values, time_scale
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import SceneError
+from softcat_sym.physics import small_deflection as small
+from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.filament import derive
-from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SECTIONS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.initial_state import Equilibrium, sagging_guesses
 from tests.common.assembled import GRIDS, build, energy_of, parameters, place, random_state, rhs, scene_of, value
@@ -370,3 +373,64 @@ def test_the_small_deflection_model_runs() -> None:
         assert abs(run.summary["midpoint_final_m"] / full.summary["midpoint_final_m"] - 1) < 0.02
     with pytest.raises(SceneError, match=r"material\.law"):
         sc.simulate(sc.load_scene("arrested-overdamped", {"model": "small-deflection"}))
+
+
+def test_internal_forces_telescope() -> None:
+    """Their sum over all nodes is the difference of the two end forces: what happens far from the ends drops out."""
+    cells, scene = 12, scene_of("elastic")
+    graph = build(scene, whole_span(cells // 2, End.CLAMPED, End.CLAMPED))
+    inner = [k for k, name in enumerate(graph.state_names) if name[0] in "xy" and 4 <= place(name)[1] <= cells - 4]
+    for direction in "uv":
+        forces = [
+            graph.ode[k] * graph.grid.node_length[place(name)[1]]
+            for k, name in enumerate(graph.state_names)
+            if name.startswith(direction)
+        ]
+        gradients = [ca.gradient(force, graph.x) for force in (sum(forces, ca.SX(0)), forces[len(forces) // 2])]
+        slopes = ca.Function("s", [graph.t, graph.x, graph.p], gradients)
+        of_sum, of_one = value(slopes, 0.0, random_state(graph, 8)[0], parameters(scene, graph))
+        assert np.max(np.abs(of_sum[inner])) <= 1e-11 * np.max(np.abs(of_one))
+
+
+def test_section_angles_are_determined() -> None:
+    """The stiffness against turning is symmetric and positive: the index of the algebraic equations is one."""
+    scene = scene_of()
+    for grid in GRIDS.values():
+        for variant in ["fibres alone", "shear", "shear, gradient"]:
+            graph = resolved(scene, grid, SHEARS[variant], fibres=4)
+            jacobian = ca.Function("j", [graph.t, graph.x, graph.z, graph.p], [ca.jacobian(graph.alg, graph.z)])
+            # the angles' equations are divided by the length of their nodes
+            lengths = graph.grid.node_length[[place(name)[1] for name in graph.algebraic_names]]
+            for seed in range(5):
+                found = np.array(jacobian(TIME, *settled(graph, scene, seed), parameters(scene, graph)))
+                stiffness = -lengths[:, None] * found
+                np.testing.assert_allclose(stiffness, stiffness.T, atol=1e-12 * np.abs(stiffness).max())
+                eigenvalues = np.linalg.eigvalsh(stiffness)
+                assert eigenvalues[0] > 1e-5 * eigenvalues[-1]
+
+
+def test_the_small_deflection_section_is_the_one_that_was_proved() -> None:
+    for shape in [RECTANGLE, CIRCLE]:
+        for flows in [True, False]:
+            scene = sc.load_scene("maxwell-slow", {"model": "small-deflection"})
+            if not flows:
+                scene = scene.replace({"material.law": "elastic", "material.viscosity": None})
+            equations = derive(choose_effects(scene).terms(), shape, "material")
+            response, proved = equations.response, small.small_deflection(shape, flows=flows)
+            part, renamed = response.branch, {sy.s: 1 + small.e_mean, sy.theta_X: small.y_XX}
+            stress = {sy.sigma_0: part.stress_mean, sy.sigma_1: part.stress_bending}
+            for ours, theirs in [
+                (response.tension, proved.tension),
+                (response.moment, proved.moment),
+                (part.stress_mean, proved.stress_mean),
+                (part.stress_bending, proved.stress_bending),
+                (part.rate_mean, proved.rate_mean),
+                (part.rate_bending, proved.rate_bending),
+                (part.stretching, proved.elastic_mean.subs(stress)),
+                (part.bending, proved.elastic_bending.subs(stress)),
+                (part.dissipation[0], proved.dissipation_mean),
+                (part.dissipation[1], proved.dissipation_bending),
+                (equations.force.vertical.subs(sy.Q, sy.T), proved.vertical_force),
+                (equations.terms.centreline.stretch.subs(sy.x_X, 1) - 1, proved.elongation),
+            ]:
+                assert sp.simplify((ours - theirs).subs(renamed)) == 0, (shape.name, flows, theirs)

@@ -24,8 +24,10 @@ from softcat_sym.codegen.c_printer import Target, When, helpers_of, number, stat
 from softcat_sym.codegen.instructions import Code, Instruction, code_of
 from softcat_sym.codegen.library import compile_library, load
 from softcat_sym.codegen.model import Structure, model_for
+from softcat_sym.codegen.right_hand_side import Dynamics, rhs_source
 from softcat_sym.discretization.casadi_printer import CasadiPrinter, CellFunction
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import PrintingError
 from softcat_sym.solvers.run import assembled
@@ -496,3 +498,31 @@ def test_sharing_changes_no_value() -> None:
         values = together({x: float(a), y: float(b)})
         for name, expr in several.items():
             assert float(values[name]) == float(CellFunction({"o": expr}, (x, y))({x: float(a), y: float(b)})["o"])
+
+
+@pytest.mark.parametrize("kind", ["surface tension", "viscous stress, moving support", "point mass, no inertia"])
+def test_the_plain_right_hand_side_has_every_value_and_slope_of_the_graph(kind: str) -> None:
+    scene = scene_of(kind)
+    graph, rng = assembled(scene, choose_effects(scene)).graph, np.random.default_rng(5)
+    dynamics, symbols = Dynamics(graph), [graph.t, graph.x, graph.z, graph.p]
+    states = [start + 0.01 * rng.standard_normal(len(start)) for start in (graph.start, graph.straight)]
+    at = (0.3, *states, graph.vector(parameter_values(scene)))
+    for function, of in [
+        (dynamics.rhs, [graph.ode, graph.alg]),
+        (dynamics.jacobian, [ca.jacobian(value, by) for value in (graph.ode, graph.alg) for by in symbols[:3]]),
+        (dynamics.powers, [graph.quad]),
+        (dynamics.powers.jacobian(), [ca.jacobian(graph.quad, by) for by in symbols[:3]]),
+    ]:
+        given = at if function.n_in() == 4 else (*at, 0)
+        for one, other in zip(function.call(given), ca.Function("graph", symbols, of).call(at), strict=False):
+            found, expected = np.asarray(ca.densify(one)), np.asarray(ca.densify(other))
+            assert np.all(np.isfinite(expected))
+            np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * np.max(np.abs(expected), initial=1e-300))
+
+
+def test_the_plain_right_hand_side_grows_by_tables_only() -> None:
+    few, many = (
+        rhs_source(assembled(s, choose_effects(s)).graph).size
+        for s in (scene_of("paper", numerics__cells=n) for n in (10, 20))
+    )
+    assert many < 1.6 * few

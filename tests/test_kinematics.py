@@ -16,12 +16,12 @@ from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.equation import DimensionError as MismatchError
 from softcat_sym.physics.equation import Stated, all_equations, check, dimension
 from softcat_sym.physics.filament import FilamentEquations, Terms, derive
-from softcat_sym.physics.in_force import equations_in_force
+from softcat_sym.physics.in_force import equations_in_force, plain_rate
 from softcat_sym.physics.kinematics import (
     LARGE_ROTATION,
     TRUE_STRAIN,
 )
-from softcat_sym.physics.laws import FIXED, law_of
+from softcat_sym.physics.laws import FIXED, K, law_of, n
 from softcat_sym.physics.loads import ramp_rate, ramped_gravity, shaking, shaking_rate
 from softcat_sym.physics.sections import SECTIONS
 
@@ -298,3 +298,28 @@ def test_every_symbol_and_field_stands_in_the_table_with_its_latex() -> None:
         assert equation.source, (module, equation.name)
     assert all(row.latex and row.meaning and row.source for row in (*sy.table(), *sy.fields()))
     assert len({row.symbol.name for row in sy.table()}) == len(sy.table())
+
+
+def test_the_rule_shown_is_the_rule_integrated() -> None:
+    for law in ["power-law", "herschel-bulkley"]:
+        for stress in [-3.0, 0.4, 2.5]:
+            (branch,) = FIXED[law].branches
+            flow = branch.flow_beyond_yield or branch.flow
+            assert flow is not None
+            values = {sy.sigma: stress, K: 2.0, n: 0.5, sy.sigma_Y: 1.0, sy.E: 10.0}
+            shown = plain_rate(flow)
+            assert not shown.has(sy.E)
+            assert float(shown.subs(values)) == pytest.approx(float(flow.rate.subs(values)), rel=1e-12, abs=1e-15)
+
+
+def test_a_user_s_own_rule_keeps_its_names() -> None:
+    class Formula:
+        def fold(self, number, name, operation):  # type: ignore[no-untyped-def]
+            return operation("div", [operation("sinh", [operation("div", [name("sigma"), name("s_0")])]), name("t0")])
+
+    made = law_of("custom", formula=Formula())
+    found = written(replace(LARGE, law=made))
+    assert line(found, "flow rule of a fibre") == "eps_p_t = sinh(sigma/s_0)/t0"
+    (tex,) = [equation.latex for equation in found if equation.name == "flow rule of a fibre"]
+    assert r"\mathrm{s\_0}" in tex
+    assert sp.Symbol("custom_s_0").name not in tex

@@ -95,7 +95,7 @@ def _structure(described: Description) -> dict[str, Any]:
         "law": scene.material.law,
         "section": scene.filament.section,
         "closure": scene.run.closure,
-        "theory": structure.theory.label.split(" ")[0],
+        "theory": structure.theory.name,
         "ends": [end.name.lower().replace("symmetry", "plane of symmetry") for end in structure.ends],
         "supports": {"points_of_path": supports.rows, "parameters": list(supports.parameters)},
         "profile": structure.body.profile.nodes is not None,

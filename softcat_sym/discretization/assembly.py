@@ -136,6 +136,11 @@ class Theory:
     rule: SectionRule | None  # None for the section of the paper
 
     @property
+    def name(self) -> str:
+        """As the field calls it."""
+        return "kirchhoff" if self.rule is None else "reissner"
+
+    @property
     def label(self) -> str:
         """All that its equations hold; fibres are a loop, whose points are numbers of a run."""
         if self.rule is None:
