@@ -52,12 +52,14 @@ from softcat_sym.physics.symbols import (
     eta,
     h0,
     s,
+    s_t,
     sigma,
     sigma_0,
     sigma_1,
     sigma_Y,
     t,
     theta_X,
+    theta_Xt,
     x_X,
     y_X,
     z,
@@ -690,6 +692,28 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE),
         prove_equal(response.branch.stretching.diff(s), response.tension.subs(sigma_0, response.branch.stress_mean))
         prove_equal(response.branch.bending.diff(theta_X), -moment)
         prove_equal(response.branch.bending.diff(s), response.axial_correction.subs(M, moment))
+
+# %% [markdown]
+# A viscous stress derives from a Rayleigh potential in the same way: $T$ and $Q - T$ are its slopes by $\dot s_X$, $-M$
+# that by $\dot\theta_X$, and its power is twice the potential.
+
+# %%
+for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE)):
+    fluid = filament.Terms(
+        strain=kinematics.TRUE_STRAIN, thins=True, bending=True, stretches=True, law=law_of("newtonian"), viscous=True
+    )
+    response = filament.derive(fluid, shape, "material").response
+    viscous = response.viscous
+    moment = response.moment.subs(sigma_1, viscous.stress_bending)
+    axial = response.tension.subs(sigma_0, viscous.stress_mean)
+    correction = response.axial_correction.subs(M, moment)
+    prove_equal(viscous.stretching.diff(s_t), axial)
+    prove_equal(viscous.bending.diff(theta_Xt), -moment)
+    prove_equal(viscous.bending.diff(s_t), correction)
+    prove_equal(2 * viscous.stretching, axial * s_t)
+    prove_equal(2 * viscous.bending, correction * s_t - moment * theta_Xt)
+    eta_of = 4 * eta / 3 if shape is SHEET else eta
+    prove_equal(viscous.stress_mean, eta_of * s_t / s)
         means = scaled(closed(shape), PLANE_STRAIN) if shape is SHEET else closed(shape)
         assert response.branch.rate_mean == means.rate
         assert response.branch.rate_bending == means.bending_rate

@@ -22,6 +22,16 @@ MUTATIONS = [
     ("axial_correction=-M * theta_X", "axial_correction=M * theta_X", CLOSURES),
     ("recall_bending=shrink * h0 / contraction.thickness", "recall_bending=shrink", CLOSURES),
     ("overstress_mean=((2 + c**2)", "overstress_mean=((2 - c**2)", CLOSURES),
+    ("stretching=weight * stress_mean**2 / (2 * modulus)", "stretching=weight * stress_mean**2 / modulus", CLOSURES),
+    ("bending_weight * stress_bending**2 / (2 * modulus)", "weight * stress_bending**2 / (2 * modulus)", CLOSURES),
+    (
+        "stretching=shape.weight * stress_mean**2 / (2 * eta)",
+        "stretching=shape.weight * stress_mean**2 / eta",
+        CLOSURES,
+    ),
+    ("zeta_squared * stress_bending**2 / (2 * eta)", "zeta_squared * stress_bending**2 / eta", CLOSURES),
+    ("sp.diff(closed.lever, s) * s_t * theta_X +", "-sp.diff(closed.lever, s) * s_t * theta_X +", CLOSURES),
+    ("2 * self.pressure * sp.sqrt(s)", "self.pressure * sp.sqrt(s)", "08_necking"),
     ("zeta_squared=sp.Rational(1, 3)", "zeta_squared=sp.Rational(1, 4)", CLOSURES),
     (
         "UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s)",
