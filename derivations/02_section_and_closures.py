@@ -692,6 +692,9 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE),
         prove_equal(response.branch.stretching.diff(s), response.tension.subs(sigma_0, response.branch.stress_mean))
         prove_equal(response.branch.bending.diff(theta_X), -moment)
         prove_equal(response.branch.bending.diff(s), response.axial_correction.subs(M, moment))
+        means = scaled(closed(shape), PLANE_STRAIN) if shape is SHEET else closed(shape)
+        assert response.branch.rate_mean == means.rate
+        assert response.branch.rate_bending == means.bending_rate
 
 # %% [markdown]
 # A viscous stress derives from a Rayleigh potential in the same way: $T$ and $Q - T$ are its slopes by $\dot s_X$, $-M$
@@ -714,9 +717,6 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE))
     prove_equal(2 * viscous.bending, correction * s_t - moment * theta_Xt)
     eta_of = 4 * eta / 3 if shape is SHEET else eta
     prove_equal(viscous.stress_mean, eta_of * s_t / s)
-        means = scaled(closed(shape), PLANE_STRAIN) if shape is SHEET else closed(shape)
-        assert response.branch.rate_mean == means.rate
-        assert response.branch.rate_bending == means.bending_rate
 prove_equal(closures.stress_amplitudes(UNIFORM, (a_0, a_1))[0], held["mean stress, material closure"])
 prove_equal(closures.stress_amplitudes(UNIFORM, (a_0, a_1))[1], held["bending stress, material closure"])
 
