@@ -701,7 +701,7 @@ for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE),
 # that by $\dot\theta_X$, and its power is twice the potential.
 
 # %%
-for shape, shrinking in ((RECTANGLE, UNIFORM), (CIRCLE, UNIFORM), (SHEET, WIDE)):
+for shape in (RECTANGLE, CIRCLE, SHEET):
     fluid = filament.Terms(
         strain=kinematics.TRUE_STRAIN, thins=True, bending=True, stretches=True, law=law_of("newtonian"), viscous=True
     )
