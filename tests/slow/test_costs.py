@@ -150,3 +150,82 @@ def test_no_bundled_scene_is_slower_than_in_the_other_checkout(tmp_path: Path) -
     show("processor seconds of softcat run, compilers included", header, rows)
     assert np.all(sums[1::2] < TOGETHER * sums[::2])
     assert slower == []
+
+
+# Of a scene in a checkout: instructions a cell, bytes of C and seconds to compile it, milliseconds of solving.
+CELL = """
+import json, sys, time, warnings
+import softcat_sym as sc
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.single_run import build
+from softcat_sym.solvers.solution import Silence
+
+def built(cells, backend):
+    changes = {"numerics.cells": cells, "numerics.rtol": 1e-3, "numerics.estimate": False, "numerics.backend": backend}
+    scene = sc.load_scene(sys.argv[1], changes)
+    begun = time.process_time()
+    return build(scene, choose_effects(scene)), time.process_time() - begun
+
+def milliseconds(prepared, times):
+    spent = []
+    for _ in range(times):
+        begun = time.process_time()
+        solution = prepared.solve(Silence())
+        spent.append(1e3 * (time.process_time() - begun))
+    return min(spent), solution.steps
+
+warnings.simplefilter("ignore")
+few, many = (built(cells, "interpreted")[0].graph for cells in (8, 16))
+cells = many.grid.cells - few.grid.cells
+found = {"instructions": (many.instructions - few.instructions) / cells}
+begun = time.perf_counter()
+compiled, _ = built(40, "compiled")
+found["seconds"] = time.perf_counter() - begun
+found["kB"] = len(compiled.integration.filament.model.model.text) / 1e3
+found["compiled"], found["steps"] = milliseconds(compiled, 7)
+found["interpreted"], _ = milliseconds(built(8, "interpreted")[0], 1)
+print(json.dumps(found))
+"""
+SLOWER = 1.25
+"""Most of a solve over that of the other checkout, a step: a tenth is the goal, the rest is scatter."""
+
+
+@pytest.mark.skipif(not OTHER, reason="SOFTCAT_OTHER names no other checkout")
+def test_instructions_and_text_and_solving_beside_the_other_checkout(tmp_path: Path) -> None:
+    rows, slower = [], []
+    for scene in filter(None, os.environ.get("SOFTCAT_SCENES", ",".join(sc.bundled_names())).split(",")):
+        found = []
+        for turn in range(2):
+            for which, place in (("old", Path(OTHER)), ("new", HERE)):
+                cache = tmp_path / scene / f"{which}{turn}"
+                environment = {**os.environ, "PYTHONPATH": str(place), "SOFTCAT_CACHE": str(cache)}
+                command = [sys.executable, "-c", CELL, scene]
+                options: dict[str, Any] = {"capture_output": True, "text": True, "cwd": tmp_path, "env": environment}
+                said = subprocess.run(command, check=False, **options).stdout
+                found.append(json.loads(said) if said else None)
+        if None in found:
+            print(scene, "has no compiled form, or is new", flush=True)
+            continue
+        # Old and new in turn, so that a busy neighbour slows both; the better of two.
+        old, new = ({key: min(one[key] for one in found[k::2]) for key in found[0]} for k in (0, 1))
+        ratio = new["compiled"] / new["steps"] / (old["compiled"] / old["steps"])
+        cells = [f"{one[key]:.4g}" for key in ("instructions", "kB", "seconds") for one in (old, new)]
+        times = [f"{one[key]:.3g}" for key in ("compiled", "interpreted") for one in (old, new)]
+        rows.append([scene, *cells, *times, f"{old['steps']} -> {new['steps']}", f"{ratio:.2f}"])
+        print(*rows[-1], flush=True)
+        slower += [scene] if ratio > SLOWER else []
+    header = [
+        "scene",
+        "instructions a cell",
+        "",
+        "kB of C",
+        "",
+        "s to build",
+        "",
+        "ms compiled",
+        "",
+        "ms interpreted",
+        "",
+    ]
+    show("old and new: a cell, its C, and solving (N = 40; interpreted 8)", [*header, "steps", "a step"], rows)
+    assert slower == []
