@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: ed1ee47ce43f37f0ccf244f2706890bc2f7c6f2dd0e4ac0fe4c2ac6ed05bd2b6
+ * Digest of the structure: 7f21240f3d0de5fb6beabf74c79c488b9f29aae240203d07e470ab408095daff
  */
 #include "filament.h"
 
@@ -16,7 +16,7 @@
 #define FIBRES 8
 #define SLOTS 21
 #define ENTRIES 297
-#define SCRATCH 126
+#define SCRATCH 112
 
 /* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
 static const double zeta[] = {
@@ -74,12 +74,12 @@ static void rates_4(int n, double *w)
     (void)n;
 }
 
-static void rates_5(int n, const double *g, double *w)
+static void rates_5(int n, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     const int i = 0;
-    w0[i] = g[7 * i];
+    w0[i] = 0.0;
     w1[i] = 0.0;
     (void)n;
 }
@@ -93,7 +93,7 @@ static void rates_6(int n, const double *p, const double *g, double *w)
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w6 = w + 6 * n;
-    const double c26 = 1.0 / p[0];
+    const double c27 = 1.0 / p[0];
     for (int i = 0; i < n - 1; i++) {
         const double v4 = g[7 * i + 4];
         const double v5 = (w0[i + 1] - w0[i]) * v4;
@@ -105,7 +105,7 @@ static void rates_6(int n, const double *p, const double *g, double *w)
         const double v18 = sin(v11);
         w3[i] = (v5 * v12) + (v17 * v18);
         w4[i] = (v17 * v12) - (v5 * v18);
-        w5[i] = (v7 - v6) * (v4 * c26);
+        w5[i] = ((v7 - v6) * v4) * c27;
         w6[i] = sqrt(squared(v5) + squared(v17));
     }
 }
@@ -119,38 +119,39 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
     double *restrict w8 = w + 8 * n;
     double *restrict w9 = w + 9 * n;
     const double c3 = p[7];
-    const double c4 = p[5];
-    const double c7 = (-0.5) * p[1];
-    const double c24 = 0.8333333333333334 * c4;
-    const double c27 = 2.0 * p[8];
-    const double c28 = 2.0 + c27;
-    const double c29 = c24 / c28;
-    const double c39 = 1e-12 * c4;
-    const double c40 = squared(c39);
-    const double c46 = 1.0 / p[6];
-    const double c50 = p[10];
+    const double c21 = p[5];
+    const double c22 = 0.5 * c21;
+    const double c32 = 0.4166666666666667 * c21;
+    const double c35 = 2.0 * p[8];
+    const double c36 = 2.0 + c35;
+    const double c37 = c32 / c36;
+    const double c43 = 1e-12 * c21;
+    const double c44 = squared(c43);
+    const double c50 = 1.0 / p[6];
+    const double c54 = p[10];
     for (int i = 0; i < n - 1; i++) {
         double sum0 = 0.0;
         double sum1 = 0.0;
         double sum2 = 0.0;
-        const double v9 = c7 * w5[i];
-        const double v12 = w3[i];
-        const double v14 = sqrt(v12) * v12;
-        const double v18 = log(v12);
-        const double v31 = w4[i] / v12;
+        const double v6 = (-0.5) * w5[i];
+        const double v11 = w3[i];
+        const double v13 = sqrt(v11) * v11;
+        const double v15 = log(v11);
+        const double v27 = w4[i] / v11;
         for (int k = 0; k < FIBRES; k++) {
-            const double v10 = zeta[k];
-            const double v20 = c4 * ((((v9 * v10) / v14) - y[SLOTS * i + 5 + k]) + v18);
-            const double v34 = c29 * (v31 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
-            const double v42 = sqrt(larger(squared(v20) + (3.0 * squared(v34)), c40));
-            const double v43 = (double)(c3 < v42);
-            const double v48 = ((v42 - c3) * c46) / v42;
-            const double v57 = weight[k];
-            f[SLOTS * i + 5 + k] = v43 != 0.0 ? ((v20 * v48) * c50) : 0.0;
-            f[SLOTS * i + 5 + 1 * FIBRES + k] = v43 != 0.0 ? (((3.0 * v34) * v48) * c50) : 0.0;
-            sum0 += v20 * v57;
-            sum1 += v20 * (v57 * v10);
-            sum2 += v34 * v57;
+            const double v7 = zeta[k];
+            const double v19 = 2.0 * (((((v6 * v7) * p[1]) / v13) + v15) - y[SLOTS * i + 5 + k]);
+            const double v23 = v19 * c22;
+            const double v38 = (2.0 * (v27 - y[SLOTS * i + 5 + 1 * FIBRES + k])) * c37;
+            const double v46 = sqrt(larger(squared(v23) + (3.0 * squared(v38)), c44));
+            const double v47 = (double)(c3 < v46);
+            const double v52 = ((v46 - c3) * c50) / v46;
+            const double v61 = weight[k];
+            f[SLOTS * i + 5 + k] = v47 != 0.0 ? ((v23 * v52) * c54) : 0.0;
+            f[SLOTS * i + 5 + 1 * FIBRES + k] = v47 != 0.0 ? (((3.0 * v38) * v52) * c54) : 0.0;
+            sum0 += v23 * v61;
+            sum1 += v23 * (v61 * v7);
+            sum2 += v38 * v61;
         }
         w7[i] = sum0;
         w8[i] = sum1;
@@ -160,7 +161,9 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
 
 static void rates_8(int n, const double *p, const double *g, double *w)
 {
+    double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
+    double *restrict w2 = w + 2 * n;
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
@@ -170,136 +173,137 @@ static void rates_8(int n, const double *p, const double *g, double *w)
     double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
     double *restrict w12 = w + 12 * n;
-    double *restrict w13 = w + 13 * n;
-    double *restrict w14 = w + 14 * n;
-    const double c13 = 0.5 * p[1];
+    const double c2 = p[1];
     for (int i = 0; i < n - 1; i++) {
-        const double v1 = w3[i];
-        const double v2 = 1.0 / v1;
-        const double v3 = w7[i] * v2;
-        const double v4 = w4[i];
-        const double v5 = w9[i];
-        const double v6 = v5 * v2;
-        const double v18 = (c13 * w8[i]) / (sqrt(v1) * v1);
-        const double v23 = (v3 - ((v4 * v6) * v2)) + (((1.5 * v18) * w5[i]) * v2);
-        const double v28 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v29 = cos(v28);
-        const double v31 = sin(v28);
-        w10[i] = (v23 * v29) - (v6 * v31);
-        w11[i] = (v23 * v31) + (v6 * v29);
-        w12[i] = v3;
-        w13[i] = ((g[7 * i + 1] * p[0]) * (v5 - (v4 * v23))) * 0.5;
-        w14[i] = -v18;
+        const double v1 = w8[i];
+        const double v3 = w3[i];
+        const double v4 = sqrt(v3);
+        const double v6 = 1.0 / (v4 * v3);
+        const double v18 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v23 = g[7 * i + 4];
+        const double v24 = (w2[i + 1] - w2[i]) * v23;
+        const double v26 = 1.0 / v3;
+        const double v27 = w7[i] * v26;
+        const double v33 = (((((-0.5) * w5[i]) * v1) * c2) * v6) * v6;
+        const double v40 = w9[i];
+        const double v44 = ((v4 * v33) + ((v3 * v33) / (2.0 * v4))) + (((w4[i] * v40) * v26) * v26);
+        const double v45 = v27 - v44;
+        const double v50 = (w0[i + 1] - w0[i]) * v23;
+        const double v51 = v40 * v26;
+        const double v60 = (cos(v18) * ((v24 * v45) - (v50 * v51))) - (sin(v18) * ((v24 * v51) + (v50 * v45)));
+        w10[i] = (-0.5) * (v1 * (c2 * v6));
+        w11[i] = -(((g[7 * i + 1] * p[0]) * v60) * 0.5);
+        w12[i] = v27;
     }
 }
 
 static void rates_9(int n, const double *p, const double *g, double *w, double *f)
 {
+    double *restrict w10 = w + 10 * n;
+    double *restrict w11 = w + 11 * n;
+    const double c8 = squared(p[10]);
+    const double c10 = p[0];
+    const double c11 = squared(c10);
+    const double c12 = p[2] * c11;
+    const double c13 = c12 * c10;
+    const double c14 = c8 / c13;
+    for (int i = 1; i < n - 1; i++) {
+        const double v18 = (((w10[i] + w11[i]) - w10[i - 1]) + w11[i - 1]) * (c14 * g[7 * i + 5]);
+        f[SLOTS * i + 4] = v18;
+    }
+}
+
+static void rates_10(int n, const double *p, const double *g, double *w)
+{
     double *restrict w6 = w + 6 * n;
     double *restrict w12 = w + 12 * n;
     double *restrict w13 = w + 13 * n;
+    const double c7 = 1.0 / p[0];
+    const double c10 = squared(p[1]);
+    const double c26 = squared(p[9]);
+    const double c27 = 0.020833333333333332 * c26;
+    const double c28 = 0.020833333333333332 + c27;
+    for (int i = 1; i < n - 1; i++) {
+        const double v0 = w6[i];
+        const double v1 = w6[i - 1];
+        const double v14 = 1.0 / (2.0 * g[7 * i + 2]);
+        const double v15 = g[7 * i - 6] * v14;
+        const double v18 = g[7 * i + 1] * v14;
+        const double v23 = ((((v0 - v1) * g[7 * i + 5]) * c7) * c10) / squared(squared(((v15 * v1) + (v18 * v0))));
+        const double v37 = (v23 * c28) * larger(0.0, (v15 * w12[i - 1]) + (v18 * w12[i]));
+        w13[i] = v37 * c7;
+    }
+}
+
+static void rates_11(int n, double *w)
+{
+    double *restrict w13 = w + 13 * n;
+    const int i = n - 1;
+    w13[i] = 0.0;
+    (void)n;
+}
+
+static void rates_12(int n, double *w)
+{
+    double *restrict w13 = w + 13 * n;
+    const int i = 0;
+    w13[i] = 0.0;
+    (void)n;
+}
+
+static void rates_13(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w0 = w;
+    double *restrict w1 = w + 1 * n;
+    double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w9 = w + 9 * n;
+    double *restrict w13 = w + 13 * n;
     double *restrict w14 = w + 14 * n;
     double *restrict w15 = w + 15 * n;
-    const double c1 = squared(p[1]);
-    const double c4 = squared(p[9]);
-    const double c5 = 0.020833333333333332 * c4;
-    const double c6 = 0.020833333333333332 + c5;
-    const double c7 = c1 * c6;
-    const double c14 = p[0];
-    const double c15 = 1.0 / c14;
-    const double c49 = squared(p[10]);
-    const double c51 = p[2];
-    const double c52 = 0.08333333333333333 * c51;
-    const double c53 = c52 * c1;
-    const double c54 = c53 * c14;
-    const double c55 = c49 / c54;
-    const double c58 = squared(c14);
-    const double c59 = c51 * c58;
-    const double c60 = c53 / c59;
-    for (int i = 1; i < n - 1; i++) {
-        const double v8 = w6[i];
-        const double v9 = w6[i - 1];
-        const double v12 = g[7 * i + 5];
-        const double v22 = (g[7 * i + 1] * 0.5) * v12;
-        const double v26 = (g[7 * i - 6] * 0.5) * v12;
-        const double v31 = (c7 * (((v8 - v9) * v12) * c15)) / squared(squared(((v22 * v8) + (v26 * v9))));
-        const double v40 = (v31 * larger(0.0, (v22 * w12[i]) + (v26 * w12[i - 1]))) * c15;
-        const double v57 = (((w14[i] - w14[i - 1]) + w13[i]) + w13[i - 1]) * (c55 * v12);
-        w15[i] = v40;
-        f[SLOTS * i + 4] = v57 * c60;
+    for (int i = 0; i < n - 1; i++) {
+        const double v5 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v6 = cos(v5);
+        const double v8 = w3[i];
+        const double v9 = 1.0 / v8;
+        const double v11 = sqrt(v8);
+        const double v20 = 1.0 / (v11 * v8);
+        const double v22 = (((((-0.5) * w5[i]) * w8[i]) * p[1]) * v20) * v20;
+        const double v29 = w9[i];
+        const double v33 = ((v11 * v22) + ((v8 * v22) / (2.0 * v11))) + (((w4[i] * v29) * v9) * v9);
+        const double v34 = (w7[i] * v9) - v33;
+        const double v36 = sin(v5);
+        const double v37 = v29 * v9;
+        const double v44 = g[7 * i + 4];
+        const double v47 = ((w13[i + 1] - w13[i]) * v44) / w6[i];
+        const double v53 = ((v6 * v34) - (v36 * v37)) - (v47 * ((w0[i + 1] - w0[i]) * v44));
+        const double v62 = ((v6 * v37) + (v36 * v34)) - (v47 * ((w2[i + 1] - w2[i]) * v44));
+        w14[i] = v53;
+        w15[i] = v62;
     }
 }
 
-static void rates_10(int n, const double *g, double *w)
+static void rates_14(int n, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w0 = w;
-    double *restrict w2 = w + 2 * n;
-    double *restrict w6 = w + 6 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w17 = w + 17 * n;
-    for (int i = 1; i < n - 2; i++) {
-        const double v5 = g[7 * i + 4];
-        const double v8 = ((w15[i + 1] - w15[i]) * v5) / w6[i];
-        w16[i] = w10[i] - (v8 * ((w0[i + 1] - w0[i]) * v5));
-        w17[i] = w11[i] - (v8 * ((w2[i + 1] - w2[i]) * v5));
-    }
-}
-
-static void rates_11(int n, const double *g, double *w)
-{
-    double *restrict w0 = w;
-    double *restrict w2 = w + 2 * n;
-    double *restrict w6 = w + 6 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w17 = w + 17 * n;
-    const int i = n - 2;
-    const double v3 = g[7 * i + 4];
-    const double v6 = (w15[i] * v3) / w6[i];
-    w16[i] = w10[i] + (v6 * ((w0[i + 1] - w0[i]) * v3));
-    w17[i] = w11[i] + (v6 * ((w2[i + 1] - w2[i]) * v3));
-    (void)n;
-}
-
-static void rates_12(int n, const double *g, double *w)
-{
-    double *restrict w0 = w;
-    double *restrict w2 = w + 2 * n;
-    double *restrict w6 = w + 6 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w17 = w + 17 * n;
-    const int i = 0;
-    const double v3 = g[7 * i + 4];
-    const double v6 = (w15[i + 1] * v3) / w6[i];
-    w16[i] = w10[i] - (v6 * ((w0[i + 1] - w0[i]) * v3));
-    w17[i] = w11[i] - (v6 * ((w2[i + 1] - w2[i]) * v3));
-    (void)n;
-}
-
-static void rates_13(int n, const double *p, const double *g, double *w, double *f)
-{
-    double *restrict w16 = w + 16 * n;
+    double *restrict w14 = w + 14 * n;
     const double c4 = squared(p[10]);
     const double c5 = p[0];
     const double c6 = c4 / c5;
     const double c8 = p[2] * c5;
     const double c9 = c6 / c8;
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 2] = (w16[i] - w16[i - 1]) * (c9 * g[7 * i + 6]);
+        f[SLOTS * i + 2] = (w14[i] - w14[i - 1]) * (c9 * g[7 * i + 6]);
     }
 }
 
-static void rates_14(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_15(int n, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w17 = w + 17 * n;
+    double *restrict w15 = w + 15 * n;
     const double c3 = p[10];
     const double c4 = squared(c3);
     const double c5 = p[0];
@@ -320,13 +324,13 @@ static void rates_14(int n, double t, const double *p, const double *g, double *
     const double c33 = c25 * c32;
     const double c34 = c33 * c6;
     for (int i = 1; i < n - 1; i++) {
-        f[SLOTS * i + 3] = ((w17[i] - w17[i - 1]) * (c9 * g[7 * i + 6])) - c34;
+        f[SLOTS * i + 3] = ((w15[i] - w15[i - 1]) * (c9 * g[7 * i + 6])) - c34;
     }
 }
 
-static void rates_15(int n, double t, const double *p, const double *g, double *w, double *f)
+static void rates_16(int n, double t, const double *p, const double *g, double *w, double *f)
 {
-    double *restrict w17 = w + 17 * n;
+    double *restrict w15 = w + 15 * n;
     const double c1 = p[10];
     const double c2 = squared(c1);
     const double c3 = p[0];
@@ -347,7 +351,7 @@ static void rates_15(int n, double t, const double *p, const double *g, double *
     const double c31 = c23 * c30;
     const double c32 = c31 * c4;
     const int i = 0;
-    f[SLOTS * i + 3] = (w17[i] * (c7 * g[7 * i + 6])) - c32;
+    f[SLOTS * i + 3] = (w15[i] * (c7 * g[7 * i + 6])) - c32;
     (void)n;
 }
 
@@ -395,12 +399,12 @@ static void jacobian_4(int n, double *w)
     (void)n;
 }
 
-static void jacobian_5(int n, const double *g, double *w)
+static void jacobian_5(int n, double *w)
 {
     double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
     const int i = 0;
-    w0[i] = g[7 * i];
+    w0[i] = 0.0;
     w1[i] = 0.0;
     (void)n;
 }
@@ -414,6 +418,8 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
     double *restrict w6 = w + 6 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
     double *restrict w18 = w + 18 * n;
     double *restrict w19 = w + 19 * n;
     double *restrict w20 = w + 20 * n;
@@ -430,9 +436,7 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
     double *restrict w31 = w + 31 * n;
     double *restrict w32 = w + 32 * n;
     double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    const double c39 = 1.0 / p[0];
+    const double c40 = 1.0 / p[0];
     for (int i = 0; i < n - 1; i++) {
         const double v4 = g[7 * i + 4];
         const double v5 = (w0[i + 1] - w0[i]) * v4;
@@ -450,33 +454,32 @@ static void jacobian_6(int n, const double *p, const double *g, double *w)
         const double v28 = v18 * v4;
         const double v29 = -v28;
         const double v36 = -((v17 * v23) + (v5 * v21));
-        const double v40 = v4 * c39;
-        const double v46 = sqrt(squared(v5) + squared(v17));
-        const double v50 = 1.0 / (2.0 * v46);
-        const double v51 = ((2.0 * v5) * v4) * v50;
-        const double v55 = ((2.0 * v17) * v4) * v50;
+        const double v48 = sqrt(squared(v5) + squared(v17));
+        const double v52 = 1.0 / (2.0 * v48);
+        const double v53 = ((2.0 * v5) * v4) * v52;
+        const double v57 = ((2.0 * v17) * v4) * v52;
         w3[i] = (v5 * v12) + (v17 * v18);
-        w18[i] = v25;
-        w19[i] = v25;
-        w20[i] = v27;
-        w21[i] = v26;
-        w22[i] = v29;
-        w23[i] = v28;
+        w16[i] = v25;
+        w17[i] = v25;
+        w18[i] = v27;
+        w19[i] = v26;
+        w20[i] = v29;
+        w21[i] = v28;
         w4[i] = (v17 * v12) - (v5 * v18);
-        w24[i] = v36;
-        w25[i] = v36;
-        w26[i] = v28;
-        w27[i] = v29;
-        w28[i] = v27;
-        w29[i] = v26;
-        w5[i] = (v7 - v6) * v40;
-        w30[i] = -v40;
-        w31[i] = v40;
-        w6[i] = v46;
-        w32[i] = -v51;
-        w33[i] = v51;
-        w34[i] = -v55;
-        w35[i] = v55;
+        w22[i] = v36;
+        w23[i] = v36;
+        w24[i] = v28;
+        w25[i] = v29;
+        w26[i] = v27;
+        w27[i] = v26;
+        w5[i] = ((v7 - v6) * v4) * c40;
+        w28[i] = -(v4 * c40);
+        w29[i] = c40 * v4;
+        w6[i] = v48;
+        w30[i] = -v53;
+        w31[i] = v53;
+        w32[i] = -v57;
+        w33[i] = v57;
     }
 }
 
@@ -488,6 +491,8 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     double *restrict w7 = w + 7 * n;
     double *restrict w8 = w + 8 * n;
     double *restrict w9 = w + 9 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
     double *restrict w18 = w + 18 * n;
     double *restrict w19 = w + 19 * n;
     double *restrict w20 = w + 20 * n;
@@ -500,8 +505,8 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     double *restrict w27 = w + 27 * n;
     double *restrict w28 = w + 28 * n;
     double *restrict w29 = w + 29 * n;
-    double *restrict w30 = w + 30 * n;
-    double *restrict w31 = w + 31 * n;
+    double *restrict w34 = w + 34 * n;
+    double *restrict w35 = w + 35 * n;
     double *restrict w36 = w + 36 * n;
     double *restrict w37 = w + 37 * n;
     double *restrict w38 = w + 38 * n;
@@ -518,22 +523,21 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     double *restrict w49 = w + 49 * n;
     double *restrict w50 = w + 50 * n;
     double *restrict w51 = w + 51 * n;
-    double *restrict w52 = w + 52 * n;
-    double *restrict w53 = w + 53 * n;
     double *restrict each0 = w + (SCRATCH) * n;
     double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
     double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    const double c1 = p[5];
-    const double c54 = 0.8333333333333334 * c1;
-    const double c57 = 2.0 * p[8];
-    const double c58 = 2.0 + c57;
-    const double c59 = c54 / c58;
-    const double c78 = p[7];
-    const double c81 = (-0.5) * p[1];
-    const double c107 = 1e-12 * c1;
-    const double c108 = squared(c107);
-    const double c114 = 1.0 / p[6];
-    const double c118 = p[10];
+    const double c2 = p[5];
+    const double c3 = 0.5 * c2;
+    const double c58 = 0.4166666666666667 * c2;
+    const double c61 = 2.0 * p[8];
+    const double c62 = 2.0 + c61;
+    const double c63 = c58 / c62;
+    const double c83 = p[7];
+    const double c88 = p[1];
+    const double c114 = 1e-12 * c2;
+    const double c115 = squared(c114);
+    const double c121 = 1.0 / p[6];
+    const double c125 = p[10];
     for (int i = 0; i < n - 1; i++) {
         double sum0 = 0.0;
         double sum1 = 0.0;
@@ -544,136 +548,138 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
         double sum6 = 0.0;
         double sum7 = 0.0;
         double sum8 = 0.0;
-        const double v6 = w18[i];
-        const double v9 = w30[i];
-        const double v12 = w19[i];
-        const double v14 = w31[i];
-        const double v17 = w20[i];
-        const double v19 = w21[i];
-        const double v21 = w22[i];
-        const double v23 = w23[i];
-        const double v44 = w24[i];
-        const double v49 = w25[i];
-        const double v62 = w26[i];
-        const double v66 = w27[i];
-        const double v70 = w28[i];
-        const double v74 = w29[i];
-        const double v83 = c81 * w5[i];
-        const double v85 = w3[i];
-        const double v86 = sqrt(v85);
-        const double v88 = 1.0 / (v86 * v85);
-        const double v92 = log(v85);
-        const double v98 = 1.0 / v85;
-        const double v99 = w4[i] * v98;
-        const double v147 = v99 * v98;
-        const double v156 = 1.0 / (2.0 * v86);
+        const double v9 = w16[i];
+        const double v12 = w28[i];
+        const double v15 = w17[i];
+        const double v17 = w29[i];
+        const double v20 = w18[i];
+        const double v22 = w19[i];
+        const double v24 = w20[i];
+        const double v26 = w21[i];
+        const double v48 = w22[i];
+        const double v53 = w23[i];
+        const double v67 = w24[i];
+        const double v71 = w25[i];
+        const double v75 = w26[i];
+        const double v79 = w27[i];
+        const double v86 = (-0.5) * w5[i];
+        const double v90 = w3[i];
+        const double v91 = sqrt(v90);
+        const double v93 = 1.0 / (v91 * v90);
+        const double v95 = log(v90);
+        const double v104 = 1.0 / v90;
+        const double v105 = w4[i] * v104;
+        const double v156 = v105 * v104;
+        const double v165 = 1.0 / (2.0 * v91);
         for (int k = 0; k < FIBRES; k++) {
-            const double v2 = weight[k];
-            const double v3 = c1 * v2;
-            const double v26 = zeta[k];
-            const double v27 = v2 * v26;
-            const double v28 = c1 * v27;
-            const double v60 = c59 * v2;
-            const double v89 = (v83 * v26) * v88;
-            const double v94 = c1 * ((v89 - y[SLOTS * i + 5 + k]) + v92);
-            const double v102 = c59 * (v99 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
-            const double v105 = squared(v94) + (3.0 * squared(v102));
-            const double v110 = sqrt(larger(v105, c108));
-            const double v111 = (double)(c78 < v110);
-            const double v116 = 1.0 / v110;
-            const double v117 = ((v110 - c78) * c114) * v116;
-            const double v119 = v117 * c118;
-            const double v120 = 2.0 * v94;
-            const double v121 = (double)(c108 <= v105);
-            const double v124 = v121 / (v121 + (double)(v105 <= c108));
-            const double v125 = v94 * c118;
-            const double v128 = v117 * v116;
-            const double v132 = 1.0 / (2.0 * v110);
-            const double v134 = v124 * ((((v125 * v116) * c114) - (v128 * v125)) * v132);
-            const double v137 = c1 * (v119 + (v120 * v134));
-            const double v140 = 2.0 * v102;
-            const double v143 = c59 * (v140 * (3.0 * v134));
-            const double v144 = v143 * v98;
-            const double v150 = v89 * v88;
-            const double v151 = v150 * v137;
-            const double v158 = (((v137 * v98) - (v147 * v143)) - (v86 * v151)) - ((v85 * v151) * v156);
-            const double v163 = c81 * (v26 * (v137 * v88));
-            const double v166 = v111 != 0.0 ? (((v144 * v44) + (v158 * v6)) + (v163 * v9)) : 0.0;
-            const double v172 = v111 != 0.0 ? (((v144 * v49) + (v158 * v12)) + (v163 * v14)) : 0.0;
-            const double v192 = (3.0 * v102) * c118;
-            const double v198 = v124 * ((((v192 * v116) * c114) - (v128 * v192)) * v132);
-            const double v200 = c1 * (v120 * v198);
-            const double v207 = c59 * ((3.0 * v119) + (v140 * (3.0 * v198)));
-            const double v208 = v207 * v98;
-            const double v213 = v150 * v200;
-            const double v218 = (((v200 * v98) - (v147 * v207)) - (v86 * v213)) - ((v85 * v213) * v156);
-            const double v223 = c81 * (v26 * (v200 * v88));
-            const double v226 = v111 != 0.0 ? (((v208 * v44) + (v218 * v6)) + (v223 * v9)) : 0.0;
-            const double v232 = v111 != 0.0 ? (((v208 * v49) + (v218 * v12)) + (v223 * v14)) : 0.0;
-            const double v255 = v150 * v3;
-            const double v265 = v150 * v28;
-            each0[FIBRES * i + k] = -v3;
-            each1[FIBRES * i + k] = -v28;
-            each2[FIBRES * i + k] = -v60;
-            e[ENTRIES * i + 41 + 19 * FIBRES + k] = v111 != 0.0 ? (-v137) : 0.0;
-            e[ENTRIES * i + 41 + 18 * FIBRES + k] = v166;
-            e[ENTRIES * i + 41 + 23 * FIBRES + k] = v172;
-            e[ENTRIES * i + 41 + 20 * FIBRES + k] = v111 != 0.0 ? (-v143) : 0.0;
-            e[ENTRIES * i + 41 + 16 * FIBRES + k] = v111 != 0.0 ? ((v144 * v62) + (v158 * v17)) : 0.0;
-            e[ENTRIES * i + 41 + 21 * FIBRES + k] = v111 != 0.0 ? ((v144 * v66) + (v158 * v19)) : 0.0;
-            e[ENTRIES * i + 41 + 17 * FIBRES + k] = v111 != 0.0 ? ((v144 * v70) + (v158 * v21)) : 0.0;
-            e[ENTRIES * i + 41 + 22 * FIBRES + k] = v111 != 0.0 ? ((v144 * v74) + (v158 * v23)) : 0.0;
-            e[ENTRIES * i + 41 + 27 * FIBRES + k] = v111 != 0.0 ? (-v200) : 0.0;
-            e[ENTRIES * i + 41 + 26 * FIBRES + k] = v226;
-            e[ENTRIES * i + 41 + 31 * FIBRES + k] = v232;
-            e[ENTRIES * i + 41 + 28 * FIBRES + k] = v111 != 0.0 ? (-v207) : 0.0;
-            e[ENTRIES * i + 41 + 24 * FIBRES + k] = v111 != 0.0 ? ((v208 * v62) + (v218 * v17)) : 0.0;
-            e[ENTRIES * i + 41 + 29 * FIBRES + k] = v111 != 0.0 ? ((v208 * v66) + (v218 * v19)) : 0.0;
-            e[ENTRIES * i + 41 + 25 * FIBRES + k] = v111 != 0.0 ? ((v208 * v70) + (v218 * v21)) : 0.0;
-            e[ENTRIES * i + 41 + 30 * FIBRES + k] = v111 != 0.0 ? ((v208 * v74) + (v218 * v23)) : 0.0;
-            sum0 += v94 * v2;
-            sum1 += v94 * v27;
-            sum2 += v102 * v2;
-            sum3 += ((v3 * v98) - (v86 * v255)) - ((v85 * v255) * v156);
-            sum4 += c81 * (v26 * (v3 * v88));
-            sum5 += ((v28 * v98) - (v86 * v265)) - ((v85 * v265) * v156);
-            sum6 += c81 * (v26 * (v28 * v88));
-            sum7 += v60 * v98;
-            sum8 += -(v147 * v60);
+            const double v4 = weight[k];
+            const double v6 = 2.0 * (c3 * v4);
+            const double v29 = zeta[k];
+            const double v30 = v4 * v29;
+            const double v32 = 2.0 * (c3 * v30);
+            const double v65 = 2.0 * (c63 * v4);
+            const double v94 = ((v86 * v29) * c88) * v93;
+            const double v100 = (2.0 * ((v94 + v95) - y[SLOTS * i + 5 + k])) * c3;
+            const double v109 = (2.0 * (v105 - y[SLOTS * i + 5 + 1 * FIBRES + k])) * c63;
+            const double v112 = squared(v100) + (3.0 * squared(v109));
+            const double v117 = sqrt(larger(v112, c115));
+            const double v118 = (double)(c83 < v117);
+            const double v123 = 1.0 / v117;
+            const double v124 = ((v117 - c83) * c121) * v123;
+            const double v126 = v124 * c125;
+            const double v127 = 2.0 * v100;
+            const double v128 = (double)(c115 <= v112);
+            const double v131 = v128 / (v128 + (double)(v112 <= c115));
+            const double v132 = v100 * c125;
+            const double v135 = v124 * v123;
+            const double v139 = 1.0 / (2.0 * v117);
+            const double v141 = v131 * ((((v132 * v123) * c121) - (v135 * v132)) * v139);
+            const double v145 = 2.0 * (c3 * (v126 + (v127 * v141)));
+            const double v148 = 2.0 * v109;
+            const double v152 = 2.0 * (c63 * (v148 * (3.0 * v141)));
+            const double v153 = v152 * v104;
+            const double v159 = v94 * v93;
+            const double v160 = v159 * v145;
+            const double v167 = (((v145 * v104) - (v156 * v152)) - (v91 * v160)) - ((v90 * v160) * v165);
+            const double v173 = (-0.5) * (v29 * (c88 * (v145 * v93)));
+            const double v176 = v118 != 0.0 ? (((v153 * v48) + (v167 * v9)) + (v173 * v12)) : 0.0;
+            const double v182 = v118 != 0.0 ? (((v153 * v53) + (v167 * v15)) + (v173 * v17)) : 0.0;
+            const double v202 = (3.0 * v109) * c125;
+            const double v208 = v131 * ((((v202 * v123) * c121) - (v135 * v202)) * v139);
+            const double v211 = 2.0 * (c3 * (v127 * v208));
+            const double v219 = 2.0 * (c63 * ((3.0 * v126) + (v148 * (3.0 * v208))));
+            const double v220 = v219 * v104;
+            const double v225 = v159 * v211;
+            const double v230 = (((v211 * v104) - (v156 * v219)) - (v91 * v225)) - ((v90 * v225) * v165);
+            const double v236 = (-0.5) * (v29 * (c88 * (v211 * v93)));
+            const double v239 = v118 != 0.0 ? (((v220 * v48) + (v230 * v9)) + (v236 * v12)) : 0.0;
+            const double v245 = v118 != 0.0 ? (((v220 * v53) + (v230 * v15)) + (v236 * v17)) : 0.0;
+            const double v268 = v159 * v6;
+            const double v279 = v159 * v32;
+            each0[FIBRES * i + k] = -v6;
+            each1[FIBRES * i + k] = -v32;
+            each2[FIBRES * i + k] = -v65;
+            e[ENTRIES * i + 41 + 19 * FIBRES + k] = v118 != 0.0 ? (-v145) : 0.0;
+            e[ENTRIES * i + 41 + 18 * FIBRES + k] = v176;
+            e[ENTRIES * i + 41 + 23 * FIBRES + k] = v182;
+            e[ENTRIES * i + 41 + 20 * FIBRES + k] = v118 != 0.0 ? (-v152) : 0.0;
+            e[ENTRIES * i + 41 + 16 * FIBRES + k] = v118 != 0.0 ? ((v153 * v67) + (v167 * v20)) : 0.0;
+            e[ENTRIES * i + 41 + 21 * FIBRES + k] = v118 != 0.0 ? ((v153 * v71) + (v167 * v22)) : 0.0;
+            e[ENTRIES * i + 41 + 17 * FIBRES + k] = v118 != 0.0 ? ((v153 * v75) + (v167 * v24)) : 0.0;
+            e[ENTRIES * i + 41 + 22 * FIBRES + k] = v118 != 0.0 ? ((v153 * v79) + (v167 * v26)) : 0.0;
+            e[ENTRIES * i + 41 + 27 * FIBRES + k] = v118 != 0.0 ? (-v211) : 0.0;
+            e[ENTRIES * i + 41 + 26 * FIBRES + k] = v239;
+            e[ENTRIES * i + 41 + 31 * FIBRES + k] = v245;
+            e[ENTRIES * i + 41 + 28 * FIBRES + k] = v118 != 0.0 ? (-v219) : 0.0;
+            e[ENTRIES * i + 41 + 24 * FIBRES + k] = v118 != 0.0 ? ((v220 * v67) + (v230 * v20)) : 0.0;
+            e[ENTRIES * i + 41 + 29 * FIBRES + k] = v118 != 0.0 ? ((v220 * v71) + (v230 * v22)) : 0.0;
+            e[ENTRIES * i + 41 + 25 * FIBRES + k] = v118 != 0.0 ? ((v220 * v75) + (v230 * v24)) : 0.0;
+            e[ENTRIES * i + 41 + 30 * FIBRES + k] = v118 != 0.0 ? ((v220 * v79) + (v230 * v26)) : 0.0;
+            sum0 += v100 * v4;
+            sum1 += v100 * v30;
+            sum2 += v109 * v4;
+            sum3 += ((v6 * v104) - (v91 * v268)) - ((v90 * v268) * v165);
+            sum4 += (-0.5) * (v29 * (c88 * (v6 * v93)));
+            sum5 += ((v32 * v104) - (v91 * v279)) - ((v90 * v279) * v165);
+            sum6 += (-0.5) * (v29 * (c88 * (v32 * v93)));
+            sum7 += v65 * v104;
+            sum8 += -(v156 * v65);
         }
-        const double v5 = sum3;
-        const double v8 = sum4;
-        const double v30 = sum5;
-        const double v32 = sum6;
-        const double v43 = sum7;
-        const double v46 = sum8;
+        const double v8 = sum3;
+        const double v11 = sum4;
+        const double v34 = sum5;
+        const double v36 = sum6;
+        const double v47 = sum7;
+        const double v50 = sum8;
         w7[i] = sum0;
-        w36[i] = (v5 * v6) + (v8 * v9);
-        w37[i] = (v5 * v12) + (v8 * v14);
-        w38[i] = v5 * v17;
-        w39[i] = v5 * v19;
-        w40[i] = v5 * v21;
-        w41[i] = v5 * v23;
+        w34[i] = (v8 * v9) + (v11 * v12);
+        w35[i] = (v8 * v15) + (v11 * v17);
+        w36[i] = v8 * v20;
+        w37[i] = v8 * v22;
+        w38[i] = v8 * v24;
+        w39[i] = v8 * v26;
         w8[i] = sum1;
-        w42[i] = (v30 * v6) + (v32 * v9);
-        w43[i] = (v30 * v12) + (v32 * v14);
-        w44[i] = v30 * v17;
-        w45[i] = v30 * v19;
-        w46[i] = v30 * v21;
-        w47[i] = v30 * v23;
+        w40[i] = (v34 * v9) + (v36 * v12);
+        w41[i] = (v34 * v15) + (v36 * v17);
+        w42[i] = v34 * v20;
+        w43[i] = v34 * v22;
+        w44[i] = v34 * v24;
+        w45[i] = v34 * v26;
         w9[i] = sum2;
-        w48[i] = (v43 * v44) + (v46 * v6);
-        w49[i] = (v43 * v49) + (v46 * v12);
-        w50[i] = (v43 * v62) + (v46 * v17);
-        w51[i] = (v43 * v66) + (v46 * v19);
-        w52[i] = (v43 * v70) + (v46 * v21);
-        w53[i] = (v43 * v74) + (v46 * v23);
+        w46[i] = (v47 * v48) + (v50 * v9);
+        w47[i] = (v47 * v53) + (v50 * v15);
+        w48[i] = (v47 * v67) + (v50 * v20);
+        w49[i] = (v47 * v71) + (v50 * v22);
+        w50[i] = (v47 * v75) + (v50 * v24);
+        w51[i] = (v47 * v79) + (v50 * v26);
     }
 }
 
 static void jacobian_8(int n, const double *p, const double *g, double *w)
 {
+    double *restrict w0 = w;
     double *restrict w1 = w + 1 * n;
+    double *restrict w2 = w + 2 * n;
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
@@ -683,8 +689,8 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
     double *restrict w10 = w + 10 * n;
     double *restrict w11 = w + 11 * n;
     double *restrict w12 = w + 12 * n;
-    double *restrict w13 = w + 13 * n;
-    double *restrict w14 = w + 14 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
     double *restrict w18 = w + 18 * n;
     double *restrict w19 = w + 19 * n;
     double *restrict w20 = w + 20 * n;
@@ -697,8 +703,8 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
     double *restrict w27 = w + 27 * n;
     double *restrict w28 = w + 28 * n;
     double *restrict w29 = w + 29 * n;
-    double *restrict w30 = w + 30 * n;
-    double *restrict w31 = w + 31 * n;
+    double *restrict w34 = w + 34 * n;
+    double *restrict w35 = w + 35 * n;
     double *restrict w36 = w + 36 * n;
     double *restrict w37 = w + 37 * n;
     double *restrict w38 = w + 38 * n;
@@ -733,20 +739,6 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
     double *restrict w67 = w + 67 * n;
     double *restrict w68 = w + 68 * n;
     double *restrict w69 = w + 69 * n;
-    double *restrict w70 = w + 70 * n;
-    double *restrict w71 = w + 71 * n;
-    double *restrict w72 = w + 72 * n;
-    double *restrict w73 = w + 73 * n;
-    double *restrict w74 = w + 74 * n;
-    double *restrict w75 = w + 75 * n;
-    double *restrict w76 = w + 76 * n;
-    double *restrict w77 = w + 77 * n;
-    double *restrict w78 = w + 78 * n;
-    double *restrict w79 = w + 79 * n;
-    double *restrict w80 = w + 80 * n;
-    double *restrict w81 = w + 81 * n;
-    double *restrict w82 = w + 82 * n;
-    double *restrict w83 = w + 83 * n;
     double *restrict each0 = w + (SCRATCH) * n;
     double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
     double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
@@ -754,172 +746,174 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
     double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
     double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
     double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
-    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
-    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
-    const double c13 = 0.5 * p[1];
+    const double c2 = p[1];
     for (int i = 0; i < n - 1; i++) {
-        const double v1 = w3[i];
-        const double v2 = 1.0 / v1;
-        const double v3 = w7[i] * v2;
-        const double v4 = w4[i];
-        const double v5 = w9[i];
-        const double v6 = v5 * v2;
-        const double v8 = (v4 * v6) * v2;
-        const double v16 = sqrt(v1);
-        const double v18 = 1.0 / (v16 * v1);
-        const double v19 = (c13 * w8[i]) * v18;
-        const double v20 = 1.5 * v19;
-        const double v21 = w5[i];
-        const double v23 = (v20 * v21) * v2;
-        const double v24 = (v3 - v8) + v23;
-        const double v29 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v30 = cos(v29);
-        const double v32 = sin(v29);
-        const double v35 = v30 * v2;
-        const double v38 = c13 * v18;
-        const double v41 = (v21 * (1.5 * v38)) * v2;
-        const double v42 = v30 * v41;
-        const double v46 = v6 * v2;
-        const double v47 = v4 * v46;
-        const double v51 = v3 * v2;
-        const double v57 = (v19 * v18) * ((v1 / (2.0 * v16)) + v16);
-        const double v63 = (((v47 * v2) + (v8 * v2)) - v51) - (((v21 * (1.5 * v57)) * v2) + (v23 * v2));
-        const double v65 = v32 * v46;
-        const double v66 = (v30 * v63) + v65;
-        const double v67 = w18[i];
-        const double v69 = v30 * v46;
-        const double v70 = w24[i];
-        const double v73 = w36[i];
-        const double v76 = w42[i];
-        const double v79 = v20 * v2;
-        const double v80 = v30 * v79;
-        const double v81 = w30[i];
-        const double v83 = ((((v66 * v67) - (v69 * v70)) + (v35 * v73)) + (v42 * v76)) + (v80 * v81);
-        const double v84 = 0.5 * v32;
-        const double v86 = 0.5 * v30;
-        const double v88 = (v24 * v84) + (v6 * v86);
-        const double v90 = v4 * v2;
-        const double v91 = v90 * v2;
-        const double v93 = v32 * v2;
-        const double v94 = (v30 * v91) + v93;
-        const double v95 = w48[i];
-        const double v98 = w19[i];
-        const double v100 = w25[i];
-        const double v103 = w37[i];
-        const double v106 = w43[i];
-        const double v108 = (((v66 * v98) - (v69 * v100)) + (v35 * v103)) + (v42 * v106);
-        const double v109 = w31[i];
-        const double v113 = w49[i];
-        const double v119 = w20[i];
-        const double v121 = w26[i];
-        const double v124 = w38[i];
-        const double v127 = w44[i];
-        const double v129 = (((v66 * v119) - (v69 * v121)) + (v35 * v124)) + (v42 * v127);
-        const double v130 = w50[i];
-        const double v133 = w21[i];
-        const double v135 = w27[i];
-        const double v138 = w39[i];
-        const double v141 = w45[i];
-        const double v143 = (((v66 * v133) - (v69 * v135)) + (v35 * v138)) + (v42 * v141);
-        const double v144 = w51[i];
-        const double v147 = w22[i];
-        const double v149 = w28[i];
-        const double v152 = w40[i];
-        const double v155 = w46[i];
-        const double v157 = (((v66 * v147) - (v69 * v149)) + (v35 * v152)) + (v42 * v155);
-        const double v158 = w52[i];
-        const double v161 = w23[i];
-        const double v163 = w29[i];
-        const double v166 = w41[i];
-        const double v169 = w47[i];
-        const double v171 = (((v66 * v161) - (v69 * v163)) + (v35 * v166)) + (v42 * v169);
-        const double v172 = w53[i];
-        const double v179 = v32 * v41;
-        const double v183 = (v32 * v63) - v69;
-        const double v190 = (((v183 * v67) - (v65 * v70)) + (v93 * v73)) + (v179 * v76);
-        const double v191 = v32 * v79;
-        const double v196 = (v24 * v86) - (v6 * v84);
-        const double v199 = v35 - (v32 * v91);
-        const double v208 = (((v183 * v98) - (v65 * v100)) + (v93 * v103)) + (v179 * v106);
-        const double v221 = (((v183 * v119) - (v65 * v121)) + (v93 * v124)) + (v179 * v127);
-        const double v230 = (((v183 * v133) - (v65 * v135)) + (v93 * v138)) + (v179 * v141);
-        const double v239 = (((v183 * v147) - (v65 * v149)) + (v93 * v152)) + (v179 * v155);
-        const double v248 = (((v183 * v161) - (v65 * v163)) + (v93 * v166)) + (v179 * v169);
-        const double v272 = g[7 * i + 1] * p[0];
-        const double v278 = 0.5 * (v272 * v90);
-        const double v282 = 0.5 * (v272 * (v4 * v41));
-        const double v290 = 0.5 * (v272 * (1.0 + (v4 * v91)));
-        const double v294 = 0.5 * (v272 * (v24 - v47));
-        const double v298 = 0.5 * (v272 * (v4 * v63));
-        const double v304 = (((v294 * v70) + (v298 * v67)) + (v278 * v73)) + (v282 * v76);
-        const double v307 = 0.5 * (v272 * (v4 * v79));
-        const double v318 = (((v294 * v100) + (v298 * v98)) + (v278 * v103)) + (v282 * v106);
-        const double v330 = (((v294 * v121) + (v298 * v119)) + (v278 * v124)) + (v282 * v127);
-        const double v339 = (((v294 * v135) + (v298 * v133)) + (v278 * v138)) + (v282 * v141);
-        const double v348 = (((v294 * v149) + (v298 * v147)) + (v278 * v152)) + (v282 * v155);
-        const double v357 = (((v294 * v163) + (v298 * v161)) + (v278 * v166)) + (v282 * v169);
-        w10[i] = (v24 * v30) - (v6 * v32);
-        w54[i] = (v83 - v88) - (v94 * v95);
-        w55[i] = ((v108 + (v80 * v109)) - v88) - (v94 * v113);
-        w56[i] = v129 - (v94 * v130);
-        w57[i] = v143 - (v94 * v144);
-        w58[i] = v157 - (v94 * v158);
-        w59[i] = v171 - (v94 * v172);
-        w11[i] = (v24 * v32) + (v6 * v30);
-        w60[i] = ((v190 + (v191 * v81)) + v196) + (v199 * v95);
-        w61[i] = ((v208 + (v191 * v109)) + v196) + (v199 * v113);
-        w62[i] = v221 + (v199 * v130);
-        w63[i] = v230 + (v199 * v144);
-        w64[i] = v239 + (v199 * v158);
-        w65[i] = v248 + (v199 * v172);
-        w12[i] = v3;
-        w66[i] = (v73 * v2) - (v51 * v67);
-        w67[i] = (v103 * v2) - (v51 * v98);
-        w68[i] = (v124 * v2) - (v51 * v119);
-        w69[i] = (v138 * v2) - (v51 * v133);
-        w70[i] = (v152 * v2) - (v51 * v147);
-        w71[i] = (v166 * v2) - (v51 * v161);
-        w13[i] = (v272 * (v5 - (v4 * v24))) * 0.5;
-        w72[i] = (v290 * v95) - (v304 + (v307 * v81));
-        w73[i] = (v290 * v113) - (v318 + (v307 * v109));
-        w74[i] = (v290 * v130) - v330;
-        w75[i] = (v290 * v144) - v339;
-        w76[i] = (v290 * v158) - v348;
-        w77[i] = (v290 * v172) - v357;
-        w14[i] = -v19;
-        w78[i] = (v57 * v67) - (v38 * v76);
-        w79[i] = (v57 * v98) - (v38 * v106);
-        w80[i] = (v57 * v119) - (v38 * v127);
-        w81[i] = (v57 * v133) - (v38 * v141);
-        w82[i] = (v57 * v147) - (v38 * v155);
-        w83[i] = (v57 * v161) - (v38 * v169);
+        const double v1 = w8[i];
+        const double v3 = w3[i];
+        const double v4 = sqrt(v3);
+        const double v6 = 1.0 / (v4 * v3);
+        const double v7 = c2 * v6;
+        const double v10 = (-0.5) * v7;
+        const double v13 = w40[i];
+        const double v17 = (v7 * v6) * ((-0.5) * v1);
+        const double v21 = 1.0 / (2.0 * v4);
+        const double v23 = (v4 * v17) + ((v3 * v17) * v21);
+        const double v24 = w16[i];
+        const double v27 = w41[i];
+        const double v29 = w17[i];
+        const double v32 = w42[i];
+        const double v34 = w18[i];
+        const double v37 = w43[i];
+        const double v39 = w19[i];
+        const double v42 = w44[i];
+        const double v44 = w20[i];
+        const double v47 = w45[i];
+        const double v49 = w21[i];
+        const double v54 = g[7 * i + 1] * p[0];
+        const double v60 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v61 = cos(v60);
+        const double v65 = g[7 * i + 4];
+        const double v66 = (w2[i + 1] - w2[i]) * v65;
+        const double v68 = 1.0 / v3;
+        const double v69 = w7[i] * v68;
+        const double v71 = (-0.5) * w5[i];
+        const double v75 = (((v71 * v1) * c2) * v6) * v6;
+        const double v78 = (v3 * v75) * v21;
+        const double v80 = w4[i];
+        const double v81 = w9[i];
+        const double v84 = ((v80 * v81) * v68) * v68;
+        const double v86 = v69 - (((v4 * v75) + v78) + v84);
+        const double v91 = (w0[i + 1] - w0[i]) * v65;
+        const double v92 = v81 * v68;
+        const double v94 = (v66 * v86) - (v91 * v92);
+        const double v96 = sin(v60);
+        const double v99 = (v66 * v92) + (v91 * v86);
+        const double v105 = (-0.5) * v54;
+        const double v106 = v61 * v105;
+        const double v108 = v96 * v105;
+        const double v110 = (v66 * v106) - (v91 * v108);
+        const double v111 = v110 * v68;
+        const double v114 = v110 * v21;
+        const double v117 = (v3 * v114) + (v4 * v110);
+        const double v118 = v117 * v6;
+        const double v120 = c2 * (v118 * v6);
+        const double v121 = v71 * v120;
+        const double v127 = (v66 * v108) + (v91 * v106);
+        const double v133 = (((v92 * v68) * v127) + ((v84 * v68) * v110)) + (v84 * v111);
+        const double v136 = v69 * v68;
+        const double v142 = ((v75 * v6) * v117) + (v75 * v118);
+        const double v151 = ((2.0 * ((v78 * v21) * v110)) - (v75 * v110)) + (v3 * v142);
+        const double v153 = (((v133 - (v75 * v114)) - (v136 * v110)) + (v4 * v142)) + (v151 * v21);
+        const double v155 = v111 * v68;
+        const double v156 = v81 * v155;
+        const double v160 = w34[i];
+        const double v164 = (((v153 * v24) - (v156 * w22[i])) + (v111 * v160)) - (v121 * v13);
+        const double v166 = (-0.5) * (v1 * v120);
+        const double v175 = 0.5 * ((v61 * (v99 * v105)) + (v96 * (v94 * v105)));
+        const double v179 = (v127 * v68) + (v80 * v155);
+        const double v187 = w35[i];
+        const double v191 = (((v153 * v29) - (v156 * w23[i])) + (v111 * v187)) - (v121 * v27);
+        const double v206 = w36[i];
+        const double v210 = (((v153 * v34) - (v156 * w24[i])) + (v111 * v206)) - (v121 * v32);
+        const double v217 = ((v86 * v108) + (v92 * v106)) * v65;
+        const double v223 = w37[i];
+        const double v227 = (((v153 * v39) - (v156 * w25[i])) + (v111 * v223)) - (v121 * v37);
+        const double v236 = w38[i];
+        const double v240 = (((v153 * v44) - (v156 * w26[i])) + (v111 * v236)) - (v121 * v42);
+        const double v247 = ((v86 * v106) - (v92 * v108)) * v65;
+        const double v253 = w39[i];
+        const double v257 = (((v153 * v49) - (v156 * w27[i])) + (v111 * v253)) - (v121 * v47);
+        w10[i] = (-0.5) * (v1 * v7);
+        w52[i] = (v10 * v13) - (v23 * v24);
+        w53[i] = (v10 * v27) - (v23 * v29);
+        w54[i] = (v10 * v32) - (v23 * v34);
+        w55[i] = (v10 * v37) - (v23 * v39);
+        w56[i] = (v10 * v42) - (v23 * v44);
+        w57[i] = (v10 * v47) - (v23 * v49);
+        w11[i] = -((v54 * ((v61 * v94) - (v96 * v99))) * 0.5);
+        w58[i] = ((v164 - (v166 * w28[i])) - v175) - (v179 * w46[i]);
+        w59[i] = ((v191 - (v166 * w29[i])) - v175) - (v179 * w47[i]);
+        w60[i] = (v210 - (v179 * w48[i])) + v217;
+        w61[i] = (v227 - (v179 * w49[i])) - v217;
+        w62[i] = (v240 - (v179 * w50[i])) - v247;
+        w63[i] = (v257 - (v179 * w51[i])) + v247;
+        w12[i] = v69;
+        w64[i] = (v160 * v68) - (v136 * v24);
+        w65[i] = (v187 * v68) - (v136 * v29);
+        w66[i] = (v206 * v68) - (v136 * v34);
+        w67[i] = (v223 * v68) - (v136 * v39);
+        w68[i] = (v236 * v68) - (v136 * v44);
+        w69[i] = (v253 * v68) - (v136 * v49);
         for (int k = 0; k < FIBRES; k++) {
-            const double v36 = each0[FIBRES * i + k];
-            const double v43 = each1[FIBRES * i + k];
-            const double v116 = each2[FIBRES * i + k];
-            each3[FIBRES * i + k] = (v35 * v36) + (v42 * v43);
-            each4[FIBRES * i + k] = -(v94 * v116);
-            each5[FIBRES * i + k] = (v93 * v36) + (v179 * v43);
-            each6[FIBRES * i + k] = v199 * v116;
-            each7[FIBRES * i + k] = v36 * v2;
-            each8[FIBRES * i + k] = -((v278 * v36) + (v282 * v43));
-            each9[FIBRES * i + k] = v290 * v116;
-            each10[FIBRES * i + k] = -(v38 * v43);
+            const double v11 = each1[FIBRES * i + k];
+            const double v112 = each0[FIBRES * i + k];
+            each3[FIBRES * i + k] = v10 * v11;
+            each4[FIBRES * i + k] = (v111 * v112) - (v121 * v11);
+            each5[FIBRES * i + k] = -(v179 * each2[FIBRES * i + k]);
+            each6[FIBRES * i + k] = v112 * v68;
         }
     }
 }
 
 static void jacobian_9(int n, const double *p, const double *g, double *w, double *e)
 {
+    double *restrict w52 = w + 52 * n;
+    double *restrict w53 = w + 53 * n;
+    double *restrict w54 = w + 54 * n;
+    double *restrict w55 = w + 55 * n;
+    double *restrict w56 = w + 56 * n;
+    double *restrict w57 = w + 57 * n;
+    double *restrict w58 = w + 58 * n;
+    double *restrict w59 = w + 59 * n;
+    double *restrict w60 = w + 60 * n;
+    double *restrict w61 = w + 61 * n;
+    double *restrict w62 = w + 62 * n;
+    double *restrict w63 = w + 63 * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    const double c1 = squared(p[10]);
+    const double c3 = p[0];
+    const double c4 = squared(c3);
+    const double c5 = p[2] * c4;
+    const double c6 = c5 * c3;
+    const double c7 = c1 / c6;
+    for (int i = 1; i < n - 1; i++) {
+        const double v10 = c7 * g[7 * i + 5];
+        const double v33 = ((v10 * w52[i]) - (v10 * w53[i - 1])) + (v10 * w59[i - 1]);
+        const double v58 = ((v10 * w54[i]) - (v10 * w55[i - 1])) + (v10 * w61[i - 1]);
+        const double v79 = ((v10 * w56[i]) - (v10 * w57[i - 1])) + (v10 * w63[i - 1]);
+        e[ENTRIES * i + 34] = (v10 * w58[i - 1]) - (v10 * w52[i - 1]);
+        e[ENTRIES * i + 37] = v33 + (v10 * w58[i]);
+        e[ENTRIES * i + 40] = (v10 * w53[i]) + (v10 * w59[i]);
+        e[ENTRIES * i + 32] = (v10 * w60[i - 1]) - (v10 * w54[i - 1]);
+        e[ENTRIES * i + 35] = v58 + (v10 * w60[i]);
+        e[ENTRIES * i + 38] = (v10 * w55[i]) + (v10 * w61[i]);
+        e[ENTRIES * i + 33] = (v10 * w62[i - 1]) - (v10 * w56[i - 1]);
+        e[ENTRIES * i + 36] = v79 + (v10 * w62[i]);
+        e[ENTRIES * i + 39] = (v10 * w57[i]) + (v10 * w63[i]);
+        for (int k = 0; k < FIBRES; k++) {
+            const double v15 = (v10 * each4[FIBRES * (i - 1) + k]) - (v10 * each3[FIBRES * (i - 1) + k]);
+            const double v20 = (v10 * each3[FIBRES * i + k]) + (v10 * each4[FIBRES * i + k]);
+            e[ENTRIES * i + 41 + 12 * FIBRES + k] = v15;
+            e[ENTRIES * i + 41 + 14 * FIBRES + k] = v20;
+            e[ENTRIES * i + 41 + 13 * FIBRES + k] = v10 * each5[FIBRES * (i - 1) + k];
+            e[ENTRIES * i + 41 + 15 * FIBRES + k] = v10 * each5[FIBRES * i + k];
+        }
+    }
+}
+
+static void jacobian_10(int n, const double *p, const double *g, double *w)
+{
     double *restrict w6 = w + 6 * n;
     double *restrict w12 = w + 12 * n;
-    double *restrict w15 = w + 15 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w30 = w + 30 * n;
+    double *restrict w31 = w + 31 * n;
     double *restrict w32 = w + 32 * n;
     double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
+    double *restrict w64 = w + 64 * n;
+    double *restrict w65 = w + 65 * n;
     double *restrict w66 = w + 66 * n;
     double *restrict w67 = w + 67 * n;
     double *restrict w68 = w + 68 * n;
@@ -933,6 +927,180 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     double *restrict w76 = w + 76 * n;
     double *restrict w77 = w + 77 * n;
     double *restrict w78 = w + 78 * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    const double c7 = 1.0 / p[0];
+    const double c10 = squared(p[1]);
+    const double c27 = squared(p[9]);
+    const double c28 = 0.020833333333333332 * c27;
+    const double c29 = 0.020833333333333332 + c28;
+    for (int i = 1; i < n - 1; i++) {
+        const double v0 = w6[i];
+        const double v1 = w6[i - 1];
+        const double v4 = g[7 * i + 5];
+        const double v14 = 1.0 / (2.0 * g[7 * i + 2]);
+        const double v15 = g[7 * i - 6] * v14;
+        const double v18 = g[7 * i + 1] * v14;
+        const double v20 = (v15 * v1) + (v18 * v0);
+        const double v21 = squared(v20);
+        const double v23 = 1.0 / squared(v21);
+        const double v24 = ((((v0 - v1) * v4) * c7) * c10) * v23;
+        const double v30 = v24 * c29;
+        const double v36 = (v15 * w12[i - 1]) + (v18 * w12[i]);
+        const double v37 = larger(0.0, v36);
+        const double v40 = (double)(0.0 <= v36);
+        const double v45 = (v40 / ((double)(v36 <= 0.0) + v40)) * (v30 * c7);
+        const double v46 = v15 * v45;
+        const double v49 = v18 * v45;
+        const double v67 = c29 * (v37 * c7);
+        const double v70 = (2.0 * v20) * ((2.0 * v21) * ((v24 * v23) * v67));
+        const double v75 = ((c10 * (v67 * v23)) * c7) * v4;
+        const double v76 = (v15 * v70) + v75;
+        const double v81 = v75 - (v18 * v70);
+        const double v89 = ((v81 * w30[i]) - (v76 * w31[i - 1])) + (v46 * w67[i - 1]);
+        const double v110 = ((v81 * w32[i]) - (v76 * w33[i - 1])) + (v46 * w69[i - 1]);
+        w13[i] = (v30 * v37) * c7;
+        w70[i] = v46 * w64[i - 1];
+        w71[i] = (v46 * w65[i - 1]) + (v49 * w64[i]);
+        w72[i] = v49 * w65[i];
+        w73[i] = (v46 * w66[i - 1]) - (v76 * w30[i - 1]);
+        w74[i] = v89 + (v49 * w66[i]);
+        w75[i] = (v81 * w31[i]) + (v49 * w67[i]);
+        w76[i] = (v46 * w68[i - 1]) - (v76 * w32[i - 1]);
+        w77[i] = v110 + (v49 * w68[i]);
+        w78[i] = (v81 * w33[i]) + (v49 * w69[i]);
+        for (int k = 0; k < FIBRES; k++) {
+            each7[FIBRES * i + k] = v46 * each6[FIBRES * (i - 1) + k];
+            each8[FIBRES * i + k] = v49 * each6[FIBRES * i + k];
+        }
+    }
+}
+
+static void jacobian_11(int n, double *w)
+{
+    double *restrict w13 = w + 13 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict w76 = w + 76 * n;
+    double *restrict w77 = w + 77 * n;
+    double *restrict w78 = w + 78 * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    const int i = n - 1;
+    w13[i] = 0.0;
+    w70[i] = 0.0;
+    w71[i] = 0.0;
+    w72[i] = 0.0;
+    w73[i] = 0.0;
+    w74[i] = 0.0;
+    w75[i] = 0.0;
+    w76[i] = 0.0;
+    w77[i] = 0.0;
+    w78[i] = 0.0;
+    for (int k = 0; k < FIBRES; k++) {
+        each7[FIBRES * i + k] = 0.0;
+        each8[FIBRES * i + k] = 0.0;
+    }
+    (void)n;
+}
+
+static void jacobian_12(int n, double *w)
+{
+    double *restrict w13 = w + 13 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict w76 = w + 76 * n;
+    double *restrict w77 = w + 77 * n;
+    double *restrict w78 = w + 78 * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    const int i = 0;
+    w13[i] = 0.0;
+    w70[i] = 0.0;
+    w71[i] = 0.0;
+    w72[i] = 0.0;
+    w73[i] = 0.0;
+    w74[i] = 0.0;
+    w75[i] = 0.0;
+    w76[i] = 0.0;
+    w77[i] = 0.0;
+    w78[i] = 0.0;
+    for (int k = 0; k < FIBRES; k++) {
+        each7[FIBRES * i + k] = 0.0;
+        each8[FIBRES * i + k] = 0.0;
+    }
+    (void)n;
+}
+
+static void jacobian_13(int n, const double *p, const double *g, double *w)
+{
+    double *restrict w0 = w;
+    double *restrict w1 = w + 1 * n;
+    double *restrict w2 = w + 2 * n;
+    double *restrict w3 = w + 3 * n;
+    double *restrict w4 = w + 4 * n;
+    double *restrict w5 = w + 5 * n;
+    double *restrict w6 = w + 6 * n;
+    double *restrict w7 = w + 7 * n;
+    double *restrict w8 = w + 8 * n;
+    double *restrict w9 = w + 9 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w14 = w + 14 * n;
+    double *restrict w15 = w + 15 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
+    double *restrict w18 = w + 18 * n;
+    double *restrict w19 = w + 19 * n;
+    double *restrict w20 = w + 20 * n;
+    double *restrict w21 = w + 21 * n;
+    double *restrict w22 = w + 22 * n;
+    double *restrict w23 = w + 23 * n;
+    double *restrict w24 = w + 24 * n;
+    double *restrict w25 = w + 25 * n;
+    double *restrict w26 = w + 26 * n;
+    double *restrict w27 = w + 27 * n;
+    double *restrict w28 = w + 28 * n;
+    double *restrict w29 = w + 29 * n;
+    double *restrict w30 = w + 30 * n;
+    double *restrict w31 = w + 31 * n;
+    double *restrict w32 = w + 32 * n;
+    double *restrict w33 = w + 33 * n;
+    double *restrict w34 = w + 34 * n;
+    double *restrict w35 = w + 35 * n;
+    double *restrict w36 = w + 36 * n;
+    double *restrict w37 = w + 37 * n;
+    double *restrict w38 = w + 38 * n;
+    double *restrict w39 = w + 39 * n;
+    double *restrict w40 = w + 40 * n;
+    double *restrict w41 = w + 41 * n;
+    double *restrict w42 = w + 42 * n;
+    double *restrict w43 = w + 43 * n;
+    double *restrict w44 = w + 44 * n;
+    double *restrict w45 = w + 45 * n;
+    double *restrict w46 = w + 46 * n;
+    double *restrict w47 = w + 47 * n;
+    double *restrict w48 = w + 48 * n;
+    double *restrict w49 = w + 49 * n;
+    double *restrict w50 = w + 50 * n;
+    double *restrict w51 = w + 51 * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict w76 = w + 76 * n;
+    double *restrict w77 = w + 77 * n;
+    double *restrict w78 = w + 78 * n;
     double *restrict w79 = w + 79 * n;
     double *restrict w80 = w + 80 * n;
     double *restrict w81 = w + 81 * n;
@@ -947,590 +1115,240 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     double *restrict w90 = w + 90 * n;
     double *restrict w91 = w + 91 * n;
     double *restrict w92 = w + 92 * n;
+    double *restrict w93 = w + 93 * n;
+    double *restrict w94 = w + 94 * n;
+    double *restrict w95 = w + 95 * n;
+    double *restrict w96 = w + 96 * n;
+    double *restrict w97 = w + 97 * n;
+    double *restrict w98 = w + 98 * n;
+    double *restrict w99 = w + 99 * n;
+    double *restrict w100 = w + 100 * n;
+    double *restrict w101 = w + 101 * n;
+    double *restrict w102 = w + 102 * n;
+    double *restrict each0 = w + (SCRATCH) * n;
+    double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
+    double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
     double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
     double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
     double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
     double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
     double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
     double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    const double c1 = squared(p[1]);
-    const double c4 = squared(p[9]);
-    const double c5 = 0.020833333333333332 * c4;
-    const double c6 = 0.020833333333333332 + c5;
-    const double c7 = c1 * c6;
-    const double c14 = p[0];
-    const double c15 = 1.0 / c14;
-    const double c121 = squared(p[10]);
-    const double c123 = p[2];
-    const double c124 = 0.08333333333333333 * c123;
-    const double c125 = c124 * c1;
-    const double c126 = c125 * c14;
-    const double c127 = c121 / c126;
-    const double c129 = squared(c14);
-    const double c130 = c123 * c129;
-    const double c131 = c125 / c130;
-    for (int i = 1; i < n - 1; i++) {
-        const double v8 = w6[i];
-        const double v9 = w6[i - 1];
-        const double v12 = g[7 * i + 5];
-        const double v22 = (g[7 * i + 1] * 0.5) * v12;
-        const double v26 = (g[7 * i - 6] * 0.5) * v12;
-        const double v28 = (v22 * v8) + (v26 * v9);
-        const double v29 = squared(v28);
-        const double v31 = 1.0 / squared(v29);
-        const double v32 = (c7 * (((v8 - v9) * v12) * c15)) * v31;
-        const double v38 = (v22 * w12[i]) + (v26 * w12[i - 1]);
-        const double v39 = larger(0.0, v38);
-        const double v42 = (double)(0.0 <= v38);
-        const double v47 = (v42 / ((double)(v38 <= 0.0) + v42)) * (v32 * c15);
-        const double v48 = v26 * v47;
-        const double v51 = v22 * v47;
-        const double v68 = v39 * c15;
-        const double v71 = (2.0 * v28) * ((2.0 * v29) * ((v32 * v31) * v68));
-        const double v76 = ((c7 * (v68 * v31)) * c15) * v12;
-        const double v77 = (v26 * v71) + v76;
-        const double v82 = v76 - (v22 * v71);
-        const double v90 = ((v82 * w32[i]) - (v77 * w33[i - 1])) + (v48 * w69[i - 1]);
-        const double v111 = ((v82 * w34[i]) - (v77 * w35[i - 1])) + (v48 * w71[i - 1]);
-        const double v132 = (c127 * v12) * c131;
-        const double v155 = ((v132 * w78[i]) - (v132 * w79[i - 1])) + (v132 * w73[i - 1]);
-        const double v180 = ((v132 * w80[i]) - (v132 * w81[i - 1])) + (v132 * w75[i - 1]);
-        const double v201 = ((v132 * w82[i]) - (v132 * w83[i - 1])) + (v132 * w77[i - 1]);
-        w15[i] = (v32 * v39) * c15;
-        w84[i] = v48 * w66[i - 1];
-        w85[i] = (v48 * w67[i - 1]) + (v51 * w66[i]);
-        w86[i] = v51 * w67[i];
-        w87[i] = (v48 * w68[i - 1]) - (v77 * w32[i - 1]);
-        w88[i] = v90 + (v51 * w68[i]);
-        w89[i] = (v82 * w33[i]) + (v51 * w69[i]);
-        w90[i] = (v48 * w70[i - 1]) - (v77 * w34[i - 1]);
-        w91[i] = v111 + (v51 * w70[i]);
-        w92[i] = (v82 * w35[i]) + (v51 * w71[i]);
-        e[ENTRIES * i + 34] = (v132 * w72[i - 1]) - (v132 * w78[i - 1]);
-        e[ENTRIES * i + 37] = v155 + (v132 * w72[i]);
-        e[ENTRIES * i + 40] = (v132 * w79[i]) + (v132 * w73[i]);
-        e[ENTRIES * i + 32] = (v132 * w74[i - 1]) - (v132 * w80[i - 1]);
-        e[ENTRIES * i + 35] = v180 + (v132 * w74[i]);
-        e[ENTRIES * i + 38] = (v132 * w81[i]) + (v132 * w75[i]);
-        e[ENTRIES * i + 33] = (v132 * w76[i - 1]) - (v132 * w82[i - 1]);
-        e[ENTRIES * i + 36] = v201 + (v132 * w76[i]);
-        e[ENTRIES * i + 39] = (v132 * w83[i]) + (v132 * w77[i]);
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
+    const double c17 = p[1];
+    for (int i = 0; i < n - 1; i++) {
+        const double v5 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v6 = cos(v5);
+        const double v8 = w3[i];
+        const double v9 = 1.0 / v8;
+        const double v10 = w7[i] * v9;
+        const double v11 = sqrt(v8);
+        const double v14 = (-0.5) * w5[i];
+        const double v15 = w8[i];
+        const double v20 = 1.0 / (v11 * v8);
+        const double v22 = (((v14 * v15) * c17) * v20) * v20;
+        const double v26 = 1.0 / (2.0 * v11);
+        const double v27 = (v8 * v22) * v26;
+        const double v29 = w4[i];
+        const double v30 = w9[i];
+        const double v33 = ((v29 * v30) * v9) * v9;
+        const double v35 = v10 - (((v11 * v22) + v27) + v33);
+        const double v37 = sin(v5);
+        const double v38 = v30 * v9;
+        const double v40 = (v6 * v35) - (v37 * v38);
+        const double v45 = g[7 * i + 4];
+        const double v48 = 1.0 / w6[i];
+        const double v49 = ((w13[i + 1] - w13[i]) * v45) * v48;
+        const double v53 = (w0[i + 1] - w0[i]) * v45;
+        const double v57 = (v53 * v48) * v45;
+        const double v60 = v6 * v9;
+        const double v63 = v6 * v26;
+        const double v66 = (v8 * v63) + (v11 * v6);
+        const double v67 = v66 * v20;
+        const double v69 = c17 * (v67 * v20);
+        const double v70 = v14 * v69;
+        const double v83 = w70[i];
+        const double v85 = v38 * v9;
+        const double v87 = v33 * v9;
+        const double v94 = v22 * v20;
+        const double v97 = (v94 * v66) + (v22 * v67);
+        const double v99 = ((((v85 * v37) + (v87 * v6)) + (v33 * v60)) - (v22 * v63)) + (v11 * v97);
+        const double v100 = v27 * v26;
+        const double v108 = v99 + ((((2.0 * (v100 * v6)) - (v22 * v6)) + (v8 * v97)) * v26);
+        const double v109 = v10 * v9;
+        const double v111 = v108 - (v109 * v6);
+        const double v112 = w16[i];
+        const double v114 = v60 * v9;
+        const double v115 = v30 * v114;
+        const double v116 = w22[i];
+        const double v119 = w34[i];
+        const double v122 = w40[i];
+        const double v124 = (((v111 * v112) - (v115 * v116)) + (v60 * v119)) - (v70 * v122);
+        const double v125 = w71[i];
+        const double v128 = w70[i + 1];
+        const double v132 = (-0.5) * (v15 * v69);
+        const double v133 = w28[i];
+        const double v138 = (v6 * v38) + (v37 * v35);
+        const double v139 = 0.5 * v138;
+        const double v140 = (((v124 + (v57 * v125)) - (v57 * v128)) - (v132 * v133)) - v139;
+        const double v141 = v37 * v9;
+        const double v143 = v141 + (v29 * v114);
+        const double v144 = w46[i];
+        const double v147 = w17[i];
+        const double v149 = w23[i];
+        const double v152 = w35[i];
+        const double v155 = w41[i];
+        const double v157 = (((v111 * v147) - (v115 * v149)) + (v60 * v152)) - (v70 * v155);
+        const double v158 = w72[i];
+        const double v161 = w71[i + 1];
+        const double v164 = w29[i];
+        const double v167 = (((v157 + (v57 * v158)) - (v57 * v161)) - (v132 * v164)) - v139;
+        const double v168 = w47[i];
+        const double v171 = w72[i + 1];
+        const double v177 = w73[i];
+        const double v179 = w18[i];
+        const double v181 = w24[i];
+        const double v184 = w36[i];
+        const double v187 = w42[i];
+        const double v189 = (((v111 * v179) - (v115 * v181)) + (v60 * v184)) - (v70 * v187);
+        const double v190 = w74[i];
+        const double v193 = w73[i + 1];
+        const double v196 = w48[i];
+        const double v199 = v49 * v48;
+        const double v200 = v199 * v53;
+        const double v201 = w30[i];
+        const double v203 = (((v189 + (v57 * v190)) - (v57 * v193)) - (v143 * v196)) + (v200 * v201);
+        const double v204 = v49 * v45;
+        const double v206 = w19[i];
+        const double v208 = w25[i];
+        const double v211 = w37[i];
+        const double v214 = w43[i];
+        const double v216 = (((v111 * v206) - (v115 * v208)) + (v60 * v211)) - (v70 * v214);
+        const double v217 = w75[i];
+        const double v220 = w74[i + 1];
+        const double v223 = w49[i];
+        const double v226 = w31[i];
+        const double v228 = (((v216 + (v57 * v217)) - (v57 * v220)) - (v143 * v223)) + (v200 * v226);
+        const double v230 = w75[i + 1];
+        const double v233 = w76[i];
+        const double v235 = w20[i];
+        const double v237 = w26[i];
+        const double v240 = w38[i];
+        const double v243 = w44[i];
+        const double v245 = (((v111 * v235) - (v115 * v237)) + (v60 * v240)) - (v70 * v243);
+        const double v246 = w77[i];
+        const double v249 = w76[i + 1];
+        const double v252 = w50[i];
+        const double v255 = w32[i];
+        const double v257 = (((v245 + (v57 * v246)) - (v57 * v249)) - (v143 * v252)) + (v200 * v255);
+        const double v258 = w21[i];
+        const double v260 = w27[i];
+        const double v263 = w39[i];
+        const double v266 = w45[i];
+        const double v268 = (((v111 * v258) - (v115 * v260)) + (v60 * v263)) - (v70 * v266);
+        const double v269 = w78[i];
+        const double v272 = w77[i + 1];
+        const double v275 = w51[i];
+        const double v278 = w33[i];
+        const double v280 = (((v268 + (v57 * v269)) - (v57 * v272)) - (v143 * v275)) + (v200 * v278);
+        const double v281 = w78[i + 1];
+        const double v287 = (w2[i + 1] - w2[i]) * v45;
+        const double v291 = (v287 * v48) * v45;
+        const double v294 = v37 * v26;
+        const double v297 = (v8 * v294) + (v11 * v37);
+        const double v298 = v297 * v20;
+        const double v300 = c17 * (v298 * v20);
+        const double v301 = v14 * v300;
+        const double v317 = (((v87 * v37) - (v85 * v6)) + (v33 * v141)) - (v22 * v294);
+        const double v320 = (v94 * v297) + (v22 * v298);
+        const double v329 = (((2.0 * (v100 * v37)) - (v22 * v37)) + (v8 * v320)) * v26;
+        const double v332 = ((v317 + (v11 * v320)) + v329) - (v109 * v37);
+        const double v334 = v141 * v9;
+        const double v335 = v30 * v334;
+        const double v341 = (((v332 * v112) - (v335 * v116)) + (v141 * v119)) - (v301 * v122);
+        const double v347 = (-0.5) * (v15 * v300);
+        const double v350 = 0.5 * v40;
+        const double v351 = (((v341 + (v291 * v125)) - (v291 * v128)) - (v347 * v133)) + v350;
+        const double v353 = v60 - (v29 * v334);
+        const double v362 = (((v332 * v147) - (v335 * v149)) + (v141 * v152)) - (v301 * v155);
+        const double v369 = (((v362 + (v291 * v158)) - (v291 * v161)) - (v347 * v164)) + v350;
+        const double v382 = (((v332 * v179) - (v335 * v181)) + (v141 * v184)) - (v301 * v187);
+        const double v389 = v199 * v287;
+        const double v391 = (((v382 + (v291 * v190)) - (v291 * v193)) + (v353 * v196)) + (v389 * v201);
+        const double v398 = (((v332 * v206) - (v335 * v208)) + (v141 * v211)) - (v301 * v214);
+        const double v406 = (((v398 + (v291 * v217)) - (v291 * v220)) + (v353 * v223)) + (v389 * v226);
+        const double v416 = (((v332 * v235) - (v335 * v237)) + (v141 * v240)) - (v301 * v243);
+        const double v424 = (((v416 + (v291 * v246)) - (v291 * v249)) + (v353 * v252)) + (v389 * v255);
+        const double v432 = (((v332 * v258) - (v335 * v260)) + (v141 * v263)) - (v301 * v266);
+        const double v440 = (((v432 + (v291 * v269)) - (v291 * v272)) + (v353 * v275)) + (v389 * v278);
+        w14[i] = v40 - (v49 * v53);
+        w79[i] = v57 * v83;
+        w80[i] = v140 - (v143 * v144);
+        w81[i] = v167 - (v143 * v168);
+        w82[i] = -(v57 * v171);
+        w83[i] = v57 * v177;
+        w84[i] = v203 + v204;
+        w85[i] = v228 - v204;
+        w86[i] = -(v57 * v230);
+        w87[i] = v57 * v233;
+        w88[i] = v257;
+        w89[i] = v280;
+        w90[i] = -(v57 * v281);
+        w15[i] = v138 - (v49 * v287);
+        w91[i] = v291 * v83;
+        w92[i] = v351 + (v353 * v144);
+        w93[i] = v369 + (v353 * v168);
+        w94[i] = -(v291 * v171);
+        w95[i] = v291 * v177;
+        w96[i] = v391;
+        w97[i] = v406;
+        w98[i] = -(v291 * v230);
+        w99[i] = v291 * v233;
+        w100[i] = v424 + v204;
+        w101[i] = v440 - v204;
+        w102[i] = -(v291 * v281);
         for (int k = 0; k < FIBRES; k++) {
-            const double v137 = (v132 * each8[FIBRES * (i - 1) + k]) - (v132 * each10[FIBRES * (i - 1) + k]);
-            const double v142 = (v132 * each10[FIBRES * i + k]) + (v132 * each8[FIBRES * i + k]);
-            each11[FIBRES * i + k] = v48 * each7[FIBRES * (i - 1) + k];
-            each12[FIBRES * i + k] = v51 * each7[FIBRES * i + k];
-            e[ENTRIES * i + 41 + 12 * FIBRES + k] = v137;
-            e[ENTRIES * i + 41 + 14 * FIBRES + k] = v142;
-            e[ENTRIES * i + 41 + 13 * FIBRES + k] = v132 * each9[FIBRES * (i - 1) + k];
-            e[ENTRIES * i + 41 + 15 * FIBRES + k] = v132 * each9[FIBRES * i + k];
-        }
-    }
-}
-
-static void jacobian_10(int n, const double *g, double *w)
-{
-    double *restrict w0 = w;
-    double *restrict w2 = w + 2 * n;
-    double *restrict w6 = w + 6 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w17 = w + 17 * n;
-    double *restrict w32 = w + 32 * n;
-    double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w54 = w + 54 * n;
-    double *restrict w55 = w + 55 * n;
-    double *restrict w56 = w + 56 * n;
-    double *restrict w57 = w + 57 * n;
-    double *restrict w58 = w + 58 * n;
-    double *restrict w59 = w + 59 * n;
-    double *restrict w60 = w + 60 * n;
-    double *restrict w61 = w + 61 * n;
-    double *restrict w62 = w + 62 * n;
-    double *restrict w63 = w + 63 * n;
-    double *restrict w64 = w + 64 * n;
-    double *restrict w65 = w + 65 * n;
-    double *restrict w84 = w + 84 * n;
-    double *restrict w85 = w + 85 * n;
-    double *restrict w86 = w + 86 * n;
-    double *restrict w87 = w + 87 * n;
-    double *restrict w88 = w + 88 * n;
-    double *restrict w89 = w + 89 * n;
-    double *restrict w90 = w + 90 * n;
-    double *restrict w91 = w + 91 * n;
-    double *restrict w92 = w + 92 * n;
-    double *restrict w93 = w + 93 * n;
-    double *restrict w94 = w + 94 * n;
-    double *restrict w95 = w + 95 * n;
-    double *restrict w96 = w + 96 * n;
-    double *restrict w97 = w + 97 * n;
-    double *restrict w98 = w + 98 * n;
-    double *restrict w99 = w + 99 * n;
-    double *restrict w100 = w + 100 * n;
-    double *restrict w101 = w + 101 * n;
-    double *restrict w102 = w + 102 * n;
-    double *restrict w103 = w + 103 * n;
-    double *restrict w104 = w + 104 * n;
-    double *restrict w105 = w + 105 * n;
-    double *restrict w106 = w + 106 * n;
-    double *restrict w107 = w + 107 * n;
-    double *restrict w108 = w + 108 * n;
-    double *restrict w109 = w + 109 * n;
-    double *restrict w110 = w + 110 * n;
-    double *restrict w111 = w + 111 * n;
-    double *restrict w112 = w + 112 * n;
-    double *restrict w113 = w + 113 * n;
-    double *restrict w114 = w + 114 * n;
-    double *restrict w115 = w + 115 * n;
-    double *restrict w116 = w + 116 * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
-    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
-    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
-    for (int i = 1; i < n - 2; i++) {
-        const double v5 = g[7 * i + 4];
-        const double v8 = 1.0 / w6[i];
-        const double v9 = ((w15[i + 1] - w15[i]) * v5) * v8;
-        const double v13 = (w0[i + 1] - w0[i]) * v5;
-        const double v17 = (v13 * v8) * v5;
-        const double v30 = w84[i];
-        const double v32 = w85[i];
-        const double v34 = w84[i + 1];
-        const double v39 = w86[i];
-        const double v41 = w85[i + 1];
-        const double v46 = w86[i + 1];
-        const double v50 = w87[i];
-        const double v52 = w88[i];
-        const double v54 = w87[i + 1];
-        const double v59 = v9 * v8;
-        const double v60 = v59 * v13;
-        const double v61 = w32[i];
-        const double v64 = v9 * v5;
-        const double v65 = ((((v17 * v52) - (v17 * v54)) + w56[i]) + (v60 * v61)) + v64;
-        const double v66 = w89[i];
-        const double v68 = w88[i + 1];
-        const double v73 = w33[i];
-        const double v76 = ((((v17 * v66) - (v17 * v68)) + w57[i]) + (v60 * v73)) - v64;
-        const double v77 = w89[i + 1];
-        const double v80 = w90[i];
-        const double v82 = w91[i];
-        const double v84 = w90[i + 1];
-        const double v89 = w34[i];
-        const double v92 = w92[i];
-        const double v94 = w91[i + 1];
-        const double v99 = w35[i];
-        const double v102 = w92[i + 1];
-        const double v109 = (w2[i + 1] - w2[i]) * v5;
-        const double v113 = (v109 * v8) * v5;
-        const double v142 = v59 * v109;
-        const double v162 = ((((v113 * v82) - (v113 * v84)) + w64[i]) + (v142 * v89)) + v64;
-        const double v170 = ((((v113 * v92) - (v113 * v94)) + w65[i]) + (v142 * v99)) - v64;
-        w16[i] = w10[i] - (v9 * v13);
-        w93[i] = v17 * v30;
-        w94[i] = ((v17 * v32) - (v17 * v34)) + w54[i];
-        w95[i] = ((v17 * v39) - (v17 * v41)) + w55[i];
-        w96[i] = -(v17 * v46);
-        w97[i] = v17 * v50;
-        w98[i] = v65;
-        w99[i] = v76;
-        w100[i] = -(v17 * v77);
-        w101[i] = v17 * v80;
-        w102[i] = (((v17 * v82) - (v17 * v84)) + w58[i]) + (v60 * v89);
-        w103[i] = (((v17 * v92) - (v17 * v94)) + w59[i]) + (v60 * v99);
-        w104[i] = -(v17 * v102);
-        w17[i] = w11[i] - (v9 * v109);
-        w105[i] = v113 * v30;
-        w106[i] = ((v113 * v32) - (v113 * v34)) + w60[i];
-        w107[i] = ((v113 * v39) - (v113 * v41)) + w61[i];
-        w108[i] = -(v113 * v46);
-        w109[i] = v113 * v50;
-        w110[i] = (((v113 * v52) - (v113 * v54)) + w62[i]) + (v142 * v61);
-        w111[i] = (((v113 * v66) - (v113 * v68)) + w63[i]) + (v142 * v73);
-        w112[i] = -(v113 * v77);
-        w113[i] = v113 * v80;
-        w114[i] = v162;
-        w115[i] = v170;
-        w116[i] = -(v113 * v102);
-        for (int k = 0; k < FIBRES; k++) {
-            const double v18 = each11[FIBRES * i + k];
-            const double v20 = each12[FIBRES * i + k];
-            const double v22 = each11[FIBRES * (i + 1) + k];
-            const double v27 = each12[FIBRES * (i + 1) + k];
-            each13[FIBRES * i + k] = v17 * v18;
-            each14[FIBRES * i + k] = ((v17 * v20) - (v17 * v22)) + each3[FIBRES * i + k];
-            each15[FIBRES * i + k] = -(v17 * v27);
-            each16[FIBRES * i + k] = each4[FIBRES * i + k];
-            each17[FIBRES * i + k] = v113 * v18;
-            each18[FIBRES * i + k] = ((v113 * v20) - (v113 * v22)) + each5[FIBRES * i + k];
-            each19[FIBRES * i + k] = -(v113 * v27);
-            each20[FIBRES * i + k] = each6[FIBRES * i + k];
-        }
-    }
-}
-
-static void jacobian_11(int n, const double *g, double *w)
-{
-    double *restrict w0 = w;
-    double *restrict w2 = w + 2 * n;
-    double *restrict w6 = w + 6 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w17 = w + 17 * n;
-    double *restrict w32 = w + 32 * n;
-    double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w54 = w + 54 * n;
-    double *restrict w55 = w + 55 * n;
-    double *restrict w56 = w + 56 * n;
-    double *restrict w57 = w + 57 * n;
-    double *restrict w58 = w + 58 * n;
-    double *restrict w59 = w + 59 * n;
-    double *restrict w60 = w + 60 * n;
-    double *restrict w61 = w + 61 * n;
-    double *restrict w62 = w + 62 * n;
-    double *restrict w63 = w + 63 * n;
-    double *restrict w64 = w + 64 * n;
-    double *restrict w65 = w + 65 * n;
-    double *restrict w84 = w + 84 * n;
-    double *restrict w85 = w + 85 * n;
-    double *restrict w86 = w + 86 * n;
-    double *restrict w87 = w + 87 * n;
-    double *restrict w88 = w + 88 * n;
-    double *restrict w89 = w + 89 * n;
-    double *restrict w90 = w + 90 * n;
-    double *restrict w91 = w + 91 * n;
-    double *restrict w92 = w + 92 * n;
-    double *restrict w93 = w + 93 * n;
-    double *restrict w94 = w + 94 * n;
-    double *restrict w95 = w + 95 * n;
-    double *restrict w96 = w + 96 * n;
-    double *restrict w97 = w + 97 * n;
-    double *restrict w98 = w + 98 * n;
-    double *restrict w99 = w + 99 * n;
-    double *restrict w100 = w + 100 * n;
-    double *restrict w101 = w + 101 * n;
-    double *restrict w102 = w + 102 * n;
-    double *restrict w103 = w + 103 * n;
-    double *restrict w104 = w + 104 * n;
-    double *restrict w105 = w + 105 * n;
-    double *restrict w106 = w + 106 * n;
-    double *restrict w107 = w + 107 * n;
-    double *restrict w108 = w + 108 * n;
-    double *restrict w109 = w + 109 * n;
-    double *restrict w110 = w + 110 * n;
-    double *restrict w111 = w + 111 * n;
-    double *restrict w112 = w + 112 * n;
-    double *restrict w113 = w + 113 * n;
-    double *restrict w114 = w + 114 * n;
-    double *restrict w115 = w + 115 * n;
-    double *restrict w116 = w + 116 * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
-    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
-    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
-    const int i = n - 2;
-    const double v3 = g[7 * i + 4];
-    const double v6 = 1.0 / w6[i];
-    const double v7 = (w15[i] * v3) * v6;
-    const double v11 = (w0[i + 1] - w0[i]) * v3;
-    const double v15 = (v11 * v6) * v3;
-    const double v23 = w84[i];
-    const double v25 = w85[i];
-    const double v29 = w86[i];
-    const double v34 = w87[i];
-    const double v36 = w88[i];
-    const double v40 = v7 * v6;
-    const double v41 = v40 * v11;
-    const double v42 = w32[i];
-    const double v45 = v7 * v3;
-    const double v47 = w89[i];
-    const double v51 = w33[i];
-    const double v55 = w90[i];
-    const double v57 = w91[i];
-    const double v61 = w34[i];
-    const double v64 = w92[i];
-    const double v68 = w35[i];
-    const double v75 = (w2[i + 1] - w2[i]) * v3;
-    const double v79 = (v75 * v6) * v3;
-    const double v96 = v40 * v75;
-    w16[i] = w10[i] + (v7 * v11);
-    w93[i] = v15 * v23;
-    w94[i] = (v15 * v25) + w54[i];
-    w95[i] = (v15 * v29) + w55[i];
-    w96[i] = 0.0;
-    w97[i] = v15 * v34;
-    w98[i] = (((v15 * v36) + w56[i]) - (v41 * v42)) - v45;
-    w99[i] = (((v15 * v47) + w57[i]) - (v41 * v51)) + v45;
-    w100[i] = 0.0;
-    w101[i] = v15 * v55;
-    w102[i] = ((v15 * v57) + w58[i]) - (v41 * v61);
-    w103[i] = ((v15 * v64) + w59[i]) - (v41 * v68);
-    w104[i] = 0.0;
-    w17[i] = w11[i] + (v7 * v75);
-    w105[i] = v79 * v23;
-    w106[i] = (v79 * v25) + w60[i];
-    w107[i] = (v79 * v29) + w61[i];
-    w108[i] = 0.0;
-    w109[i] = v79 * v34;
-    w110[i] = ((v79 * v36) + w62[i]) - (v96 * v42);
-    w111[i] = ((v79 * v47) + w63[i]) - (v96 * v51);
-    w112[i] = 0.0;
-    w113[i] = v79 * v55;
-    w114[i] = (((v79 * v57) + w64[i]) - (v96 * v61)) - v45;
-    w115[i] = (((v79 * v64) + w65[i]) - (v96 * v68)) + v45;
-    w116[i] = 0.0;
-    for (int k = 0; k < FIBRES; k++) {
-        const double v16 = each11[FIBRES * i + k];
-        const double v18 = each12[FIBRES * i + k];
-        each13[FIBRES * i + k] = v15 * v16;
-        each14[FIBRES * i + k] = (v15 * v18) + each3[FIBRES * i + k];
-        each15[FIBRES * i + k] = 0.0;
-        each16[FIBRES * i + k] = each4[FIBRES * i + k];
-        each17[FIBRES * i + k] = v79 * v16;
-        each18[FIBRES * i + k] = (v79 * v18) + each5[FIBRES * i + k];
-        each19[FIBRES * i + k] = 0.0;
-        each20[FIBRES * i + k] = each6[FIBRES * i + k];
-    }
-    (void)n;
-}
-
-static void jacobian_12(int n, const double *g, double *w)
-{
-    double *restrict w0 = w;
-    double *restrict w2 = w + 2 * n;
-    double *restrict w6 = w + 6 * n;
-    double *restrict w10 = w + 10 * n;
-    double *restrict w11 = w + 11 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w16 = w + 16 * n;
-    double *restrict w17 = w + 17 * n;
-    double *restrict w32 = w + 32 * n;
-    double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w54 = w + 54 * n;
-    double *restrict w55 = w + 55 * n;
-    double *restrict w56 = w + 56 * n;
-    double *restrict w57 = w + 57 * n;
-    double *restrict w58 = w + 58 * n;
-    double *restrict w59 = w + 59 * n;
-    double *restrict w60 = w + 60 * n;
-    double *restrict w61 = w + 61 * n;
-    double *restrict w62 = w + 62 * n;
-    double *restrict w63 = w + 63 * n;
-    double *restrict w64 = w + 64 * n;
-    double *restrict w65 = w + 65 * n;
-    double *restrict w84 = w + 84 * n;
-    double *restrict w85 = w + 85 * n;
-    double *restrict w86 = w + 86 * n;
-    double *restrict w87 = w + 87 * n;
-    double *restrict w88 = w + 88 * n;
-    double *restrict w89 = w + 89 * n;
-    double *restrict w90 = w + 90 * n;
-    double *restrict w91 = w + 91 * n;
-    double *restrict w92 = w + 92 * n;
-    double *restrict w93 = w + 93 * n;
-    double *restrict w94 = w + 94 * n;
-    double *restrict w95 = w + 95 * n;
-    double *restrict w96 = w + 96 * n;
-    double *restrict w97 = w + 97 * n;
-    double *restrict w98 = w + 98 * n;
-    double *restrict w99 = w + 99 * n;
-    double *restrict w100 = w + 100 * n;
-    double *restrict w101 = w + 101 * n;
-    double *restrict w102 = w + 102 * n;
-    double *restrict w103 = w + 103 * n;
-    double *restrict w104 = w + 104 * n;
-    double *restrict w105 = w + 105 * n;
-    double *restrict w106 = w + 106 * n;
-    double *restrict w107 = w + 107 * n;
-    double *restrict w108 = w + 108 * n;
-    double *restrict w109 = w + 109 * n;
-    double *restrict w110 = w + 110 * n;
-    double *restrict w111 = w + 111 * n;
-    double *restrict w112 = w + 112 * n;
-    double *restrict w113 = w + 113 * n;
-    double *restrict w114 = w + 114 * n;
-    double *restrict w115 = w + 115 * n;
-    double *restrict w116 = w + 116 * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
-    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
-    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
-    const int i = 0;
-    const double v3 = g[7 * i + 4];
-    const double v6 = 1.0 / w6[i];
-    const double v7 = (w15[i + 1] * v3) * v6;
-    const double v11 = (w0[i + 1] - w0[i]) * v3;
-    const double v17 = (v11 * v6) * v3;
-    const double v25 = w84[i + 1];
-    const double v29 = w85[i + 1];
-    const double v32 = w86[i + 1];
-    const double v37 = w87[i + 1];
-    const double v40 = v7 * v6;
-    const double v41 = v40 * v11;
-    const double v42 = w32[i];
-    const double v45 = v7 * v3;
-    const double v48 = w88[i + 1];
-    const double v51 = w33[i];
-    const double v55 = w89[i + 1];
-    const double v59 = w90[i + 1];
-    const double v62 = w34[i];
-    const double v66 = w91[i + 1];
-    const double v69 = w35[i];
-    const double v72 = w92[i + 1];
-    const double v79 = (w2[i + 1] - w2[i]) * v3;
-    const double v84 = (v79 * v6) * v3;
-    const double v101 = v40 * v79;
-    w16[i] = w10[i] - (v7 * v11);
-    w93[i] = 0.0;
-    w94[i] = w54[i] - (v17 * v25);
-    w95[i] = w55[i] - (v17 * v29);
-    w96[i] = -(v17 * v32);
-    w97[i] = 0.0;
-    w98[i] = ((w56[i] - (v17 * v37)) + (v41 * v42)) + v45;
-    w99[i] = ((w57[i] - (v17 * v48)) + (v41 * v51)) - v45;
-    w100[i] = -(v17 * v55);
-    w101[i] = 0.0;
-    w102[i] = (w58[i] - (v17 * v59)) + (v41 * v62);
-    w103[i] = (w59[i] - (v17 * v66)) + (v41 * v69);
-    w104[i] = -(v17 * v72);
-    w17[i] = w11[i] - (v7 * v79);
-    w105[i] = 0.0;
-    w106[i] = w60[i] - (v84 * v25);
-    w107[i] = w61[i] - (v84 * v29);
-    w108[i] = -(v84 * v32);
-    w109[i] = 0.0;
-    w110[i] = (w62[i] - (v84 * v37)) + (v101 * v42);
-    w111[i] = (w63[i] - (v84 * v48)) + (v101 * v51);
-    w112[i] = -(v84 * v55);
-    w113[i] = 0.0;
-    w114[i] = ((w64[i] - (v84 * v59)) + (v101 * v62)) + v45;
-    w115[i] = ((w65[i] - (v84 * v66)) + (v101 * v69)) - v45;
-    w116[i] = -(v84 * v72);
-    for (int k = 0; k < FIBRES; k++) {
-        const double v18 = each11[FIBRES * (i + 1) + k];
-        const double v21 = each12[FIBRES * (i + 1) + k];
-        each13[FIBRES * i + k] = 0.0;
-        each14[FIBRES * i + k] = each3[FIBRES * i + k] - (v17 * v18);
-        each15[FIBRES * i + k] = -(v17 * v21);
-        each16[FIBRES * i + k] = each4[FIBRES * i + k];
-        each17[FIBRES * i + k] = 0.0;
-        each18[FIBRES * i + k] = each5[FIBRES * i + k] - (v84 * v18);
-        each19[FIBRES * i + k] = -(v84 * v21);
-        each20[FIBRES * i + k] = each6[FIBRES * i + k];
-    }
-    (void)n;
-}
-
-static void jacobian_13(int n, const double *p, const double *g, double *w, double *e)
-{
-    double *restrict w93 = w + 93 * n;
-    double *restrict w94 = w + 94 * n;
-    double *restrict w95 = w + 95 * n;
-    double *restrict w96 = w + 96 * n;
-    double *restrict w97 = w + 97 * n;
-    double *restrict w98 = w + 98 * n;
-    double *restrict w99 = w + 99 * n;
-    double *restrict w100 = w + 100 * n;
-    double *restrict w101 = w + 101 * n;
-    double *restrict w102 = w + 102 * n;
-    double *restrict w103 = w + 103 * n;
-    double *restrict w104 = w + 104 * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
-    const double c1 = squared(p[10]);
-    const double c2 = p[0];
-    const double c3 = c1 / c2;
-    const double c5 = p[2] * c2;
-    const double c6 = c3 / c5;
-    for (int i = 1; i < n - 1; i++) {
-        const double v9 = c6 * g[7 * i + 6];
-        e[ENTRIES * i + 4] = -(v9 * w93[i - 1]);
-        e[ENTRIES * i + 7] = (v9 * w93[i]) - (v9 * w94[i - 1]);
-        e[ENTRIES * i + 10] = (v9 * w94[i]) - (v9 * w95[i - 1]);
-        e[ENTRIES * i + 13] = (v9 * w95[i]) - (v9 * w96[i - 1]);
-        e[ENTRIES * i + 16] = v9 * w96[i];
-        e[ENTRIES * i + 2] = -(v9 * w97[i - 1]);
-        e[ENTRIES * i + 5] = (v9 * w97[i]) - (v9 * w98[i - 1]);
-        e[ENTRIES * i + 8] = (v9 * w98[i]) - (v9 * w99[i - 1]);
-        e[ENTRIES * i + 11] = (v9 * w99[i]) - (v9 * w100[i - 1]);
-        e[ENTRIES * i + 14] = v9 * w100[i];
-        e[ENTRIES * i + 3] = -(v9 * w101[i - 1]);
-        e[ENTRIES * i + 6] = (v9 * w101[i]) - (v9 * w102[i - 1]);
-        e[ENTRIES * i + 9] = (v9 * w102[i]) - (v9 * w103[i - 1]);
-        e[ENTRIES * i + 12] = (v9 * w103[i]) - (v9 * w104[i - 1]);
-        e[ENTRIES * i + 15] = v9 * w104[i];
-        for (int k = 0; k < FIBRES; k++) {
-            const double v17 = (v9 * each13[FIBRES * i + k]) - (v9 * each14[FIBRES * (i - 1) + k]);
-            const double v22 = (v9 * each14[FIBRES * i + k]) - (v9 * each15[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + k] = -(v9 * each13[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 1 * FIBRES + k] = v17;
-            e[ENTRIES * i + 41 + 3 * FIBRES + k] = v22;
-            e[ENTRIES * i + 41 + 5 * FIBRES + k] = v9 * each15[FIBRES * i + k];
-            e[ENTRIES * i + 41 + 2 * FIBRES + k] = -(v9 * each16[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 4 * FIBRES + k] = v9 * each16[FIBRES * i + k];
+            const double v58 = each7[FIBRES * i + k];
+            const double v61 = each0[FIBRES * i + k];
+            const double v71 = each1[FIBRES * i + k];
+            const double v74 = each8[FIBRES * i + k];
+            const double v77 = each7[FIBRES * (i + 1) + k];
+            const double v80 = each8[FIBRES * (i + 1) + k];
+            const double v174 = each2[FIBRES * i + k];
+            const double v307 = (((v141 * v61) - (v301 * v71)) + (v291 * v74)) - (v291 * v77);
+            each9[FIBRES * i + k] = v57 * v58;
+            each10[FIBRES * i + k] = (((v60 * v61) - (v70 * v71)) + (v57 * v74)) - (v57 * v77);
+            each11[FIBRES * i + k] = -(v57 * v80);
+            each12[FIBRES * i + k] = -(v143 * v174);
+            each13[FIBRES * i + k] = v291 * v58;
+            each14[FIBRES * i + k] = v307;
+            each15[FIBRES * i + k] = -(v291 * v80);
+            each16[FIBRES * i + k] = v353 * v174;
         }
     }
 }
 
 static void jacobian_14(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w105 = w + 105 * n;
-    double *restrict w106 = w + 106 * n;
-    double *restrict w107 = w + 107 * n;
-    double *restrict w108 = w + 108 * n;
-    double *restrict w109 = w + 109 * n;
-    double *restrict w110 = w + 110 * n;
-    double *restrict w111 = w + 111 * n;
-    double *restrict w112 = w + 112 * n;
-    double *restrict w113 = w + 113 * n;
-    double *restrict w114 = w + 114 * n;
-    double *restrict w115 = w + 115 * n;
-    double *restrict w116 = w + 116 * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
-    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
-    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
+    double *restrict w79 = w + 79 * n;
+    double *restrict w80 = w + 80 * n;
+    double *restrict w81 = w + 81 * n;
+    double *restrict w82 = w + 82 * n;
+    double *restrict w83 = w + 83 * n;
+    double *restrict w84 = w + 84 * n;
+    double *restrict w85 = w + 85 * n;
+    double *restrict w86 = w + 86 * n;
+    double *restrict w87 = w + 87 * n;
+    double *restrict w88 = w + 88 * n;
+    double *restrict w89 = w + 89 * n;
+    double *restrict w90 = w + 90 * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1538,52 +1356,105 @@ static void jacobian_14(int n, const double *p, const double *g, double *w, doub
     const double c6 = c3 / c5;
     for (int i = 1; i < n - 1; i++) {
         const double v9 = c6 * g[7 * i + 6];
-        e[ENTRIES * i + 19] = -(v9 * w105[i - 1]);
-        e[ENTRIES * i + 22] = (v9 * w105[i]) - (v9 * w106[i - 1]);
-        e[ENTRIES * i + 25] = (v9 * w106[i]) - (v9 * w107[i - 1]);
-        e[ENTRIES * i + 28] = (v9 * w107[i]) - (v9 * w108[i - 1]);
-        e[ENTRIES * i + 31] = v9 * w108[i];
-        e[ENTRIES * i + 17] = -(v9 * w109[i - 1]);
-        e[ENTRIES * i + 20] = (v9 * w109[i]) - (v9 * w110[i - 1]);
-        e[ENTRIES * i + 23] = (v9 * w110[i]) - (v9 * w111[i - 1]);
-        e[ENTRIES * i + 26] = (v9 * w111[i]) - (v9 * w112[i - 1]);
-        e[ENTRIES * i + 29] = v9 * w112[i];
-        e[ENTRIES * i + 18] = -(v9 * w113[i - 1]);
-        e[ENTRIES * i + 21] = (v9 * w113[i]) - (v9 * w114[i - 1]);
-        e[ENTRIES * i + 24] = (v9 * w114[i]) - (v9 * w115[i - 1]);
-        e[ENTRIES * i + 27] = (v9 * w115[i]) - (v9 * w116[i - 1]);
-        e[ENTRIES * i + 30] = v9 * w116[i];
+        e[ENTRIES * i + 4] = -(v9 * w79[i - 1]);
+        e[ENTRIES * i + 7] = (v9 * w79[i]) - (v9 * w80[i - 1]);
+        e[ENTRIES * i + 10] = (v9 * w80[i]) - (v9 * w81[i - 1]);
+        e[ENTRIES * i + 13] = (v9 * w81[i]) - (v9 * w82[i - 1]);
+        e[ENTRIES * i + 16] = v9 * w82[i];
+        e[ENTRIES * i + 2] = -(v9 * w83[i - 1]);
+        e[ENTRIES * i + 5] = (v9 * w83[i]) - (v9 * w84[i - 1]);
+        e[ENTRIES * i + 8] = (v9 * w84[i]) - (v9 * w85[i - 1]);
+        e[ENTRIES * i + 11] = (v9 * w85[i]) - (v9 * w86[i - 1]);
+        e[ENTRIES * i + 14] = v9 * w86[i];
+        e[ENTRIES * i + 3] = -(v9 * w87[i - 1]);
+        e[ENTRIES * i + 6] = (v9 * w87[i]) - (v9 * w88[i - 1]);
+        e[ENTRIES * i + 9] = (v9 * w88[i]) - (v9 * w89[i - 1]);
+        e[ENTRIES * i + 12] = (v9 * w89[i]) - (v9 * w90[i - 1]);
+        e[ENTRIES * i + 15] = v9 * w90[i];
         for (int k = 0; k < FIBRES; k++) {
-            const double v17 = (v9 * each17[FIBRES * i + k]) - (v9 * each18[FIBRES * (i - 1) + k]);
-            const double v22 = (v9 * each18[FIBRES * i + k]) - (v9 * each19[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 6 * FIBRES + k] = -(v9 * each17[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 7 * FIBRES + k] = v17;
-            e[ENTRIES * i + 41 + 9 * FIBRES + k] = v22;
-            e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each19[FIBRES * i + k];
-            e[ENTRIES * i + 41 + 8 * FIBRES + k] = -(v9 * each20[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each20[FIBRES * i + k];
+            const double v17 = (v9 * each9[FIBRES * i + k]) - (v9 * each10[FIBRES * (i - 1) + k]);
+            const double v22 = (v9 * each10[FIBRES * i + k]) - (v9 * each11[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + k] = -(v9 * each9[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 1 * FIBRES + k] = v17;
+            e[ENTRIES * i + 41 + 3 * FIBRES + k] = v22;
+            e[ENTRIES * i + 41 + 5 * FIBRES + k] = v9 * each11[FIBRES * i + k];
+            e[ENTRIES * i + 41 + 2 * FIBRES + k] = -(v9 * each12[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 4 * FIBRES + k] = v9 * each12[FIBRES * i + k];
         }
     }
 }
 
 static void jacobian_15(int n, const double *p, const double *g, double *w, double *e)
 {
-    double *restrict w105 = w + 105 * n;
-    double *restrict w106 = w + 106 * n;
-    double *restrict w107 = w + 107 * n;
-    double *restrict w108 = w + 108 * n;
-    double *restrict w109 = w + 109 * n;
-    double *restrict w110 = w + 110 * n;
-    double *restrict w111 = w + 111 * n;
-    double *restrict w112 = w + 112 * n;
-    double *restrict w113 = w + 113 * n;
-    double *restrict w114 = w + 114 * n;
-    double *restrict w115 = w + 115 * n;
-    double *restrict w116 = w + 116 * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
-    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
-    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
+    double *restrict w91 = w + 91 * n;
+    double *restrict w92 = w + 92 * n;
+    double *restrict w93 = w + 93 * n;
+    double *restrict w94 = w + 94 * n;
+    double *restrict w95 = w + 95 * n;
+    double *restrict w96 = w + 96 * n;
+    double *restrict w97 = w + 97 * n;
+    double *restrict w98 = w + 98 * n;
+    double *restrict w99 = w + 99 * n;
+    double *restrict w100 = w + 100 * n;
+    double *restrict w101 = w + 101 * n;
+    double *restrict w102 = w + 102 * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
+    const double c1 = squared(p[10]);
+    const double c2 = p[0];
+    const double c3 = c1 / c2;
+    const double c5 = p[2] * c2;
+    const double c6 = c3 / c5;
+    for (int i = 1; i < n - 1; i++) {
+        const double v9 = c6 * g[7 * i + 6];
+        e[ENTRIES * i + 19] = -(v9 * w91[i - 1]);
+        e[ENTRIES * i + 22] = (v9 * w91[i]) - (v9 * w92[i - 1]);
+        e[ENTRIES * i + 25] = (v9 * w92[i]) - (v9 * w93[i - 1]);
+        e[ENTRIES * i + 28] = (v9 * w93[i]) - (v9 * w94[i - 1]);
+        e[ENTRIES * i + 31] = v9 * w94[i];
+        e[ENTRIES * i + 17] = -(v9 * w95[i - 1]);
+        e[ENTRIES * i + 20] = (v9 * w95[i]) - (v9 * w96[i - 1]);
+        e[ENTRIES * i + 23] = (v9 * w96[i]) - (v9 * w97[i - 1]);
+        e[ENTRIES * i + 26] = (v9 * w97[i]) - (v9 * w98[i - 1]);
+        e[ENTRIES * i + 29] = v9 * w98[i];
+        e[ENTRIES * i + 18] = -(v9 * w99[i - 1]);
+        e[ENTRIES * i + 21] = (v9 * w99[i]) - (v9 * w100[i - 1]);
+        e[ENTRIES * i + 24] = (v9 * w100[i]) - (v9 * w101[i - 1]);
+        e[ENTRIES * i + 27] = (v9 * w101[i]) - (v9 * w102[i - 1]);
+        e[ENTRIES * i + 30] = v9 * w102[i];
+        for (int k = 0; k < FIBRES; k++) {
+            const double v17 = (v9 * each13[FIBRES * i + k]) - (v9 * each14[FIBRES * (i - 1) + k]);
+            const double v22 = (v9 * each14[FIBRES * i + k]) - (v9 * each15[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 6 * FIBRES + k] = -(v9 * each13[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 7 * FIBRES + k] = v17;
+            e[ENTRIES * i + 41 + 9 * FIBRES + k] = v22;
+            e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each15[FIBRES * i + k];
+            e[ENTRIES * i + 41 + 8 * FIBRES + k] = -(v9 * each16[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each16[FIBRES * i + k];
+        }
+    }
+}
+
+static void jacobian_16(int n, const double *p, const double *g, double *w, double *e)
+{
+    double *restrict w91 = w + 91 * n;
+    double *restrict w92 = w + 92 * n;
+    double *restrict w93 = w + 93 * n;
+    double *restrict w94 = w + 94 * n;
+    double *restrict w95 = w + 95 * n;
+    double *restrict w96 = w + 96 * n;
+    double *restrict w97 = w + 97 * n;
+    double *restrict w98 = w + 98 * n;
+    double *restrict w99 = w + 99 * n;
+    double *restrict w100 = w + 100 * n;
+    double *restrict w101 = w + 101 * n;
+    double *restrict w102 = w + 102 * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
+    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1591,23 +1462,23 @@ static void jacobian_15(int n, const double *p, const double *g, double *w, doub
     const double c6 = c3 / c5;
     const int i = 0;
     const double v9 = c6 * g[7 * i + 6];
-    e[ENTRIES * i + 22] = v9 * w105[i];
-    e[ENTRIES * i + 25] = v9 * w106[i];
-    e[ENTRIES * i + 28] = v9 * w107[i];
-    e[ENTRIES * i + 31] = v9 * w108[i];
-    e[ENTRIES * i + 20] = v9 * w109[i];
-    e[ENTRIES * i + 23] = v9 * w110[i];
-    e[ENTRIES * i + 26] = v9 * w111[i];
-    e[ENTRIES * i + 29] = v9 * w112[i];
-    e[ENTRIES * i + 21] = v9 * w113[i];
-    e[ENTRIES * i + 24] = v9 * w114[i];
-    e[ENTRIES * i + 27] = v9 * w115[i];
-    e[ENTRIES * i + 30] = v9 * w116[i];
+    e[ENTRIES * i + 22] = v9 * w91[i];
+    e[ENTRIES * i + 25] = v9 * w92[i];
+    e[ENTRIES * i + 28] = v9 * w93[i];
+    e[ENTRIES * i + 31] = v9 * w94[i];
+    e[ENTRIES * i + 20] = v9 * w95[i];
+    e[ENTRIES * i + 23] = v9 * w96[i];
+    e[ENTRIES * i + 26] = v9 * w97[i];
+    e[ENTRIES * i + 29] = v9 * w98[i];
+    e[ENTRIES * i + 21] = v9 * w99[i];
+    e[ENTRIES * i + 24] = v9 * w100[i];
+    e[ENTRIES * i + 27] = v9 * w101[i];
+    e[ENTRIES * i + 30] = v9 * w102[i];
     for (int k = 0; k < FIBRES; k++) {
-        e[ENTRIES * i + 41 + 7 * FIBRES + k] = v9 * each17[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 9 * FIBRES + k] = v9 * each18[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each19[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each20[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 7 * FIBRES + k] = v9 * each13[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 9 * FIBRES + k] = v9 * each14[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each15[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each16[FIBRES * i + k];
     }
     (void)n;
 }
@@ -1617,32 +1488,32 @@ static void work_0(int n, const double *p, const double *y, double *w)
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
-    double *restrict w117 = w + 117 * n;
+    double *restrict w103 = w + 103 * n;
     const double c1 = p[7];
-    const double c2 = p[5];
-    const double c5 = (-0.5) * p[1];
-    const double c22 = 0.8333333333333334 * c2;
-    const double c25 = 2.0 * p[8];
-    const double c26 = 2.0 + c25;
-    const double c27 = c22 / c26;
-    const double c37 = 1e-12 * c2;
-    const double c38 = squared(c37);
-    const double c44 = 1.0 / p[6];
+    const double c19 = p[5];
+    const double c20 = 0.5 * c19;
+    const double c30 = 0.4166666666666667 * c19;
+    const double c33 = 2.0 * p[8];
+    const double c34 = 2.0 + c33;
+    const double c35 = c30 / c34;
+    const double c41 = 1e-12 * c19;
+    const double c42 = squared(c41);
+    const double c48 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
         double sum9 = 0.0;
-        const double v7 = c5 * w5[i];
-        const double v10 = w3[i];
-        const double v12 = sqrt(v10) * v10;
-        const double v16 = log(v10);
-        const double v29 = w4[i] / v10;
+        const double v4 = (-0.5) * w5[i];
+        const double v9 = w3[i];
+        const double v11 = sqrt(v9) * v9;
+        const double v13 = log(v9);
+        const double v25 = w4[i] / v9;
         for (int k = 0; k < FIBRES; k++) {
-            const double v18 = c2 * ((((v7 * zeta[k]) / v12) - y[SLOTS * i + 5 + k]) + v16);
-            const double v34 = 3.0 * squared((c27 * (v29 - y[SLOTS * i + 5 + 1 * FIBRES + k])));
-            const double v40 = sqrt(larger(squared(v18) + v34, c38));
-            const double v49 = (double)(c1 < v40) != 0.0 ? ((v40 * ((v40 - c1) * c44)) * weight[k]) : 0.0;
-            sum9 += v49;
+            const double v16 = ((((v4 * zeta[k]) * p[1]) / v11) + v13) - y[SLOTS * i + 5 + k];
+            const double v37 = squared(((2.0 * (v25 - y[SLOTS * i + 5 + 1 * FIBRES + k])) * c35));
+            const double v44 = sqrt(larger(squared(((2.0 * v16) * c20)) + (3.0 * v37), c42));
+            const double v53 = (double)(c1 < v44) != 0.0 ? ((v44 * ((v44 - c1) * c48)) * weight[k]) : 0.0;
+            sum9 += v53;
         }
-        w117[i] = sum9;
+        w103[i] = sum9;
     }
 }
 
@@ -1678,48 +1549,48 @@ static void work_1(int n, double t, const double *p, const double *g, double *w,
 
 static void work_2(int n, const double *p, const double *g, double *w, double *q)
 {
-    double *restrict w117 = w + 117 * n;
+    double *restrict w103 = w + 103 * n;
     const double c3 = p[10];
     const double c6 = p[0] / c3;
     const double c7 = squared(c6);
     const double c8 = p[2] * c7;
     const double c9 = c3 / c8;
     for (int i = 0; i < n - 1; i++) {
-        q[0] += (g[7 * i + 1] * w117[i]) * c9;
+        q[0] += (g[7 * i + 1] * w103[i]) * c9;
     }
 }
 
 static void work_3(int n, const double *y, double *w)
 {
-    double *restrict w118 = w + 118 * n;
+    double *restrict w104 = w + 104 * n;
     for (int i = 1; i < n - 1; i++) {
-        w118[i] = y[SLOTS * i + 2];
+        w104[i] = y[SLOTS * i + 2];
     }
 }
 
 static void work_4(int n, const double *y, double *w)
 {
-    double *restrict w119 = w + 119 * n;
+    double *restrict w105 = w + 105 * n;
     for (int i = 0; i < n - 1; i++) {
-        w119[i] = y[SLOTS * i + 3];
+        w105[i] = y[SLOTS * i + 3];
     }
 }
 
 static void work_5(int n, double *w)
 {
-    double *restrict w118 = w + 118 * n;
-    double *restrict w119 = w + 119 * n;
+    double *restrict w104 = w + 104 * n;
+    double *restrict w105 = w + 105 * n;
     const int i = n - 1;
-    w118[i] = 0.0;
-    w119[i] = 0.0;
+    w104[i] = 0.0;
+    w105[i] = 0.0;
     (void)n;
 }
 
 static void work_6(int n, double *w)
 {
-    double *restrict w118 = w + 118 * n;
+    double *restrict w104 = w + 104 * n;
     const int i = 0;
-    w118[i] = 0.0;
+    w104[i] = 0.0;
     (void)n;
 }
 
@@ -1728,9 +1599,9 @@ static void work_7(int n, const double *p, const double *g, double *w, double *q
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
     double *restrict w6 = w + 6 * n;
-    double *restrict w15 = w + 15 * n;
-    double *restrict w118 = w + 118 * n;
-    double *restrict w119 = w + 119 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w104 = w + 104 * n;
+    double *restrict w105 = w + 105 * n;
     const double c48 = p[0] / p[10];
     const double c49 = squared(c48);
     const double c50 = p[2] * c49;
@@ -1738,13 +1609,13 @@ static void work_7(int n, const double *p, const double *g, double *w, double *q
     for (int i = 1; i < n - 1; i++) {
         const double v2 = w0[i];
         const double v5 = g[7 * i + 4];
-        const double v8 = w118[i];
+        const double v8 = w104[i];
         const double v13 = w2[i];
-        const double v17 = w119[i];
-        const double v21 = (((w0[i + 1] - v2) * v5) * ((w118[i + 1] - v8) * v5)) + (((w2[i + 1] - v13) * v5) * ((w119[i + 1] - v17) * v5));
+        const double v17 = w105[i];
+        const double v21 = (((w0[i + 1] - v2) * v5) * ((w104[i + 1] - v8) * v5)) + (((w2[i + 1] - v13) * v5) * ((w105[i + 1] - v17) * v5));
         const double v27 = g[7 * i - 3];
-        const double v40 = (((v2 - w0[i - 1]) * v27) * ((v8 - w118[i - 1]) * v27)) + (((v13 - w2[i - 1]) * v27) * ((v17 - w119[i - 1]) * v27));
-        q[2] += (w15[i] * ((v21 / w6[i]) - (v40 / w6[i - 1]))) * c51;
+        const double v40 = (((v2 - w0[i - 1]) * v27) * ((v8 - w104[i - 1]) * v27)) + (((v13 - w2[i - 1]) * v27) * ((v17 - w105[i - 1]) * v27));
+        q[2] += (w13[i] * ((v21 / w6[i]) - (v40 / w6[i - 1]))) * c51;
     }
 }
 
@@ -1753,6 +1624,8 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     double *restrict w3 = w + 3 * n;
     double *restrict w4 = w + 4 * n;
     double *restrict w5 = w + 5 * n;
+    double *restrict w16 = w + 16 * n;
+    double *restrict w17 = w + 17 * n;
     double *restrict w18 = w + 18 * n;
     double *restrict w19 = w + 19 * n;
     double *restrict w20 = w + 20 * n;
@@ -1765,74 +1638,73 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     double *restrict w27 = w + 27 * n;
     double *restrict w28 = w + 28 * n;
     double *restrict w29 = w + 29 * n;
-    double *restrict w30 = w + 30 * n;
-    double *restrict w31 = w + 31 * n;
-    double *restrict w117 = w + 117 * n;
-    double *restrict w120 = w + 120 * n;
-    double *restrict w121 = w + 121 * n;
-    double *restrict w122 = w + 122 * n;
-    double *restrict w123 = w + 123 * n;
-    double *restrict w124 = w + 124 * n;
-    double *restrict w125 = w + 125 * n;
-    double *restrict each21 = w + (SCRATCH + 21 * FIBRES) * n;
-    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
+    double *restrict w103 = w + 103 * n;
+    double *restrict w106 = w + 106 * n;
+    double *restrict w107 = w + 107 * n;
+    double *restrict w108 = w + 108 * n;
+    double *restrict w109 = w + 109 * n;
+    double *restrict w110 = w + 110 * n;
+    double *restrict w111 = w + 111 * n;
+    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
+    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
     const double c1 = p[7];
-    const double c2 = p[5];
-    const double c5 = (-0.5) * p[1];
-    const double c23 = 0.8333333333333334 * c2;
-    const double c26 = 2.0 * p[8];
-    const double c27 = 2.0 + c26;
-    const double c28 = c23 / c27;
-    const double c39 = 1e-12 * c2;
-    const double c40 = squared(c39);
-    const double c51 = 1.0 / p[6];
+    const double c7 = p[1];
+    const double c20 = p[5];
+    const double c21 = 0.5 * c20;
+    const double c32 = 0.4166666666666667 * c20;
+    const double c35 = 2.0 * p[8];
+    const double c36 = 2.0 + c35;
+    const double c37 = c32 / c36;
+    const double c43 = 1e-12 * c20;
+    const double c44 = squared(c43);
+    const double c55 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
         double sum10 = 0.0;
         double sum11 = 0.0;
         double sum12 = 0.0;
         double sum9 = 0.0;
-        const double v7 = c5 * w5[i];
-        const double v10 = w3[i];
-        const double v11 = sqrt(v10);
-        const double v13 = 1.0 / (v11 * v10);
-        const double v17 = log(v10);
-        const double v30 = 1.0 / v10;
-        const double v31 = w4[i] * v30;
-        const double v113 = v31 * v30;
-        const double v121 = 2.0 * v11;
+        const double v4 = (-0.5) * w5[i];
+        const double v9 = w3[i];
+        const double v10 = sqrt(v9);
+        const double v12 = 1.0 / (v10 * v9);
+        const double v14 = log(v9);
+        const double v26 = 1.0 / v9;
+        const double v27 = w4[i] * v26;
+        const double v119 = v27 * v26;
+        const double v127 = 2.0 * v10;
         for (int k = 0; k < FIBRES; k++) {
-            const double v8 = zeta[k];
-            const double v14 = (v7 * v8) * v13;
-            const double v19 = c2 * ((v14 - y[SLOTS * i + 5 + k]) + v17);
-            const double v34 = c28 * (v31 - y[SLOTS * i + 5 + 1 * FIBRES + k]);
-            const double v37 = squared(v19) + (3.0 * squared(v34));
-            const double v42 = sqrt(larger(v37, c40));
-            const double v43 = (double)(c1 < v42);
-            const double v45 = (double)(c40 <= v37);
-            const double v52 = (v42 - c1) * c51;
-            const double v53 = weight[k];
-            const double v60 = (v45 / (v45 + (double)(v37 <= c40))) * (((v52 * v53) + ((v42 * v53) * c51)) / (2.0 * v42));
-            const double v62 = c2 * ((2.0 * v19) * v60);
-            const double v87 = c28 * ((2.0 * v34) * (3.0 * v60));
-            const double v117 = (v14 * v13) * v62;
-            const double v123 = (((v62 * v30) - (v113 * v87)) - (v11 * v117)) - ((v10 * v117) / v121);
-            each21[FIBRES * i + k] = v43 != 0.0 ? (-v62) : 0.0;
-            each22[FIBRES * i + k] = v43 != 0.0 ? (-v87) : 0.0;
-            sum10 += v43 != 0.0 ? (v87 * v30) : 0.0;
-            sum11 += v43 != 0.0 ? v123 : 0.0;
-            sum12 += v43 != 0.0 ? (c5 * (v8 * (v62 * v13))) : 0.0;
-            sum9 += v43 != 0.0 ? ((v42 * v52) * v53) : 0.0;
+            const double v5 = zeta[k];
+            const double v13 = ((v4 * v5) * c7) * v12;
+            const double v22 = (2.0 * ((v13 + v14) - y[SLOTS * i + 5 + k])) * c21;
+            const double v38 = (2.0 * (v27 - y[SLOTS * i + 5 + 1 * FIBRES + k])) * c37;
+            const double v41 = squared(v22) + (3.0 * squared(v38));
+            const double v46 = sqrt(larger(v41, c44));
+            const double v47 = (double)(c1 < v46);
+            const double v49 = (double)(c44 <= v41);
+            const double v56 = (v46 - c1) * c55;
+            const double v57 = weight[k];
+            const double v64 = (v49 / (v49 + (double)(v41 <= c44))) * (((v56 * v57) + ((v46 * v57) * c55)) / (2.0 * v46));
+            const double v67 = 2.0 * (c21 * ((2.0 * v22) * v64));
+            const double v93 = 2.0 * (c37 * ((2.0 * v38) * (3.0 * v64)));
+            const double v123 = (v13 * v12) * v67;
+            const double v129 = (((v67 * v26) - (v119 * v93)) - (v10 * v123)) - ((v9 * v123) / v127);
+            each17[FIBRES * i + k] = v47 != 0.0 ? (-v67) : 0.0;
+            each18[FIBRES * i + k] = v47 != 0.0 ? (-v93) : 0.0;
+            sum10 += v47 != 0.0 ? (v93 * v26) : 0.0;
+            sum11 += v47 != 0.0 ? v129 : 0.0;
+            sum12 += v47 != 0.0 ? ((-0.5) * (v5 * (c7 * (v67 * v12)))) : 0.0;
+            sum9 += v47 != 0.0 ? ((v46 * v56) * v57) : 0.0;
         }
-        const double v65 = sum10;
-        const double v68 = sum11;
-        const double v72 = sum12;
-        w117[i] = sum9;
-        w120[i] = ((v65 * w24[i]) + (v68 * w18[i])) + (v72 * w30[i]);
-        w121[i] = ((v65 * w25[i]) + (v68 * w19[i])) + (v72 * w31[i]);
-        w122[i] = (v65 * w26[i]) + (v68 * w20[i]);
-        w123[i] = (v65 * w27[i]) + (v68 * w21[i]);
-        w124[i] = (v65 * w28[i]) + (v68 * w22[i]);
-        w125[i] = (v65 * w29[i]) + (v68 * w23[i]);
+        const double v70 = sum10;
+        const double v73 = sum11;
+        const double v77 = sum12;
+        w103[i] = sum9;
+        w106[i] = ((v70 * w22[i]) + (v73 * w16[i])) + (v77 * w28[i]);
+        w107[i] = ((v70 * w23[i]) + (v73 * w17[i])) + (v77 * w29[i]);
+        w108[i] = (v70 * w24[i]) + (v73 * w18[i]);
+        w109[i] = (v70 * w25[i]) + (v73 * w19[i]);
+        w110[i] = (v70 * w26[i]) + (v73 * w20[i]);
+        w111[i] = (v70 * w27[i]) + (v73 * w21[i]);
     }
 }
 
@@ -1867,14 +1739,14 @@ static void work_slope_1(int n, double t, const double *p, const double *g, doub
 
 static void work_slope_2(int n, const double *p, const double *g, double *w, double *s)
 {
-    double *restrict w120 = w + 120 * n;
-    double *restrict w121 = w + 121 * n;
-    double *restrict w122 = w + 122 * n;
-    double *restrict w123 = w + 123 * n;
-    double *restrict w124 = w + 124 * n;
-    double *restrict w125 = w + 125 * n;
-    double *restrict each21 = w + (SCRATCH + 21 * FIBRES) * n;
-    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
+    double *restrict w106 = w + 106 * n;
+    double *restrict w107 = w + 107 * n;
+    double *restrict w108 = w + 108 * n;
+    double *restrict w109 = w + 109 * n;
+    double *restrict w110 = w + 110 * n;
+    double *restrict w111 = w + 111 * n;
+    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
+    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
     const double c0 = p[10];
     const double c3 = p[0] / c0;
     const double c4 = squared(c3);
@@ -1882,50 +1754,50 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
     const double c6 = c0 / c5;
     for (int i = 0; i < n - 1; i++) {
         const double v8 = c6 * g[7 * i + 1];
-        s[SLOTS * i + 4] += v8 * w120[i];
-        s[SLOTS * (i + 1) + 4] += v8 * w121[i];
-        s[SLOTS * i + 0] += v8 * w122[i];
-        s[SLOTS * (i + 1) + 0] += v8 * w123[i];
-        s[SLOTS * i + 1] += v8 * w124[i];
-        s[SLOTS * (i + 1) + 1] += v8 * w125[i];
+        s[SLOTS * i + 4] += v8 * w106[i];
+        s[SLOTS * (i + 1) + 4] += v8 * w107[i];
+        s[SLOTS * i + 0] += v8 * w108[i];
+        s[SLOTS * (i + 1) + 0] += v8 * w109[i];
+        s[SLOTS * i + 1] += v8 * w110[i];
+        s[SLOTS * (i + 1) + 1] += v8 * w111[i];
         for (int k = 0; k < FIBRES; k++) {
-            s[SLOTS * i + 5 + k] += v8 * each21[FIBRES * i + k];
-            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each22[FIBRES * i + k];
+            s[SLOTS * i + 5 + k] += v8 * each17[FIBRES * i + k];
+            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each18[FIBRES * i + k];
         }
     }
 }
 
 static void work_slope_3(int n, const double *y, double *w)
 {
-    double *restrict w118 = w + 118 * n;
+    double *restrict w104 = w + 104 * n;
     for (int i = 1; i < n - 1; i++) {
-        w118[i] = y[SLOTS * i + 2];
+        w104[i] = y[SLOTS * i + 2];
     }
 }
 
 static void work_slope_4(int n, const double *y, double *w)
 {
-    double *restrict w119 = w + 119 * n;
+    double *restrict w105 = w + 105 * n;
     for (int i = 0; i < n - 1; i++) {
-        w119[i] = y[SLOTS * i + 3];
+        w105[i] = y[SLOTS * i + 3];
     }
 }
 
 static void work_slope_5(int n, double *w)
 {
-    double *restrict w118 = w + 118 * n;
-    double *restrict w119 = w + 119 * n;
+    double *restrict w104 = w + 104 * n;
+    double *restrict w105 = w + 105 * n;
     const int i = n - 1;
-    w118[i] = 0.0;
-    w119[i] = 0.0;
+    w104[i] = 0.0;
+    w105[i] = 0.0;
     (void)n;
 }
 
 static void work_slope_6(int n, double *w)
 {
-    double *restrict w118 = w + 118 * n;
+    double *restrict w104 = w + 104 * n;
     const int i = 0;
-    w118[i] = 0.0;
+    w104[i] = 0.0;
     (void)n;
 }
 
@@ -1934,24 +1806,24 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
     double *restrict w0 = w;
     double *restrict w2 = w + 2 * n;
     double *restrict w6 = w + 6 * n;
-    double *restrict w15 = w + 15 * n;
+    double *restrict w13 = w + 13 * n;
+    double *restrict w30 = w + 30 * n;
+    double *restrict w31 = w + 31 * n;
     double *restrict w32 = w + 32 * n;
     double *restrict w33 = w + 33 * n;
-    double *restrict w34 = w + 34 * n;
-    double *restrict w35 = w + 35 * n;
-    double *restrict w84 = w + 84 * n;
-    double *restrict w85 = w + 85 * n;
-    double *restrict w86 = w + 86 * n;
-    double *restrict w87 = w + 87 * n;
-    double *restrict w88 = w + 88 * n;
-    double *restrict w89 = w + 89 * n;
-    double *restrict w90 = w + 90 * n;
-    double *restrict w91 = w + 91 * n;
-    double *restrict w92 = w + 92 * n;
-    double *restrict w118 = w + 118 * n;
-    double *restrict w119 = w + 119 * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict w70 = w + 70 * n;
+    double *restrict w71 = w + 71 * n;
+    double *restrict w72 = w + 72 * n;
+    double *restrict w73 = w + 73 * n;
+    double *restrict w74 = w + 74 * n;
+    double *restrict w75 = w + 75 * n;
+    double *restrict w76 = w + 76 * n;
+    double *restrict w77 = w + 77 * n;
+    double *restrict w78 = w + 78 * n;
+    double *restrict w104 = w + 104 * n;
+    double *restrict w105 = w + 105 * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
     const double c48 = p[0] / p[10];
     const double c49 = squared(c48);
     const double c50 = p[2] * c49;
@@ -1960,23 +1832,23 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
         const double v1 = w0[i];
         const double v4 = g[7 * i + 4];
         const double v5 = (w0[i + 1] - v1) * v4;
-        const double v7 = w118[i];
-        const double v9 = (w118[i + 1] - v7) * v4;
+        const double v7 = w104[i];
+        const double v9 = (w104[i + 1] - v7) * v4;
         const double v12 = w2[i];
         const double v14 = (w2[i + 1] - v12) * v4;
-        const double v16 = w119[i];
-        const double v18 = (w119[i + 1] - v16) * v4;
+        const double v16 = w105[i];
+        const double v18 = (w105[i + 1] - v16) * v4;
         const double v22 = 1.0 / w6[i];
         const double v23 = ((v5 * v9) + (v14 * v18)) * v22;
         const double v27 = g[7 * i - 3];
         const double v28 = (v1 - w0[i - 1]) * v27;
-        const double v31 = (v7 - w118[i - 1]) * v27;
+        const double v31 = (v7 - w104[i - 1]) * v27;
         const double v35 = (v12 - w2[i - 1]) * v27;
-        const double v38 = (v16 - w119[i - 1]) * v27;
+        const double v38 = (v16 - w105[i - 1]) * v27;
         const double v42 = 1.0 / w6[i - 1];
         const double v43 = ((v28 * v31) + (v35 * v38)) * v42;
         const double v52 = (v23 - v43) * c51;
-        const double v64 = w15[i] * c51;
+        const double v64 = w13[i] * c51;
         const double v65 = v64 * v42;
         const double v67 = (v28 * v65) * v27;
         const double v68 = v64 * v22;
@@ -1987,28 +1859,28 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
         const double v87 = (v31 * v65) * v27;
         const double v95 = (v23 * v22) * v64;
         const double v100 = (v9 * v68) * v4;
-        const double v102 = (((v52 * w88[i]) + (v82 * w33[i - 1])) - (v95 * w32[i])) - (v87 + v100);
+        const double v102 = (((v52 * w74[i]) + (v82 * w31[i - 1])) - (v95 * w30[i])) - (v87 + v100);
         const double v115 = (v38 * v65) * v27;
         const double v126 = (v18 * v68) * v4;
-        const double v128 = (((v52 * w91[i]) + (v82 * w35[i - 1])) - (v95 * w34[i])) - (v115 + v126);
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 4] += v52 * w84[i];
-        s[2 * SLOTS * n + SLOTS * i + 4] += v52 * w85[i];
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 4] += v52 * w86[i];
+        const double v128 = (((v52 * w77[i]) + (v82 * w33[i - 1])) - (v95 * w32[i])) - (v115 + v126);
+        s[2 * SLOTS * n + SLOTS * (i - 1) + 4] += v52 * w70[i];
+        s[2 * SLOTS * n + SLOTS * i + 4] += v52 * w71[i];
+        s[2 * SLOTS * n + SLOTS * (i + 1) + 4] += v52 * w72[i];
         s[2 * SLOTS * n + SLOTS * (i - 1) + 2] += v67;
         s[2 * SLOTS * n + SLOTS * i + 2] += -(v67 + v70);
         s[2 * SLOTS * n + SLOTS * (i + 1) + 2] += v70;
         s[2 * SLOTS * n + SLOTS * (i - 1) + 3] += v74;
         s[2 * SLOTS * n + SLOTS * i + 3] += -(v74 + v76);
         s[2 * SLOTS * n + SLOTS * (i + 1) + 3] += v76;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 0] += ((v52 * w87[i]) + (v82 * w32[i - 1])) + v87;
+        s[2 * SLOTS * n + SLOTS * (i - 1) + 0] += ((v52 * w73[i]) + (v82 * w30[i - 1])) + v87;
         s[2 * SLOTS * n + SLOTS * i + 0] += v102;
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 0] += ((v52 * w89[i]) - (v95 * w33[i])) + v100;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 1] += ((v52 * w90[i]) + (v82 * w34[i - 1])) + v115;
+        s[2 * SLOTS * n + SLOTS * (i + 1) + 0] += ((v52 * w75[i]) - (v95 * w31[i])) + v100;
+        s[2 * SLOTS * n + SLOTS * (i - 1) + 1] += ((v52 * w76[i]) + (v82 * w32[i - 1])) + v115;
         s[2 * SLOTS * n + SLOTS * i + 1] += v128;
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 1] += ((v52 * w92[i]) - (v95 * w35[i])) + v126;
+        s[2 * SLOTS * n + SLOTS * (i + 1) + 1] += ((v52 * w78[i]) - (v95 * w33[i])) + v126;
         for (int k = 0; k < FIBRES; k++) {
-            s[2 * SLOTS * n + SLOTS * (i - 1) + 5 + k] += v52 * each11[FIBRES * i + k];
-            s[2 * SLOTS * n + SLOTS * i + 5 + k] += v52 * each12[FIBRES * i + k];
+            s[2 * SLOTS * n + SLOTS * (i - 1) + 5 + k] += v52 * each7[FIBRES * i + k];
+            s[2 * SLOTS * n + SLOTS * i + 5 + k] += v52 * each8[FIBRES * i + k];
         }
     }
 }
@@ -2025,17 +1897,18 @@ static int rates(const softcat_filament *filament, double t, const double *y, do
     rates_2(n, y, w);
     rates_3(n, y, w);
     rates_4(n, w);
-    rates_5(n, g, w);
+    rates_5(n, w);
     rates_6(n, p, g, w);
     rates_7(n, p, y, w, f);
     rates_8(n, p, g, w);
     rates_9(n, p, g, w, f);
-    rates_10(n, g, w);
-    rates_11(n, g, w);
-    rates_12(n, g, w);
-    rates_13(n, p, g, w, f);
-    rates_14(n, t, p, g, w, f);
+    rates_10(n, p, g, w);
+    rates_11(n, w);
+    rates_12(n, w);
+    rates_13(n, p, g, w);
+    rates_14(n, p, g, w, f);
     rates_15(n, t, p, g, w, f);
+    rates_16(n, t, p, g, w, f);
     return SOFTCAT_SOLVED;
 }
 
@@ -2052,17 +1925,18 @@ static int jacobian(const softcat_filament *filament, double t, const double *y,
     jacobian_2(n, y, w);
     jacobian_3(n, y, w);
     jacobian_4(n, w);
-    jacobian_5(n, g, w);
+    jacobian_5(n, w);
     jacobian_6(n, p, g, w);
     jacobian_7(n, p, y, w, e);
     jacobian_8(n, p, g, w);
     jacobian_9(n, p, g, w, e);
-    jacobian_10(n, g, w);
-    jacobian_11(n, g, w);
-    jacobian_12(n, g, w);
-    jacobian_13(n, p, g, w, e);
+    jacobian_10(n, p, g, w);
+    jacobian_11(n, w);
+    jacobian_12(n, w);
+    jacobian_13(n, p, g, w);
     jacobian_14(n, p, g, w, e);
     jacobian_15(n, p, g, w, e);
+    jacobian_16(n, p, g, w, e);
     return SOFTCAT_SOLVED;
 }
 
@@ -2148,7 +2022,7 @@ static const int column[] = {
     0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4};
 
 const softcat_model softcat_filament_model = {
-    21, 16, 11, 7, 310, 297, 3, 1,
+    21, 16, 11, 7, 264, 297, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };

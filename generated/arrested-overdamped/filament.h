@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: ed1ee47ce43f37f0ccf244f2706890bc2f7c6f2dd0e4ac0fe4c2ac6ed05bd2b6
+ * Digest of the structure: 7f21240f3d0de5fb6beabf74c79c488b9f29aae240203d07e470ab408095daff
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: 3de5d97420affbdf37ae9f3de8fc93485f194840738b887ac3990601ccccf5eb
+ * Digest of the structure: 80b265cc58f9181a8d1f32ff12a4f7b21a87ce03bd569f95984262ed7c9974ae
  */
 
 #ifndef SOFTCAT_FILAMENT_H
