@@ -88,7 +88,7 @@ def derivatives(density: Any, by: Sequence[Any], values: Values) -> list[ca.SX]:
     """Derivatives of a density with respect to some of its symbols, by CasADi."""
     fresh = [ca.SX.sym(str(symbol)) for symbol in by]
     expression = printed(density, {**values, **dict(zip(by, fresh, strict=True))})
-    slopes = ca.gradient(expression, ca.vertcat(*fresh))
+    slopes = ca.vertcat(*(ca.jtimes(expression, one, ca.SX(1)) for one in fresh))
     return ca.vertsplit(ca.substitute(slopes, ca.vertcat(*fresh), ca.vertcat(*(values[symbol] for symbol in by))))
 
 
