@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 7f21240f3d0de5fb6beabf74c79c488b9f29aae240203d07e470ab408095daff
+ * Digest of the structure: 60f886bde4993992d8a87c7c868be7fb7ce3a068eb4636f3888a0aa7c2c51001
  */
 
 #ifndef SOFTCAT_FILAMENT_H

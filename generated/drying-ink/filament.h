@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: 80b265cc58f9181a8d1f32ff12a4f7b21a87ce03bd569f95984262ed7c9974ae
+ * Digest of the structure: 99ecfac5c900f5eae35ff0e8438d47d1d3074089bc99fdc993cdf7f35fadeb73
  */
 
 #ifndef SOFTCAT_FILAMENT_H

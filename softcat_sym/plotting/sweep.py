@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -22,7 +23,7 @@ from softcat_sym.plotting.files import write_results
 from softcat_sym.plotting.phase import AXES, LOOKS
 from softcat_sym.plotting.sliders import sliders_page
 from softcat_sym.plotting.terminal import text_table
-from softcat_sym.plotting.units import length_unit, stress_unit, time_unit
+from softcat_sym.plotting.units import Unit, length_unit, stress_unit, time_unit
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 MAX_DRAWN: Final = 4000
 """Members that a picture shows one by one; of more, so many evenly from the first to the last."""
 
-_UNITS: Final = {"Pa": stress_unit, "m": length_unit, "s": time_unit}
+_UNITS: Final[dict[str, Callable[[float], Unit]]] = {"Pa": stress_unit, "m": length_unit, "s": time_unit}
 _OTHER_LOOKS: Final = (("D", style.SKY), ("P", style.PURPLE), ("*", style.BLACK))
 _NO_ANSWER: Final[dict[str, Any]] = {"marker": "x", "c": style.GREY, "linewidths": 0.7, "zorder": 2}
 _MAX_PAIRS, _MAX_MARKS, _LOG_SAG = 5, 30, 6.0
