@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from html import escape
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -26,7 +27,7 @@ from softcat_sym.fitting.least_squares import MultiStartResult
 from softcat_sym.fitting.measurements import Measurements
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import json_bytes
-from softcat_sym.plotting.fit import fit_page, fitted_toml, print_fit
+from softcat_sym.plotting.fit import fit_page, fitted_toml, print_fit, write_fit
 from softcat_sym.plotting.fit_figures import (
     JOINT,
     correlation_figure,
@@ -167,6 +168,11 @@ FIGURES: dict[str, Callable[[sc.Fit], Figure]] = {
 @pytest.fixture(scope="module")
 def two_fitted() -> sc.Fit:
     return sc.fit(sc.Measurements.of(*film(), std=5e-4), scene(), ["yield_stress", "viscosity"], starts=2)
+
+
+def test_a_fit_gives_the_pictures_of_its_files(two_fitted: sc.Fit, tmp_path: Path) -> None:
+    written = {path.stem for path in write_fit(two_fitted, tmp_path) if path.suffix == ".png"}
+    assert written == set(two_fitted.figures()) >= {"fit", "starts", "correlation"}
 
 
 @pytest.mark.parametrize("name", FIGURES)

@@ -392,6 +392,12 @@ class Fit:
 
         return drawn(FIGURES, what, self)
 
+    def figures(self) -> dict[str, Figure]:
+        """Pictures of the fit, by the names of their files."""
+        from softcat_sym.plotting.fit import captioned_figures
+
+        return {name: figure for name, (_, figure) in captioned_figures(self).items()}
+
     def __repr__(self) -> str:
         lines = [f"Fit {self.scene.title!r}: {self.outcome.name}"]
         for name, one in self.parameters.items():

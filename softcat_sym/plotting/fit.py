@@ -20,6 +20,8 @@ from softcat_sym.plotting.style import png
 from softcat_sym.plotting.terminal import text_table
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from softcat_sym.fitting.fit import Fit
     from softcat_sym.fitting.model_selection import LawComparison
 
@@ -119,25 +121,30 @@ def write_fit(fit: Fit, directory: str | Path, command: str = "", laws: LawCompa
 
 
 _CAPTIONS = {
-    "curves": ("fit.png", "data, model with its 95 % band, and residuals"),
-    "profiles": ("profiles.png", "profile likelihoods with the 95 % threshold"),
-    "correlation": ("correlation.png", "joint 95 % regions and correlations"),
-    "starts": ("starts.png", "where every start began and ended"),
+    "curves": ("fit", "data, model with its 95 % band, and residuals"),
+    "profiles": ("profiles", "profile likelihoods with the 95 % threshold"),
+    "correlation": ("correlation", "joint 95 % regions and correlations"),
+    "starts": ("starts", "where every start began and ended"),
 }
 
 
 def fit_pictures(fit: Fit) -> dict[str, tuple[str, bytes]]:
-    """Draw what there is to draw: names of files with captions and pictures."""
+    """Names of files with captions and pictures."""
+    return {f"{name}.png": (caption, png(figure)) for name, (caption, figure) in captioned_figures(fit).items()}
+
+
+def captioned_figures(fit: Fit) -> dict[str, tuple[str, Figure]]:
+    """Draw what there is to draw, with captions."""
     shown = {"profiles": bool(fit.profiles), "correlation": len(fit.problem.free) > 1}
     found = {
-        name: (caption, png(FIGURES[what](fit))) for what, (name, caption) in _CAPTIONS.items() if shown.get(what, True)
+        name: (caption, FIGURES[what](fit)) for what, (name, caption) in _CAPTIONS.items() if shown.get(what, True)
     }
     for number, film in enumerate(fit.films, start=1):
         if film.features is not None:
-            name = "features.png" if number == 1 else f"features_{number}.png"
+            name = "features" if number == 1 else f"features_{number}"
             part = film.part(film.of_midpoint)
             figure = features_figure(part.time, part.measured, film.features, film.name)
-            found[name] = (f"features read from {film.name}", png(figure))
+            found[name] = (f"features read from {film.name}", figure)
     return found
 
 
