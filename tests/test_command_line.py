@@ -249,6 +249,7 @@ def test_run_writes_its_files_and_is_short_on_the_screen_or_in_full(softcat: Sof
     assert "\x1b" not in short.out + short.err, "no colour in a pipe"
 
 
+@pytest.mark.slow
 def test_overrides_reach_the_run_and_its_resolved_scene_runs_to_the_same_answer(softcat: Softcat) -> None:
     assert softcat("run", "ink-bridge", "-o", "first", "-q", "--set", "run.closure=printed", *ONCE).out == ""
     assert softcat("run", "first/scene.toml", "-o", "second", "-q").status == 0
@@ -331,6 +332,7 @@ def test_what_cannot_be_drawn_is_refused_before_anything_is_solved(softcat: Soft
         assert (done.status, text in done.err, Path("out").exists()) == (2, True, False)
 
 
+@pytest.mark.slow
 def test_what_is_no_trajectory_is_refused_and_a_summary_of_another_run_not_believed(
     softcat: Softcat, stored: Path, tmp_path: Path
 ) -> None:

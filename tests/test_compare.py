@@ -235,6 +235,7 @@ def check_layout(figure: Figure) -> None:
         assert not any(box.overlaps(other) for other in boxes[k + 1 :])
 
 
+@pytest.mark.slow
 def test_pictures_documents_and_tables_of_whatever_happens(comparison: Comparison) -> None:
     for case in (lambda c: c, run_away, at_rest, alone):
         found = case(comparison)
@@ -305,6 +306,7 @@ def test_each_rate_is_drawn_where_it_was_measured(comparison: Comparison) -> Non
         assert np.ptp(field.x[0]) < 1e-9 * thickness and np.ptp(field.x[-1]) < 1e-9 * thickness
 
 
+@pytest.mark.slow
 def test_the_command_resumes_and_writes_the_same(
     softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

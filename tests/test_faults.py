@@ -213,6 +213,7 @@ def test_a_folder_into_which_nothing_came_goes_again(tmp_path: Path) -> None:
     assert tmp_path.is_dir(), "what was there stays"
 
 
+@pytest.mark.slow
 def test_a_run_on_a_full_disk_says_so_and_leaves_the_old_files(softcat: Softcat, tmp_path: Path) -> None:
     with tiny_disk(tmp_path / "disk", 1000) as disk:
         output = disk / "out"

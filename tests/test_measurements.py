@@ -236,6 +236,7 @@ def of_checked(time: Floats, midpoint: Floats, scene: Scene) -> Series:
     return checked(Measurements.of(time, midpoint), scene).series[0]
 
 
+@pytest.mark.slow
 def test_what_a_scene_itself_does_is_neither_refused_nor_remarked_on() -> None:
     for name in ("maxwell-slow", "drawn-blob", "putty-arch", "curled-rod", "slack-taffy", "glass-rod"):
         scene = load_scene(name, {"run.frames": 60, "numerics.cells": 12, "numerics.estimate": False})

@@ -238,6 +238,7 @@ def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str])
     return Softcat(monkeypatch, capsys)
 
 
+@pytest.mark.slow
 def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     out = tmp_path / "out"
     files = {"phase.json", "scene.toml", "phase_runs.csv", "phase_boundaries.csv", "phase_lines.csv"}

@@ -538,6 +538,7 @@ def test_a_write_that_fails_midway_keeps_the_old_file(tmp_path, monkeypatch):
     assert [(path, path.read_bytes()) for path in tmp_path.iterdir()] == [(target, b"old")]
 
 
+@pytest.mark.slow
 def test_whatever_a_run_leaves_is_drawn_without_a_warning(scene, summary, make_run, make_scene):
     cases = {
         "one frame": ([0.01], [0.0]),

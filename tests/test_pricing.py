@@ -204,6 +204,7 @@ def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str])
     return Softcat(monkeypatch, capsys)
 
 
+@pytest.mark.slow
 def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     output = tmp_path / "deep" / "out"
     done = softcat("effects", "cold-honey", "-o", str(output), *sets(*BARE))
