@@ -3,7 +3,8 @@
 ``load_scene`` reads a scene, ``explain`` says what it calls for, ``simulate`` runs it, ``open_run`` reads a run again,
 ``generate`` writes it as C; every function that takes a scene also takes its name, its path or a dict.
 ``simulate_many`` runs a table of them, ``sweep`` any number; ``price_effects`` tells what each effect is worth; ``fit``
-finds the material of a filament that was filmed, ``card`` puts all on one page. SymPy, CasADi and matplotlib are loaded
+finds the material of a filament that was filmed, ``card`` puts all on one page; ``register_effect`` adds physics.
+SymPy, CasADi and matplotlib are loaded
 when they are first used.
 """
 
@@ -16,6 +17,8 @@ from typing import TYPE_CHECKING, Any
 from softcat_sym.simulate import simulate
 
 if TYPE_CHECKING:
+    from softcat_sym.effects.effect import Effect, EffectConstant, Estimate
+    from softcat_sym.effects.registry import register_effect
     from softcat_sym.ensemble.ensemble import Ensemble, simulate_many
     from softcat_sym.errors import SceneError, SoftcatError, SoftcatWarning
     from softcat_sym.fitting.fit import Fit, fit
@@ -35,6 +38,8 @@ if TYPE_CHECKING:
     __version__: str
 
 _HOMES = {
+    "effects.effect": ("Effect", "EffectConstant", "Estimate"),
+    "effects.registry": ("register_effect",),
     "ensemble.ensemble": ("Ensemble", "simulate_many"),
     "errors": ("SceneError", "SoftcatError", "SoftcatWarning"),
     "fitting.fit": ("Fit", "fit"),
@@ -54,7 +59,10 @@ _HOMES = {
 
 __all__ = [
     "Card",
+    "Effect",
+    "EffectConstant",
     "Ensemble",
+    "Estimate",
     "Explanation",
     "Fit",
     "Measurements",
@@ -75,6 +83,7 @@ __all__ = [
     "load_scene",
     "open_run",
     "price_effects",
+    "register_effect",
     "simulate",
     "simulate_many",
     "sweep",

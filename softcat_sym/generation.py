@@ -30,7 +30,7 @@ from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
 from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
-from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, compiled_settings, integrates
+from softcat_sym.solvers.settings import NOTHING_TO_INTEGRATE, ONE_TENSION, compiled_settings
 
 if TYPE_CHECKING:
     from softcat_sym.scene.reading import SceneLike
@@ -95,7 +95,7 @@ def export(scene: Scene) -> tuple[Description, Assembled]:
     refuse_settled(scene, "a generated program runs to the end of its duration")
     if scene.model == "small-deflection":
         raise SceneError([Fault("model", f"'small-deflection', but {ONE_TENSION}", "filament")])
-    if not integrates(effects.names):
+    if not effects.terms().integrates:
         raise SceneError([Fault("run.effects", NOTHING_TO_INTEGRATE, "auto, or the effect inertia")])
     filament, settings = assembled(scene, effects), compiled_settings(scene, effects)
     structure, tolerances = filament.structure(), (settings.rtol, settings.atol)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
 from pathlib import Path
@@ -9,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from softcat_sym import errors
+from softcat_sym.effects.registry import REGISTRY
 
 LAYERS = "from importlinter.cli import lint_imports_command; lint_imports_command()"
 TOOLS = {
@@ -32,3 +34,42 @@ def test_at_most_eight_exception_classes_each_with_advice() -> None:
     classes = [each for each in vars(errors).values() if isinstance(each, type) and issubclass(each, Exception)]
     assert len(classes) <= 8
     assert all(each.__doc__ for each in classes)
+
+
+WORDS = {"bending", "shear", "fibres", "inertia", "thinning", "yielding"}
+"""Names that are quantities, too: as a column or a key they name no effect."""
+
+FLAGS = {("cli/new.py", "surface-tension")}
+"""An option of the command line for the key of this name."""
+
+
+def test_no_file_outside_effects_names_one() -> None:
+    """Nothing imports an effect, compares with its name or looks it up; a physical word may be a column or a key."""
+    package, names = Path(errors.__file__).parent, {effect.name for effect in REGISTRY}
+    modules = {f"softcat_sym.effects.{name.replace('-', '_')}" for name in names}
+    found = []
+    for path in sorted(package.rglob("*.py")):
+        where = path.relative_to(package).as_posix()
+        if where.startswith("effects/"):
+            continue
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        compared = {
+            id(part)
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Compare)
+            for side in (node.left, *node.comparators)
+            for part in ast.walk(side)
+        }
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module in modules:
+                found.append(f"{where}:{node.lineno} imports {node.module}")
+            if not isinstance(node, ast.Constant) or node.value not in names or (where, node.value) in FLAGS:
+                continue
+            if node.value not in WORDS or (id(node) in compared and (where, node.value) not in COLUMNS):
+                found.append(f"{where}:{node.lineno} names {node.value!r}")
+    assert not found, "\n".join(found)
+    assert len(modules) == len(REGISTRY) > 15
+
+
+COLUMNS = {("plotting/paper_figures.py", "shear"), ("discretization/shearing.py", "shear")}
+"""A field of the trajectory, and a kind of plastic state, that are asked for by name."""

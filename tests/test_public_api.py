@@ -31,7 +31,7 @@ def test_every_name_resolves_once_and_says_what_it_is_and_takes() -> None:
             for parameter in signature.parameters.values():
                 assert parameter.annotation is not inspect.Parameter.empty, (name, parameter.name)
                 assert parameter.name in text, (name, parameter.name)
-    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Card, Ensemble, .*simulate"):
+    with pytest.raises(AttributeError, match=r"no attribute 'simulat'; it has Card, Effect, .*simulate"):
         _ = sc.simulat
     assert issubclass(SceneError, SoftcatError)
     assert (sc.SceneError, sc.SoftcatError, sc.__version__) == (SceneError, SoftcatError, version("softcat_sym"))

@@ -19,6 +19,7 @@ from softcat_sym.discretization.grid import End, choose_grading, towards_middle
 from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.errors import PrintingError
+from softcat_sym.scene.material import Parameter, constant_in_c
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import si_unit
 
@@ -27,6 +28,7 @@ MIN_CELLS = 4
 
 _UNITS = {
     "span": "m",
+    "area": "m^2",
     "drop": "m",
     "left_angle": "rad",
     "right_angle": "rad",
@@ -38,6 +40,7 @@ _UNITS = {
 _ENDINGS = {"_time": "s", "_dx": "m", "_dy": "m", "_youngs_modulus": "Pa", "_viscosity": "Pa*s"}
 
 _MEANINGS = {
+    "area": "undeformed, of the section",
     "rest_length": "length of the undeformed filament",
     "thickness": "of the section; the diameter of a circle",
     "gravity": "acceleration",
@@ -129,15 +132,20 @@ def describe(
     )
 
 
+def _named_by_user(scene: Scene) -> dict[str, Parameter]:
+    """Constants that only this scene has, by their names in C."""
+    return {constant_in_c(path): one for path, one in scene.named_constants().items()}
+
+
 def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     if name == "viscosity" and "index" in names:
         return "Pa*s^n"
     known = {one.name: one.unit for one in CATALOGUE} | _UNITS
     if name in known:
         return known[name]
-    for own in scene.material.parameters:
-        if own.name == name:
-            return str(si_unit(own.dimension)).replace(" ", "") or "1"
+    own = _named_by_user(scene)
+    if name in own:
+        return str(si_unit(own[name].dimension)).replace(" ", "") or "1"
     return next((unit for ending, unit in _ENDINGS.items() if name.endswith(ending)), "1")
 
 
@@ -148,7 +156,7 @@ def _meaning(name: str, unit: str) -> str:
 def _bound(scene: Scene, name: str) -> str:
     if name == "poisson":
         return "poisson"
-    own = {parameter.name for parameter in scene.material.parameters}
+    own = _named_by_user(scene)
     free = ("curvature", "drop", "left_angle", "right_angle")
     if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
         return "any"

@@ -286,7 +286,7 @@ def _seen(model: ForwardModel) -> tuple[Floats, Floats]:
 
     Differences across the instant at which a fibre yields are no derivatives, and would pass for information.
     """
-    beside = (0.0, -_BESIDE, _BESIDE) if "yielding" in model.effects else (0.0,)
+    beside = (0.0, -_BESIDE, _BESIDE) if model.terms.yields else (0.0,)
     found = [model.with_derivatives(model.typical + step) for step in beside]
     heights, slopes = (np.asarray(np.median([one[k] for one in found], axis=0), dtype=float) for k in (0, 1))
     return np.abs(heights), slopes

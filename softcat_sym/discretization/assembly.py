@@ -25,11 +25,8 @@ from softcat_sym.discretization.grid import (
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.stencil import INVERTED, PER
 from softcat_sym.discretization.supports import Body, Profile, Supports, node_mass
-from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.choosing import Effects, choose_effects
-from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
-from softcat_sym.effects.shear import SHEAR
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
 
@@ -64,9 +61,9 @@ def choose_cells(scene: Scene, effects: Effects | None = None) -> int:
     """Cells per half span: as many as the scene says, otherwise what its theory, ends and accuracy need."""
     if scene.numerics.cells is not None:
         return scene.numerics.cells
-    names = (effects or choose_effects(scene)).names
-    bent_ends = BENDING.name in names and "clamped" in (scene.ends.left, scene.ends.right)
-    if {SHEAR.name, FIBRES.name} & set(names) or not bent_ends:
+    terms = (effects or choose_effects(scene)).terms()
+    bent_ends = terms.bending and "clamped" in (scene.ends.left, scene.ends.right)
+    if terms.turns or not bent_ends:
         return DEFAULT_CELLS
     fewer = CLAMPED_CELLS * math.sqrt(_THOUSANDTH / scene.run.accuracy)
     return int(min(CLAMPED_CELLS, max(DEFAULT_CELLS, round(fewer))))
@@ -92,7 +89,8 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
     left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
     middle = towards_middle(scene, effects)
-    if is_symmetric(scene):
+    densities = (effects or choose_effects(scene)).terms().densities
+    if is_symmetric(scene) and all(one.symmetric for one in densities):
         return half_span(cells, right, grading, middle=middle)
     return whole_span(cells, left, right, grading, middle=middle)
 
@@ -171,7 +169,7 @@ def assemble(
         for symbol, differential in (("x", True), ("z", False))
     )
     places = places_of(grid, body, equations.shape.area_power)
-    return Graph(grid, effects, equations.conserves_energy, program, places, moving, still)
+    return Graph(grid, effects, equations.terms, equations.conserves_energy, program, places, moving, still)
 
 
 def _block(slot: Slot, grid: Grid) -> Block:

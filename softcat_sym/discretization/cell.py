@@ -116,7 +116,7 @@ class Builder:
         self.bends = self.first.holds_angle, self.last.holds_angle  # Which ends carry a moment
         self.leaves, self.fields = Leaves(), list[Field]()
         self.named = _Parameters(self.leaves)
-        rows: list[Parameter | Constant] = [*CATALOGUE, *equations.law.constants]
+        rows: list[Parameter | Constant] = [*CATALOGUE, *equations.constants]
         # Everything is per unit undeformed area.
         self.values: dict[Any, Any] = {symbols.A0: 1.0, **{row.symbol: self.named[row.name] for row in rows}}
         self.scale, self.span, self.density = self.named[TIME_SCALE], self.values[symbols.L_0], self.values[symbols.rho]
@@ -246,12 +246,21 @@ class Mechanics:
     torque: Sided | None = None  # What turns the section angle of a node [Pa m], where it is independent
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
+    moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
+
+
+def _resists(b: Builder) -> bool:
+    """Whether a stress or a force depends on the velocities."""
+    return b.equations.law.viscosity is not None or b.equations.terms.drags
+
+
+def _needs_velocities(b: Builder) -> bool:
+    return b.equations.terms.inertia or _resists(b)
 
 
 def positions(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours]:
     """Positions of all nodes in rest lengths; those that are held are where the supports are."""
-    inertia, viscous = b.equations.terms.inertia, b.equations.law.viscosity is not None
-    moves, at = inertia or viscous, b.supports
+    moves, at = _needs_velocities(b), b.supports
     found = []
     for name, rate, holds, first, last in (
         ("x", "u", (b.first.holds_x, b.last.holds_x), at.left_x if b.first.holds_height else 0, at.right_x),
@@ -269,8 +278,8 @@ def positions(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours
 
 def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours, Neighbours, Neighbours]:
     """Velocities of all nodes in rest lengths and time scales: those of held ones as zero, and as they move."""
-    inertia, viscous = b.equations.terms.inertia, b.equations.law.viscosity is not None
-    if not (inertia or viscous):
+    inertia = b.equations.terms.inertia
+    if not _needs_velocities(b):
         return Same(), Same(), Same(), Same()
     at, plain, moved = b.supports, list[Neighbours](), list[Neighbours]()
     for name, holds, last in (
@@ -284,7 +293,7 @@ def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbour
         slot = Slot(name, "node", holds, inertia, "", section=False)
         plain.append(b.unknown(slot))
         still = not any(holds) or not holds[1] or ca.SX(last).is_zero()
-        moved.append(plain[-1] if still or not viscous else b.unknown(slot, 0, last, f"{name}_moving"))
+        moved.append(plain[-1] if still or not _resists(b) else b.unknown(slot, 0, last, f"{name}_moving"))
     return plain[0], plain[1], moved[0], moved[1]
 
 

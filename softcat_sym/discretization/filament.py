@@ -17,7 +17,8 @@ from softcat_sym.discretization.cell import (
 )
 from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
-from softcat_sym.discretization.parameters import CATALOGUE, TIME_SCALE
+from softcat_sym.discretization.outer_forces import Outer, outer_forces
+from softcat_sym.discretization.parameters import AREA, CATALOGUE, TIME_SCALE
 from softcat_sym.discretization.section_rule import Sampling
 from softcat_sym.discretization.shearing import shearing
 from softcat_sym.discretization.stencil import (
@@ -66,10 +67,13 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
     if b.equations.resolved is not None:
         rotary = printed(b.equations.resolved.rotary_inertia, b.values)
 
+    outer = outer_forces(b, of)
+    of.energies |= outer.energies
+    of.dissipation += outer.dissipation
     fixed = per_mass, gravity * unit, rotary
     slots = _ordered(b.slots)
-    rates = tuple(_rate(b, of, slot, fixed) for slot in slots)
-    powers = _powers(b, of, mass, gravity, gravity_rate)
+    rates = tuple(_rate(b, of, outer, slot, fixed) for slot in slots)
+    powers = _powers(b, of, outer, mass, gravity, gravity_rate)
     shown = _observables(b, of, mass, gravity, rotary)
     everything = [*b.fields, *rates, *(one for power in powers for one in power)]
     everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
@@ -81,7 +85,7 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
         if leaf.kind == PARAMETER
     }
     used |= {"density", "rest_length"}
-    rows = [*(row.name for row in CATALOGUE), *(row.name for row in b.equations.law.constants)]
+    rows = [*(row.name for row in CATALOGUE), AREA, *(row.name for row in b.equations.constants)]
     named = [*(name for name in rows if name in used), *b.body.parameters]
     return Program(
         leaves=b.leaves,
@@ -96,7 +100,7 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
     )
 
 
-def _rate(b: Builder, of: Mechanics, slot: Slot, fixed: tuple[ca.SX, ca.SX, ca.SX]) -> Field:
+def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.SX, ca.SX, ca.SX]) -> Field:
     """Rate of an unknown, or what must vanish for an algebraic one: the rate of its momentum.
 
     A torque is divided by the mass and the square of the span, not by the rotary inertia: sparse factorisations do not
@@ -112,9 +116,9 @@ def _rate(b: Builder, of: Mechanics, slot: Slot, fixed: tuple[ca.SX, ca.SX, ca.S
         inertia = rotary if slot.differential else b.density * b.span**2
         acting, factor, minus = of.torque, 1 / b.node[0] * (b.scale**2 / (inertia * b.span)), ca.SX(0)
     else:
-        force = of.force[0] if slot.name in ("x", "u") else of.force[1]
-        acting, factor = _net(force), per_mass
-        minus = weight if slot.name in ("y", "v") else ca.SX(0)
+        way = int(slot.name in ("y", "v"))
+        acting, factor = _net(of.force[way], outer, way), per_mass
+        minus = weight if way else ca.SX(0)
     if acting is None:
         raise ValueError(f"{slot.name}: nothing turns the sections of this filament")
     # Nodes beside which there is a cell on one side only are written out by themselves.
@@ -123,12 +127,15 @@ def _rate(b: Builder, of: Mechanics, slot: Slot, fixed: tuple[ca.SX, ca.SX, ca.S
     return Field(name, INNER, acting(-1, 0) * factor - minus, ends)
 
 
-def _net(force: Neighbours) -> Sided:
-    """What the forces of the cells beside a node leave."""
-    nothing = ca.SX(0)
-    return lambda before, behind: (
-        (nothing if behind is None else force[behind]) - (nothing if before is None else force[before])
-    )
+def _net(force: Neighbours, outer: Outer, way: int) -> Sided:
+    """What the forces of the cells beside a node leave, with those from outside."""
+
+    def acting(before: int | None, behind: int | None) -> ca.SX:
+        nothing = ca.SX(0)
+        inner = (nothing if behind is None else force[behind]) - (nothing if before is None else force[before])
+        return inner + outer.at(way, before, behind)
+
+    return acting
 
 
 def _linear_profiles(b: Builder) -> dict[str, tuple[float, float]]:
@@ -150,7 +157,7 @@ def place_names(body: Body) -> tuple[str, ...]:
 
 
 def _powers(
-    b: Builder, of: Mechanics, mass: ca.SX, gravity: ca.SX, gravity_rate: ca.SX
+    b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX, gravity_rate: ca.SX
 ) -> tuple[tuple[Field, ...], ...]:
     """Plastic power, power of the changing load and of the gradient, site by site, in `energy_scale` units."""
     span, at = b.span, b.supports
@@ -158,10 +165,13 @@ def _powers(
     lifted = mass * (span * b.density * gravity_rate * scale)
     # The force on the right support carries the last cell and its own share.
     weight = mass * b.density * gravity * span
-    moved = (of.force[0][-1] * at.right_u + (of.force[1][-1] + weight) * at.right_v) * scale
+    pushed = [outer.at(way, -1, None) for way in (0, 1)]
+    moved = (of.force[0][-1] - pushed[0]) * at.right_u + (of.force[1][-1] + weight - pushed[1]) * at.right_v
+    moved *= scale
     load = [Field("power_load_0", NODES, lifted * of.y[0])]
     if not moved.is_zero():
         load.append(Field("power_load_1", Where(-1, 0, alone=True), moved))
+    load += [Field(one.name, one.where, one.value * scale) for one in outer.power]
     gradient: list[Field] = []
     if of.double_force is not None:
         stretching = []

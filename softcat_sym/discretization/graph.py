@@ -13,6 +13,7 @@ import numpy as np
 from softcat_sym.discretization.cell import Program
 from softcat_sym.discretization.grid import Floats, Grid, Layout
 from softcat_sym.discretization.stencil import PARAMETER, TIME, Field, Leaf, Spread
+from softcat_sym.physics.filament import Terms
 
 
 def tidy(*expressions: ca.SX) -> list[ca.SX]:
@@ -39,6 +40,7 @@ class Graph:
 
     grid: Grid  # Nodes and ends
     effects: tuple[str, ...]  # Names of the effects in force
+    terms: Terms  # What they left of the equations
     conserves_energy: bool  # Whether forces and stored energy belong together, so that the energy balance can be judged
     program: Program  # What its sites compute
     places: Mapping[str, Floats]  # Geometry of each site

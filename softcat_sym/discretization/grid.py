@@ -136,13 +136,13 @@ at h0/L = 0.03 the error of the arrested filament falls from 1 % to 0.1 % as tha
 
 def choose_grading(scene: Scene, cells: int, effects: Effects | None = None) -> float:
     """Choose the ratio of the longest cell to the shortest; 1 where no end is clamped or nothing bends."""
-    names = (effects or choose_effects(scene)).names
-    if "clamped" not in (scene.ends.left, scene.ends.right) or "bending" not in names:
+    terms = (effects or choose_effects(scene)).terms()
+    if "clamped" not in (scene.ends.left, scene.ends.right) or not terms.bending:
         return 1.0
-    hinge = "yielding" in names and may_yield(scene)
+    hinge = terms.yields and may_yield(scene)
     if scene.model == "small-deflection":
         return LEAST
-    if "shear" in names or "fibres" in names:
+    if terms.turns:
         return _ratio_for(HINGE_CELL * groups_of(scene).delta, cells) if hinge else LEAST
     return MOST if hinge else SMOOTH_KIRCHHOFF
 
@@ -154,8 +154,8 @@ def towards_middle(scene: Scene, effects: Effects | None = None) -> bool:
     which a comparison of two grids finds too small by a factor of three; short ones leave 0.02 %. A weight of less than
     half the filament's own makes no such hinge.
     """
-    names = (effects or choose_effects(scene)).names
-    return {"bending", "yielding"} <= set(names) and load_factor(scene) > _HEAVY and may_yield(scene)
+    terms = (effects or choose_effects(scene)).terms()
+    return terms.bending and terms.yields and load_factor(scene) > _HEAVY and may_yield(scene)
 
 
 def may_yield(scene: Scene) -> bool:

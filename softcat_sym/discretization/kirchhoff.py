@@ -187,6 +187,7 @@ def kirchhoff(b: Builder) -> Mechanics:
         section.dissipation,
         shown,
         double_force=double_force,
+        moved=(moved[0], moved[1]),
     )
 
 

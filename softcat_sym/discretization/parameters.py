@@ -10,9 +10,11 @@ from softcat_sym.physics import symbols
 from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.loads import surface_tension
 from softcat_sym.physics.necking import aspect
+from softcat_sym.scene.material import constant_in_c
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 
 REST_LENGTH = "rest_length"
+AREA = "area"
 TIME_SCALE = "time_scale"
 
 
@@ -71,6 +73,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "aspect": filament.width / filament.thickness,
         "curvature": filament.curvature,
         "surface_tension": scene.surroundings.surface_tension,
+        AREA: undeformed_area(scene),
         POINT_MASS: scene.load.point_mass / undeformed_area(scene),
         SPAN: filament.span,
         DROP: ends.drop,
@@ -80,5 +83,6 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "poisson": scene.material.poisson,
         "solid_viscosity": solid_viscosity(scene),
         **scene.material.values(),
+        **{constant_in_c(path): one.value for path, one in scene.named_constants().items()},
         **path,
     }

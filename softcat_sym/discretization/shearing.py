@@ -137,6 +137,7 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
         torque,
         double_force,
         fibres.profiles,
+        moved=(moved[0], moved[1]),
     )
 
 

@@ -46,5 +46,6 @@ BENDING = Effect(
     observable="share of the load that tension leaves to bending at the largest sag",
     example="glass-rod",
     derivation="01_balance",
+    causes=("bending",),
     indispensable=_indispensable,
 )

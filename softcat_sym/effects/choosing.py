@@ -6,21 +6,23 @@ import difflib
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
-from softcat_sym.effects.extensibility import EXTENSIBILITY, implied_extensibility
+from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
-from softcat_sym.effects.forecast import forecast, outrunning_faults
+from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.law import law_in
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
-from softcat_sym.effects.surface_tension import SURFACE_TENSION, unstable_faults
+from softcat_sym.effects.surface_tension import SURFACE_TENSION
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import same_dimension, si_unit
 
 
 def refuse_law(scene: Scene) -> None:
@@ -49,6 +51,50 @@ def refuse_without(scene: Scene, chosen: tuple[Effect, ...]) -> None:
         for effect in REGISTRY
         if effect not in chosen and effect.applies(scene) and (why := effect.indispensable(scene))
     ]
+    if faults:
+        raise SceneError(faults)
+
+
+def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:
+    """Why a list that does not name extensibility has it all the same; empty if it has not."""
+    name = EXTENSIBILITY.name
+    if name in asked or not EXTENSIBILITY.applies(scene):
+        return {}
+    needed = EXTENSIBILITY.indispensable(scene)
+    if needed or any(name in effect.needs for effect in REGISTRY if effect.name in asked):
+        return {name: needed or "needed by effects that are named"}
+    return {} if BENDING.name in asked else {name: "without bending nothing else carries the load"}
+
+
+def refuse_unsound(scene: Scene, chosen: tuple[Effect, ...]) -> None:
+    """Refuse what no filament withstands with these effects."""
+    if faults := [fault for effect in chosen for fault in effect.faults(scene)]:
+        raise SceneError(faults)
+
+
+def refuse_tables(scene: Scene) -> None:
+    """Refuse tables ``[effects.NAME]`` of no effect, and constants that are missing, unknown or of another unit."""
+    known = {effect.name: effect for effect in REGISTRY if effect.constants}
+    faults = []
+    for name, table in scene.effects:
+        path = f"effects.{name}"
+        if name not in known:
+            accepted = f"an effect with constants: {', '.join(known)}" if known else "an effect that is registered"
+            faults.append(Fault(path, "no effect of this name has constants", accepted))
+            continue
+        asked, given = {one.name: one for one in known[name].constants}, {one.name: one for one in table}
+        accepted = ", ".join(f"{one.name} [{one.unit}]" for one in asked.values())
+        faults += [
+            Fault(f"{path}.{key}", "missing", f"{one.meaning} [{one.unit}]")
+            for key, one in asked.items()
+            if key not in given
+        ]
+        for key, one in given.items():
+            if key not in asked:
+                faults.append(Fault(f"{path}.{key}", f"{name!r} has no such constant", accepted))
+            elif not same_dimension(one.dimension, asked[key].dimension):
+                found = f"in {si_unit(one.dimension) or 'plain numbers'}"
+                faults.append(Fault(f"{path}.{key}", found, f"a value in {asked[key].unit}"))
     if faults:
         raise SceneError(faults)
 
@@ -167,7 +213,7 @@ class Effects:
         """The terms that these effects pick."""
         terms = self.bare
         for effect in self.in_force:
-            terms = effect.contribute(terms)
+            terms = effect.added_to(terms)
         return terms
 
     def at_rest(self) -> Terms:
@@ -193,19 +239,17 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     list.
     """
     refuse_law(scene)
+    refuse_tables(scene)
     reasons = _reasons(scene, shown or {})
     chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
     refuse_closure(scene, chosen)
     refuse_without(scene, chosen)
-    faults = outrunning_faults(scene) if INERTIA in chosen else []
-    faults += unstable_faults(scene) if SURFACE_TENSION in chosen else []
-    if faults:
-        raise SceneError(faults)
+    refuse_unsound(scene, chosen)
     decisions = tuple(_decision(effect, scene, reasons) for effect in REGISTRY)
-    return Effects(decisions, _bare(scene))
+    return Effects(decisions, bare(scene))
 
 
-def _bare(scene: Scene) -> Terms:
+def bare(scene: Scene) -> Terms:
     """The filament of this material and shape without any effect; the small-deflection model has its own tension."""
     stretches = scene.model == "small-deflection"
     return Terms(law=law_in(scene), curved=scene.filament.curvature != 0, stretches=stretches)

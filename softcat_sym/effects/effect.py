@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+import sympy as sp
+
+from softcat_sym.errors import Fault
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.laws import Constant
+from softcat_sym.scene.material import constant_in_c
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.units import to_si_of_any
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,25 +90,150 @@ def dispensable(scene: Scene) -> str:
     return ""
 
 
+def sound(scene: Scene) -> list[Fault]:
+    """Nothing in the scene is more than a filament with the effect withstands."""
+    del scene
+    return []
+
+
+def silent(scene: Scene, motion: Motion) -> list[str]:
+    """Nothing to warn of."""
+    del scene, motion
+    return []
+
+
+@dataclass(frozen=True, slots=True)
+class EffectConstant:
+    """A number that an effect asks for: ``[effects.NAME]`` of the scene states it.
+
+    Attributes
+    ----------
+    name : str
+        Its key.
+    symbol_name : str
+        Name and LaTeX of its symbol in the equations.
+    unit : str
+        Such as ``"Pa"``; ``"1"`` of a pure number.
+    meaning : str
+        In half a sentence.
+    """
+
+    name: str
+    symbol_name: str
+    unit: str
+    meaning: str
+
+    @property
+    def dimension(self) -> tuple[float, float, float]:
+        """Exponents of kg, m and s."""
+        return to_si_of_any(f"1 {self.unit}" if self.unit != "1" else 1.0)[1]
+
+    @property
+    def symbol(self) -> sp.Symbol:
+        """What stands for it in the densities of its effect."""
+        kilogram, metre, second = (round(power) for power in self.dimension)
+        return sy.enter(self.symbol_name, self.symbol_name, (kilogram, metre, second), self.meaning, "[effects]")
+
+
+def never(scene: Scene) -> bool:
+    """Applies to no scene: an effect that says nothing else applies where the scene has its table."""
+    del scene
+    return False
+
+
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """One piece of physics that can be in force or absent; absent, it leaves nothing in the graph."""
+    """One piece of physics that can be in force or absent; absent, it leaves nothing in the graph.
 
-    name: str  # As in ``run.effects``
-    summary: str  # What it adds, in half a sentence
-    source: str  # Equation numbers of the terms it picks
-    contribute: Callable[[Terms], Terms]  # Terms before to terms after
-    applies: Callable[[Scene], bool]  # Whether the scene has the physics at all (a law that flows, a ramp, ...)
-    without_it: str  # Why it cannot be had where it does not apply
-    estimate: Callable[[Scene, Motion], Estimate]  # How much it matters in a scene that moves so
-    observable: str
-    example: str  # Bundled scene in which it matters
-    derivation: str  # Notebook that derives its terms
-    needs: tuple[str, ...] = ()  # Effects without which it makes no sense
-    in_paper: bool = True  # Whether it is part of the published theory
-    eases: Callable[[Scene], str] = dispensable  # Why a scene is run more quickly with it, although it may not matter
+    An effect either picks terms of the package's own physics (`contribute`), or adds densities of its own: a `stored`
+    energy and a Rayleigh potential (`dissipation`) of a unit of rest length, in the symbols of
+    ``softcat_sym.physics.symbols`` (place ``x, y``, velocity ``x_t, y_t``, tangent ``x_X, y_X`` and its rate, stretch
+    ``s``, ``X, t``, ``A0, h0, rho, g, L_0``) and of its `constants`. Forces, energy audit, C, written equations and
+    gradients of fits follow from them.
+
+    Attributes
+    ----------
+    name : str
+        As in ``run.effects``.
+    summary, source : str
+        What it adds, in half a sentence; equation numbers, or a paper.
+    estimate : callable
+        ``(scene, motion) -> Estimate``: how much leaving it out changes the midpoint of a scene that moves so; asked
+        before a run of the motion that is forecast, after it of the one that is observed.
+    observable : str
+        By what a run shows it.
+    contribute : callable
+        Terms before to terms after.
+    stored, dissipation : sympy expression
+        Densities [J/m], [W/m].
+    constants : tuple of EffectConstant
+        Keys of ``[effects.NAME]``.
+    applies : callable
+        Whether a scene has the physics at all; for an effect with constants, where their table is given.
+    without_it : str
+        Why it cannot be had where it does not apply.
+    example, derivation : str
+        Bundled scene in which it matters, notebook that derives its terms.
+    needs : tuple of str
+        Effects without which it makes no sense.
+    in_paper : bool
+        Whether it is part of the published theory.
+    eases, saved, indispensable : callable
+        Reason to enable it for speed only, to leave it out for speed, or why a scene cannot do without it; empty texts
+        where there is none.
+    faults : callable
+        What no filament with it withstands.
+    warnings : callable
+        ``(scene, motion)`` to sentences on what the theory does not hold, whether the effect is in force or not.
+    cures : str
+        Outcome of a run that leaving it out may have brought about, ``"failure"`` for any; `auto` then adds it.
+    dear : bool
+        Whether "everything" leaves it aside: followed through hinges that yield it takes many times as long.
+    causes : tuple of str
+        Under which causes a card counts it when a rule of thumb misses; at rest without flow: a filament that can lose
+        nothing would swing for ever.
+    """
+
+    name: str
+    summary: str
+    source: str
+    estimate: Callable[[Scene, Motion], Estimate]
+    observable: str = ""
+    contribute: Callable[[Terms], Terms] | None = None
+    stored: sp.Expr = sp.S.Zero
+    dissipation: sp.Expr = sp.S.Zero
+    constants: tuple[EffectConstant, ...] = ()
+    applies: Callable[[Scene], bool] = never
+    without_it: str = ""
+    example: str = ""
+    derivation: str = ""
+    needs: tuple[str, ...] = ()
+    in_paper: bool = True
+    eases: Callable[[Scene], str] = dispensable
     saved: Callable[[Scene], str] = dispensable
-    indispensable: Callable[[Scene], str] = dispensable  # Why a scene cannot do without it; an empty text where it can
+    indispensable: Callable[[Scene], str] = dispensable
+    faults: Callable[[Scene], list[Fault]] = sound
+    warnings: Callable[[Scene, Motion], list[str]] = silent
+    cures: str = ""
+    dear: bool = False
+    causes: tuple[str, ...] = ()
+
+    @property
+    def densities(self) -> Densities:
+        """Its own densities, with the numbers that a run is given for its constants."""
+        given = tuple(Constant(constant_in_c(f"effects.{self.name}.{one.name}"), one.symbol) for one in self.constants)
+        return Densities(self.name, sp.sympify(self.stored), sp.sympify(self.dissipation), given)
+
+    @property
+    def adds_densities(self) -> bool:
+        """Whether it has densities of its own."""
+        return not (self.stored == 0 and self.dissipation == 0)
+
+    def added_to(self, terms: Terms) -> Terms:
+        """The terms with it."""
+        if self.contribute is not None:
+            terms = self.contribute(terms)
+        return replace(terms, densities=(*terms.densities, self.densities)) if self.adds_densities else terms
 
 
 def of_large_deflections(scene: Scene) -> bool:

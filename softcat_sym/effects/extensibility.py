@@ -3,27 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
 from dataclasses import replace
 from functools import partial
 
-from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
 from softcat_sym.scene.scene import Scene, distance, is_held, rest_length
-
-_MEANINGLESS_WITHOUT = {
-    *("finite-stretch", "thinning", "large-rotation", "shear", "fibres", "necking-gradient"),
-    "surface-tension",
-}
-
-
-def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:
-    """Why a list that does not name extensibility has it all the same; empty if it has not."""
-    if EXTENSIBILITY.name in asked or not of_large_deflections(scene):
-        return {}
-    if (needed := EXTENSIBILITY.indispensable(scene)) or set(asked) & _MEANINGLESS_WITHOUT:
-        return {EXTENSIBILITY.name: needed or "needed by effects that are named"}
-    return {} if BENDING.name in asked else {EXTENSIBILITY.name: "without bending nothing else carries the load"}
 
 
 def _indispensable(scene: Scene) -> str:
@@ -53,5 +37,6 @@ EXTENSIBILITY = Effect(
     observable="share of the load that tension would carry at the largest sag",
     example="arrested-overdamped",
     derivation="02_section_and_closures",
+    causes=("stretching",),
     indispensable=_indispensable,
 )

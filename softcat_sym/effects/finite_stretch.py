@@ -26,4 +26,5 @@ FINITE_STRETCH = Effect(
     observable="mean strain, and how far the midpoint rings",
     example="continual-descent",
     derivation="02_section_and_closures",
+    causes=("slopes",),
 )

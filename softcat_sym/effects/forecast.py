@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from functools import lru_cache
 
@@ -14,7 +13,6 @@ from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import Motion
 from softcat_sym.effects.free_vibration import Ringing, ringing, solid_decay, solid_retardation
 from softcat_sym.effects.law import is_solid
-from softcat_sym.errors import Fault
 from softcat_sym.physics import regimes
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS
@@ -58,27 +56,6 @@ def _ratio(scene: Scene) -> float:
         return 0.0
     frequency = ringing(scene).frequency
     return 2 * math.pi * scene.load.shake_frequency / frequency if math.isfinite(frequency) else 0.0
-
-
-def outrunning_faults(scene: Scene) -> list[Fault]:
-    """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it."""
-    modulus = scales.instant_modulus(scene)
-    if modulus is None or not scene.ends.motion:
-        return []
-    fastest = max(_speeds(scene), default=0.0)
-    wave = math.sqrt(modulus / scene.filament.density)
-    if fastest <= wave:
-        return []
-    found = f"the right support moves at {fastest:.3g} m/s, but waves run along the filament at {wave:.3g} m/s"
-    return [Fault("ends.motion", found, "a slower path, or run.effects without inertia")]
-
-
-def _speeds(scene: Scene) -> list[float]:
-    return [
-        math.hypot(after[1] - before[1], after[2] - before[2]) / (after[0] - before[0])
-        for before, after in itertools.pairwise(((0.0, 0.0, 0.0), *scene.ends.motion))
-        if after[0] > before[0]
-    ]
 
 
 _DAMPING = (0.0, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.3, 1.6, 2.0, 2.5, 3.0, 3.25, 3.5)

@@ -2,10 +2,33 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, OfMotion, always
+from softcat_sym.effects.scaling_estimates import instant_modulus
+from softcat_sym.errors import Fault
+from softcat_sym.scene.scene import Scene
+
+
+def outrunning_faults(scene: Scene) -> list[Fault]:
+    """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it."""
+    modulus, places = instant_modulus(scene), ((0.0, 0.0, 0.0), *scene.ends.motion)
+    if modulus is None:
+        return []
+    speeds = [
+        math.hypot(after[1] - before[1], after[2] - before[2]) / (after[0] - before[0])
+        for before, after in itertools.pairwise(places)
+        if after[0] > before[0]
+    ]
+    fastest, wave = max(speeds, default=0.0), math.sqrt(modulus / scene.filament.density)
+    if fastest <= wave:
+        return []
+    found = f"the right support moves at {fastest:.3g} m/s, but waves run along the filament at {wave:.3g} m/s"
+    return [Fault("ends.motion", found, "a slower path, or run.effects without inertia")]
+
 
 INERTIA = Effect(
     name="inertia",
@@ -18,4 +41,6 @@ INERTIA = Effect(
     observable="lag behind the balanced sag: its jump, its pace against free fall, acceleration over gravity",
     example="maxwell-slow",
     derivation="01_balance",
+    causes=("inertia", "flow"),
+    faults=outrunning_faults,
 )

@@ -30,4 +30,5 @@ LARGE_ROTATION = Effect(
     observable="largest slope, and how far the midpoint rings",
     example="continual-descent",
     derivation="01_balance",
+    causes=("slopes",),
 )

@@ -43,6 +43,7 @@ NECKING_GRADIENT = Effect(
     observable="growth of a neck where the section flows, sigma/eta over time",
     example="arrested-underdamped",
     derivation="08_necking",
+    cures="localised",
     needs=("finite-stretch", "thinning", "viscous-flow"),
     in_paper=False,
 )

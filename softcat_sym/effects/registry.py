@@ -1,9 +1,13 @@
-"""Every effect there is, in the order in which they are listed."""
+"""Every effect there is, in the order in which they are listed, and those that other packages register."""
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+from importlib.metadata import entry_points
+
 from softcat_sym.effects.bending import BENDING
-from softcat_sym.effects.effect import Effect
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, never
 from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.finite_stretch import FINITE_STRETCH
@@ -20,8 +24,9 @@ from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
 from softcat_sym.effects.yielding import YIELDING
+from softcat_sym.scene.scene import Scene
 
-REGISTRY: tuple[Effect, ...] = (
+REGISTRY: list[Effect] = [
     INERTIA,
     BENDING,
     EXTENSIBILITY,
@@ -39,4 +44,61 @@ REGISTRY: tuple[Effect, ...] = (
     GRAVITY_SHAKING,
     SURFACE_TENSION,
     SOLID_DAMPING,
-)
+]
+
+ENTRY_POINTS = "softcat_sym.effects"
+"""Group under which an installed package names its effects."""
+
+
+def register_effect(effect: Effect) -> Effect:
+    """Let scenes have an effect from outside the package.
+
+    Parameters
+    ----------
+    effect : Effect
+        With densities of its own, or a change of the terms. One of the same name that was registered before is
+        replaced. An installed package registers its effects by the entry point group ``softcat_sym.effects``.
+
+    Returns
+    -------
+    Effect
+        As it is listed.
+
+    Raises
+    ------
+    ValueError
+        If an effect of the package has this name, if it needs one that there is not, if it adds nothing, or if its
+        densities hold what no filament has.
+    """
+    names = [one.name for one in REGISTRY]
+    if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", effect.name):
+        raise ValueError(f"effect {effect.name!r}: a name is lower-case words joined by hyphens")
+    if effect.name in names[:_OWN]:
+        raise ValueError(f"effect {effect.name!r} belongs to the package")
+    if effect.contribute is None and not effect.adds_densities:
+        raise ValueError(f"effect {effect.name!r} adds nothing: neither densities nor terms")
+    if missing := set(effect.needs) - set(names):
+        raise ValueError(f"effect {effect.name!r} needs {', '.join(sorted(missing))}, which there is not")
+    if effect.applies is never:
+
+        def applies(scene: Scene) -> bool:
+            given = not effect.constants or any(name == effect.name for name, _ in scene.effects)
+            return scene.model == "filament" and given
+
+        without = f"the scene has no [effects.{effect.name}], or {SMALL_MODEL}"
+        effect = replace(effect, applies=applies, without_it=effect.without_it or without)
+    # What it adds is read once here, so that a slip is found now.
+    if effect.adds_densities and effect.densities.of_a_cell and not {"extensibility"} & set(effect.needs):
+        effect = replace(effect, needs=(*effect.needs, "extensibility"))
+    effect = replace(effect, in_paper=False)
+    if effect.name in names:
+        REGISTRY[names.index(effect.name)] = effect
+    else:
+        REGISTRY.append(effect)
+    return effect
+
+
+_OWN = len(REGISTRY)
+
+for _point in entry_points(group=ENTRY_POINTS):
+    register_effect(_point.load())

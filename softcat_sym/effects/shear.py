@@ -54,6 +54,7 @@ SHEAR = Effect(
     observable="transverse force times shear compliance, and the share of Timoshenko at the largest sag",
     example="arrested-overdamped",
     derivation="09_shearing_filament",
+    causes=("shear",),
     needs=("bending", "finite-stretch", "thinning", "large-rotation"),
     in_paper=False,
     eases=_eases,

@@ -30,6 +30,20 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     return Estimate(min(1.0, motion.capillary), meaning)
 
 
+def unstable_faults(scene: Scene) -> list[Fault]:
+    """Refuse a surface tension that no elastic filament of this thickness withstands as a cylinder."""
+    modulus, pull = instant_modulus(scene), surface_stress(scene)
+    if modulus is None or scene.filament.section == "sheet" or pull <= _UNSTABLE * modulus:
+        return []
+    most = scene.surroundings.surface_tension * _UNSTABLE * modulus / pull
+    found = f"{scene.surroundings.surface_tension:.3g} N/m, at which the filament gathers into beads"
+    return [Fault("surroundings.surface_tension", found, f"at most {most:.3g} N/m for this modulus and thickness")]
+
+
+def _warnings(scene: Scene, motion: Motion) -> list[str]:
+    return [*filter(None, (neglected_surface(scene, motion.capillary), rounded_corners(scene)))]
+
+
 SURFACE_TENSION = Effect(
     name="surface-tension",
     summary="axial force gamma P_0/2 s^-1/2 along the centreline (of a sheet 2 gamma D_0), energy gamma times the area",
@@ -41,19 +55,12 @@ SURFACE_TENSION = Effect(
     observable="share of the pull of the surface in the axial force, times that of the load carried in tension",
     example="ink-bridge",
     derivation="08_necking",
+    warnings=_warnings,
+    causes=("surface",),
     needs=("extensibility",),
     in_paper=False,
+    faults=unstable_faults,
 )
-
-
-def unstable_faults(scene: Scene) -> list[Fault]:
-    """Refuse a surface tension that no elastic filament of this thickness withstands as a cylinder."""
-    modulus, pull = instant_modulus(scene), surface_stress(scene)
-    if modulus is None or scene.filament.section == "sheet" or pull <= _UNSTABLE * modulus:
-        return []
-    most = scene.surroundings.surface_tension * _UNSTABLE * modulus / pull
-    found = f"{scene.surroundings.surface_tension:.3g} N/m, at which the filament gathers into beads"
-    return [Fault("surroundings.surface_tension", found, f"at most {most:.3g} N/m for this modulus and thickness")]
 
 
 def neglected_surface(scene: Scene, share: float) -> str:

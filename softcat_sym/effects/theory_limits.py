@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from softcat_sym.effects.expected_regime import ExpectedRegime
 from softcat_sym.effects.forecast import expected_sag, expected_strain, forecast, neck_draw
+from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import viscous_number
-from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
 from softcat_sym.scene.scene import Scene, groups_of
 
 THICK = 0.1
@@ -33,8 +33,8 @@ COUNTERED = 0.2
 
 def theory_limits(scene: Scene, regime: ExpectedRegime) -> tuple[str, ...]:
     """Warnings in words; none where the theory should hold."""
-    surface = (neglected_surface(scene, forecast(scene).capillary), rounded_corners(scene))
-    found = (*surface, _thickness(scene), _rupture(scene, regime), _descent(regime), *_reductions(scene))
+    stated = [words for effect in REGISTRY for words in effect.warnings(scene, forecast(scene))]
+    found = (*stated, _thickness(scene), _rupture(scene, regime), _descent(regime), *_reductions(scene))
     return tuple(filter(None, found))
 
 

@@ -21,4 +21,5 @@ THINNING = Effect(
     observable="mean strain, and how far the midpoint rings",
     example="continual-descent",
     derivation="02_section_and_closures",
+    causes=("slopes",),
 )

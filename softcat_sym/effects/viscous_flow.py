@@ -33,5 +33,6 @@ VISCOUS_FLOW = Effect(
     observable="largest fibre stress over the yield stress; without one, the relaxation foreseen",
     example="continual-descent",
     derivation="11_rheologies",
+    causes=("flow",),
     indispensable=_indispensable,
 )

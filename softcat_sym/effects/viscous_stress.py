@@ -30,5 +30,6 @@ VISCOUS_STRESS = Effect(
     observable="ringing of the midpoint that it would have ended; else the lag foreseen",
     example="cooked-spaghetti",
     derivation="11_rheologies",
+    causes=("flow",),
     indispensable=_indispensable,
 )

@@ -36,5 +36,6 @@ YIELDING = Effect(
     observable="yield stress over the stress of beam or catenary at the largest sag",
     example="arrested-overdamped",
     derivation="02_section_and_closures",
+    causes=("yield stress",),
     needs=("viscous-flow",),
 )

@@ -12,10 +12,15 @@ from typing import Any, Literal, TypeGuard
 import numpy as np
 from pydantic_core import to_json
 
-from softcat_sym.effects.choosing import Effects, choose_effects, refuse_closure, refuse_law, refuse_without, why_not
-from softcat_sym.effects.forecast import outrunning_faults
-from softcat_sym.effects.inertia import INERTIA
-from softcat_sym.effects.surface_tension import SURFACE_TENSION, unstable_faults
+from softcat_sym.effects.choosing import (
+    Effects,
+    choose_effects,
+    refuse_closure,
+    refuse_law,
+    refuse_unsound,
+    refuse_without,
+    why_not,
+)
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GROUND, RELATES, Relation, faults_of, solve
 from softcat_sym.scene.material import CONSTANTS, OF_THE_INDEX, kind_of_constant, power, shear_names
@@ -116,11 +121,9 @@ def _written(scene: Scene, row: Row, key: str, value: Real) -> object:
     kind = kind_of(scene, row, key)
     if isinstance(kind, Quantity):
         return kind.write(float(value))
-    table, _, name = key.rpartition(".")
-    for known in scene.material.parameters if table == "material.parameters" else ():
-        if known.name == name and si_unit(known.dimension):
-            return f"{float(value)!r} {si_unit(known.dimension)}"
-    return value
+    known = scene.named_constants().get(key)
+    unit = si_unit(known.dimension) if known is not None else ""
+    return f"{float(value)!r} {unit}" if unit else value
 
 
 def constants_of(scene: Scene, row: Row) -> Row:
@@ -285,8 +288,9 @@ def pattern_of(scene: Scene, row: Row) -> Pattern:
         if is_group(key):
             continue
         table, _, name = key.partition(".")
-        value: Any = getattr(getattr(scene, table), name.partition(".")[0]) if name else getattr(scene, table)
-        is_value = isinstance(kind_of(scene, row, key), (Quantity, Number)) or key.count(".") > 1
+        known = scene.named_constants().get(key)
+        value: Any = known.value if known else getattr(getattr(scene, table), name) if name else getattr(scene, table)
+        is_value = known is not None or isinstance(kind_of(scene, row, key), (Quantity, Number))
         pattern.append((key, not value if is_value else to_json(value, inf_nan_mode="constants")))
     return tuple(pattern)
 
@@ -304,7 +308,4 @@ def _admit(scene: Scene, effects: Effects) -> None:
     refuse_law(scene)
     refuse_closure(scene, chosen)
     refuse_without(scene, chosen)
-    faults = outrunning_faults(scene) if INERTIA in chosen else []
-    faults += unstable_faults(scene) if SURFACE_TENSION in chosen else []
-    if faults:
-        raise SceneError(faults)
+    refuse_unsound(scene, chosen)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
+
+import numpy as np
 
 from softcat_sym.discretization.grid import Floats, choose_grading
 from softcat_sym.effects.choosing import Effects
@@ -250,7 +252,8 @@ def _missed(scene: Scene, parts: Differences, *, undecided: bool) -> tuple[str, 
 
 def periods_of(run: Run) -> float:
     """Periods of the lowest mode in a run whose load sets it ringing; zero where none does."""
-    return _periods_in(run.scene, run.summary["effects"], run.summary["time_final_s"])
+    inertial = bool(np.any(run.fields["energy_kinetic"] > 0))
+    return _periods_in(run.scene, run.summary["time_final_s"], inertial=inertial)
 
 
 def frames_of_first(scene: Scene, effects: Effects) -> int:
@@ -258,7 +261,7 @@ def frames_of_first(scene: Scene, effects: Effects) -> int:
     if not scene.numerics.estimate:
         return scene.run.frames
     at = resolution_of(scene, effects, compiled=choose_backend(scene, effects).compiled)
-    return frames_to_see(scene, at, _periods_in(scene, effects.names, scene.run.duration))
+    return frames_to_see(scene, at, _periods_in(scene, scene.run.duration, inertial=effects.terms().inertia))
 
 
 def frames_to_see(scene: Scene, at: Resolution, periods: float) -> int:
@@ -271,8 +274,8 @@ def frames_to_see(scene: Scene, at: Resolution, periods: float) -> int:
     return max(1, math.ceil(enough / (frames - 1))) * (frames - 1) + 1
 
 
-def _periods_in(scene: Scene, effects: Collection[str], duration: float) -> float:
-    if "inertia" not in effects:
+def _periods_in(scene: Scene, duration: float, *, inertial: bool) -> float:
+    if not inertial:
         return 0.0
     rings = ringing(scene)
     return rings.frequency * duration / (2 * math.pi) if rings.amplitude > 0 else 0.0

@@ -11,7 +11,6 @@ import numpy as np
 from softcat_sym.discretization.assembly import choose_cells, choose_fibres
 from softcat_sym.discretization.grid import Floats, choose_grading
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.results.motion import MIN_PERIODS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.settings import settings_for
@@ -41,7 +40,7 @@ class Resolution:
 def resolution_of(scene: Scene, effects: Effects, *, compiled: bool) -> Resolution:
     """What the scene says, and otherwise the program's first guess."""
     cells, numerics = choose_cells(scene, effects), scene.numerics
-    resolved = FIBRES.name in effects.names
+    resolved = effects.terms().resolved
     return Resolution(
         cells,
         numerics.grading or choose_grading(scene, cells, effects),

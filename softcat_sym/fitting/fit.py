@@ -14,7 +14,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.effects.lists import everything, named
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.closed_form import closed_form
 from softcat_sym.fitting.defaults import MAX_STARTS, STARTS
@@ -558,9 +558,6 @@ def combination_text(combination: Combination, problem: FilamentProblem) -> str:
     return f"{combination.text} = {value:.4g} ({low:.4g} to {high:.4g}), SI"
 
 
-ASIDE = "rotary-inertia"
-"""What "everything" leaves aside: followed through hinges it takes many times as long."""
-
 _RESTARTED = "a profile met a better optimum on the way, and the fit began again from there"
 
 
@@ -598,9 +595,8 @@ class _Request:
         except SceneError as refusal:
             if scene.run.effects != "auto":
                 raise
-            everything = [effect.name for effect in REGISTRY if effect.applies(scene) and effect.name != ASIDE]
             try:
-                wider = _with_effects(scene, everything)
+                wider = _with_effects(scene, everything(scene, ()))
                 return FilamentProblem(wider, films, self.free, self.bounds, self.backend, self.rtol)
             except SceneError:
                 raise refusal from None
@@ -772,7 +768,7 @@ def _called_for(found: Fit) -> list[str]:
         names = choose_effects(found.fitted_scene).names
     except SceneError:
         return []
-    return [name for name in names if name not in found.effects and name != ASIDE]
+    return [effect.name for effect in named(*names) if effect.name not in found.effects and not effect.dear]
 
 
 def noise_scale(residuals: Floats) -> float:

@@ -21,6 +21,7 @@ from softcat_sym.fitting.integration import (
     frozen_filament,
     timing_of,
 )
+from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import identity_of
 from softcat_sym.solvers.initial_state import Start
@@ -222,6 +223,11 @@ class ForwardModel(Unknowns):
     def effects(self) -> tuple[str, ...]:
         """Names of the effects in force, for all values."""
         return self._filament.graph.effects
+
+    @property
+    def terms(self) -> Terms:
+        """What they left of the equations."""
+        return self._filament.graph.terms
 
     @property
     def backend(self) -> str:

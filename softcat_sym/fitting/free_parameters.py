@@ -126,8 +126,8 @@ def _of_material(scene: Scene) -> Iterator[Candidate]:
         for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
             one = _positive(f"material.mode_{number}_{name}", unit, getattr(mode, name))
             yield one
-    for parameter in material.parameters:
-        path, unit = f"material.parameters.{parameter.name}", si_unit(parameter.dimension)
+    for path, parameter in scene.named_constants().items():
+        unit = si_unit(parameter.dimension)
         if parameter.value > 0:
             yield _positive(path, unit, parameter.value)
         else:
@@ -432,6 +432,11 @@ def with_values(scene: Scene, free: Sequence[FreeParameter], values: Sequence[fl
     for table, changes in tables.items():
         if table == "material":
             update[table] = _material(scene.material, changes)
+        elif table == "effects":
+            update[table] = tuple(
+                (name, tuple(replace(one, value=changes.get(f"{name}.{one.name}", one.value)) for one in constants))
+                for name, constants in scene.effects
+            )
         elif table == "filament":
             update[table] = _filament(scene.filament, changes)
         else:

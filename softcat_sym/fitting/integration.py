@@ -29,7 +29,7 @@ from softcat_sym.solvers import compiled
 from softcat_sym.solvers.compiled import CompiledFilament, Directions, RunInput, Status, compile_filament
 from softcat_sym.solvers.initial_state import Equilibrium, Start, is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
-from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings, integrates
+from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings
 from softcat_sym.solvers.solution import watched
 
 _Unknown = tuple[str, int]
@@ -503,7 +503,7 @@ class FrozenFilament:
         p, x, z = (np.zeros((count, part.size)) for part in (base.parameters, base.start.x, base.start.z))
         length = np.zeros(count)
         # In lock-step the compiled solver makes algebraic unknowns consistent by itself.
-        settle = not self.backend.compiled or self.graph.positions_are_algebraic or "fibres" in self.graph.effects
+        settle = not self.backend.compiled or self.graph.positions_are_algebraic or self.graph.terms.resolved
         for row, direction in enumerate(np.eye(count)):
             low, high = (self._at(q + step * direction, base.start, settle=settle) for step in (-_STEP, _STEP))
             if low is None or high is None:
@@ -538,7 +538,7 @@ class FrozenFilament:
             return InterpretedForward(parts.graph, settings)
         filament = compile_filament(parts.graph, parts.structure())
         works = "v" not in parts.graph.x_kinds
-        return CompiledForward(filament, settings, kinks, controls_work=works, jumps="fibres" in effects.names)
+        return CompiledForward(filament, settings, kinks, controls_work=works, jumps=parts.graph.terms.resolved)
 
     def _refuse_what_does_nothing(self) -> None:
         typical = np.array([one.scaled(one.typical) for one in self.free])
@@ -570,7 +570,7 @@ def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, r
         update["rtol"] = rtol
     scene = scene.model_copy(update={"numerics": scene.numerics.model_copy(update=update)})
     effects = choose_effects(scene)
-    if not integrates(effects.names):
+    if not effects.terms().integrates:
         found = "without inertia or flow nothing of the motion depends on time"
         raise SceneError([Fault("run.effects", found, "inertia, or a law that flows")])
     return FrozenFilament(scene, free, effects, choose_backend(scene, effects))

@@ -14,13 +14,14 @@ import sympy as sp
 
 from softcat_sym.physics import closures as closure
 from softcat_sym.physics import kinematics, sections
+from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.kinematics import InternalForce, internal_force
-from softcat_sym.physics.laws import ELASTIC, Law
+from softcat_sym.physics.laws import ELASTIC, Constant, Law
 from softcat_sym.physics.loads import SURFACES, Surface
 from softcat_sym.physics.necking import NECKS, Neck
 from softcat_sym.physics.reissner import ResolvedSection, resolve
 from softcat_sym.physics.section_response import SectionResponse, Shape, respond
-from softcat_sym.physics.symbols import eta_s, g, s
+from softcat_sym.physics.symbols import eta_s, g, s, t
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,11 +47,42 @@ class Terms:
     resolved: bool = False  # Whether the plastic strain has any profile through the thickness, instead of a linear one
     necking_gradient: bool = False  # Whether a neck's slope stiffens it
     surface_tension: bool = False  # Whether the energy of the surface pulls the filament together
+    densities: tuple[Densities, ...] = ()  # Energies and Rayleigh potentials of place and tangent that effects add
     gravity: sp.Expr = g  # Gravity and its rate where it does not shake
     gravity_rate: sp.Expr = sp.S.Zero
     # Not in its representation, from which a structure has its name: one that does not shake keeps it.
     shaking: sp.Expr = field(default=sp.S.One, repr=False)  # Factor by which it shakes, and the rate of that
     shaking_rate: sp.Expr = field(default=sp.S.Zero, repr=False)
+
+    @property
+    def finite(self) -> bool:
+        """Whether the strain is that of finite stretch."""
+        return self.strain is not kinematics.SMALL_STRAIN
+
+    @property
+    def ramped(self) -> bool:
+        """Whether gravity is switched on over a time."""
+        return bool(self.gravity.has(t))
+
+    @property
+    def turns(self) -> bool:
+        """Whether the angle of a section is an unknown of its own."""
+        return self.shear or self.resolved
+
+    @property
+    def resists(self) -> bool:
+        """Whether a stress or a force depends on the velocities."""
+        return self.viscous or self.drags
+
+    @property
+    def integrates(self) -> bool:
+        """Whether the filament is carried through time, rather than from equilibrium to equilibrium."""
+        return self.inertia or self.flows or self.resists
+
+    @property
+    def drags(self) -> bool:
+        """Whether something resists the motion of the centreline itself."""
+        return any(one.dissipation != 0 for one in self.densities)
 
     @property
     def load(self) -> sp.Expr:
@@ -83,6 +115,11 @@ class FilamentEquations:
     neck: Neck | None  # The gradient term, if in force
     surface: Surface | None  # Surface tension, if in force
     force: InternalForce  # Q t + N n of a filament that does not shear
+
+    @property
+    def constants(self) -> tuple[Constant, ...]:
+        """What the law asks the scene for, and what the densities of effects do."""
+        return (*self.law.constants, *(one for group in self.terms.densities for one in group.constants))
 
     @property
     def conserves_energy(self) -> bool:
@@ -120,7 +157,7 @@ def _refuse_stretching(terms: Terms) -> None:
     if not terms.bending:
         raise ValueError("a filament that neither stretches nor bends carries no weight")
     present = {
-        "finite strain": terms.strain is not kinematics.SMALL_STRAIN,
+        "finite strain": terms.finite,
         "large rotation": terms.centreline is not kinematics.SMALL_SLOPE,
         "thinning": terms.thins,
         "shear": terms.shear,

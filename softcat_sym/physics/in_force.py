@@ -10,6 +10,7 @@ from softcat_sym.physics import reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.closures import CLOSURES, A, h
+from softcat_sym.physics.densities import outer_force
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.kinematics import F_x, F_y, mass_per_length
@@ -255,8 +256,6 @@ def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iter
     yield stated("balance of moments", turning, Rate(m_c, sy.X, 1) + moments, _SOURCE)
 
 
-x_place = sy.enter("x", "x", sy.LENGTH, "horizontal position of the centreline", "2.1")
-y_place = sy.enter("y", "y", sy.LENGTH, "height of the centreline", "2.1")
 axial_strain = sy.enter("eps", r"\epsilon", sy.ONE, "axial strain of a fibre", "2.6")
 weight = sy.enter("g_t", "g(t)", sy.ACCELERATION, "gravity while it is switched on", "section 3")
 progress = sy.enter("v_on", "v", sy.ONE, "how far gravity is switched on, in time", "section 3")
@@ -293,7 +292,7 @@ def _uniform_stretch(equations: FilamentEquations) -> Iterator[Stated]:
         mean = sp.Integral(elongation, (sy.X, -sy.L_0 / 2, sy.L_0 / 2)) / sy.L_0
         yield stated("stretch, the same everywhere", sy.s, 1 + mean, "2.13, 2.17")
     if equations.terms.bending:
-        yield stated("turning", sy.theta_X, Rate(y_place, sy.X, 2), "2.13")
+        yield stated("turning", sy.theta_X, Rate(sy.y, sy.X, 2), "2.13")
 
 
 def _strain(equations: FilamentEquations) -> Iterator[Stated]:
@@ -342,13 +341,18 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     mass, source = mass_per_length(), "2.14" if reduced else "2.1, 2.2"
     if not terms.inertia:
         mass = sp.Integer(0)
+    outer, inner = outer_force(terms.densities, terms.centreline.stretch)
+    if terms.densities:
+        source += f"; {', '.join(one.name for one in terms.densities)}"
     if along:
-        yield stated("balance of momentum, horizontal", mass * Rate(x_place, sy.t, 2), Rate(F_x, sy.X, 1), source)
+        pulled = Rate(F_x + inner[0], sy.X, 1) + outer[0]
+        yield stated("balance of momentum, horizontal", mass * Rate(sy.x, sy.t, 2), pulled, source)
     falling = sy.rho * sy.A0 * (weight if _changes(equations) else terms.load)
-    yield stated("balance of momentum, vertical", mass * Rate(y_place, sy.t, 2), Rate(F_y, sy.X, 1) - falling, source)
+    held = Rate(F_y + inner[1], sy.X, 1) + outer[1] - falling
+    yield stated("balance of momentum, vertical", mass * Rate(sy.y, sy.t, 2), held, source)
     if along:
-        yield stated("tangent, horizontal", sy.x_X, Rate(x_place, sy.X, 1), "2.5")
-    yield stated("tangent, vertical", sy.y_X, Rate(y_place, sy.X, 1), "2.5")
+        yield stated("tangent, horizontal", sy.x_X, Rate(sy.x, sy.X, 1), "2.5")
+    yield stated("tangent, vertical", sy.y_X, Rate(sy.y, sy.X, 1), "2.5")
 
 
 def _gravity(equations: FilamentEquations) -> Iterator[Stated]:

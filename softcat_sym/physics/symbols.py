@@ -64,6 +64,8 @@ zeta = enter("zeta", r"\zeta", ONE, "material through-thickness coordinate 2z/h 
 c = enter("c", "c", ONE, "edge of a yielded zone on the zeta axis", "2.26")
 
 # kinematics
+x = enter("x", "x", LENGTH, "horizontal position of the centreline", "2.1")
+y = enter("y", "y", LENGTH, "height of the centreline", "2.1")
 x_X = enter("x_X", "x_X", ONE, "horizontal component of the tangent r_X", "2.5")
 y_X = enter("y_X", "y_X", ONE, "vertical component of the tangent r_X", "2.5")
 x_X_before = enter("x_X_before", "x_X^-", ONE, "x_X in the cell to the left of a node", "2.5")
@@ -72,7 +74,9 @@ s = enter("s", "s_X", ONE, "stretch of the centreline", "2.5", positive=True)
 theta = enter("theta", r"\theta", ONE, "tangent angle from the horizontal", "2.5")
 theta_X = enter("theta_X", r"\theta_X", PER_LENGTH, "turning per unit material length", "2.5")
 
-# rates of the kinematics, for a stress that depends on them
+# rates of the kinematics, for what depends on them
+x_t = enter("x_t", "x_t", (0, 1, -1), "horizontal velocity of the centreline", "2.1")
+y_t = enter("y_t", "y_t", (0, 1, -1), "vertical velocity of the centreline", "2.1")
 x_Xt = enter("x_Xt", "x_{Xt}", RATE, "rate of x_X", "2.5")
 y_Xt = enter("y_Xt", "y_{Xt}", RATE, "rate of y_X", "2.5")
 x_Xt_before = enter("x_Xt_before", "x_{Xt}^-", RATE, "rate of x_X in the cell to the left of a node", "2.5")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -61,15 +61,34 @@ VARIABLES: Final[Mapping[str, Variable]] = {
 }
 
 COORDINATES: Final = ("time", "X_node", "X_cell")
-STORED_ENERGIES: Final = tuple(name for name in VARIABLES if name.startswith("energy_"))
+_ENERGY = "energy_"
 _ODD = frozenset({"x", "shear", "shear_force"})
+
+
+def variable_of(name: str) -> Variable:
+    """What a variable is: one above, or the energy that the densities of an effect store."""
+    if name in VARIABLES or not name.startswith(_ENERGY):
+        return VARIABLES[name]
+    return Variable(_FRAME, "J", f"energy stored by {name.removeprefix(_ENERGY).replace('_', '-')} since t = 0", True)
+
+
+def variables_of(names: Iterable[str]) -> dict[str, Variable]:
+    """The variables among the names of fields, in the order of a file."""
+    found = set(names)
+    listed = [name for name in VARIABLES if name in found]
+    return {name: variable_of(name) for name in (*listed, *(one for one in energies_of(names) if one not in listed))}
+
+
+def energies_of(names: Iterable[str]) -> tuple[str, ...]:
+    """Names of the energies among those of fields: kinetic, stored and dissipated."""
+    return tuple(name for name in names if name.startswith(_ENERGY))
 
 
 def mirrored(name: str, values: Floats) -> Floats:
     """Whole-span field from its right half."""
     sign = -1.0 if name in _ODD else 1.0
     left = sign * values[:, ::-1]
-    return np.concatenate([left[:, :-1] if VARIABLES[name].dims == _NODE else left, values], axis=1)
+    return np.concatenate([left[:, :-1] if variable_of(name).dims == _NODE else left, values], axis=1)
 
 
 def midpoint_heights(graph: Graph, solution: Solution) -> Floats:
@@ -97,13 +116,16 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
         steps = np.sum((force[1:] + force[:-1]) / 2 * change, axis=1) * span
         against_gradient = np.concatenate([[0.0], np.cumsum(steps)])
     observed["energy_gradient"] = against_gradient[:, None]
-    observed["energy_surface"] = observed["energy_surface"] - observed["energy_surface"][:1]
+    added = [name for name in energies_of(observed) if name not in VARIABLES]
+    for name in ("energy_surface", *added):
+        observed[name] = observed[name] - observed[name][:1]
     observed["thickness"] = observed["relative_thickness"] * scene.filament.thickness
     area, halves = undeformed_area(scene), 2.0 if graph.grid.is_half else 1.0
     fields = {}
-    for name, variable in VARIABLES.items():
+    for name in (*VARIABLES, *added):
         if name not in observed:
             continue
+        variable = variable_of(name)
         values = observed[name] * (area if variable.per_area else 1.0)
         if variable.dims == _FRAME:
             fields[name] = values[:, 0] * halves
@@ -128,7 +150,8 @@ def min_energy(scene: Scene) -> float:
 
 def energy_residual(fields: Mapping[str, Floats], least: float = 0.0) -> float:
     """Largest imbalance over the run, relative to the largest energy in it."""
-    balance = sum(fields[name] for name in STORED_ENERGIES) - fields["work_external"]
-    scale = max(float(np.max(np.abs(fields[name]))) for name in (*STORED_ENERGIES, "work_external"))
+    energies = energies_of(fields)
+    balance = sum(fields[name] for name in energies) - fields["work_external"]
+    scale = max(float(np.max(np.abs(fields[name]))) for name in (*energies, "work_external"))
     scale = max(scale, least)
     return float(np.max(np.abs(balance - balance[0]))) / scale if scale > 0 else 0.0

@@ -104,13 +104,13 @@ def observed_motion(
     travelled = float(np.sum(np.abs(np.diff(midpoint)))) - abs(float(midpoint[-1] - midpoint[0]))
     # Of what was dissipated and the most that was stored; unknown where a solid dissipates too.
     lost, stored = float(fields["energy_dissipated"][-1]), float(np.max(fields["energy_elastic"]))
-    relaxed = lost / (lost + stored) if lost > 0 and "solid-damping" not in effects.names else 0.0
+    relaxed = lost / (lost + stored) if lost > 0 and not effects.terms().damped else 0.0
     limit, overstress = yield_stress_of(scene), np.inf
     if limit is not None and "stress_mean" in fields:
         overstress = float(np.max(np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"]))) / limit
     shared = tension_share(scene, sag)
     # Shear follows the transverse force, behind a viscous stress with its retardation time.
-    lag = retardation(scene) if "viscous-stress" in effects.names else 0.0
+    lag = retardation(scene) if effects.terms().viscous else 0.0
     compliance = compliant_sag(scene, lagging(time, fields["shear_force"], lag), length)
     motion = replace(
         expected,
@@ -132,23 +132,23 @@ def observed_motion(
 
 def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: Floats, motion: Motion) -> Motion:
     """The numbers that only a run without the effect shows."""
-    names, shown = effects.names, dict[str, Any]()
+    terms, shown = effects.terms(), dict[str, Any]()
 
     def damped(decay: float) -> float:
         """What a decay [1/s] would have taken from the swings that a run without it shows."""
         swing = motion.swings / max(1.0, ringing(scene, lossless=True).frequency * scene.run.duration)
         return float(-swing * np.expm1(-decay * scene.run.duration))
 
-    if "inertia" not in names:
+    if not terms.inertia:
         shown["missed"] = missed_by(scene, time, midpoint)
-    if "viscous-flow" not in names and np.isfinite(motion.overstress):
+    if not terms.flows and np.isfinite(motion.overstress):
         # Below the yield stress nothing flows, whatever was foreseen.
         shown["relaxed"] = 1 - 1 / max(1.0, motion.overstress)
-    if "viscous-stress" not in names and retardation(scene):
+    if not terms.viscous and retardation(scene):
         shown["retarded"] = max(motion.retarded, damped(ringing(scene).decay))
-    if "solid-damping" not in names and scene.material.has_loss:
+    if not terms.damped and scene.material.has_loss:
         shown["damped"] = max(motion.damped, damped(solid_decay(scene)))
-    if "gravity-ramp" not in names and scene.load.ramp > 0:
+    if not terms.ramped and scene.load.ramp > 0:
         moved = np.abs(midpoint - midpoint[0] * is_slack(scene))
         shown["risen"] = float(np.interp(scene.load.ramp, time, moved)) / max(float(np.max(moved)), _NO_SAG)
     return replace(motion, **shown)
@@ -240,7 +240,7 @@ def ringing_at_last(
     heights = midpoint_heights(prepared.graph, solution) * rest_length(scene) + 0.0
     if not solution.outcome.is_success or len(heights) < 2:
         return None, "the run has not reached its end"
-    if "inertia" not in effects.names or prepared.integration is None:
+    if not effects.terms().inertia or prepared.integration is None:
         return asdict(Ringing(float(heights[-1]), 0.0)), ""
     period, time = period_of(scene) / prepared.scale, solution.time
     periods = min(PERIODS, int((time[-1] - time[0]) / period))
@@ -280,7 +280,7 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
         return None
     if prepared.integration is None:
         return loaded if 0 < loaded < scene.run.duration else None
-    flows = "viscous-flow" in effects.names
+    flows = effects.terms().flows
     window = PERIODS * period_of(scene)
     state, reached, elapsed = prepared.start, 0.0, window
     largest, means = 0.0, list[float]()
@@ -339,14 +339,14 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
     """
     if is_solid(scene):
         return "elastic"
-    if not {"viscous-flow", "viscous-stress"} & set(effects.names):
+    if not (effects.terms().flows or effects.terms().viscous):
         limit = yield_stress_of(scene)
         stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])
         return "no-yield" if limit is not None and float(np.max(stress)) < limit else "elastic"
-    if "yielding" not in effects.names:
+    if not effects.terms().yields:
         return "viscous"
     # What has yielded between two frames has dissipated; but so has a loss below yield.
-    lost = np.any(fields["energy_dissipated"] > 0) and "solid-damping" not in effects.names
+    lost = np.any(fields["energy_dissipated"] > 0) and not effects.terms().damped
     if not np.any(fields["yielded_fraction"] > 0) and not lost:
         return "no-yield"
     if not is_arrested(scene, fields["plastic_rate"]):

@@ -17,13 +17,16 @@ import numpy as np
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.free_vibration import damping_note, ringing
+from softcat_sym.effects.lists import terms_of
 from softcat_sym.errors import SoftcatError
+from softcat_sym.physics.filament import Terms
 from softcat_sym.results.fields import (
     COORDINATES,
-    VARIABLES,
     energy_residual,
     min_energy,
     node_positions,
+    variable_of,
+    variables_of,
     whole_span_fields,
 )
 from softcat_sym.results.motion import (
@@ -93,15 +96,19 @@ class Run:
         default_factory=lambda: json.dumps({name: importlib.metadata.version(name) for name in _VERSIONS})
     )
 
+    @property
+    def terms(self) -> Terms:
+        """What the effects in force left of the equations."""
+        return terms_of(self.scene, self.summary["effects"])
+
     @cached_property
     def data(self) -> xr.Dataset:
         """The fields as a Dataset."""
         import xarray as xr
 
         arrays = {
-            name: (VARIABLES[name].dims, values, variable_attrs(name))
-            for name, values in self.fields.items()
-            if name in VARIABLES
+            name: (variable.dims, self.fields[name], variable_attrs(name))
+            for name, variable in variables_of(self.fields).items()
         }
         coordinates = {name: arrays.pop(name) for name in COORDINATES}
         return xr.Dataset(arrays, coords=coordinates, attrs=self._attrs())
@@ -237,9 +244,7 @@ class Run:
             sizes = {"time": self.fields["time"], "node": self.fields["X_node"], "cell": self.fields["X_cell"]}
             file.dimensions = {name: len(values) for name, values in sizes.items()}
             file.attrs.update(self._attrs())
-            for name, variable in VARIABLES.items():
-                if name not in self.fields:
-                    continue
+            for name, variable in variables_of(self.fields).items():
                 grid = len(variable.dims) > 1
                 packing: dict[str, Any] = {"compression": "gzip", "compression_opts": 1} if grid else {}
                 written = file.create_variable(
@@ -253,7 +258,7 @@ class Run:
 
 def variable_attrs(name: str) -> dict[str, str]:
     """Attributes of a variable in the file."""
-    return {"units": VARIABLES[name].unit, "long_name": VARIABLES[name].meaning}
+    return {"units": variable_of(name).unit, "long_name": variable_of(name).meaning}
 
 
 def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution, wall: dict[str, float]) -> Run:
@@ -277,7 +282,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     per_period = frames_a_period(time, midpoint, ringing(scene).frequency)
     fades = rings is not None and rings["amplitude"] < SEEN * largest
     warnings = [
-        *warnings_of(scene, effects, motion.capillary, places[0], fields, carried),
+        *warnings_of(scene, effects, motion, places[0], fields, carried),
         *(too_few_frames(time, per_period) if outcome.is_success and not fades else []),
         *saved(scene, effects, measured),
     ]
@@ -413,9 +418,9 @@ def _read_netcdf(path: Path) -> tuple[dict[str, Floats], dict[str, Any]]:
             raw.attrs.get("_nc3_strict")
         with h5netcdf.File(path, "r") as file:
             fields = {
-                name: np.asarray(variable[...], dtype=float)
-                for name, variable in file.variables.items()
-                if name in VARIABLES and variable.dimensions == VARIABLES[name].dims
+                name: np.asarray(file.variables[name][...], dtype=float)
+                for name, known in variables_of(file.variables).items()
+                if file.variables[name].dimensions == known.dims
             }
             return fields, dict(file.attrs)
     except (OSError, ValueError, LookupError, RuntimeError, TypeError, AttributeError, OverflowError) as error:

@@ -11,11 +11,9 @@ from softcat_sym.discretization.grid import Floats, choose_grading
 from softcat_sym.discretization.parameters import time_scale
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Estimate, Motion
-from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
-from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
+from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import neck_length
-from softcat_sym.effects.surface_tension import neglected_surface, rounded_corners
-from softcat_sym.results.fields import min_energy
+from softcat_sym.results.fields import energies_of, min_energy
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import Outcome
@@ -42,11 +40,11 @@ def missing_effect(scene: Scene, effects: Effects, measured: dict[str, Estimate]
         return {}
     omitted = [decision.effect for decision in effects.decisions if decision.effect.name in measured]
     if outcome is Outcome.localised:
-        return {e.name: "without it a neck has no width" for e in omitted if e is NECKING_GRADIENT}
+        return {e.name: "without it a neck has no width" for e in omitted if e.cures == outcome.name}
     if not outcome.is_success and outcome is not Outcome.energy_drift:
         # Without rotary inertia the angles of sheared sections are algebraic: a stiff pull may leave them no solution.
-        turning = set(ROTARY_INERTIA.needs) <= set(effects.names)
-        called_for = [e for e in omitted if e.in_paper or (turning and e is ROTARY_INERTIA)]
+        able = [e for e in omitted if e.cures == "failure" and set(e.needs) <= set(effects.names)]
+        called_for = [e for e in omitted if e.in_paper or e in able]
         return {e.name: "the run without it failed" for e in called_for}
     return {
         effect.name: f"the run without it shows that it is worth {measured[effect.name]}"
@@ -194,7 +192,8 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
     Dissipation only takes energy away, whatever the closure: this holds also where the balance itself is not audited.
     """
     held = fields["energy_kinetic"] + fields["energy_elastic"]
-    stored = fields["energy_potential"] + fields["energy_surface"]
+    inner = ("energy_kinetic", "energy_elastic", "energy_dissipated", "energy_gradient")
+    stored = np.sum([fields[name] for name in energies_of(fields) if name not in inner], axis=0)
     given = held[0] + stored[0] - stored + fields["work_external"]
     noise = _NOISE * np.max(held) + least
     excess = held - (1 + _GAIN) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
@@ -227,7 +226,8 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     `SHORTEST_CELL` the answer may change with the grid. Only a grading set by hand makes such cells where they need
     not be: the program's own are that short in a filament too thick to neck.
     """
-    if not {"yielding", "bending"} <= set(effects.names) or not {"shear", "fibres"} & set(effects.names):
+    terms = effects.terms()
+    if not (terms.yields and terms.bending and terms.turns):
         return None
     requested = scene.numerics.grading
     if requested is None or requested <= choose_grading(scene, (len(nodes) - 1) // 2, effects):
@@ -239,10 +239,10 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
 
 
 def warnings_of(
-    scene: Scene, effects: Effects, capillary: float, nodes: Floats, fields: Mapping[str, Floats], residual: float
+    scene: Scene, effects: Effects, motion: Motion, nodes: Floats, fields: Mapping[str, Floats], residual: float
 ) -> list[str]:
     """Warnings in words, none if the theory holds."""
-    warnings = [*filter(None, (neglected_surface(scene, capillary), rounded_corners(scene)))]
+    warnings = [words for effect in REGISTRY for words in effect.warnings(scene, motion)]
     shortest = shortest_hinge_cell(scene, effects, nodes, fields["yielded_fraction"])
     if shortest is not None:
         warnings.append(
@@ -251,7 +251,7 @@ def warnings_of(
             "numerics.cells"
         )
     # Without thinning a section swells as it is drawn: the energy that this stores, no force gives back.
-    swells = "finite-stretch" in effects.names and "thinning" not in effects.names
+    swells = effects.terms().finite and not effects.terms().thins
     if swells and scene.run.closure == "material" and residual > scene.run.accuracy:
         warnings.append(
             f"the energy residual, {residual:.2g}, exceeds the accuracy of {scene.run.accuracy:g}: with finite-stretch "
@@ -268,11 +268,11 @@ def verdict(
     if solution.outcome is Outcome.no_equilibrium and not solution.steps:
         # Nothing was found to begin from: what the frame holds is no state of the filament.
         return solution.outcome, solution.message
-    names, time, stretch = set(effects.names), solution.time * time_scale(scene), fields["stretch"]
+    terms, time, stretch = effects.terms(), solution.time * time_scale(scene), fields["stretch"]
     # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
-    neck = neck_length(scene) if {"necking-gradient", "yielding"} <= names else None
+    neck = neck_length(scene) if terms.necking_gradient and terms.yields else None
     # An elastic filament is as uneven as its load: only flow gathers strain.
-    necked = neck_that_the_grid_decides(stretch[-1], nodes, neck) if "viscous-flow" in names else ""
+    necked = neck_that_the_grid_decides(stretch[-1], nodes, neck) if terms.flows else ""
     if necked:
         return Outcome.localised, "; ".join(filter(None, [necked, solution.message]))
     torn = rupture(scene, time, stretch, nodes)
@@ -280,7 +280,7 @@ def verdict(
         return Outcome.ruptured, "; ".join(filter(None, [torn, solution.message]))
     if not solution.outcome.is_success:
         return solution.outcome, solution.message
-    pushed = pushed_string(time, fields.get("axial_force", fields["tension"])) if "bending" not in names else ""
+    pushed = pushed_string(time, fields.get("axial_force", fields["tension"])) if not terms.bending else ""
     if pushed:
         return Outcome.compressed, pushed
     gained = gained_energy(fields, min_energy(scene)) if solution.steps else ""

@@ -146,6 +146,38 @@ class Parameters(Kind):
         }
 
 
+class EffectTables(Kind):
+    """The tables ``[effects.NAME]``: named constants of effects that other packages register."""
+
+    accepted = 'tables of named constants, such as [effects.elastic-foundation] with stiffness = "1 kPa"'
+
+    def read(self, value: object) -> tuple[EffectTable, ...]:
+        if isinstance(value, tuple) and all(isinstance(item, tuple) for item in value):
+            return value
+        if not isinstance(value, Mapping):
+            raise self.refuse(f"{shown(value)} is not a table")
+        faults = [
+            ((str(name),), self.refuse(f"{shown(table)} is not a table"))
+            for name, table in value.items()
+            if not isinstance(table, Mapping)
+        ]
+        if faults:
+            raise refusals("effects", faults)
+        return tuple((str(name), Parameters().read(table)) for name, table in sorted(value.items()))
+
+    def write(self, value: tuple[EffectTable, ...]) -> object:
+        return {name: Parameters().write(table) for name, table in value}
+
+
+EffectTable = tuple[str, tuple[Parameter, ...]]
+"""An effect's name and its constants."""
+
+
+def constant_in_c(path: str) -> str:
+    """Name among the numbers of a run, as C has it, of a constant of a scene's own law or of an effect from outside."""
+    return path.removeprefix("material.parameters.").removeprefix("effects.").replace("-", "_").replace(".", "_")
+
+
 def _parameter(name: object, given: object) -> Parameter:
     if not isinstance(name, str) or not (name.isascii() and name.isidentifier()) or iskeyword(name):
         raise refusal(f"{shown(name)} is no name", "letters, digits and _, not starting with a digit")

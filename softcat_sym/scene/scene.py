@@ -14,7 +14,7 @@ from pydantic_core import ValidationError
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import SOLIDS, Material, power
+from softcat_sym.scene.material import SOLIDS, EffectTable, EffectTables, Material, Parameter, power
 from softcat_sym.scene.parts import (
     Ends,
     Filament,
@@ -279,6 +279,8 @@ class Scene(Part):
     surroundings: Surroundings = Surroundings()
     run: RunSettings
     numerics: Numerics = Numerics()
+    effects: Annotated[tuple[EffectTable, ...], EffectTables()] = ()
+    """Constants of effects that other packages register, a table [effects.NAME] each."""
 
     def __init__(self, **tables: Any) -> None:
         super().__init__(**_from_python(tables))
@@ -330,6 +332,11 @@ class Scene(Part):
     def notes(self) -> tuple[str, ...]:
         """What was converted from other names or data, in all tables."""
         return tuple(note for part in (self.filament, self.material) for note in part.notes)
+
+    def named_constants(self) -> dict[str, Parameter]:
+        """Constants that only this scene has, by their paths: of its own law, and of effects from outside."""
+        own = {f"material.parameters.{one.name}": one for one in self.material.parameters}
+        return own | {f"effects.{effect}.{one.name}": one for effect, table in self.effects for one in table}
 
     def given(self) -> dict[str, object]:
         """Return the raw table as it was asked for, after `groups` were resolved."""

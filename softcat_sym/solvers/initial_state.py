@@ -79,7 +79,7 @@ class Equilibrium:
     def __init__(self, graph: Graph) -> None:
         # Only positions and angles make the equations nonlinear: velocities may be as large as they are.
         self._shape = np.isin(graph.z_kinds, _POSITIONS)
-        self._bends = "bending" in graph.effects
+        self._bends = graph.terms.bending
         inputs = [graph.t, graph.x, graph.z, graph.p]
         # As built: a handful of evaluations is not worth the search for common subexpressions.
         alg = ca.densify(graph.raw.rates[1])
@@ -178,9 +178,10 @@ class _Slope:
         self._stiffness = _Stiffness(self._system.sparsity_out(1))
 
     def energy(self, z: Floats) -> float:
-        """Elastic, surface and potential energy per undeformed area."""
+        """All stored energy per undeformed area."""
         observed = self._observables(time=self._time, state=self._x, algebraic=z, parameters=self._p)
-        return sum(float(observed[f"energy_{kind}"]) for kind in ("elastic", "surface", "potential"))
+        names = (name for name in observed if name.startswith("energy_") and name != "energy_kinetic")
+        return sum(float(observed[name]) for name in names)
 
     def descended(self, start: Floats) -> Floats:
         """The minimum that a shape creeps into.
@@ -256,7 +257,7 @@ def _balanced(scene: Scene, graph: Graph, p: Floats, straight: Floats) -> Floats
     With its weight from the beginning; if that leads nowhere, with a weight that grows, which needs bending: a string
     without weight has no stiffness.
     """
-    equilibrium, bends = Equilibrium(graph), "bending" in graph.effects
+    equilibrium, bends = Equilibrium(graph), graph.terms.bending
     heavy = _Stage(scene, graph, p, weightless=False)
     if is_straight(scene):
         x = _with_plastic_strain(graph.start, graph, scene, 1.0)
@@ -275,7 +276,7 @@ def _balanced(scene: Scene, graph: Graph, p: Floats, straight: Floats) -> Floats
 def _followed(stage: _Stage, equilibrium: Equilibrium, straight: Floats) -> Floats | None:
     """Equilibrium at the end of a continuation, or None where it breaks off."""
     graph = stage.graph
-    falls = "bending" in graph.effects and graph.conserves_energy
+    falls = graph.terms.bending and graph.conserves_energy
     apart = np.where(np.isin(graph.z_kinds, ("x", "y")), straight * stage.apart, straight)
     guesses = sagging_guesses(graph, apart, elastic_sag(stage.scene))
     z = stage.search(equilibrium, 0.0, guesses[::-1] if stage.weightless else guesses)
@@ -331,7 +332,7 @@ class _Stage:
         x, constants = self.at(share)
         for guess in guesses:
             z = equilibrium.search(0.0, x, constants, [guess])
-            if z is not None and ("bending" in self.graph.effects or self._hangs(x, z, constants)):
+            if z is not None and (self.graph.terms.bending or self._hangs(x, z, constants)):
                 return z
         return None
 

@@ -110,7 +110,7 @@ class _Path:
         below.
         """
         whole = until - self._known[-1][0]
-        falls = "bending" in self._graph.effects and self._graph.conserves_energy
+        falls = self._graph.terms.bending and self._graph.conserves_energy
         while (left := until - self._known[-1][0]) > 0:
             step = min(left, self._step)
             at = until if step == left else self._known[-1][0] + step

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -80,7 +80,7 @@ def choose_backend(scene: Scene, effects: Effects) -> Backend:
         obstacle = ONE_TENSION
     elif solver in ("cvodes", "idas") and requested == "auto":
         obstacle = f"{solver} is named in numerics.solver, and rarely runs faster on compiled expressions"
-    elif not integrates(effects.names):
+    elif not effects.terms().integrates:
         obstacle = NOTHING_TO_INTEGRATE
     elif (compiler := find_compiler()) is not None:
         return Backend(True, compiler.version)
@@ -89,11 +89,6 @@ def choose_backend(scene: Scene, effects: Effects) -> Backend:
     if requested == "compiled":
         raise SceneError([Fault("numerics.backend", f"'compiled', but {obstacle}", "auto or interpreted")])
     return Backend(False, obstacle)
-
-
-def integrates(effects: Collection[str]) -> bool:
-    """Whether a filament with these effects is carried through time, rather than from equilibrium to equilibrium."""
-    return not {"inertia", "viscous-flow", "viscous-stress"}.isdisjoint(effects)
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,7 +136,7 @@ def choose_settings(scene: Scene, effects: Effects) -> Settings:
 def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     """Tolerances of the compiled Rosenbrock method, which is the cheapest for every filament."""
     share, smallest = _RINGING, _smallest_strain(scene)
-    if "viscous-stress" in effects.names:
+    if effects.terms().viscous:
         share = _HELD_BACK
     elif _creeps_to_rest(scene, effects):
         share = _CREEPING
@@ -169,7 +164,7 @@ def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
     """
     rings = ringing(scene)
     lasts = rings.decay == 0 and rings.amplitude > scene.run.accuracy * expected_sag(scene)
-    if "inertia" not in effects.names or not lasts:
+    if not effects.terms().inertia or not lasts:
         return None
     period = 2 * math.pi / rings.frequency
     per_period = (_TAKEN_PER_PERIOD * scene.run.duration / period / (_TAKEN * rtol)) ** 0.2
@@ -179,7 +174,7 @@ def _max_step(scene: Scene, effects: Effects, rtol: float) -> float | None:
 def _roundoff(scene: Scene, effects: Effects) -> float:
     """Noise of an axial velocity: rounding of the positions, strained over a cell, at the speed of elastic waves."""
     modulus, weight = instant_modulus(scene), weight_stress(scene)
-    if "inertia" not in effects.names or modulus is None or weight <= 0:
+    if not effects.terms().inertia or modulus is None or weight <= 0:
         return 0.0
     cells = 0.5 / float(np.min(choose_grid(scene, effects).cell_length))
     return _NOISE * cells * math.sqrt(modulus / weight)
@@ -189,13 +184,13 @@ def _tightening(scene: Scene, effects: Effects, solver: Name) -> float:
     """Relative tolerance over the accuracy requested."""
     if solver == "rosenbrock":
         return _RTOL_PER_ACCURACY[solver]
-    if "inertia" not in effects.names:
+    if not effects.terms().inertia:
         return _QUASI_STATIC
     if _is_slow(scene):
         return _CREEP
-    if "rotary-inertia" in effects.names:
+    if effects.terms().rotary_inertia:
         return _TURNING
-    if "yielding" not in effects.names:
+    if not effects.terms().yields:
         return _VISCOUS
     return _REST if _creeps_to_rest(scene, effects) else _RTOL_PER_ACCURACY[solver]
 
@@ -209,15 +204,17 @@ def _smallest_strain(scene: Scene) -> float:
 def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
     requested, algebraic = scene.numerics.solver, _algebraic(effects)
     if requested == "cvodes" and algebraic:
-        found = f"'cvodes' cannot hold {algebraic[0]} that are algebraic, as they are without {algebraic[1]}"
-        raise SceneError([Fault("numerics.solver", found, f"idas or rosenbrock, or the effect {algebraic[1]}")])
+        unknowns, _, effect = algebraic.partition(" without ")
+        found = f"'cvodes' cannot hold {unknowns} that are algebraic, as they are without {effect}"
+        accepted = f"idas or rosenbrock, or the effect {effect.replace(' ', '-')}"
+        raise SceneError([Fault("numerics.solver", found, accepted)])
     if requested is not None:
         return requested, "named in numerics.solver"
-    if "inertia" not in effects.names:
-        unknowns = "velocities" if "viscous-stress" in effects.names else "positions"
+    if not effects.terms().inertia:
+        unknowns = "velocities" if effects.terms().resists else "positions"
         return "idas", f"{unknowns} are algebraic without inertia"
-    turning = algebraic or "rotary-inertia" in effects.names
-    if turning and "yielding" not in effects.names and not _is_slow(scene):
+    turning = algebraic or effects.terms().rotary_inertia
+    if turning and not effects.terms().yields and not _is_slow(scene):
         return "rosenbrock", "nothing yields, so that a method of fifth order takes few steps"
     bdf: Name = "idas" if algebraic else "cvodes"
     if _flow_damps(scene, effects):
@@ -227,22 +224,22 @@ def _solver(scene: Scene, effects: Effects) -> tuple[Name, str]:
     return "rosenbrock", "elastic waves ring on: a fifth-order method does not damp them by itself"
 
 
-def _algebraic(effects: Effects) -> tuple[str, str] | None:
-    """Which unknowns have no rate of their own, and the effect that would give them one."""
-    if "inertia" not in effects.names:
-        return ("velocities" if "viscous-stress" in effects.names else "positions"), "inertia"
-    independent = {"shear", "fibres"} & set(effects.names)
-    return ("section angles", "rotary-inertia") if independent and "rotary-inertia" not in effects.names else None
+def _algebraic(effects: Effects) -> str:
+    """Which unknowns have no rate of their own, and what would give them one; an empty text where all have."""
+    if not effects.terms().inertia:
+        return "velocities without inertia" if effects.terms().resists else "positions without inertia"
+    algebraic = effects.terms().turns and not effects.terms().rotary_inertia
+    return "section angles without rotary inertia" if algebraic else ""
 
 
 def _flow_damps(scene: Scene, effects: Effects) -> bool:
     """Whether flow goes on through the run and damps what the load excites."""
     viscous, modulus, gravity_number = viscous_number(scene), instant_modulus(scene), gravity_number_of(scene)
-    if "viscous-stress" in effects.names:
+    if effects.terms().viscous:
         return True
-    if "viscous-flow" not in effects.names or viscous is None or modulus is None:
+    if not effects.terms().flows or viscous is None or modulus is None:
         return False
-    if "yielding" in effects.names and gravity_number is not None:
+    if effects.terms().yields and gravity_number is not None:
         return (gravity_number > math.sqrt(2) and viscous > _OVERDAMPED) or _is_slow(scene)
     return viscous * weight_stress(scene) / modulus < _SHORT_MEMORY or _is_slow(scene)
 
@@ -250,7 +247,7 @@ def _flow_damps(scene: Scene, effects: Effects) -> bool:
 def _creeps_to_rest(scene: Scene, effects: Effects) -> bool:
     """Whether the filament yields far beyond its first fibre, too viscously to turn back, and stops."""
     gravity_number, viscous = gravity_number_of(scene), viscous_number(scene)
-    if "yielding" not in effects.names or gravity_number is None or viscous is None:
+    if not effects.terms().yields or gravity_number is None or viscous is None:
         return False
     if scene.load.shake > 0:
         return False

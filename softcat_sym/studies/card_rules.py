@@ -13,6 +13,8 @@ import numpy.typing as npt
 
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, with_effects
+from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
     beam_of,
     effective_viscosity,
@@ -31,7 +33,6 @@ from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress
-from softcat_sym.studies.pricing import dependants, ordered, with_effects
 
 Floats = npt.NDArray[np.float64]
 
@@ -129,7 +130,7 @@ def certificate_of(run: Run, descent: Descent) -> dict[str, Any]:
     keys = ("arrested", "gravity_number", "first_yield", "threshold", "stress", "yielding", "rate")
     limit = yield_stress_of(scene)
     if limit is None:
-        stops = "it never stops" if "viscous-flow" in names else "only elasticity stops it"
+        stops = "it never stops" if run.terms.flows else "only elasticity stops it"
         return {**dict.fromkeys(keys), "drift": drift, "text": f"no yield stress: {stops}"}
     expected, viscosity = expected_regime(scene, names), effective_viscosity(scene)
     rate = float(np.max(data["plastic_rate"].values[begin:])) * viscosity / limit if viscosity else None
@@ -156,7 +157,7 @@ def largest_fibre_stress(run: Run, frame: int | None = None) -> float:
     data, material = run.data.isel(time=slice(None) if frame is None else [frame]), run.scene.material
     linear = np.abs(data["stress_mean"].values) + np.abs(data["stress_bending"].values)
     limit = yield_stress_of(run.scene)
-    if limit is None or material.viscosity is None or "yielding" not in run.summary["effects"]:
+    if limit is None or material.viscosity is None or not run.terms.yields:
         return float(np.max(linear))
     flowing = limit + material.viscosity * data["plastic_rate"].values ** material.index
     return float(np.max(np.where(data["yielded_fraction"].values > 0, flowing, np.minimum(linear, limit))))
@@ -339,19 +340,13 @@ _STIFFER = 100.0
 _NEEDS = {"shear": "stretching"}
 """Causes that cannot be put back without another, which then counts for itself: a beam that shears also stretches."""
 
-# Effects that go, by cause; stiffness and ends are changed instead. At rest without flow: a filament that can lose
-# nothing would swing for ever.
+# Effects that go, by cause; stiffness and ends are changed instead.
+_CAUSES = (
+    *("flow", "yield stress", "stretching", "bending", "shear", "inertia", "surface", "slopes"),
+    *("elasticity", "ends"),
+)
 LEAVING_OUT: Mapping[str, tuple[str, ...]] = {
-    "flow": ("viscous-flow", "viscous-stress", "inertia"),
-    "yield stress": ("yielding",),
-    "stretching": ("extensibility",),
-    "bending": ("bending",),
-    "shear": ("shear",),
-    "inertia": ("inertia",),
-    "surface": ("surface-tension",),
-    "slopes": ("large-rotation", "finite-stretch", "thinning"),
-    "elasticity": (),
-    "ends": (),
+    cause: tuple(effect.name for effect in REGISTRY if cause in effect.causes) for cause in _CAUSES
 }
 WORDS: Mapping[str, str] = {name: name for name in LEAVING_OUT} | {
     "stretching": "tension",
@@ -376,7 +371,7 @@ class Variants:
             return bool(ends) and {scene.ends.left, scene.ends.right} != {ends}
         if cause == "elasticity":
             return scene.material.youngs_modulus is not None
-        return LEAVING_OUT[cause][0] in self._names
+        return any(effect.name in self._names for effect in REGISTRY if effect.causes[:1] == (cause,))
 
     def without(self, causes: frozenset[str], ends: str) -> Run | None:
         """The run without them; None where it cannot be had or is not to be trusted."""
@@ -397,16 +392,10 @@ class Variants:
             gone |= set(dependants(effect, self._names))
         effects, scene = set(self._names) - gone, self._run.scene
         changes: dict[str, object] = {}
-        if "bending" in gone and "inertia" not in effects:
-            # A string without inertia has no shape before there is weight: it is loaded from the start, or slowly.
-            if "viscous-flow" in effects:
-                effects |= {"inertia", "gravity-ramp"}
+        if self._run.terms.bending and not terms_of(scene, effects).bending:
+            effects, slowly = string_of(scene, effects)
+            if slowly:
                 changes["load.ramp"] = f"{max(scene.load.ramp, scene.run.duration / 2)!r} s"
-            else:
-                effects -= {"gravity-ramp", "viscous-stress"}
-        if "bending" in gone:
-            # A beam that was run without tension has nothing else to hang by.
-            effects.add("extensibility")
         scene = with_effects(scene, ordered(effects))
         if scene.numerics.cells is None:
             changes["numerics.cells"] = (self._run.summary.get("resolution") or {}).get("cells")

@@ -292,7 +292,7 @@ def _published(scene: Scene, chosen: object) -> Iterator[tuple[str, Scene]]:
 def _filament_row(name: str, trajectory: Run, reference: ElementRun | CalculixRun) -> Row:
     data, summary = trajectory.data, trajectory.summary
     cells = int(summary["cells"])
-    dofs = 2 * cells - 1 + (cells - 1 if "shear" in summary["effects"] else 0)
+    dofs = 2 * cells - 1 + (cells - 1 if trajectory.terms.turns else 0)
     midpoint = aligned(data["time"].values, data["midpoint"].values, reference.time)
     errors = discrepancy(reference.time, midpoint, reference.midpoint)
     strain = None

@@ -216,7 +216,7 @@ def _ringing(scene: Scene, effects: Effects, unknowns: int) -> str:
     """
     vibration, rings = first_vibration(scene), ringing(scene)
     audible = rings.amplitude >= scene.run.accuracy * expected_sag(scene)
-    if vibration is None or "inertia" not in effects.names or not audible:
+    if vibration is None or not effects.terms().inertia or not audible:
         return ""
     frequency = vibration.frequency / (2 * math.pi)
     damped = rings.decay > 0

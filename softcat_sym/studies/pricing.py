@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from statistics import median
 from typing import TYPE_CHECKING, Any
@@ -12,13 +12,18 @@ import numpy as np
 import pandas as pd
 
 from softcat_sym.discretization.grid import Floats, choose_grading
-from softcat_sym.effects.choosing import Decision, choose_effects, why_not
-from softcat_sym.effects.effect import Effect, Estimate
-from softcat_sym.effects.fibres import FIBRES
+from softcat_sym.effects.choosing import Decision, choose_effects
+from softcat_sym.effects.effect import Estimate
+from softcat_sym.effects.lists import (
+    Names,
+    dependants,
+    everything,
+    obstacle,
+    ordered,
+    requirements,
+    with_effects,
+)
 from softcat_sym.effects.registry import REGISTRY
-from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
-from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
-from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.results.run import Run, run_form
 from softcat_sym.scene.reading import as_scene
@@ -33,65 +38,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from softcat_sym.scene.reading import SceneLike
-
-Names = tuple[str, ...]
-
-
-def ordered(names: Collection[str]) -> Names:
-    """The names in the order of the registry."""
-    return tuple(effect.name for effect in REGISTRY if effect.name in names)
-
-
-def dependants(name: str, names: Iterable[str]) -> Names:
-    """Which of the names cannot stay without this one: what needs it, what needs that, and so on."""
-    present, gone = [effect for effect in REGISTRY if effect.name in set(names)], {name}
-    while more := {effect.name for effect in present if gone & set(effect.needs)} - gone:
-        gone |= more
-    return ordered(gone - {name})
-
-
-def requirements(name: str, names: Collection[str], scene: Scene) -> Names:
-    """What comes with this one beside the names: what it needs, what that needs, and so on.
-
-    Flow brings the yield stress of a law that has one: without it the filament would be another material, a liquid.
-    """
-    needed = {name}
-    while more := {need for effect in REGISTRY if effect.name in needed for need in effect.needs} - needed:
-        needed |= more
-    if VISCOUS_FLOW.name in needed - set(names) and YIELDING.applies(scene):
-        needed.add(YIELDING.name)
-    return ordered(needed - {name, *names})
-
-
-def everything(scene: Scene, names: Collection[str]) -> Names:
-    """All that the scene can have; rotary inertia, which adds a wave of its own, only if it is among the names."""
-    return ordered(
-        {effect.name for effect in REGISTRY if effect.applies(scene) and effect != ROTARY_INERTIA} | set(names)
-    )
-
-
-def with_effects(scene: Scene, names: Names) -> Scene:
-    """The scene with this list of effects; numbers of fibres and orders that would bring fibres back are taken out."""
-    changes: dict[str, object] = {"run.effects": list(names)}
-    if FIBRES.name not in names:
-        changes["numerics.fibres"] = None
-        if (scene.numerics.order or 0) > 1:
-            changes["numerics.order"] = None
-    return scene.replace(changes)
-
-
-def obstacle(effect: Effect, scene: Scene, names: Collection[str]) -> str:
-    """Why an effect can be neither left out nor put in; an empty text where nothing is known to stand against it."""
-    if not effect.applies(scene):
-        return f"cannot be had: {why_not(effect, scene)}"
-    if effect.name not in names:
-        return ""
-    if why := effect.indispensable(scene):
-        return f"cannot be left out: {why}"
-    gone = dependants(effect.name, names)
-    others = ((other.name, other.indispensable(scene)) for other in REGISTRY if other.name in gone)
-    return next((f"{name} would go with it, but {why}" for name, why in others if why), "")
-
 
 _SHORT, _REPEATS = 1.0, 3
 """Runs below so many seconds are repeated so often: what else the machine does would show."""

@@ -23,7 +23,6 @@ from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.discretization.assembly import DEFAULT_FIBRES, choose_grid
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects
-from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.errors import SceneError, SoftcatError
 from softcat_sym.scene.scene import Scene
 from softcat_sym.studies.work_precision_programs import (
@@ -343,7 +342,7 @@ def study(name: str, asked: Scene, plan: Plan, on_progress: Callable[[str], None
     effects = choose_effects(asked)
     lengths = choose_grid(asked.replace({"numerics.cells": _GRADED}), effects).cell_length
     grading = float(lengths[0] / lengths[-1])
-    section = DEFAULT_FIBRES if FIBRES.name in effects.names else 0
+    section = DEFAULT_FIBRES if effects.terms().resolved else 0
     scene = asked.replace({"run.effects": list(effects.names), "numerics.estimate": False})
     with closing(Worker(scene, _REFERENCE_LIMIT)) as worker:
         on_progress("the reference")

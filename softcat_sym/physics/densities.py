@@ -1,0 +1,69 @@
+"""What an effect adds to a filament beside its section: energies and Rayleigh potentials of a unit of rest length.
+
+The force on the centreline is their Euler-Lagrange derivative, f = -W_q + d/dX W_{q_X} - R_{q_t} + d/dX R_{q_Xt}.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.laws import Constant
+
+_OF_A_POINT = (sy.x, sy.y, sy.x_t, sy.y_t, sy.X)
+_OF_A_CELL = (sy.x_X, sy.y_X, sy.x_Xt, sy.y_Xt)
+_GIVEN = (sy.t, sy.A0, sy.h0, sy.rho, sy.g, sy.L_0)
+_RATES = (sy.x_t, sy.y_t, sy.x_Xt, sy.y_Xt)
+
+
+@dataclass(frozen=True, slots=True)
+class Densities:
+    """Energy and Rayleigh potential of the place, the tangent and their rates, as one effect adds them."""
+
+    name: str  # Of the effect
+    stored: sp.Expr = sp.S.Zero  # W(x, y, x_X, y_X, s, X, t) [J/m]
+    dissipation: sp.Expr = sp.S.Zero  # R(..., x_t, y_t, x_Xt, y_Xt) [W/m], half of the power lost where quadratic
+    constants: tuple[Constant, ...] = ()
+
+    def __post_init__(self) -> None:
+        known = {*_OF_A_POINT, *_OF_A_CELL, *_GIVEN, sy.s, *(one.symbol for one in self.constants)}
+        if unknown := {*self.stored.free_symbols, *self.dissipation.free_symbols} - known:
+            names = ", ".join(sorted(map(str, unknown)))
+            raise ValueError(f"the densities of {self.name!r} hold {names}, which no filament has")
+        if self.stored.free_symbols & set(_RATES):
+            raise ValueError(f"the stored energy of {self.name!r} depends on rates")
+
+    @property
+    def label(self) -> str:
+        """The name where it is part of another."""
+        return self.name.replace("-", "_")
+
+    @property
+    def of_a_cell(self) -> bool:
+        """Whether the tangent stands in them: they belong to a cell then, otherwise to a node."""
+        return bool((self.stored.free_symbols | self.dissipation.free_symbols) & {*_OF_A_CELL, sy.s})
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether a symmetric filament stays so."""
+        turned = {one: -one for one in (sy.x, sy.x_t, sy.X, sy.y_X, sy.y_Xt)}
+        given = (self.stored, self.dissipation)
+        return all(sp.expand(one - one.subs(turned, simultaneous=True)) == 0 for one in given)
+
+    def of(self, stretch: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Both, with the stretch as a function of the tangent."""
+        return self.stored.subs(sy.s, stretch), self.dissipation.subs(sy.s, stretch)
+
+
+def outer_force(densities: Iterable[Densities], stretch: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    """What they add, (horizontal, vertical): to the force on a unit of rest length, and to the internal force."""
+    both = [one.of(stretch) for one in densities]
+
+    def total(place: sp.Symbol, rate: sp.Symbol) -> sp.Expr:
+        return sp.Add(*(sp.diff(stored, place) + sp.diff(lost, rate) for stored, lost in both))
+
+    outer = -total(sy.x, sy.x_t), -total(sy.y, sy.y_t)
+    return outer, (total(sy.x_X, sy.x_Xt), total(sy.y_X, sy.y_Xt))
