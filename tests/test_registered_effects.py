@@ -56,7 +56,7 @@ def test_a_foundation_holds_a_beam_as_hetenyi_says():
 
 
 def test_it_is_in_force_everywhere(tmp_path):
-    """In explain, auto, C and interpreter, the energy audit, the file of a run, an ensemble, and as a free parameter."""
+    """In explain, by `auto`, in C and interpreter, the energy audit, the file of a run, an ensemble."""
     effects = ["inertia", "bending", "extensibility", "viscous-stress", "elastic-foundation"]
     numerics = {"rtol": 1e-8, "estimate": False, "cells": 20, "solver": "rosenbrock"}
     scene = sc.Scene.from_dict({**SCENE, "material": DAMPED, "numerics": numerics})
@@ -76,7 +76,7 @@ def test_it_is_in_force_everywhere(tmp_path):
     assert again.scene == scene.replace({"numerics.backend": "compiled"})
     key = "effects.elastic-foundation.stiffness"
     table = sc.simulate_many(scene, {key: [300.0, 100.0]}).data.midpoint_final
-    assert table[0] == pytest.approx(other.midpoint.values[-1], rel=1e-6) and abs(table[1]) > abs(table[0])
+    assert float(table[0]) == pytest.approx(other.midpoint.values[-1], rel=1e-6) != float(table[1])
     described = sc.generate(scene, tmp_path / "c")
     manifest = json.loads(next((tmp_path / "c").glob("*.json")).read_text()) if described else {}
     assert any(row["name"] == "elastic_foundation_stiffness" and row["unit"] == "Pa" for row in manifest["parameters"])
@@ -85,17 +85,20 @@ def test_it_is_in_force_everywhere(tmp_path):
 def test_a_fit_reads_its_stiffness_off_a_film(tmp_path):
     """A film of a damped beam on springs, with noise: the truth lies within the error bars."""
     table = {"elastic-foundation": {"stiffness": "3 kPa"}}
-    scene = sc.Scene.from_dict({**SCENE, "material": DAMPED, "effects": table})
-    run = sc.simulate(scene.replace({"run.frames": 41}))
+    filament = {**SCENE["filament"], "thickness": "6 mm"}
+    asked = {"duration": "1 s", "frames": 41, "accuracy": 1e-3}
+    scene = sc.Scene.from_dict({"filament": filament, "material": DAMPED, "effects": table, "run": asked})
+    run = sc.simulate(scene)
     largest = abs(run.summary["midpoint_largest_m"])
-    noise = np.random.default_rng(4).normal(0, 1e-3 * largest, 41)
+    noise = np.random.default_rng(4).normal(0, 1e-2 * largest, 41)
     table = np.column_stack([run.data.time, run.data.midpoint + noise])
     np.savetxt(tmp_path / "film.csv", table, delimiter=",", header="time_s,midpoint_m", comments="")
     guess = scene.replace({"effects.elastic-foundation.stiffness": "1 kPa", "material.viscosity": "50 kPa*s"})
-    fit = sc.fit(tmp_path / "film.csv", guess, ["effects.elastic-foundation.stiffness", "material.viscosity"])
+    free = ["effects.elastic-foundation.stiffness", "material.viscosity"]
+    fit = sc.fit(tmp_path / "film.csv", guess, free, profiles=False, starts=1)
     for name, truth in (("stiffness", 3e3), ("viscosity", 2e4)):
         found = fit.parameters[name]
-        assert abs(found.value - truth) < 4 * found.std, name
+        assert abs(found.value - truth) < 4 * found.std < 0.2 * truth, name
 
 
 def drag(tangential, normal):
@@ -122,14 +125,14 @@ def test_drag_damps_the_first_mode_of_a_beam():
     scene = sc.Scene.from_dict(
         {
             **SCENE,
-            "load": {"gravity": "0.001 m/s^2"},
+            "load": {"gravity": "0.03 m/s^2"},
             "effects": table,
             "run": {
                 "duration": "6 s",
                 "frames": 801,
                 "effects": ["inertia", "bending", "extensibility", "slender-bath"],
             },
-            "numerics": {"rtol": 1e-9, "estimate": False, "cells": 80},
+            "numerics": {"rtol": 1e-9, "estimate": False, "cells": 40, "solver": "rosenbrock"},
         }
     )
     for backend in ("interpreted", "compiled"):
@@ -140,7 +143,7 @@ def test_drag_damps_the_first_mode_of_a_beam():
         assert natural < rate, "creeps: the slow root of r^2 - 2 rate r + w^2"
         slow = natural**2 / (rate + np.sqrt(rate**2 - natural**2))
         left = run.data.midpoint.values - run.data.midpoint.values[-1]
-        assert run.summary["energy_residual"] < 1e-6
+        assert run.summary["energy_residual"] < 1e-5  # of 0.1 nJ
         time = run.data.time.values
         part = (time > 0.2) & (time < 1.0)
         found = -np.polyfit(time[part], np.log(np.abs(left[part])), 1)[0]
@@ -148,7 +151,7 @@ def test_drag_damps_the_first_mode_of_a_beam():
 
 
 def test_without_inertia_weight_falls_through_a_bath_at_its_terminal_velocity():
-    """A free strand hinged nowhere but at a far pin: m g/c_n across; a string of no stiffness that flows."""
+    """Away from its clamps a strand that hardly resists falls at m g/c_n: velocities are algebraic there."""
     table = drag(1.0, 2.0)
     scene = sc.Scene.from_dict(
         {
@@ -158,7 +161,7 @@ def test_without_inertia_weight_falls_through_a_bath_at_its_terminal_velocity():
             "run": {
                 "duration": "1e-4 s",
                 "frames": 11,
-                "effects": ["extensibility", "viscous-stress", "slender-bath"],
+                "effects": ["bending", "extensibility", "viscous-stress", "slender-bath"],
             },
             "numerics": {"rtol": 1e-8, "estimate": False},
         }

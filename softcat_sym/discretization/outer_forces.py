@@ -13,6 +13,8 @@ from softcat_sym.discretization.stencil import CELLS, NODES, Field, Neighbours, 
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.densities import Densities
 
+Pair = tuple[Neighbours, Neighbours]
+
 _PLACES, _RATES = (sy.x, sy.y), (sy.x_t, sy.y_t)
 _TANGENT, _TANGENT_RATES = (sy.x_X, sy.y_X), (sy.x_Xt, sy.y_Xt)
 
@@ -22,7 +24,7 @@ class Outer:
     """Sums over the effects, per undeformed area."""
 
     on_nodes: list[tuple[ca.SX, ca.SX]] = field(default_factory=list)  # Forces on a node, right and up [Pa]
-    on_cells: list[tuple[Neighbours, Neighbours]] = field(default_factory=list)  # Each node of a cell takes half
+    on_cells: list[tuple[Pair, Pair]] = field(default_factory=list)  # Of cells: on the node before, and behind
     power: list[Field] = field(default_factory=list)  # Of the explicit change in time [Pa/s]
     dissipation: list[Field] = field(default_factory=list)  # [Pa/s]
     energies: dict[str, list[Field]] = field(default_factory=dict)  # [Pa]
@@ -30,8 +32,9 @@ class Outer:
     def at(self, way: int, before: int | None, behind: int | None) -> ca.SX:
         """Force on a node between cells at these distances, to the right (0) or up (1)."""
         force = sum((one[way] for one in self.on_nodes), ca.SX(0))
-        for one in self.on_cells:
-            force += sum((one[way][site] / 2 for site in (before, behind) if site is not None), ca.SX(0))
+        for on_left, on_right in self.on_cells:
+            force += ca.SX(0) if before is None else on_right[way][before]
+            force += ca.SX(0) if behind is None else on_left[way][behind]
         return force
 
 
@@ -56,29 +59,32 @@ def _of_nodes(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
 
 
 def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> None:
-    speed, name = b.span / b.scale, densities.label
-    stored, lost = densities.of(b.equations.terms.centreline.stretch)
-    densities = Densities(densities.name, stored, lost, densities.constants)
-    moved = of.moved or (of.u, of.v)
-    values = _given(b, b.area_cell, b.h_cell, (b.X[0] + b.X[1]) / 2)
-    for place, rate, slope, slope_rate, position, velocity in zip(
-        _PLACES, _RATES, _TANGENT, _TANGENT_RATES, (of.x, of.y), moved, strict=True
-    ):
-        values[place] = (position[0] + position[1]) / 2 * b.span
-        values[rate] = (velocity[0] + velocity[1]) / 2 * speed
+    """Half of it at each node of a cell, with the cell's tangent: a mean velocity would not feel every other node."""
+    name, speed, moved, area = densities.label, b.span / b.scale, of.moved or (of.u, of.v), b.named[AREA]
+    densities = densities.of(b.equations.terms.centreline.stretch)
+    values = _given(b, b.area_cell, b.h_cell, b.X[0])
+    for slope, slope_rate, position, velocity in zip(_TANGENT, _TANGENT_RATES, (of.x, of.y), moved, strict=True):
         values[slope] = (position[1] - position[0]) / b.length[0]
         values[slope_rate] = (velocity[1] - velocity[0]) / b.length[0] / b.scale
-    length, area = b.length[0] * b.span, b.named[AREA]
-    by_place = derivatives(stored, (*_PLACES, *_TANGENT), values)
-    by_rate = derivatives(lost, (*_RATES, *_TANGENT_RATES), values)
-    total = [(one + two) / area for one, two in zip(by_place, by_rate, strict=True)]
-    outer.on_cells.append(
-        tuple(b.stage(f"{name}_{way}", CELLS, -length * total[k]) for k, way in enumerate("xy"))  # type: ignore[arg-type]
-    )
+    pulls = []
+    half = b.length[0] / 2 / area
+    inner = [ca.SX(0), ca.SX(0)]
+    for end in (0, 1):
+        for place, rate, position, velocity in zip(_PLACES, _RATES, (of.x, of.y), moved, strict=True):
+            values |= {place: position[end] * b.span, rate: velocity[end] * speed}
+        values[sy.X] = b.X[end] * b.span
+        by_place = derivatives(densities.stored, (*_PLACES, *_TANGENT), values)
+        by_rate = derivatives(densities.dissipation, (*_RATES, *_TANGENT_RATES), values)
+        total = [one + two for one, two in zip(by_place, by_rate, strict=True)]
+        pulls.append(
+            tuple(b.stage(f"{name}_{way}_{end}", CELLS, -half * b.span * total[k]) for k, way in enumerate("xy"))
+        )
+        inner = [one + two / 2 / area for one, two in zip(inner, total[2:], strict=True)]
+        _audit(densities, CELLS, half, values, (*_RATES, *_TANGENT_RATES), by_rate, outer)
+    outer.on_cells.append((pulls[0], pulls[1]))  # type: ignore[arg-type]
     of.force = tuple(  # type: ignore[assignment]
-        b.stage(f"force_{way}_with_{name}", CELLS, of.force[k][0] + total[2 + k]) for k, way in enumerate("xy")
+        b.stage(f"force_{way}_with_{name}", CELLS, of.force[k][0] + inner[k]) for k, way in enumerate("xy")
     )
-    _audit(densities, CELLS, b.length[0] / area, values, (*_RATES, *_TANGENT_RATES), by_rate, outer)
 
 
 def _given(b: Builder, area: ca.SX, h: ca.SX, X: ca.SX) -> dict[sp.Symbol, ca.SX]:
@@ -101,10 +107,11 @@ def _audit(
     by_rate: list[ca.SX],
     outer: Outer,
 ) -> None:
-    name = densities.label
+    name, part = densities.label, len(outer.power)
     if densities.stored != 0:
-        outer.energies[name] = [Field(f"energy_{name}", where, share * printed(densities.stored, values))]
+        energy = Field(f"energy_{name}_{part}", where, share * printed(densities.stored, values))
+        outer.energies.setdefault(name, []).append(energy)
     lost = sum((slope * values[rate] for slope, rate in zip(by_rate, rates, strict=True)), ca.SX(0))
-    outer.dissipation.append(Field(f"lost_{name}", where, share * lost))
+    outer.dissipation.append(Field(f"lost_{name}_{part}", where, share * lost))
     changing = printed(sp.diff(densities.stored, sy.t), values)
-    outer.power.append(Field(f"power_{name}", where, share * changing))
+    outer.power.append(Field(f"power_{name}_{part}", where, share * changing))

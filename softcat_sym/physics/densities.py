@@ -6,7 +6,7 @@ The force on the centreline is their Euler-Lagrange derivative, f = -W_q + d/dX 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -53,9 +53,9 @@ class Densities:
         given = (self.stored, self.dissipation)
         return all(sp.expand(one - one.subs(turned, simultaneous=True)) == 0 for one in given)
 
-    def of(self, stretch: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """Both, with the stretch as a function of the tangent."""
-        return self.stored.subs(sy.s, stretch), self.dissipation.subs(sy.s, stretch)
+    def of(self, stretch: sp.Expr) -> Densities:
+        """The same with the stretch as a function of the tangent."""
+        return replace(self, stored=self.stored.subs(sy.s, stretch), dissipation=self.dissipation.subs(sy.s, stretch))
 
 
 def outer_force(densities: Iterable[Densities], stretch: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
@@ -63,7 +63,7 @@ def outer_force(densities: Iterable[Densities], stretch: sp.Expr) -> tuple[tuple
     both = [one.of(stretch) for one in densities]
 
     def total(place: sp.Symbol, rate: sp.Symbol) -> sp.Expr:
-        return sp.Add(*(sp.diff(stored, place) + sp.diff(lost, rate) for stored, lost in both))
+        return sp.Add(*(sp.diff(one.stored, place) + sp.diff(one.dissipation, rate) for one in both))
 
     outer = -total(sy.x, sy.x_t), -total(sy.y, sy.y_t)
     return outer, (total(sy.x_X, sy.x_Xt), total(sy.y_X, sy.y_Xt))
