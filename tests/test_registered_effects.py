@@ -1,7 +1,10 @@
 """Effects from outside the package: the example of CONTRIBUTING.md, and drag, against closed forms."""
 
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -214,3 +217,20 @@ def test_what_is_no_effect_is_refused():
     ):
         with pytest.raises(ValueError, match=words):
             sc.register_effect(wrong)
+
+
+def test_an_installed_package_brings_its_effect(tmp_path):
+    """By its entry point, on the command line, and in the C that is written."""
+    (text,) = re.findall(r"```python\n(.*?)```", (ROOT / "CONTRIBUTING.md").read_text(), re.DOTALL)
+    (tmp_path / "winkler.py").write_text(text.replace("sc.register_effect(FOUNDATION)\n", ""))
+    described = tmp_path / "winkler-1.0.dist-info"
+    described.mkdir()
+    (described / "METADATA").write_text("Metadata-Version: 2.1\nName: winkler\nVersion: 1.0\n")
+    (described / "entry_points.txt").write_text("[softcat_sym.effects]\nelastic-foundation = winkler:FOUNDATION\n")
+    (tmp_path / "bed.toml").write_text(sc.Scene.from_dict(SCENE).to_toml())
+    path = os.pathsep.join(filter(None, [str(tmp_path), str(ROOT), os.environ.get("PYTHONPATH")]))
+    command = [sys.executable, "-c", "from softcat_sym.cli import main; main()", "explain", "bed.toml"]
+    given = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": path}, "capture_output": True, "text": True}
+    done = subprocess.run(command, **given, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "elastic-foundation" in done.stdout
