@@ -116,7 +116,8 @@ def test_estimates_are_right_as_often_as_a_trial_run_and_quicker() -> None:
             seconds = np.array([getattr(row, f"seconds_by_{way}") for row in good])
             ratio = np.median(seconds / np.array([row.seconds_everything for row in good]))
             print(
-                f"  by {way:9} {np.mean(errors <= 1):6.1%} within the accuracy, {np.mean(errors <= 2):6.1%} within twice"
+            right, near = np.mean(errors <= 1), np.mean(errors <= 2)
+            print(f"  by {way:9} {right:6.1%} within the accuracy, {near:6.1%} within twice")
             )
             print(f"     {count:4.1f} effects, {np.median(seconds):6.2f} s (median), {ratio:.2f} of everything's time")
         for row in sorted(good, key=lambda one: -one.by_estimate)[:5]:
