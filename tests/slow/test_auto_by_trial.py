@@ -115,10 +115,8 @@ def test_estimates_are_right_as_often_as_a_trial_run_and_quicker() -> None:
             count = np.mean([getattr(row, f"effects_by_{way}") for row in good])
             seconds = np.array([getattr(row, f"seconds_by_{way}") for row in good])
             ratio = np.median(seconds / np.array([row.seconds_everything for row in good]))
-            print(
             right, near = np.mean(errors <= 1), np.mean(errors <= 2)
             print(f"  by {way:9} {right:6.1%} within the accuracy, {near:6.1%} within twice")
-            )
             print(f"     {count:4.1f} effects, {np.median(seconds):6.2f} s (median), {ratio:.2f} of everything's time")
         for row in sorted(good, key=lambda one: -one.by_estimate)[:5]:
             print(f"    {row.name}: {row.by_estimate:.2g} accuracies by estimate, {row.by_trial:.2g} by trial")
