@@ -142,6 +142,13 @@ class Display:
                 over = self._over.wait(LOOK)
 
 
+class StudyDisplay(Display):
+    """Shows the stages of a study; how far each of its integrations has come is not among them."""
+
+    def update(self, simulated_time: float, step_size: float | None) -> None:
+        """Hear how far an integration has come, which a command of many runs does not show."""
+
+
 _STAGES = ("build", "compile", "solve", "estimate", "write")
 
 

@@ -15,7 +15,7 @@ import pytest
 import softcat_sym as sc
 from softcat_sym.design.critical_span import Limit, critical_span, crossings, illinois, polished
 from softcat_sym.design.experiment import Experiment, design_experiment, pattern_search
-from softcat_sym.design.information import Noise, Trial, Unknowns, exact_film, film_times, films_of, relative_errors
+from softcat_sym.design.information import Noise, Unknowns, exact_film, film_times, films_of, relative_errors
 from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.plotting.design import write_experiment
 from tests.common.in_process import Softcat, sets
@@ -236,7 +236,7 @@ def _brute_force(scene: sc.Scene, noise: float, frames: int) -> float:
 @pytest.mark.slow
 def test_the_optimum_beats_a_grid() -> None:
     """And all that was tried, and the scene as given; a camera that keeps everything films at its highest rate."""
-    scene, told = _maxwell(), list[Trial]()
+    scene = _maxwell()
     within = {"span": ("100 mm", "300 mm"), "thickness": ("0.5 mm", "2 mm"), "duration": ("0.3 s", "1.2 s")}
     found = design_experiment(
         scene,
@@ -244,11 +244,9 @@ def test_the_optimum_beats_a_grid() -> None:
         "10 um",
         within | {"frame_rate": ("10 Hz", "400 Hz")},
         max_frames=101,
-        told=told.append,
     )
     assert found.best.worst <= _brute_force(scene, _NOISE, 101) * 1.01
     assert found.best.worst <= min(trial.worst for trial in found.tried)
-    assert tuple(told) == found.tried
     assert found.gain == pytest.approx(found.as_given.worst / found.best.worst)
     assert found.gain > 1
     assert found.best.frames == 101

@@ -17,13 +17,13 @@ from softcat_sym import progress
 from softcat_sym.ensemble.ensemble import MembersBar
 from softcat_sym.plotting.terminal import (
     REFUSED,
-    FitProgressBar,
     IntegrationProgress,
     StepProgress,
     answer_rows,
     detail_rows,
     print_summary,
 )
+from softcat_sym.solvers.solution import counting
 from tests.common.catenary import make_scene, scene, summary
 
 __all__ = ["make_scene", "scene", "summary"]
@@ -78,10 +78,12 @@ def test_without_a_terminal_plain_lines_come_now_and_then(quickly):
     with MembersBar("members", console=screen) as members:
         members.update(3, 30, 54.0)
         until_shown(screen, r"softcat: members for \d+ s, 3 of 30")
-    with FitProgressBar(console=screen) as fit:
+    with progress.Display(console=screen) as fit:
+        fit.doing("reading and compiling")
         until_shown(screen, r"softcat: reading and compiling for \d+ s\n")
-        fit.stage("starts", 1, 4)
-        fit.stage("starts", 2, 4)
+        done = counting(fit, "starts")
+        done(1, 4)
+        done(2, 4)
         until_shown(screen, r"softcat: starts for \d+ s, 3 of 4\n")
     assert [stage.name for stage in fit.stages] == ["reading and compiling", "starts"]
 

@@ -21,9 +21,8 @@ from softcat_sym.cli.application import (
 
 if TYPE_CHECKING:
     from softcat_sym.design.critical_span import CriticalSpan
-    from softcat_sym.design.information import Trial
-    from softcat_sym.fitting.fit import FitProgress
     from softcat_sym.scene.scene import Scene
+    from softcat_sym.solvers.solution import Progress
 
 _RANGE = "LOW:HIGH"
 
@@ -88,18 +87,15 @@ def experiment(
     within = _within({"span": span, "thickness": thickness, "frame_rate": frame_rate, "duration": duration})
     from softcat_sym.design.experiment import design_experiment
     from softcat_sym.plotting.design import write_experiment
-    from softcat_sym.plotting.terminal import FitProgressBar as Bar
+    from softcat_sym.progress import StudyDisplay
 
     how = _How(nuisance=nuisance or [], max_frames=max_frames, rough=rough, max_sag=max_sag)
-    with study(output, fresh=fresh), Bar(quiet=quiet) as progress:
+    with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+        progress.doing("reading and compiling")
         # The quicker of the two first.
         critical = None if sag is None else _critical(asked, sag, progress)
-
-        def tried(trial: Trial) -> None:
-            progress.stage(f"tried a span of {trial.span:.3g} m", 0, 1)
-
-        design = design_experiment(asked, free, noise, within, **how, told=tried)
-        progress.stage("drawing", 0, 1)
+        design = design_experiment(asked, free, noise, within, **how, progress=progress)
+        progress.stage("drawing")
         written = write_experiment(design, output, critical)
     if not quiet:
         typer.echo("\n".join((*design.text, *(() if critical is None else critical.text))))
@@ -120,7 +116,7 @@ def _within(given: dict[str, str | None]) -> dict[str, object]:
     return {name: read_pair(text) or text for name, text in given.items() if text is not None}
 
 
-def _critical(scene: Scene, limit: str, progress: FitProgress) -> CriticalSpan:
+def _critical(scene: Scene, limit: str, progress: Progress) -> CriticalSpan:
     from softcat_sym.design.critical_span import critical_span
 
-    return critical_span(scene, limit, told=lambda span, _: progress.stage(f"sag of a span of {span:.3g} m", 0, 1))
+    return critical_span(scene, limit, progress=progress)

@@ -106,10 +106,11 @@ def fit(
     from softcat_sym.fitting.measurements import read_measurements
     from softcat_sym.fitting.model_selection import fit_law, fit_laws
     from softcat_sym.plotting.fit import print_fit, print_laws, write_fit
-    from softcat_sym.plotting.terminal import FitProgressBar
+    from softcat_sym.progress import StudyDisplay
 
     films, also, compared = read_measurements(data), free or [], None
-    with study(output, fresh=fresh), FitProgressBar(quiet=quiet) as progress:
+    with study(output, fresh=fresh), StudyDisplay(quiet=quiet) as progress:
+        progress.doing("reading and compiling")
         how: dict[str, Any] = {"bounds": limits, "loss": robust, "starts": starts, "seed": seed, "progress": progress}
         how["profiles"] = not no_profiles
         if not law:
@@ -119,7 +120,7 @@ def fit(
         else:
             compared = fit_laws(films, known, law, also_free=also, **how)
             found = compared.best
-        progress.stage("drawing", 0, 1)
+        progress.stage("drawing")
         command = shlex.join(["softcat", *(word for word in sys.argv[1:] if word != "--fresh")])
         written = write_fit(found, output, command, compared)
     if not quiet:

@@ -30,6 +30,7 @@ from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
 from softcat_sym.simulate import identity_of, simulated, without_estimate
+from softcat_sym.solvers.solution import Progress, Silence
 
 _MOST = 60
 
@@ -82,7 +83,7 @@ def with_span(scene: Scene, span: float) -> Scene:
     return scene.replace({SPAN: f"{span!r} m"})
 
 
-_SAG = store.json_form(asdict, lambda told: Sag(told["value"], tuple(told["effects"]), told["note"]))
+_SAG = store.json_form(asdict, lambda found: Sag(found["value"], tuple(found["effects"]), found["note"]))
 
 
 def sag_of_run(scene: Scene, *, at_end: bool) -> Sag:
@@ -356,8 +357,6 @@ _COARSE = 2e-3
 _JUMP = 1.0  # of log sag over the limit, that no continuous sag leaves within the bracket
 _THICK = 1.05
 
-Told = Callable[[float, float], None]
-
 
 @dataclass(frozen=True, eq=False)
 class CriticalSpan:
@@ -403,7 +402,7 @@ def critical_span(
     limit: object,
     time: object = None,
     within: tuple[object, object] | None = None,
-    told: Told | None = None,
+    progress: Progress | None = None,
 ) -> CriticalSpan:
     """Find the largest span that sags less than a limit.
 
@@ -421,8 +420,8 @@ def critical_span(
         At which the sag is meant [s]; by default the largest until the end of the run.
     within : (low, high), optional
         Spans, as text or in m. By default the scene's own, thirty times smaller and larger.
-    told : callable, optional
-        Told every span and sag [m] of the scan.
+    progress : Progress, optional
+        Hears of every span of the scan.
 
     Raises
     ------
@@ -432,11 +431,11 @@ def critical_span(
         If all spans sag less than the limit, or even the smallest sags more.
     """
     read, allowed, bounds = _read(scene, limit, time, within)
-    return _closed_in(read, allowed, bounds, at_end=time is not None, told=told)
+    return _closed_in(read, allowed, bounds, at_end=time is not None, progress=progress or Silence())
 
 
 def _closed_in(
-    scene: Scene, allowed: Limit, bounds: tuple[float, float], *, at_end: bool, told: Told | None
+    scene: Scene, allowed: Limit, bounds: tuple[float, float], *, at_end: bool, progress: Progress
 ) -> CriticalSpan:
     """Scan, close in and polish."""
 
@@ -447,9 +446,8 @@ def _closed_in(
     spans = np.geomspace(*bounds, max(count, _FEWEST)).tolist()
     scanned: list[Sag] = []
     for span in spans:
+        progress.doing(f"sag of a span of {span:.3g} m")
         scanned.append(run(span))
-        if told is not None:
-            told(span, scanned[-1].value)
     excess = [allowed.excess(span, one.value) for span, one in zip(spans, scanned, strict=True)]
     _refuse_without_crossing(allowed, spans, scanned, excess)
     found = crossings(excess)

@@ -39,6 +39,7 @@ from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
 from softcat_sym.simulate import identity_of, simulated, without_estimate
+from softcat_sym.solvers.solution import Progress, Silence
 
 _GRID = {1: 9, 2: 5}
 _FINEST = math.log(1.05)
@@ -79,7 +80,7 @@ def pattern_search(value: Callable[[Point], float], lower: Floats, upper: Floats
     return best
 
 
-_TRIAL = store.json_form(asdict, lambda told: Trial(**told))
+_TRIAL = store.json_form(asdict, lambda found: Trial(**found))
 _ROUNDING = 1e-9
 _MARGIN = 0.01
 
@@ -234,8 +235,6 @@ _MOST = 200
 _CANDIDATES = 8
 _MAX_ROUGH = 4
 
-Told = Callable[[Trial], None]
-
 
 @dataclass(frozen=True, eq=False)
 class Experiment:
@@ -301,7 +300,7 @@ def design_experiment(
     max_frames: int | None = None,
     rough: float = 1.0,
     max_sag: object = None,
-    told: Told | None = None,
+    progress: Progress | None = None,
 ) -> Experiment:
     """Choose the experiment whose film determines the free parameters best.
 
@@ -329,8 +328,8 @@ def design_experiment(
         Factor by which rough values may be wrong: the worst error over all corners, two a parameter, is minimised.
     max_sag : str or float, optional
         How far the filament may sag: a length with its unit, or a fraction of the span, ``"5 %"``.
-    told : callable, optional
-        Told every trial.
+    progress : Progress, optional
+        Hears of every trial.
 
     Raises
     ------
@@ -340,10 +339,10 @@ def design_experiment(
         If no experiment within the bounds determines the parameters, with the combination that is determined.
     """
     judge = _judge(scene, tuple(free), tuple(nuisance), noise, within, max_frames, rough, max_sag)
-    return _chosen(scene, judge, _searched(judge, told), max_frames)
+    return _chosen(scene, judge, _searched(judge, progress or Silence()), max_frames)
 
 
-def _searched(judge: Judge, told: Told | None) -> list[Trial]:
+def _searched(judge: Judge, progress: Progress) -> list[Trial]:
     """Every film that was judged on the way to the best."""
     tried: list[Trial] = []
 
@@ -354,8 +353,7 @@ def _searched(judge: Judge, told: Told | None) -> list[Trial]:
             rough = trial
             trial = judge.stored(["checked", rough], lambda: judge.checked(judge.exactly(rough)[0]))
         tried.append(trial)
-        if told is not None:
-            told(trial)
+        progress.stage(f"tried a span of {trial.span:.3g} m")
         return trial.worst
 
     open_to_choice = [path for path in (SPAN, THICKNESS) if not judge.ranges[path].is_fixed]

@@ -6,8 +6,7 @@ import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import partial
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
@@ -30,6 +29,7 @@ from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.solution import Progress, Silence, counting
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -561,18 +561,6 @@ def combination_text(combination: Combination, problem: FilamentProblem) -> str:
 _RESTARTED = "a profile met a better optimum on the way, and the fit began again from there"
 
 
-class FitProgress(Protocol):
-    """Whoever wants to know how far a fit has come."""
-
-    def stage(self, name: str, done: int, total: int) -> None:
-        """Hear of a stage."""
-
-
-class _Silence:
-    def stage(self, name: str, done: int, total: int) -> None:
-        """Say nothing."""
-
-
 @dataclass(frozen=True)
 class _Request:
     """How a fit is to be done."""
@@ -586,7 +574,7 @@ class _Request:
     rtol: float | None
     seed: int
     method: Method
-    progress: FitProgress
+    progress: Progress
 
     def problem(self, scene: Scene, films: Measurements) -> FilamentProblem:
         """The problem; with all physics that applies where a parameter needs more than the scene's values call for."""
@@ -615,7 +603,7 @@ def fit(
     rtol: float | None = None,
     seed: int = 0,
     method: Method = "gauss-newton",
-    progress: FitProgress | None = None,
+    progress: Progress | None = None,
 ) -> Fit:
     """Find the parameters with which a filament falls as it was filmed, by weighted least squares of its midpoint.
 
@@ -637,7 +625,7 @@ def fit(
         Of a Latin hypercube of the bounds, beside the scene's own values and those of the closed form.
     backend, rtol : str, float, optional
         ``"auto"``, ``"compiled"`` or ``"interpreted"``; the integrator's relative tolerance.
-    profiles, progress : bool, FitProgress, optional
+    profiles, progress : bool, Progress, optional
         Whether intervals come from profile likelihoods, or from the curvature alone; hears how far it is.
     method : str
         ``"gauss-newton"``, or ``"ipopt"`` for IPOPT from every start.
@@ -656,7 +644,7 @@ def fit(
         raise SoftcatError(f"{starts} starts; accepted: 0 to {MAX_STARTS}")
     scene = as_scene(scene)
     films = taken(measurements, scene)
-    request = _Request(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, method, progress or _Silence())
+    request = _Request(tuple(free), bounds, loss, starts, profiles, backend, rtol, seed, method, progress or Silence())
     features = [_features(film, own_scene(film, scene)) for film in films.series]
     found = _fit(scene, scene, films, features, request)
     more = _called_for(found) if scene.run.effects == "auto" else []
@@ -664,7 +652,7 @@ def fit(
         wider = _with_effects(scene, sorted({*found.effects, *more}))
         again = _fit(wider, scene, films, features, request)
         found = replace(again, repeats=(f"the fitted values call for {', '.join(more)}", *again.repeats))
-    request.progress.stage("the run of what fits best", 0, 1)
+    request.progress.stage("the run of what fits best")
     return _trusted(found)
 
 
@@ -690,9 +678,11 @@ def _fit(
     begin = time.perf_counter()
     first = _first(problem, scene, features)
     loss = _scaled(request.loss, problem, first, request.method)
-    of_starts, of_profiles = (partial(request.progress.stage, name) for name in ("starts", "profiles"))
     how: dict[str, Any] = {"loss": loss, "method": request.method}
-    starts = multi_start(problem, first, count=request.starts, seed=request.seed, on_progress=of_starts, **how)
+    starts = multi_start(
+        problem, first, count=request.starts, seed=request.seed, on_progress=counting(request.progress, "starts"), **how
+    )
+    of_profiles = counting(request.progress, "profiles")
     inferred = infer(problem, starts, profiles=request.profiles, on_progress=of_profiles, **how)
     best, known = inferred.starts.best, inferred.information
     reading = known.spread.reading
@@ -704,7 +694,7 @@ def _fit(
         own = film.time, film.place, film.data, curve, parts[number], features[number]
         fitted.append(FittedFilm(*own, name=film.name or f"film {number + 1}"))
     spent = time.perf_counter() - begin
-    request.progress.stage("done", 1, 1)
+    request.progress.stage("done")
     return Fit(
         scene=given,
         fitted_scene=with_values(given, problem.free, list(problem.values(best.q).values())),

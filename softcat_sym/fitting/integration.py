@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import ctypes as ct
-import io
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
@@ -242,7 +240,7 @@ class InterpretedForward:
         values = _called(self._function(*key), *inputs)
         if values is None:
             return np.full(len(begin.d_parameters), np.nan)
-        with watched() as interrupts, _silent():
+        with watched() as interrupts:
             try:
                 pulled = self._reverse(key)(*inputs, values, weights.T)
             finally:
@@ -301,16 +299,9 @@ def _inputs(begin: Begin) -> tuple[Floats, Floats, Floats, float]:
     return begin.start.x, begin.start.z, begin.parameters, float(begin.times[0])
 
 
-@contextlib.contextmanager
-def _silent() -> Any:
-    silence = io.StringIO()
-    with contextlib.redirect_stdout(silence), contextlib.redirect_stderr(silence):
-        yield
-
-
 def _called(function: ca.Function, *inputs: Any) -> ca.DM | None:
     """The only output; None where it fails."""
-    with watched() as interrupts, _silent():
+    with watched() as interrupts:
         try:
             found = function(*inputs)
         except RuntimeError:

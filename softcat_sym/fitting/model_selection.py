@@ -13,7 +13,7 @@ import pandas as pd
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.fitting.defaults import STARTS
-from softcat_sym.fitting.fit import Fit, FitProgress, fit, noise_scale
+from softcat_sym.fitting.fit import Fit, fit, noise_scale
 from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
@@ -21,6 +21,7 @@ from softcat_sym.fitting.plausibility import Films, checked
 from softcat_sym.scene.material import CONSTANTS, INDEXED, kind_of_constant
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import did_you_mean
+from softcat_sym.solvers.solution import Progress
 
 CLOSE = 2.0
 """Difference of AICc below which two laws are not told apart (Burnham and Anderson 2002, section 2.6)."""
@@ -356,7 +357,7 @@ class _Request:
     bounds: Bounds
     how: Mapping[str, Any]  # Further arguments of a fit
 
-    def fitted(self, scene: Scene, starts: int, *, profiles: bool = False, progress: FitProgress | None = None) -> Fit:
+    def fitted(self, scene: Scene, starts: int, *, profiles: bool = False, progress: Progress | None = None) -> Fit:
         """Fit all constants of the scene's own law."""
         names = [*constants_of(scene.material.law), *self.also_free]
         leaves = {name.rpartition(".")[2] for name in names}
@@ -377,7 +378,7 @@ def fit_law(
     starts: int = STARTS,
     profiles: bool = True,
     seed: int = 0,
-    progress: FitProgress | None = None,
+    progress: Progress | None = None,
 ) -> Fit:
     """Fit every constant of one law, whatever the scene's; the arguments are those of :func:`fit_laws`."""
     _refuse([law], also_free, bounds or {}, fewest=1)
@@ -399,7 +400,7 @@ def fit_laws(
     backend: str = "auto",
     rtol: float | None = None,
     seed: int = 0,
-    progress: FitProgress | None = None,
+    progress: Progress | None = None,
 ) -> LawComparison:
     """Fit every constant of several laws, and compare them by AICc and BIC.
 
@@ -437,7 +438,8 @@ def fit_laws(
     # Every law after those that it contains.
     for number, law in enumerate(sorted(laws, key=lambda law: len(LIMITS.get(law, {})))):
         if progress is not None:
-            progress.stage(law, number, len(laws))
+            progress.stage(law)
+            progress.reach(number / len(laws), f"{number + 1} of {len(laws)}")
         try:
             fits[law] = request.fitted(scene_of_law(scene, law, seen), starts)
         except SoftcatError as error:

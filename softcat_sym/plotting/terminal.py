@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Container, Iterable, Mapping, Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any
 
 from softcat_sym.plotting.units import error_percent, length_unit, regime_words, significant, time_unit
 from softcat_sym.progress import Display
@@ -48,21 +48,6 @@ class StepProgress(Display):
         """Say which task begins."""
         self.reach(self._begun / self._steps, f"{self._begun + 1} of {self._steps}, {what}")
         self._begun += 1
-
-
-class FitProgressBar(Display):
-    """Shows what a fit is doing."""
-
-    def __enter__(self) -> Self:
-        self.doing("reading and compiling")
-        return super().__enter__()
-
-    def stage(self, name: str, done: int = 0, total: int = 1) -> None:
-        """Say what begins, and how much of it is done."""
-        if not self.stages or self.stages[-1].name != name:
-            super().stage(name)
-        if total > 1:
-            self.reach(done / total, f"{done + 1} of {total}")
 
 
 REFUSED = "NOT TO BE TRUSTED"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import signal
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from types import FrameType
@@ -31,6 +31,10 @@ class Progress(Protocol):
         """Take note of what begins within it: building, compiling, solving."""
         ...
 
+    def reach(self, share: float, state: str) -> None:
+        """Take note of how much of the stage is done, 0 to 1, and in words."""
+        ...
+
     def update(self, simulated_time: float, step_size: float | None) -> None:
         """Take note of the time reached [s] and of the mean step since the last call [s]."""
         ...
@@ -55,8 +59,17 @@ class Silence:
     def doing(self, what: str) -> None:
         """Do nothing."""
 
+    def reach(self, share: float, state: str) -> None:
+        """Do nothing."""
+
     def update(self, simulated_time: float, step_size: float | None) -> None:
         """Do nothing."""
+
+
+def counting(progress: Progress, stage: str) -> Callable[[int, int], None]:
+    """Begin a stage of so many parts, and hear how many of them are done."""
+    progress.stage(stage)
+    return lambda done, total: progress.reach(done / total, f"{done + 1} of {total}")
 
 
 @dataclass(frozen=True)

@@ -309,7 +309,7 @@ def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: boo
                 scene,
                 limit,
                 within=(own / factor, own * factor),
-                told=lambda span, _: progress.doing(f"sag of a span of {span:.3g} m"),
+                progress=progress,
             ), ""
         except SoftcatError as error:
             # Other spans may make no sense at all: of a moving support, say.
