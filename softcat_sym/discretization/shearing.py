@@ -234,27 +234,30 @@ class _Fibre:
 
     def add(self, branch: FibreBranch, plastic: Pair) -> None:
         """A spring with its flow rule."""
-        strain = (reissner.eps, reissner.gamma)
-        values = {**self.values, **dict(zip(strain, self.strain, strict=True))}
+        spring, elastic = branch.spring, (reissner.eps_e, reissner.gamma_e)
+        values = {**self.values, **dict(zip((reissner.eps, reissner.gamma), self.strain, strict=True))}
         values |= {reissner.eps_p: plastic[0], reissner.gamma_p: plastic[1]}
-        sigma, tau = derivatives(branch.stored, strain, values)
-        self.axial, self.shear = self.axial + sigma, self.shear + tau
-        self.energy += printed(branch.stored, values)
+        for symbol, strain in zip(elastic, spring.elastic, strict=True):
+            values[symbol] = printed(strain, values)
+        sigma, tau = derivatives(spring.stored, elastic, values)
+        values |= {symbols.sigma: sigma, reissner.tau_f: tau}
+        values[reissner.tau_d] = printed(spring.driving, values)
+        self.axial, self.shear = self.axial + printed(spring.conjugate, values), self.shear + tau
+        self.energy += printed(spring.stored, values)
         if branch.flow is None:
             self.rates.append((ca.SX(0), ca.SX(0)))
             return
         modulus = printed(self.moduli[len(self.rates)], values)
-        given = {**values, symbols.sigma: sigma, reissner.tau_f: tau}
         # Compared before the root is taken, whose derivative is infinite where nothing is stressed.
-        square = printed(branch.flow.equivalent**2, given)
-        given[sigma_eq] = ca.sqrt(ca.fmax(square, (_NO_STRESS * modulus) ** 2))
+        square = printed(branch.flow.equivalent**2, values)
+        values[sigma_eq] = ca.sqrt(ca.fmax(square, (_NO_STRESS * modulus) ** 2))
         flow = CellFunction(
             {
                 name: getattr(branch.flow, name)
                 for name in ("axial_rate", "shear_rate", "speed", "dissipation", "yields")
             },
-            tuple(given),
-        )(given)
+            tuple(values),
+        )(values)
         self.rates.append((ca.SX(flow["axial_rate"]), ca.SX(flow["shear_rate"])))
         self.dissipation += flow["dissipation"]
         self.speed = ca.fmax(self.speed, flow["speed"]) if self.flows else ca.SX(flow["speed"])
@@ -270,7 +273,7 @@ class _Fibre:
             symbol: printed(rate, self.values)
             for symbol, rate in zip((reissner.eps_t, reissner.gamma_t), viscous.strain_rates, strict=True)
         }
-        values = {**self.values, **rates}
+        values = {**self.values, **rates, reissner.gamma: self.strain[1]}
         sigma, tau = derivatives(viscous.rayleigh, tuple(rates), values)
         self.axial, self.shear = self.axial + sigma, self.shear + tau
         self.dissipation += 2 * printed(viscous.rayleigh, values)
