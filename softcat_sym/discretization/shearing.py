@@ -171,11 +171,13 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
             fibre.add(branch, (plastic[0], plastic[1]))
         for number, kind in enumerate(("axial", "shear")):
             rates = [fibre.rates[j][number] for fibre in fibres]
-            found.plastic |= {
-                name: _dot(rule.project[n], rates)
-                for n, name in enumerate(_state_names(rule, kind, j))
-                if name in b.slots
-            }
+            projected = [_dot(row, rates) for row in rule.project]
+            names = _state_names(rule, kind, j)
+            found.plastic |= {name: rate for name, rate in zip(names, projected, strict=True) if name in b.slots}
+            if isinstance(rule, SectionRule) and not rule.is_of_fibres:
+                # What amplitudes do not follow of a rate costs no energy.
+                for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
+                    fibre.dissipation += fibre.drives[j][number] * (_dot(row, projected) - rate)
     if resolved.viscous is not None:
         for fibre in fibres:
             fibre.resist()
@@ -230,6 +232,7 @@ class _Fibre:
         self.strain = (printed(resolved.cell.axial_strain, values), printed(resolved.cell.shear_strain, values))
         self.axial = self.shear = self.energy = self.dissipation = self.speed = self.yields = ca.SX(0)
         self.rates: list[Pair] = []
+        self.drives: list[Pair] = []  # What the rates of the plastic state are conjugate to
         self.flows = False
 
     def add(self, branch: FibreBranch, plastic: Pair) -> None:
@@ -242,8 +245,10 @@ class _Fibre:
         sigma, tau = derivatives(spring.stored, elastic, values)
         values |= {symbols.sigma: sigma, reissner.tau_f: tau}
         values[reissner.tau_d] = printed(spring.driving, values)
-        self.axial, self.shear = self.axial + printed(spring.conjugate, values), self.shear + tau
+        conjugate = printed(spring.conjugate, values)
+        self.axial, self.shear = self.axial + conjugate, self.shear + tau
         self.energy += printed(spring.stored, values)
+        self.drives.append((conjugate, values[reissner.tau_d]))
         if branch.flow is None:
             self.rates.append((ca.SX(0), ca.SX(0)))
             return

@@ -207,19 +207,22 @@ def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
             yield stated(
                 f"elastic {name} of a fibre{which}", symbol.xreplace(new), strain.xreplace(given), "THEORY 12a"
             )
-        stress = list(zip(("axial", "shear"), (sy.sigma, tau_f), spring.stress, strict=True))[:kept]
-        for name, symbol, value in stress:
+        axial, shear = spring.stress
+        turned = sy.sigma * reissner.gamma_e / 2
+        written = axial, sp.simplify(shear - turned.subs(sy.sigma, axial)) + turned
+        for name, symbol, value in list(zip(("axial", "shear"), (sy.sigma, tau_f), written, strict=True))[:kept]:
             yield stated(f"{name} stress of a fibre{which}", symbol.xreplace(new), value.xreplace(new), "2.8")
         if resolved.shears:
             along = spring.conjugate.xreplace({reissner.tau_d: spring.driving}).xreplace(given)
             yield stated(f"conjugate stress of a fibre{which}", conjugate[0].xreplace(new), along, "THEORY 12a")
     if resolved.viscous is not None:
-        new, which = _part(len(resolved.branches), several, _FIBRE), f", part {len(resolved.branches) + 1}"
-        flat = {} if resolved.shears else {reissner.gamma: sp.Integer(0)}
+        new = _part(len(resolved.branches), several, _FIBRE)
+        which = f", part {len(resolved.branches) + 1}" if several else ""
         moving = {reissner.eps_t: Rate(reissner.eps, sy.t, 1), reissner.gamma_t: Rate(reissner.gamma, sy.t, 1)}
-        for symbol, value in list(zip((conjugate[0], tau_f), resolved.viscous.stress, strict=True))[:kept]:
-            shown = value.xreplace(flat).xreplace(moving)
-            yield stated(f"viscous stress of a fibre{which if several else ''}", symbol.xreplace(new), shown, "2.8")
+        pairs = zip(("axial", "shear"), (conjugate[0], tau_f), resolved.viscous.stress, strict=True)
+        for name, symbol, value in list(pairs)[:kept]:
+            shown = value.xreplace(moving)
+            yield stated(f"viscous {name} stress of a fibre{which}", symbol.xreplace(new), shown, "2.8")
     if several:
         count = len(resolved.branches) + (resolved.viscous is not None)
         for total in conjugate:

@@ -366,7 +366,7 @@ def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False) -> R
         strain_rates=director_rates(),
         cell=cell,
         branches=tuple(_branch(shape, cell, branch, relaxed, shear=shear) for branch in law.branches),
-        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity),
+        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, shear=shear),
         relative_thickness=(cell.thickness / h0).subs(s, Lam),
         rotary_inertia=rotary_inertia(shape),
     )
@@ -381,9 +381,9 @@ def _branch(shape: Section, cell: ShearingCell, branch: Branch, relaxed: sp.Expr
     return FibreBranch(fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear), flow)
 
 
-def _viscous(shape: Section, cell: ShearingCell, viscosity: sp.Expr) -> ViscousFibre:
+def _viscous(shape: Section, cell: ShearingCell, viscosity: sp.Expr, *, shear: bool) -> ViscousFibre:
     # Shear viscosity eta/3 (Trouton) on the shear rate of the whole deformation, which the stretch carries as well.
-    sheared = gamma_t + cell.carry * gamma * eps_t
+    sheared = gamma_t + cell.carry * gamma * eps_t if shear else gamma_t
     rayleigh = resistance(shape, viscosity) * eps_t**2 / 2 + viscosity * sheared**2 / 6
     return ViscousFibre(
         stress=(sp.diff(rayleigh, eps_t), sp.diff(rayleigh, gamma_t)),
