@@ -169,15 +169,8 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
         axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, j) for kind in ("axial", "shear"))
         for fibre, *plastic in zip(fibres, axial, shear, strict=True):
             fibre.add(branch, (plastic[0], plastic[1]))
-        for number, kind in enumerate(("axial", "shear")):
-            rates = [fibre.rates[j][number] for fibre in fibres]
-            projected = [_dot(row, rates) for row in rule.project]
-            names = _state_names(rule, kind, j)
-            found.plastic |= {name: rate for name, rate in zip(names, projected, strict=True) if name in b.slots}
-            if isinstance(rule, SectionRule) and not rule.is_of_fibres:
-                # What amplitudes do not follow of a rate costs no energy.
-                for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
-                    fibre.dissipation += fibre.drives[j][number] * (_dot(row, projected) - rate)
+        rates = _state_rates(rule, fibres, j)
+        found.plastic |= {name: rate for name, rate in rates.items() if name in b.slots}
     if resolved.viscous is not None:
         for fibre in fibres:
             fibre.resist()
@@ -195,6 +188,19 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
 
 def _state_names(rule: Sampling, kind: str, branch: int) -> list[str]:
     return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
+
+
+def _state_rates(rule: Sampling, fibres: Sequence[_Fibre], branch: int) -> dict[str, ca.SX]:
+    """Rates of the plastic states of a branch; what the states do not follow of the fibres' rates costs no energy."""
+    found: dict[str, ca.SX] = {}
+    for number, kind in enumerate(("axial", "shear")):
+        rates = [fibre.rates[branch][number] for fibre in fibres]
+        projected = [_dot(row, rates) for row in rule.project]
+        found |= zip(_state_names(rule, kind, branch), projected, strict=True)
+        if isinstance(rule, SectionRule) and not rule.is_of_fibres:
+            for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
+                fibre.dissipation += fibre.drives[branch][number] * (_dot(row, projected) - rate)
+    return found
 
 
 def _profiles(rule: SectionRule, resolved: ResolvedSection) -> dict[str, tuple[float, float]]:
