@@ -19,7 +19,7 @@ from softcat_sym.physics import closures as paper_section
 from softcat_sym.physics import kinematics as balance
 from softcat_sym.physics import kinematics as motion
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.laws import bingham_rate, maxwell_rate
+from softcat_sym.physics.laws import KELVIN_VOIGT_LAW, bingham_rate, maxwell_rate
 from softcat_sym.physics.reissner import Gam, Lam, S, k
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
 
@@ -388,6 +388,23 @@ def test_a_fibre_flows_as_the_solid_does(contraction: Contraction, carry: float)
             assert along * rates[0] + shear * rates[1] == pytest.approx(rates[2], abs=1e-15)
             assert rates[2] == pytest.approx(np.sum(stress * solid), abs=1e-15)
             assert rates[2] >= 0
+
+
+@pytest.mark.parametrize(
+    ("shape", "carry"), [(RECTANGLE, 1.5), (CIRCLE, 1.5), (SHEET, 2.0)], ids=["rectangle", "circle", "sheet"]
+)
+def test_a_viscous_fibre_resists_the_rate_of_its_whole_deformation(shape: Section, carry: float) -> None:
+    """Half of 2/3 eta D:D, D the symmetric part of F_t F^-1 at constant volume."""
+    viscous = reissner.resolve(shape, KELVIN_VOIGT_LAW, shear=True).viscous
+    assert viscous is not None
+    strain, shear, rates = 0.3, -0.4, (0.2, 0.7)
+    ahead, behind = (triangular(strain + d * rates[0], shear + d * rates[1], carry) for d in (1e-6, -1e-6))
+    gradient = (ahead - behind) / 2e-6 @ np.linalg.inv(triangular(strain, shear, carry))
+    rate = (gradient + gradient.T) / 2
+    squares = float(np.sum(rate**2) + np.trace(rate) ** 2)
+    by = (reissner.gamma, reissner.eps_t, reissner.gamma_t)
+    found = viscous.rayleigh.subs(CONSTANTS).subs(dict(zip(by, (shear, *rates), strict=True)))
+    assert float(found) == pytest.approx(2.0 / 3 * squares, rel=1e-8)
 
 
 @CARRIES
