@@ -381,7 +381,7 @@ for cell in cells.values():
     balance = (supplied - wasted).subs(of_W) - stored_rate
     prove_equal(balance.subs(c, cell.carry), 0)
     for symbol, value in zip((sigma, tau_f), spring.stress, strict=True):
-        prove_equal(of_W[symbol].subs(W, spring.stored).doit(), value)
+        prove_equal(of_W[symbol].subs(W, spring.stored).doit(), value.subs(sigma, spring.stress[0]))
 
 # %% [markdown]
 # ### The three-dimensional law under $(\sigma, \tau_d)$
@@ -472,7 +472,8 @@ for cell in cells.values():
     spring = reissner.fibre_spring(E, shear_modulus, cell.carry)
     elastic = {eps_e: spring.elastic[0].subs(tiny)}
     elastic[gamma_e] = spring.elastic[1].subs(tiny).subs(elastic)
-    now = dict(zip((sigma, tau_f), (one.subs(elastic) for one in spring.stress), strict=True))
+    now = {sigma: spring.stress[0].subs(elastic)}
+    now[tau_f] = spring.stress[1].subs(elastic).subs(now)
     now[tau_d] = spring.driving.subs(elastic).subs(now)
     now[reissner.sigma_c] = spring.conjugate.subs(tiny).subs(now)
     stretching, sliding = E * (reissner.eps - reissner.eps_p), shear_modulus * (reissner.gamma - gamma_p)
@@ -549,7 +550,7 @@ prove_equal(reissner.cowper_circle().subs(bulk.nu, 0), sp.Rational(6, 7))
 held = {equation.name: equation for equation in reissner.EQUATIONS}
 elongation = eps_e + gamma_e**2 / 4
 prove_equal(held["axial stress of a shearing fibre"].right, E * elongation)
-prove_equal(held["shear stress of a fibre"].right, shear_modulus * gamma_e + E * elongation * gamma_e / 2)
+prove_equal(held["shear stress of a fibre"].right, shear_modulus * gamma_e + sigma * gamma_e / 2)
 prove_equal(held["driving shear stress of a fibre"].right, tau_f * sp.exp(-sp.Rational(3, 2) * eps_e))
 for name, found in zip(("Lam", "Gam"), derived["both ways"], strict=False):
     prove_equal(held[f"force conjugate to {name}"].right, found)

@@ -433,8 +433,8 @@ def test_a_small_strain_adds_the_shears() -> None:
         at = dict(zip(by, (3 * size, 2 * size, size, -size), strict=True)) | CONSTANTS
         at[reissner.eps_e] = spring.elastic[0].subs(at)
         at[reissner.gamma_e] = spring.elastic[1].subs(at)
-        sigma, tau = (float(one.subs(at)) for one in spring.stress)
-        at |= {sy.sigma: sigma, reissner.tau_f: tau}
+        at[sy.sigma] = spring.stress[0].subs(at)
+        at[reissner.tau_f] = tau = float(spring.stress[1].subs(at))
         at[reissner.tau_d] = spring.driving.subs(at)
         at[bulk.sigma_eq] = flow.equivalent.subs(at)
         shear_modulus = 3.0 / 2.9

@@ -248,11 +248,11 @@ class _Fibre:
         values |= {reissner.eps_p: plastic[0], reissner.gamma_p: plastic[1]}
         for symbol, strain in zip(elastic, spring.elastic, strict=True):
             values[symbol] = printed(strain, values)
-        sigma, tau = derivatives(spring.stored, elastic, values)
-        values |= {symbols.sigma: sigma, reissner.tau_f: tau}
+        for symbol, stress in zip((symbols.sigma, reissner.tau_f), spring.stress, strict=True):
+            values[symbol] = printed(stress, values)
         values[reissner.tau_d] = printed(spring.driving, values)
         conjugate = printed(spring.conjugate, values)
-        self.axial, self.shear = self.axial + conjugate, self.shear + tau
+        self.axial, self.shear = self.axial + conjugate, self.shear + values[reissner.tau_f]
         self.energy += printed(spring.stored, values)
         self.drives.append((conjugate, values[reissner.tau_d]))
         if branch.flow is None:

@@ -207,10 +207,7 @@ def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
             yield stated(
                 f"elastic {name} of a fibre{which}", symbol.xreplace(new), strain.xreplace(given), "THEORY 12a"
             )
-        axial, shear = spring.stress
-        turned = sy.sigma * reissner.gamma_e / 2
-        written = axial, sp.simplify(shear - turned.subs(sy.sigma, axial)) + turned
-        for name, symbol, value in list(zip(("axial", "shear"), (sy.sigma, tau_f), written, strict=True))[:kept]:
+        for name, symbol, value in list(zip(("axial", "shear"), (sy.sigma, tau_f), spring.stress, strict=True))[:kept]:
             yield stated(f"{name} stress of a fibre{which}", symbol.xreplace(new), value.xreplace(new), "2.8")
         if resolved.shears:
             along = spring.conjugate.xreplace({reissner.tau_d: spring.driving}).xreplace(given)

@@ -165,13 +165,9 @@ class FibreSpring:
 
     elastic: tuple[sp.Expr, sp.Expr]  # (eps_e, gamma_e) of the strains (eps, gamma), the plastic state and eps_e
     stored: sp.Expr  # Per unit undeformed volume, of (eps_e, gamma_e)
+    stress: tuple[sp.Expr, sp.Expr]  # sigma of (eps_e, gamma_e), and tau of sigma and these
     conjugate: sp.Expr  # Stress conjugate to eps, of (sigma, tau_d) and the plastic state
     driving: sp.Expr  # tau_d = -d stored/d gamma_p, of tau and eps_e
-
-    @property
-    def stress(self) -> tuple[sp.Expr, sp.Expr]:
-        """(sigma, tau), of (eps_e, gamma_e)."""
-        return sp.factor(sp.diff(self.stored, eps_e)), sp.diff(self.stored, gamma_e)
 
 
 def fibre_spring(
@@ -183,9 +179,14 @@ def fibre_spring(
     """
     carried = sp.exp(-carry * eps_e) if shear else sp.S.One
     lengthened = eps_e + gamma_e**2 / 4 if shear else eps_e
+    stored = modulus * lengthened**2 / 2 + shearing * gamma_e**2 / 2
+    along = modulus * sp.expand(sp.diff(stored, eps_e) / modulus)
+    # What the shear stress has of the axial one, as a multiple of it.
+    share = sp.diff(lengthened, gamma_e)
     return FibreSpring(
         elastic=(eps - relaxed - eps_p, gamma - gamma_p * carried),
-        stored=modulus * lengthened**2 / 2 + shearing * gamma_e**2 / 2,
+        stored=stored,
+        stress=(along, sp.simplify(sp.diff(stored, gamma_e) - share * along) + share * sigma),
         conjugate=sigma + carry * gamma_p * tau_d if shear else sigma,
         driving=carried * tau_f,
     )
