@@ -19,11 +19,11 @@
 # $$ r_X = \Lambda\,d_1 + \Gamma\,d_2, \qquad k = \psi_X. $$
 # Nothing here is small but the thickness. Each fibre $\zeta = 2y/h$ has its own plastic state, so that the stress may
 # have any profile. We derive the strains, the forces conjugate to $(\Lambda,\Gamma,k)$, the balance from Hamilton's
-# principle, the flow of a fibre from the three-dimensional law of notebook 6, and we recover the paper's theory as
-# shear becomes rigid.
+# principle, the energy and the flow of a fibre from the three-dimensional law of notebook 6, whose plastic shear is
+# carried along by the plastic stretch, and we recover the paper's theory as shear becomes rigid.
 #
-# Effects derived here: `shear` (`reissner.director_strains`, `reissner.BALANCE`), `fibres` (`reissner.fibre_flow`),
-# `rotary-inertia` (`reissner.rotary_inertia`).
+# Effects derived here: `shear` (`reissner.director_strains`, `reissner.fibre_spring`, `reissner.BALANCE`), `fibres`
+# (`reissner.fibre_flow`), `rotary-inertia` (`reissner.rotary_inertia`).
 
 # %%
 import sympy as sp
@@ -31,7 +31,8 @@ from proving import prove_equal, vanishes
 
 from softcat_sym.physics import bulk, closures, kinematics, laws, reissner, sections
 from softcat_sym.physics.equation import check
-from softcat_sym.physics.reissner import Gam, Lam, S, gamma_p, k, kappa_s, psi, tau_f
+from softcat_sym.physics.reissner import Gam, Lam, S, eps_e, gamma_e, gamma_p, k, kappa_s, psi, tau_d, tau_f
+from softcat_sym.physics.section_response import PLANE_STRAIN
 from softcat_sym.physics.symbols import (
     A0,
     M_X,
@@ -41,6 +42,7 @@ from softcat_sym.physics.symbols import (
     Q,
     T,
     X,
+    eta,
     g,
     h0,
     rho,
@@ -75,51 +77,51 @@ for director, held in zip(directors, reissner.director_strains(), strict=True):
     prove_equal(tangent.dot(director), held)
 
 # %% [markdown]
-# The logarithm of its length over $dX$, to first order in $y$ and in the shear: $\log\Lambda - yk/\Lambda$. What is
-# dropped is $\frac12\Gamma^2/\Lambda^2 - \frac12(yk/\Lambda)^2$, squares of strains that slenderness keeps small. The
-# shear of a fibre against its section is $\Gamma/\Lambda$, the angle between them. With a uniform contraction
-# $h = h_0\Lambda^{-1/2}$ (2.9), $y = h\zeta/2$:
+# So the fibre is stretched by $f = \Lambda - yk$ along the normal of its section, and sheared by $\Gamma$ against it:
+# in the frame of the section its deformation gradient has the first column $(f, \Gamma)$. We take $\epsilon = \log f$
+# to first order in $y$, $\log\Lambda - yk/\Lambda$, and $\gamma$ proportional to $\Gamma/\Lambda$; what is dropped,
+# $\frac12(yk/\Lambda)^2$, is the square of a strain that slenderness keeps small. With a uniform contraction
+# $h = h_0\Lambda^{-1/2}$ (2.9), $y = h\zeta/2$. $\gamma$ has a factor $\sqrt{\kappa_s}$, the shear correction, for a
+# reason that is given below.
 
 # %%
 y, small = sp.symbols("y small", real=True)
-stretched = sp.log(sp.sqrt((Lam - small * y * k) ** 2 + (small * Gam) ** 2))
-first_order = sp.series(stretched, small, 0, 3).removeO()
+first_order = sp.series(sp.log(Lam - small * y * k), small, 0, 3).removeO()
 prove_equal(first_order.coeff(small, 0) + first_order.coeff(small, 1), sp.log(Lam) - y * k / Lam)
-prove_equal(first_order.coeff(small, 2), (Gam**2 - y**2 * k**2) / (2 * Lam**2))
-prove_equal(sp.series(sp.atan2(small * Gam, Lam), small, 0, 2).removeO().coeff(small, 1), Gam / Lam)
+prove_equal(first_order.coeff(small, 2), -(y**2) * k**2 / (2 * Lam**2))
 
 thickness = {"both ways": h0 / sp.sqrt(Lam), "sheet": h0 / Lam}
 cells = {"both ways": reissner.shearing_cell(sections.UNIFORM), "sheet": reissner.shearing_cell(sections.WIDE)}
 axial = {name: sp.log(Lam) - h * zeta / 2 * k / Lam for name, h in thickness.items()}
-shear = Gam / Lam
+shear = sp.sqrt(kappa_s) * Gam / Lam
 shear_modulus = E / (2 * (1 + bulk.nu))
 for name, cell in cells.items():
     prove_equal(thickness[name], cell.thickness)
     prove_equal(A0 / Lam, cell.area)
     prove_equal(axial[name], cell.axial_strain)
     prove_equal(shear, cell.shear_strain)
-    prove_equal(E * (axial[name] - reissner.eps_p), cell.axial_stress)
-    prove_equal(kappa_s * shear_modulus * (shear - gamma_p), cell.shear_stress)
 
 # %% [markdown]
 # ## Conjugate forces
 #
-# Per unit of $X$ there is the volume $A_0$ ($= A\Lambda$: it does not change). The power of the stress is
-# $A_0\langle\sigma\,\epsilon_t + \tau\,\gamma_t\rangle$, and $(n_1, n_2, m)$ are what multiplies $\Lambda_t$,
-# $\Gamma_t$, $k_t$. With $T = A\langle\sigma\rangle$, $M = A\frac h2\langle\sigma\zeta\rangle$,
-# $S = A\langle\tau\rangle$:
+# Per unit of $X$ there is the volume $A_0$ ($= A\Lambda$: it does not change). Let $\hat\sigma$ and $\tau$ be
+# conjugate to $\epsilon$ and $\gamma$. The power of the stress is
+# $A_0\langle\hat\sigma\,\epsilon_t + \tau\,\gamma_t\rangle$, and $(n_1, n_2, m)$ are what multiplies $\Lambda_t$,
+# $\Gamma_t$, $k_t$. With $T = A\langle\hat\sigma\rangle$, $M = A\frac h2\langle\hat\sigma\zeta\rangle$,
+# $S = \sqrt{\kappa_s}A\langle\tau\rangle$:
 
 # %%
 mean, mean_zeta, mean_shear = sp.symbols("mean mean_zeta mean_shear", real=True)
 
 
 def conjugate(strain, thickness_now, variable):
-    """A0 <sigma deps/dv + tau dgamma/dv> in T, M and S."""
+    """The factor of v_t in A0 <sigma_c eps_t + tau gamma_t>, in T, M and S."""
     by_fibre = sp.Poly(sp.diff(strain, variable), zeta)
     power = A0 * (by_fibre.coeff_monomial(1) * mean + by_fibre.coeff_monomial(zeta) * mean_zeta)
     power += A0 * mean_shear * sp.diff(shear, variable)
     area = A0 / Lam
-    return sp.expand(power.subs({mean: T / area, mean_zeta: 2 * M / (area * thickness_now), mean_shear: S / area}))
+    means = {mean: T / area, mean_zeta: 2 * M / (area * thickness_now), mean_shear: S / (sp.sqrt(kappa_s) * area)}
+    return sp.expand(power.subs(means))
 
 
 derived = {name: [conjugate(axial[name], thickness[name], v) for v in (Lam, Gam, k)] for name in cells}
@@ -131,13 +133,13 @@ for name, cell in cells.items():
         prove_equal(found, held)
     prove_equal(A0 / Lam * reissner.sigma_mean, cell.tension)
     prove_equal(A0 / Lam * thickness[name] / 2 * reissner.sigma_zeta, cell.moment)
-    prove_equal(A0 / Lam * reissner.tau_mean, cell.shear_force)
+    prove_equal(sp.sqrt(kappa_s) * A0 / Lam * reissner.tau_mean, cell.shear_force)
 prove_equal(derived["both ways"][0], T + sp.Rational(3, 2) * M * k / Lam - S * Gam / Lam)
 prove_equal(derived["sheet"][0], T + 2 * M * k / Lam - S * Gam / Lam)
 
 # %% [markdown]
 # The factor 3/2 counts that a stretching section turns less per length (1) and thins (1/2). $-S\Gamma/\Lambda$ is
-# there because the shear strain is an angle, $\Gamma/\Lambda$: stretching at a fixed $\Gamma$ reduces it. Leave either
+# there because the shear strain is a ratio, $\Gamma/\Lambda$: stretching at a fixed $\Gamma$ reduces it. Leave either
 # out, and an elastic filament makes or loses energy.
 #
 # ## Balance, from Hamilton's principle
@@ -296,45 +298,211 @@ prove_equal(elastic_moment, -E * (A0 * h0**2 / 12 / Lam**2) * k / Lam)
 # %% [markdown]
 # that is $M = -EI\theta_s$, $I = I_0/s^2$ (2.9)-(2.11) with the objective curvature.
 #
-# ## Flow of a fibre: the three-dimensional law under $(\sigma, \tau)$
+# ## Plastic shear is carried by the plastic stretch
+#
+# In the frame of its section the deformation gradient of a fibre is lower triangular: it stretches by $f$ along the
+# normal, contracts by $a(f)$ through the thickness and, unless the section is a sheet, by the same across it, and
+# shears by $g$. The volume is kept: $a = f^{-1/2}$, in a sheet $a = 1/f$. Write $\epsilon = \log f$, $\gamma = g/f$ and
+# $a/f = e^{-c\epsilon}$, so that $c = 3/2$ or $2$: minus the exponent of $\Lambda$ in the lever of a fibre.
+
+# %%
+c, f_e, f_p, g_e, g_p = sp.symbols("c f_e f_p g_e g_p", positive=True)
+
+
+def triangular(stretch, slide):
+    """Deformation gradient of a fibre in the frame of its section; the third direction follows from the volume."""
+    return sp.Matrix([[stretch, 0, 0], [slide, stretch ** (1 - c), 0], [0, 0, stretch ** (c - 2)]])
+
+
+for name, carry in (("both ways", sp.Rational(3, 2)), ("sheet", sp.Integer(2))):
+    prove_equal(carry, cells[name].carry)
+    prove_equal(triangular(Lam, 0).subs(c, carry).det(), 1)
+    prove_equal(triangular(Lam, 0)[1, 1].subs(c, carry) * h0, thickness[name])
+prove_equal(triangular(Lam, 0)[2, 2].subs(c, 2), 1)
+
+# %% [markdown]
+# Such gradients are a group: their products and inverses are such. So $F = F_eF_p$ (3.1) can be taken inside it, as
+# the plane sections of a filament ask. Axial strains add, but a plastic shear is seen through the elastic stretch:
+# $$ \epsilon = \epsilon^e + \epsilon^p, \qquad \gamma = \gamma^e + \gamma^p e^{-c\,\epsilon^e}. $$
+
+# %%
+product = triangular(f_e, g_e) * triangular(f_p, g_p)
+for entry in range(3):
+    prove_equal(sp.expand_power_base(triangular(f_e * f_p, 0)[entry, entry]), product[entry, entry])
+prove_equal(sp.expand(product[1, 0] / product[0, 0]), g_e / f_e + g_p / f_p * f_e ** (-c))
+for cell in cells.values():
+    spring = reissner.fibre_spring(E, shear_modulus, cell.carry)
+    prove_equal(reissner.eps - reissner.eps_p, spring.elastic[0])
+    prove_equal(reissner.gamma - gamma_p * sp.exp(-cell.carry * eps_e), spring.elastic[1])
+
+# %% [markdown]
+# The plastic rate is the symmetric part of $L_p = F_{p,t}F_p^{-1}$ (3.8, corrected). Its axial entry is $\epsilon^p_t$,
+# and twice its shear entry
+# $$ 2D^p_{12} = \gamma^p_t + c\,\gamma^p\epsilon^p_t . $$
+# The second term is what an addition of shears forgets: a fibre that stretches takes its shear along, and turns it
+# towards itself.
+
+# %%
+plastic, plastic_shear, eps, gam = (sp.Function(name)(t) for name in ("plastic", "plastic_shear", "eps", "gam"))
+
+
+def rate_of(strain, ratio):
+    """Symmetric part of F_t F^-1 of a triangular F with these strains."""
+    gradient_now = triangular(sp.exp(strain), ratio * sp.exp(strain))
+    rate = sp.diff(gradient_now, t) * gradient_now.inv()
+    return ((rate + rate.T) / 2).applyfunc(sp.simplify)
+
+
+plastic_rate = rate_of(plastic, plastic_shear)
+prove_equal(plastic_rate[0, 0], sp.diff(plastic, t))
+prove_equal(2 * plastic_rate[0, 1], sp.diff(plastic_shear, t) + c * plastic_shear * sp.diff(plastic, t))
+prove_equal(plastic_rate[1, 1], (1 - c) * sp.diff(plastic, t))
+
+# %% [markdown]
+# ## Stresses, and what is dissipated
+#
+# Let $W(\epsilon^e, \gamma^e)$ be any stored energy per volume, $\sigma = W_{\epsilon^e}$, $\tau = W_{\gamma^e}$. By
+# the chain rule $W_t = \hat\sigma\epsilon_t + \tau\gamma_t - (\sigma\,\epsilon^p_t + \tau_d\,2D^p_{12})$ with
+# $$ \tau_d = e^{-c\,\epsilon^e}\tau, \qquad \hat\sigma = \sigma + c\,\gamma^p\tau_d . $$
+# $\hat\sigma$ and $\tau$ are conjugate to the strains: they make the forces. $(\sigma, \tau_d)$ are conjugate to the
+# rates of $L_p$: they drive the flow.
+
+# %%
+W = sp.Function("W")(eps_e, gamma_e)
+elastic_now = {eps_e: eps - plastic, gamma_e: gam - plastic_shear * sp.exp(-c * (eps - plastic))}
+of_W = {sigma: sp.diff(W, eps_e), tau_f: sp.diff(W, gamma_e)}
+stored_rate = sum(sp.diff(W, strain) * sp.diff(elastic_now[strain], t) for strain in (eps_e, gamma_e))
+for cell in cells.values():
+    spring = reissner.fibre_spring(E, shear_modulus, cell.carry)
+    held_drive = spring.driving.subs(eps_e, elastic_now[eps_e])
+    held_along = spring.conjugate.subs({tau_d: held_drive, gamma_p: plastic_shear})
+    supplied = held_along * sp.diff(eps, t) + tau_f * sp.diff(gam, t)
+    wasted = sigma * plastic_rate[0, 0] + held_drive * 2 * plastic_rate[0, 1]
+    balance = (supplied - wasted).subs(of_W) - stored_rate
+    prove_equal(balance.subs(c, cell.carry), 0)
+    for symbol, value in zip((sigma, tau_f), spring.stress, strict=True):
+        prove_equal(of_W[symbol].subs(W, spring.stored).doit(), value.subs(sigma, spring.stress[0]))
+
+# %% [markdown]
+# ### The three-dimensional law under $(\sigma, \tau_d)$
+#
+# A stress that does this power and no other has the entries $\sigma$ and $\tau_d$. In a sheet there is a third that
+# does none, across the width, $\sigma/2$ if the width is not to flow. (3.7) then gives the rates, and keeps the flow in
+# the group: it contracts as a triangular gradient does.
 
 # %%
 phi = sp.Function("phi", positive=True)
-stress = sp.Matrix([[sigma, tau_f, 0], [tau_f, 0, 0], [0, 0, 0]])
-spherical = sp.eye(3) * sigma / 3
-deviator = stress - spherical
-equivalent = sp.sqrt(sp.Rational(3, 2) * sum(entry**2 for entry in deviator))
-flow = sp.Rational(3, 2) * phi(bulk.sigma_eq) / bulk.sigma_eq * deviator
-held_flow = reissner.fibre_flow(phi(sigma))
-for ours, theirs in zip(flow, bulk.plastic_flow(stress, phi(sigma)), strict=True):
-    prove_equal(ours, theirs)
-prove_equal(equivalent**2, sigma**2 + 3 * tau_f**2)
-prove_equal(equivalent**2, held_flow.equivalent**2)  # both are positive roots
-prove_equal(flow[0, 0], held_flow.axial_rate)
-prove_equal(2 * flow[0, 1], held_flow.shear_rate)
-prove_equal(flow[0, 2], 0)
+lateral = {"both ways": 0, "sheet": sigma / 2}
+shares = {"both ways": sp.Integer(1), "sheet": PLANE_STRAIN**2}
+for name, cell in cells.items():
+    stress = sp.Matrix([[sigma, tau_d, 0], [tau_d, 0, 0], [0, 0, lateral[name]]])
+    deviator = stress - sp.eye(3) * stress.trace() / 3
+    equivalent = sp.sqrt(sp.Rational(3, 2) * sum(entry**2 for entry in deviator))
+    flow = sp.Rational(3, 2) * phi(bulk.sigma_eq) / bulk.sigma_eq * deviator
+    for ours, theirs in zip(flow, bulk.plastic_flow(stress, phi(sigma)), strict=True):
+        prove_equal(ours, theirs)
+    held_flow = reissner.fibre_flow(phi(sigma), shares[name], cell.carry)
+    prove_equal(equivalent**2, shares[name] * sigma**2 + 3 * tau_d**2)
+    prove_equal(equivalent**2, held_flow.equivalent**2)  # both are positive roots
+    prove_equal(flow[0, 0], held_flow.axial_rate)
+    prove_equal(2 * flow[0, 1], held_flow.shear_rate + cell.carry * gamma_p * held_flow.axial_rate)
+    prove_equal(flow[1, 1], (1 - cell.carry) * flow[0, 0])
+    prove_equal(flow[0, 2], 0)
+    spring = reissner.fibre_spring(E, shear_modulus, cell.carry)
+    power = spring.conjugate * held_flow.axial_rate + tau_d * held_flow.shear_rate
+    prove_equal(power, phi(bulk.sigma_eq) * equivalent**2 / bulk.sigma_eq)
+    prove_equal(power.subs(bulk.sigma_eq, equivalent), held_flow.dissipation.subs(bulk.sigma_eq, equivalent))
 
 # %% [markdown]
-# $\gamma = 2\epsilon_{12}$ is the shear angle, hence the 3. The power is
-# $\sigma\epsilon^p_t + \tau\gamma^p_t = \sigma_{eq}\varphi(\sigma_{eq}) \ge 0$ for every fibre. With the elastic
-# energy of a fibre the whole balance closes: $\sigma\epsilon_t + \tau\gamma_t = W_t + \sigma_{eq}\varphi$.
+# So the whole balance closes, $\hat\sigma\epsilon_t + \tau\gamma_t = W_t + \sigma_{eq}\varphi(\sigma_{eq})$, whatever
+# the plastic state, and no fibre gives back what it has dissipated. The shear is twice $\epsilon_{12}$, hence the 3.
+#
+# ## The stored energy
+#
+# Hencky's, $\mu\sum\log^2\lambda_i$ (3.5) at constant volume. With $e^q$ the ratio of the two principal stretches in
+# the plane, $\cosh q = (f/a + a/f)/2 + g^2/(2fa)$, and their product $fa$:
+# $$ W = \tfrac12\mu\left(q^2 + \log^2(fa)\right) + \mu\log^2(fa), $$
+# where $fa = 1$ in a sheet. To third order in the strains it is
+# $\frac12E(\epsilon^e + \frac14\gamma^{e2})^2 + \frac12\mu\gamma^{e2}$ with $E = 3\mu$, in a sheet $4\mu$.
+# $\frac14\gamma^{e2}$ is kinematics, whatever Poisson's ratio: the axial entry of $\log\sqrt{F^TF}$ in simple shear. A
+# filament that is sheared pulls on its supports.
 
 # %%
-power = sigma * held_flow.axial_rate + tau_f * held_flow.shear_rate
-prove_equal(power, phi(bulk.sigma_eq) * equivalent**2 / bulk.sigma_eq)
-prove_equal(power.subs(bulk.sigma_eq, equivalent), held_flow.dissipation.subs(bulk.sigma_eq, equivalent))
+mu, size, e1, g1 = sp.symbols("mu size e1 g1", positive=True)
+for carry, modulus in ((sp.Rational(3, 2), 3 * mu), (sp.Integer(2), 4 * mu)):
+    # f/a and g^2/(fa) of f = exp(size e1), g = size g1 f.
+    cosh_q = sp.cosh(carry * size * e1) + (size * g1) ** 2 * sp.exp(carry * size * e1) / 2
+    matrix = triangular(f_e, g_e).subs(c, carry)[:2, :2]
+    exact_cosh = ((matrix.T * matrix).trace() / (2 * matrix.det())).subs({g_e: size * g1 * f_e})
+    prove_equal(exact_cosh.subs(f_e, sp.exp(size * e1)).rewrite(sp.exp), cosh_q.rewrite(sp.exp))
+    x = sp.series(cosh_q - 1, size, 0, 4).removeO()
+    of_volume = (2 - carry) * size * e1
+    exact = mu * (2 * x + of_volume**2) / 2 + mu * of_volume**2  # arccosh(1 + x)^2 = 2 x to third order in the strains
+    held_energy = reissner.fibre_spring(modulus, mu, carry).stored.subs({eps_e: size * e1, gamma_e: size * g1})
+    for order in (2, 3):
+        prove_equal(sp.expand(exact).coeff(size, order), sp.expand(held_energy).coeff(size, order))
+simple = sp.Matrix([[1, 0], [small, 1]])
+green = simple.T * simple - sp.eye(2)
+log_stretch = (green / 2 - green**2 / 4).applyfunc(sp.expand)
+prove_equal(log_stretch[0, 0].coeff(small, 2), sp.Rational(1, 4))
 
-eps, gam, plastic, plastic_shear = (sp.Function(name)(t) for name in ("eps", "gam", "plastic", "plastic_shear"))
-stresses = {sigma: E * (eps - plastic), tau_f: kappa_s * shear_modulus * (gam - plastic_shear)}
-supplied = sigma * sp.diff(eps, t) + tau_f * sp.diff(gam, t)
-wasted = sigma * sp.diff(plastic, t) + tau_f * sp.diff(plastic_shear, t)
+# %% [markdown]
+# It also says how far a filament may be stretched. Turned by $\psi$ against a centreline that is held at a stretch $s$,
+# $\Lambda = s\cos\psi$, $\Gamma = -s\sin\psi$, a section stores least when square to it only while
+# $\log s\,(1 - \kappa_s/2) < \kappa_s\mu/E$.
+
+# %%
+held_at = {eps_e: sp.log(s) + sp.log(sp.cos(psi)), gamma_e: -sp.sqrt(kappa_s) * sp.tan(psi)}
+turned = reissner.fibre_spring(E, shear_modulus).stored.subs(held_at)
+stiffness = sp.diff(turned, psi, 2).subs(psi, 0)
+prove_equal(sp.diff(turned, psi).subs(psi, 0), 0)
+prove_equal(stiffness, kappa_s * shear_modulus - E * sp.log(s) * (1 - kappa_s / 2))
+
+# %% [markdown]
+# ### Small strains
+#
+# To first order in the strains $\gamma^e = \gamma - \gamma^p$, $\hat\sigma = \sigma = E(\epsilon - \epsilon^p)$,
+# $\tau_d = \tau = \mu\gamma^e$, $\gamma^p_t = 3\varphi\tau/\sigma_{eq}$: shears that add. What is carried differs from
+# it by a share of the order of the stretch.
+
+# %%
+strains = (reissner.eps, reissner.gamma, reissner.eps_p, gamma_p)
+tiny = {one: size * one for one in strains}
 for cell in cells.values():
-    prove_equal((supplied - wasted).subs(stresses), sp.diff(cell.elastic_energy.subs(stresses), t))
+    spring = reissner.fibre_spring(E, shear_modulus, cell.carry)
+    elastic = {eps_e: spring.elastic[0].subs(tiny)}
+    elastic[gamma_e] = spring.elastic[1].subs(tiny).subs(elastic)
+    now = {sigma: spring.stress[0].subs(elastic)}
+    now[tau_f] = spring.stress[1].subs(elastic).subs(now)
+    now[tau_d] = spring.driving.subs(elastic).subs(now)
+    now[reissner.sigma_c] = spring.conjugate.subs(tiny).subs(now)
+    stretching, sliding = E * (reissner.eps - reissner.eps_p), shear_modulus * (reissner.gamma - gamma_p)
+    for symbol, wanted in ((sigma, stretching), (reissner.sigma_c, stretching), (tau_f, sliding), (tau_d, sliding)):
+        prove_equal(now[symbol].subs(size, 0), 0)
+        prove_equal(sp.diff(now[symbol], size).subs(size, 0), wanted)
+    added = reissner.fibre_flow(phi(sigma), sp.S.One, cell.carry).shear_rate.subs(gamma_p, 0)
+    prove_equal(added, 3 * phi(bulk.sigma_eq) * tau_d / bulk.sigma_eq)
+
+# %% [markdown]
+# ## A viscous stress beside the springs
+#
+# It sees the whole deformation, whose rate has the entries $\epsilon_t$ and $\gamma_t + c\,\gamma\epsilon_t$: the same
+# derivation with $F$ in place of $F_p$. With Trouton's $\eta = 3\mu$ the Rayleigh potential, half the power of
+# $\frac23\eta D$, is
+# $$ R = \tfrac12\eta\,\epsilon_t^2 + \tfrac16\eta\,(\gamma_t + c\,\gamma\epsilon_t)^2 , $$
+# with $\frac43\eta$ for the stretch of a sheet.
+
+# %%
+for shape, name in ((sections.RECTANGLE, "both ways"), (sections.CIRCLE, "both ways"), (sections.SHEET, "sheet")):
+    whole_rate = rate_of(eps, gam).subs(c, cells[name].carry)
+    potential = reissner.resolve(shape, laws.KELVIN_VOIGT_LAW, shear=True).viscous.rayleigh
+    moving = {reissner.eps_t: sp.diff(eps, t), reissner.gamma_t: sp.diff(gam, t), reissner.gamma: gam}
+    prove_equal(eta / 3 * sum(entry**2 for entry in whole_rate), potential.subs(moving))
 
 # %% [markdown]
 # ## Shear correction
 #
-# One shear angle for the whole section cannot be right: the true elastic shear stress vanishes at both surfaces,
+# One shear for the whole section cannot be right: the true elastic shear stress vanishes at both surfaces,
 # $\tau\propto1-\zeta^2$. Choose $\kappa_s$ so that the section stores the right energy,
 # $\langle\tau^2\rangle/2\mu = \langle\tau\rangle^2/(2\kappa_s\mu)$.
 
@@ -356,10 +524,21 @@ prove_equal(by_energy(2 * sp.sqrt(1 - zeta**2) / sp.pi), reissner.CIRCLE_SHEAR)
 
 # %% [markdown]
 # The circle's 9/10 counts the vertical shear stress alone. Cowper's $6(1+\nu)/(7+6\nu)$, from three-dimensional
-# elasticity, is 9/10 too if the solid is incompressible, and 0.897 at $\nu = 0.45$. Once a section flows the profile
-# is another; $\kappa_s$ is then a convention.
+# elasticity, is 9/10 too if the solid is incompressible, and 0.897 at $\nu = 0.45$.
+#
+# It stands as its root at the strain, $\gamma = \sqrt{\kappa_s}\,\Gamma/\Lambda$, $S =
+# \sqrt{\kappa_s}A\langle\tau\rangle$. An elastic section has $S = \kappa_s\mu A\,\Gamma/\Lambda$ either way. So has a
+# viscous one, with $\eta/3$ for $\mu$ and rates, as it must: its profile is the same parabola. At the modulus, $\tau =
+# \kappa_s\mu(\Gamma/\Lambda - \gamma^p)$, a section that has flowed for long would resist with all of $\eta/3$ and none
+# of $\kappa_s$. Where a section yields the profile is another: $\kappa_s$ is then a convention, and its transverse
+# force at yield, $\sqrt{\kappa_s}A\tau_Y$, lies between that of the first point that yields in the parabola,
+# $\frac23A\tau_Y$, and that of all, $A\tau_Y$.
 
 # %%
+sliding_rate = sp.Symbol("sliding_rate", positive=True)
+maxwell = reissner.fibre_flow(laws.maxwell_rate()).shear_rate.subs(gamma_p, 0)
+steady = sp.solve(maxwell.subs(tau_d, tau_f) - sp.sqrt(kappa_s) * sliding_rate, tau_f)[0]
+prove_equal(sp.sqrt(kappa_s) * A0 * steady, kappa_s * eta / 3 * A0 * sliding_rate)
 prove_equal(reissner.cowper_circle().subs(bulk.nu, sp.Rational(1, 2)), sp.Rational(9, 10))
 prove_equal(reissner.cowper_circle(), 6 * (1 + bulk.nu) / (7 + 6 * bulk.nu))
 prove_equal(reissner.cowper_circle().subs(bulk.nu, 0), sp.Rational(6, 7))
@@ -369,16 +548,19 @@ prove_equal(reissner.cowper_circle().subs(bulk.nu, 0), sp.Rational(6, 7))
 
 # %%
 held = {equation.name: equation for equation in reissner.EQUATIONS}
-prove_equal(held["axial stress of a shearing fibre"].right, E * (axial["both ways"] - reissner.eps_p))
-prove_equal(held["shear stress of a fibre"].right, kappa_s * shear_modulus * (shear - gamma_p))
+elongation = eps_e + gamma_e**2 / 4
+prove_equal(held["axial stress of a shearing fibre"].right, E * elongation)
+prove_equal(held["shear stress of a fibre"].right, shear_modulus * gamma_e + sigma * gamma_e / 2)
+prove_equal(held["driving shear stress of a fibre"].right, tau_f * sp.exp(-sp.Rational(3, 2) * eps_e))
 for name, found in zip(("Lam", "Gam"), derived["both ways"], strict=False):
     prove_equal(held[f"force conjugate to {name}"].right, found)
 prove_equal(held["moment conjugate to k"].right, derived["both ways"][2])
-prove_equal(held["equivalent stress of a fibre"].right ** 2, equivalent**2)
+prove_equal(held["equivalent stress of a fibre"].right ** 2, sigma**2 + 3 * tau_d**2)
 for rule in (laws.bingham_rate(), laws.maxwell_rate()):
     of_rule = reissner.fibre_flow(rule)
     speed = rule.subs(sigma, bulk.sigma_eq)
-    prove_equal(of_rule.shear_rate, 3 * speed * tau_f / bulk.sigma_eq)
     prove_equal(of_rule.axial_rate, speed * sigma / bulk.sigma_eq)
+    turning = sp.Rational(3, 2) * gamma_p * of_rule.axial_rate
+    prove_equal(of_rule.shear_rate, 3 * speed * tau_d / bulk.sigma_eq - turning)
 for equation in reissner.EQUATIONS:
     check(equation)

@@ -121,6 +121,8 @@ def test_the_filament_that_shears_keeps_or_dissipates_its_energy() -> None:
         ("bingham", "circle", "graded", "fibres alone", {"order": 3}),
         ("maxwell", "rectangle", "graded", "everything", {}),
         ("maxwell", "circle", "whole", "shear", {}),
+        ("bingham", "sheet", "graded", "everything", {"fibres": 4}),
+        ("bingham", "sheet", "half", "shear", {"order": 2}),
     ]:
         scene = scene_of(law, section=section)
         graph = resolved(scene, GRIDS[grid], SHEARS[variant], **numerics)
@@ -128,6 +130,39 @@ def test_the_filament_that_shears_keeps_or_dissipates_its_energy() -> None:
         assert imbalance(graph, scene, size=0.01) <= 1e-12, (law, section, grid, variant)
     graph = resolved(scene_of(), half_span(6, End.CLAMPED, 10.0), SHEARS["everything"], fibres=4)
     assert imbalance(graph, scene_of(), size=0.002) <= 1e-12
+    # Far from the straight filament, where what the stretch carries is a tenth of the shear.
+    for section in SECTIONS:
+        graph = resolved(scene_of(section=section), GRIDS["whole"], SHEARS["everything"], fibres=4)
+        assert imbalance(graph, scene_of(section=section), size=0.05) <= 1e-12, section
+
+
+@pytest.mark.parametrize("section", list(SECTIONS))
+def test_a_viscous_stress_beside_a_section_that_shears_loses_twice_its_potential(section: str) -> None:
+    scene = scene_of("maxwell", section=section).replace({"material.law": "kelvin-voigt"})
+    names = ("inertia", *GEOMETRY, "viscous-stress", "gravity-ramp", "shear", "rotary-inertia")
+    graph = build(scene.replace({"run.effects": list(names)}), GRIDS["whole"])
+    assert imbalance(graph, scene, size=0.02) <= 1e-12
+
+
+def test_a_mirrored_filament_that_shears_moves_as_its_mirror_image() -> None:
+    """In the line of its supports, without weight: shear, angles and what is above change sign or side."""
+    graph = resolved(scene_of(), whole_span(4, End.CLAMPED, End.PINNED), SHEARS["everything"], fibres=4)
+    names = list(graph.state_names)
+
+    def image(name: str) -> str:
+        kind, _, number = name.partition("[")[0].partition("_")
+        return name.replace(f"_{number}", f"_{3 - int(number)}", 1) if kind in ("axial", "shear") else name
+
+    sides = np.array([names.index(image(name)) for name in names])
+    signs = np.array([-1.0 if name.startswith(("y", "v", "psi", "omega", "shear")) else 1.0 for name in names])
+    assert {-1.0, 1.0} == set(signs) and np.any(sides != np.arange(len(names)))
+    motion = ca.Function("motion", [graph.t, graph.x, graph.z, graph.p], [graph.ode])
+    p = parameters(scene_of(), graph)
+    for seed in range(3):
+        x, z = random_state(graph, seed)
+        (one,), (other,) = (value(motion, 0.0, state, z, p) for state in (x, signs * x[sides]))
+        assert np.any(np.abs(one[[name.startswith("shear") for name in names]]) > 0)
+        assert other == pytest.approx(signs * one[sides], rel=1e-9, abs=1e-9 * float(np.max(np.abs(one))))
 
 
 def test_a_filament_that_does_not_stretch_keeps_or_dissipates_its_energy() -> None:

@@ -41,6 +41,10 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
     "paper": ("continual-descent", {"run.effects": "paper"}),
     "string": ("stretched-rubber-band", {"run.effects": ["inertia", "extensibility", "large-rotation"]}),
     "fibres, necking": ("arrested-overdamped", {"run.effects": WITH_FIBRES, "numerics.fibres": 4}),
+    "fibres of a sheet": (
+        "continual-descent",
+        {"filament.section": "sheet", "run.effects": WITH_FIBRES[:-1], "numerics.fibres": 3},
+    ),
     "profile, free end": ("curled-rod", {"filament.profile": [1.5, 1.0, 0.5]}),
     "point mass, no inertia": ("beam-viscometer", {}),
     "several modes": ("polyethylene-melt", {}),
@@ -65,7 +69,7 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
         },
     ),
 }
-QUICK = ("paper", "fibres, necking", "profile, free end", "viscous stress, moving support")
+QUICK = ("paper", "fibres, necking", "fibres of a sheet", "profile, free end", "viscous stress, moving support")
 TEXTS = """
 import hashlib, sys
 from softcat_sym.codegen.right_hand_side import rhs_source

@@ -19,7 +19,7 @@ from softcat_sym.physics import closures as paper_section
 from softcat_sym.physics import kinematics as balance
 from softcat_sym.physics import kinematics as motion
 from softcat_sym.physics import symbols as sy
-from softcat_sym.physics.laws import bingham_rate, maxwell_rate
+from softcat_sym.physics.laws import KELVIN_VOIGT_LAW, bingham_rate, maxwell_rate
 from softcat_sym.physics.reissner import Gam, Lam, S, k
 from softcat_sym.physics.sections import CIRCLE, RECTANGLE, SHEET, UNIFORM, WIDE, Contraction, Section
 
@@ -274,23 +274,42 @@ def compiled(inputs: list[sp.Symbol], expression: object) -> Callable[..., np.nd
     return sp.lambdify(inputs, substituted, modules="numpy")
 
 
-def fibre_stresses(cell: reissner.ShearingCell, state: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
-    inputs = [Lam, Gam, k, sy.zeta, reissner.eps_p, reissner.gamma_p]
-    axial, shear = compiled(inputs, (cell.axial_stress, cell.shear_stress))(*state, NODES_GAUSS, PLASTIC, PLASTIC_SHEAR)
-    return axial, shear
+def spring_of(cell: reissner.ShearingCell) -> reissner.FibreSpring:
+    return reissner.fibre_spring(sy.E, bulk.shear_modulus(), cell.carry)
+
+
+def fibre_stresses(cell: reissner.ShearingCell, state: tuple[float, ...]) -> dict[sp.Symbol, np.ndarray]:
+    """Strains, stresses and plastic state of eight fibres; each line is evaluated from those before."""
+    spring = spring_of(cell)
+    found: dict[sp.Symbol, object] = dict(zip((Lam, Gam, k), state, strict=True))
+    found |= {sy.zeta: NODES_GAUSS, reissner.eps_p: PLASTIC, reissner.gamma_p: PLASTIC_SHEAR}
+    for symbol, expression in (
+        (reissner.eps, cell.axial_strain),
+        (reissner.gamma, cell.shear_strain),
+        (reissner.eps_e, spring.elastic[0]),
+        (reissner.gamma_e, spring.elastic[1]),
+        (sy.sigma, spring.stress[0]),
+        (reissner.tau_f, spring.stress[1]),
+        (reissner.tau_d, spring.driving),
+        (reissner.sigma_c, spring.conjugate),
+    ):
+        found[symbol] = compiled(list(found), [expression])(*found.values())[0]
+    return found  # type: ignore[return-value]
 
 
 def stored(cell: reissner.ShearingCell, state: tuple[float, ...]) -> float:
     """Energy per unit material length."""
-    energy = compiled([sy.sigma, reissner.tau_f], [cell.elastic_energy])(*fibre_stresses(cell, state))[0]
+    fibres = fibre_stresses(cell, state)
+    energy = compiled(list(fibres), [spring_of(cell).stored])(*fibres.values())[0]
     return CONSTANTS[sy.A0] * float(WEIGHTS_GAUSS @ energy)
 
 
 @CONTRACTIONS
 def test_conjugate_forces_are_the_slopes_of_the_energy(contraction: Contraction) -> None:
     cell = reissner.shearing_cell(contraction)
-    axial, shear = fibre_stresses(cell, STATE)
-    means = (WEIGHTS_GAUSS @ axial, WEIGHTS_GAUSS @ (axial * NODES_GAUSS), WEIGHTS_GAUSS @ shear)
+    fibres = fibre_stresses(cell, STATE)
+    along, shear = fibres[reissner.sigma_c], fibres[reissner.tau_f]
+    means = (WEIGHTS_GAUSS @ along, WEIGHTS_GAUSS @ (along * NODES_GAUSS), WEIGHTS_GAUSS @ shear)
     symbols = [reissner.sigma_mean, reissner.sigma_zeta, reissner.tau_mean, Lam]
     resultants = compiled(symbols, (cell.tension, cell.moment, cell.shear_force))(*means, STATE[0])
     forces = compiled([sy.T, sy.M, S, Lam, Gam, k], (cell.normal_force, cell.section_force, cell.couple))(
@@ -321,20 +340,129 @@ def test_forces_turn_a_section_by_their_moment_about_it() -> None:
     assert turning == pytest.approx(gradient[0] * pull[1] - gradient[1] * pull[0])
 
 
-def test_a_fibre_flows_as_the_solid_does() -> None:
-    for axial, shear in [(0.3, 0.0), (0.0, -0.2), (-0.25, 0.15), (0.04, 0.02)]:
-        flow = reissner.fibre_flow(bingham_rate())
-        pair = [sy.sigma, reissner.tau_f]
-        size = compiled(pair, [flow.equivalent])(axial, shear)[0]
-        rates = compiled([*pair, bulk.sigma_eq], (flow.axial_rate, flow.shear_rate, flow.dissipation))(
-            axial, shear, size
+def triangular(strain: float, shear: float, carry: float) -> np.ndarray:
+    """Deformation gradient that stretches along the fibre and shears, in the frame of the section."""
+    stretch = np.exp(strain)
+    return np.array([[stretch, 0], [shear * stretch, stretch ** (1 - carry)]])
+
+
+CARRIES = pytest.mark.parametrize(("contraction", "carry"), [(UNIFORM, 1.5), (WIDE, 2.0)], ids=["both ways", "sheet"])
+PLASTIC_STATES = [(0.3, 0.0), (0.3, 0.2), (0.7, -0.4), (-0.2, 0.5)]
+
+
+@CARRIES
+def test_elastic_strains_are_those_of_a_product_of_triangular_gradients(contraction: Contraction, carry: float) -> None:
+    """F = F_e F_p: what is left of F once F_p is taken off."""
+    spring = spring_of(reissner.shearing_cell(contraction))
+    total = (0.5, 0.3)
+    for plastic in PLASTIC_STATES:
+        left = triangular(*total, carry) @ np.linalg.inv(triangular(*plastic, carry))
+        values = dict(
+            zip((reissner.eps, reissner.gamma, reissner.eps_p, reissner.gamma_p), (*total, *plastic), strict=True)
         )
+        strain = float(spring.elastic[0].subs(values))
+        shear = float(spring.elastic[1].subs(values | {reissner.eps_e: strain}))
+        assert left == pytest.approx(triangular(strain, shear, carry), rel=1e-13)
+
+
+@CARRIES
+def test_a_fibre_flows_as_the_solid_does(contraction: Contraction, carry: float) -> None:
+    """The rate of F_p F_p^-1 that is symmetric is von Mises's, and the power lost is phi sig_eq, whatever the state."""
+    cell = reissner.shearing_cell(contraction)
+    spring, flow = spring_of(cell), reissner.fibre_flow(bingham_rate(), carry=cell.carry)
+    pair = [sy.sigma, reissner.tau_d]
+    for axial, shear in [(0.3, 0.0), (0.0, -0.2), (-0.25, 0.15), (0.04, 0.02)]:
+        size = compiled(pair, [flow.equivalent])(axial, shear)[0]
         stress = np.array([[axial, shear, 0], [shear, 0, 0], [0, 0, 0]])
         deviator = stress - np.trace(stress) / 3 * np.eye(3)
         assert size == pytest.approx(np.sqrt(1.5 * np.sum(deviator**2)))
         solid = 1.5 * max(size - 0.1, 0) / 2 * deviator / size
-        assert rates == pytest.approx([solid[0, 0], 2 * solid[0, 1], np.sum(stress * solid)], abs=1e-15)
-        assert rates[2] >= 0
+        for strain, sheared in PLASTIC_STATES:
+            inputs = [*pair, bulk.sigma_eq, reissner.gamma_p]
+            rates = compiled(inputs, (flow.axial_rate, flow.shear_rate, flow.dissipation))(axial, shear, size, sheared)
+            ahead, behind = (triangular(strain + d * rates[0], sheared + d * rates[1], carry) for d in (1e-6, -1e-6))
+            spin_and_rate = (ahead - behind) / 2e-6 @ np.linalg.inv(triangular(strain, sheared, carry))
+            assert spin_and_rate[0, 0] == pytest.approx(solid[0, 0], abs=1e-9)
+            assert spin_and_rate[1, 0] == pytest.approx(2 * solid[0, 1], abs=1e-9)
+            along = compiled([*pair, reissner.gamma_p], [spring.conjugate])(axial, shear, sheared)[0]
+            assert along * rates[0] + shear * rates[1] == pytest.approx(rates[2], abs=1e-15)
+            assert rates[2] == pytest.approx(np.sum(stress * solid), abs=1e-15)
+            assert rates[2] >= 0
+
+
+@pytest.mark.parametrize(
+    ("shape", "carry"), [(RECTANGLE, 1.5), (CIRCLE, 1.5), (SHEET, 2.0)], ids=["rectangle", "circle", "sheet"]
+)
+def test_a_viscous_fibre_resists_the_rate_of_its_whole_deformation(shape: Section, carry: float) -> None:
+    """Half of 2/3 eta D:D, D the symmetric part of F_t F^-1 at constant volume."""
+    viscous = reissner.resolve(shape, KELVIN_VOIGT_LAW, shear=True).viscous
+    assert viscous is not None
+    strain, shear, rates = 0.3, -0.4, (0.2, 0.7)
+    ahead, behind = (triangular(strain + d * rates[0], shear + d * rates[1], carry) for d in (1e-6, -1e-6))
+    gradient = (ahead - behind) / 2e-6 @ np.linalg.inv(triangular(strain, shear, carry))
+    rate = (gradient + gradient.T) / 2
+    squares = float(np.sum(rate**2) + np.trace(rate) ** 2)
+    by = (reissner.gamma, reissner.eps_t, reissner.gamma_t)
+    found = viscous.rayleigh.subs(CONSTANTS).subs(dict(zip(by, (shear, *rates), strict=True)))
+    assert float(found) == pytest.approx(2.0 / 3 * squares, rel=1e-8)
+
+
+@CARRIES
+def test_a_sheared_fibre_stores_what_a_solid_of_constant_volume_does(contraction: Contraction, carry: float) -> None:
+    """Hencky's energy mu sum log^2 of principal stretches, to third order in the strains."""
+    cell = reissner.shearing_cell(contraction)
+    modulus = {1.5: 3.0, 2.0: 4.0}[carry]  # 3 mu, in plane strain 4 mu
+    energy = reissner.fibre_spring(sp.Float(modulus), sp.Integer(1), cell.carry).stored
+    errors = []
+    for size in (0.04, 0.02):
+        strain, shear = size, -1.5 * size
+        plane = np.linalg.svd(triangular(strain, shear, carry), compute_uv=False)
+        stretches = np.array([*plane, 1 / np.prod(plane)])
+        exact = float(np.sum(np.log(stretches) ** 2))
+        errors.append(abs(float(energy.subs({reissner.eps_e: strain, reissner.gamma_e: shear})) - exact))
+    assert errors[0] / errors[1] == pytest.approx(16, rel=0.1)
+
+
+def test_a_small_strain_adds_the_shears() -> None:
+    """gamma - gamma_p, E (eps - eps_p) and mu gamma_e remain: the difference falls with the square of the strain."""
+    cell = reissner.shearing_cell()
+    spring, flow = spring_of(cell), reissner.fibre_flow(bingham_rate())
+    by = (reissner.eps, reissner.gamma, reissner.eps_p, reissner.gamma_p)
+    apart = []
+    for size in (1e-2, 1e-3):
+        at = dict(zip(by, (3 * size, 2 * size, size, -size), strict=True)) | CONSTANTS
+        at[reissner.eps_e] = spring.elastic[0].subs(at)
+        at[reissner.gamma_e] = spring.elastic[1].subs(at)
+        at[sy.sigma] = spring.stress[0].subs(at)
+        at[reissner.tau_f] = tau = float(spring.stress[1].subs(at))
+        at[reissner.tau_d] = spring.driving.subs(at)
+        at[bulk.sigma_eq] = flow.equivalent.subs(at)
+        shear_modulus = 3.0 / 2.9
+        wanted = (3.0 * 2 * size, shear_modulus * 3 * size)
+        rate = 3 * max(float(at[bulk.sigma_eq]) / 2 - 0.05, 0) * tau / float(at[bulk.sigma_eq])
+        found = (float(spring.conjugate.subs(at)), tau)
+        assert float(flow.shear_rate.subs(at)) == pytest.approx(rate, rel=3 * size, abs=1e-30)
+        apart.append(max(abs(f / w - 1) for f, w in zip(found, wanted, strict=True)))
+    assert apart[0] / apart[1] == pytest.approx(10, rel=0.2)
+
+
+def test_a_mirrored_shear_mirrors_its_stress_alone() -> None:
+    spring, flow = spring_of(reissner.shearing_cell()), reissner.fibre_flow(bingham_rate())
+    by = [reissner.eps, reissner.gamma, reissner.gamma_p, reissner.eps_p]
+    even, odd = [], []
+    for sign in (1, -1):
+        at = dict(zip(by, (0.3, sign * 0.2, sign * 0.05, 0.1), strict=True)) | CONSTANTS
+        for symbol, expression in (
+            *zip((reissner.eps_e, reissner.gamma_e), spring.elastic, strict=True),
+            *zip((sy.sigma, reissner.tau_f), spring.stress, strict=True),
+            (reissner.tau_d, spring.driving),
+            (bulk.sigma_eq, flow.equivalent),
+        ):
+            at[symbol] = expression.subs(at)
+        even.append([float(e.subs(at)) for e in (spring.stored, spring.conjugate, flow.axial_rate, flow.dissipation)])
+        odd.append([sign * float(e.subs(at)) for e in (spring.stress[1], spring.driving, flow.shear_rate)])
+    assert even[1] == pytest.approx(even[0], rel=1e-14)
+    assert odd[1] == pytest.approx(odd[0], rel=1e-14)
 
 
 def test_a_stiff_shear_leaves_the_force_of_the_thin_filament() -> None:

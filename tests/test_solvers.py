@@ -622,7 +622,7 @@ def thick_and_slack(theory: str, gravity: str = "9.81 m/s^2") -> Scene:
         "ends": {"left": "pinned", "right": "pinned"},
         "load": {"gravity": gravity},
         "run": {"duration": "0.58 s", "effects": [*THEORIES[theory], "viscous-flow", "yielding"]},
-        "numerics": {"backend": "interpreted", "cells": 20, "grading": 1.0},
+        "numerics": {"backend": "interpreted", "cells": 16, "grading": 1.0},
     }
     return Scene.model_validate(table)
 

@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 60f886bde4993992d8a87c7c868be7fb7ce3a068eb4636f3888a0aa7c2c51001
+ * Digest of the structure: a06e2409002fe78c33e01f687b11e038d5a341fb976fa52ded4482b66d6dd387
  */
 #include "filament.h"
 
@@ -15,7 +15,7 @@
 
 #define FIBRES 8
 #define SLOTS 21
-#define ENTRIES 297
+#define ENTRIES 329
 #define SCRATCH 112
 
 /* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */
@@ -119,39 +119,45 @@ static void rates_7(int n, const double *p, const double *y, double *w, double *
     double *restrict w8 = w + 8 * n;
     double *restrict w9 = w + 9 * n;
     const double c3 = p[7];
-    const double c5 = p[5];
-    const double c6 = 0.5 * c5;
-    const double c27 = 0.4166666666666667 * c5;
-    const double c30 = 2.0 * p[8];
-    const double c31 = 2.0 + c30;
-    const double c32 = c27 / c31;
-    const double c43 = 1e-12 * c5;
-    const double c44 = squared(c43);
-    const double c50 = 1.0 / p[6];
-    const double c54 = p[10];
+    const double c4 = p[5];
+    const double c42 = 1.0 + p[8];
+    const double c43 = c4 / c42;
+    const double c51 = 1e-12 * c4;
+    const double c52 = squared(c51);
+    const double c58 = 1.0 / p[6];
+    const double c63 = p[10];
     for (int i = 0; i < n - 1; i++) {
         double sum0 = 0.0;
         double sum1 = 0.0;
         double sum2 = 0.0;
-        const double v9 = (-0.5) * w5[i];
-        const double v14 = w3[i];
-        const double v16 = sqrt(v14) * v14;
-        const double v18 = log(v14);
-        const double v34 = w4[i] / v14;
+        const double v7 = (-0.5) * w5[i];
+        const double v12 = w3[i];
+        const double v14 = sqrt(v12) * v12;
+        const double v16 = log(v12);
+        const double v24 = (0.9128709291752768 * w4[i]) / v12;
         for (int k = 0; k < FIBRES; k++) {
-            const double v10 = zeta[k];
-            const double v21 = ((((v9 * v10) * p[1]) / v16) + v18) - y[SLOTS * i + 5 + k];
-            const double v23 = c6 * (2.0 * v21);
-            const double v38 = c32 * (2.0 * (v34 - y[SLOTS * i + 5 + 1 * FIBRES + k]));
-            const double v46 = sqrt(larger(squared(v23) + (3.0 * squared(v38)), c44));
-            const double v47 = (double)(c3 < v46);
-            const double v52 = ((v46 - c3) * c50) / v46;
-            const double v61 = weight[k];
-            f[SLOTS * i + 5 + k] = v47 != 0.0 ? ((v23 * v52) * c54) : 0.0;
-            f[SLOTS * i + 5 + 1 * FIBRES + k] = v47 != 0.0 ? (((3.0 * v38) * v52) * c54) : 0.0;
-            sum0 += v23 * v61;
-            sum1 += v23 * (v61 * v10);
-            sum2 += v38 * v61;
+            const double v8 = zeta[k];
+            const double v19 = ((((v7 * v8) * p[1]) / v14) + v16) - y[SLOTS * i + 5 + k];
+            const double v25 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v28 = exp((-1.5) * v19);
+            const double v30 = v24 - (v25 * v28);
+            const double v34 = c4 * (v19 + (0.25 * squared(v30)));
+            const double v38 = 0.5 * v30;
+            const double v45 = (v34 * v38) + (c43 * v38);
+            const double v46 = v45 * v28;
+            const double v54 = sqrt(larger(squared(v34) + (3.0 * squared(v46)), c52));
+            const double v55 = (double)(c3 < v54);
+            const double v59 = (v54 - c3) * c58;
+            const double v61 = 1.0 / v54;
+            const double v62 = (v34 * v59) * v61;
+            const double v72 = ((((-1.5) * v25) * v62) + (((3.0 * v46) * v59) * v61)) * c63;
+            const double v77 = v34 + ((1.5 * v25) * v46);
+            const double v78 = weight[k];
+            f[SLOTS * i + 5 + k] = v55 != 0.0 ? (v62 * c63) : 0.0;
+            f[SLOTS * i + 5 + 1 * FIBRES + k] = v55 != 0.0 ? v72 : 0.0;
+            sum0 += v77 * v78;
+            sum1 += v77 * (v78 * v8);
+            sum2 += v45 * v78;
         }
         w7[i] = sum0;
         w8[i] = sum1;
@@ -181,18 +187,19 @@ static void rates_8(int n, const double *p, const double *g, double *w)
         const double v8 = 1.0 / (v6 * v5);
         const double v14 = 1.0 / v5;
         const double v15 = w7[i] * v14;
-        const double v17 = w9[i];
-        const double v31 = ((((((-0.5) * w5[i]) * v2) * c0) * v8) * v8) * ((v5 / (2.0 * v6)) + v6);
-        const double v36 = g[7 * i + 4];
-        const double v37 = (w2[i + 1] - w2[i]) * v36;
-        const double v43 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v44 = cos(v43);
-        const double v49 = (w0[i + 1] - w0[i]) * v36;
-        const double v50 = sin(v43);
-        const double v53 = ((v15 - (((w4[i] * v17) * v14) * v14)) - v31) * ((v37 * v44) - (v49 * v50));
-        const double v60 = (g[7 * i + 1] * p[0]) * (v53 - ((v17 * v14) * ((v37 * v50) + (v49 * v44))));
+        const double v25 = ((((((-0.5) * w5[i]) * v2) * c0) * v8) * v8) * ((v5 / (2.0 * v6)) + v6);
+        const double v30 = w9[i];
+        const double v34 = (v15 - v25) - ((((0.9128709291752768 * w4[i]) * v30) * v14) * v14);
+        const double v38 = g[7 * i + 4];
+        const double v39 = (w2[i + 1] - w2[i]) * v38;
+        const double v45 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v46 = cos(v45);
+        const double v51 = (w0[i + 1] - w0[i]) * v38;
+        const double v52 = sin(v45);
+        const double v61 = ((0.9128709291752768 * v30) * v14) * ((v39 * v52) + (v51 * v46));
+        const double v63 = (g[7 * i + 1] * p[0]) * ((v34 * ((v39 * v46) - (v51 * v52))) - v61);
         w10[i] = (c0 * ((-0.5) * v2)) * v8;
-        w11[i] = -(v60 * 0.5);
+        w11[i] = -(v63 * 0.5);
         w12[i] = v15;
     }
 }
@@ -269,21 +276,21 @@ static void rates_13(int n, const double *p, const double *g, double *w)
     for (int i = 0; i < n - 1; i++) {
         const double v1 = w3[i];
         const double v2 = 1.0 / v1;
-        const double v5 = w9[i];
-        const double v17 = sqrt(v1);
-        const double v19 = 1.0 / (v17 * v1);
-        const double v25 = ((((((-0.5) * w5[i]) * w8[i]) * p[1]) * v19) * v19) * ((v1 / (2.0 * v17)) + v17);
-        const double v26 = ((w7[i] * v2) - (((w4[i] * v5) * v2) * v2)) - v25;
-        const double v32 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v33 = cos(v32);
-        const double v35 = v5 * v2;
-        const double v36 = sin(v32);
-        const double v43 = g[7 * i + 4];
-        const double v46 = ((w13[i + 1] - w13[i]) * v43) / w6[i];
-        const double v52 = ((v26 * v33) - (v35 * v36)) - (v46 * ((w0[i + 1] - w0[i]) * v43));
-        const double v61 = ((v26 * v36) + (v35 * v33)) - (v46 * ((w2[i + 1] - w2[i]) * v43));
-        w14[i] = v52;
-        w15[i] = v61;
+        const double v11 = sqrt(v1);
+        const double v13 = 1.0 / (v11 * v1);
+        const double v19 = ((((((-0.5) * w5[i]) * w8[i]) * p[1]) * v13) * v13) * ((v1 / (2.0 * v11)) + v11);
+        const double v24 = w9[i];
+        const double v28 = ((w7[i] * v2) - v19) - ((((0.9128709291752768 * w4[i]) * v24) * v2) * v2);
+        const double v34 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v35 = cos(v34);
+        const double v38 = (0.9128709291752768 * v24) * v2;
+        const double v39 = sin(v34);
+        const double v46 = g[7 * i + 4];
+        const double v49 = ((w13[i + 1] - w13[i]) * v46) / w6[i];
+        const double v55 = ((v28 * v35) - (v38 * v39)) - (v49 * ((w0[i + 1] - w0[i]) * v46));
+        const double v64 = ((v28 * v39) + (v38 * v35)) - (v49 * ((w2[i + 1] - w2[i]) * v46));
+        w14[i] = v55;
+        w15[i] = v64;
     }
 }
 
@@ -525,21 +532,23 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
     double *restrict each0 = w + (SCRATCH) * n;
     double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
     double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    const double c2 = p[5];
-    const double c3 = 0.5 * c2;
-    const double c58 = 0.4166666666666667 * c2;
-    const double c61 = 2.0 * p[8];
-    const double c62 = 2.0 + c61;
-    const double c63 = c58 / c62;
-    const double c83 = p[7];
-    const double c88 = p[1];
-    const double c114 = 1e-12 * c2;
-    const double c115 = squared(c114);
-    const double c121 = 1.0 / p[6];
-    const double c125 = p[10];
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    const double c7 = p[1];
+    const double c20 = p[5];
+    const double c39 = 1.0 + p[8];
+    const double c40 = c20 / c39;
+    const double c206 = p[7];
+    const double c213 = 1e-12 * c20;
+    const double c214 = squared(c213);
+    const double c223 = p[10];
+    const double c228 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
         double sum0 = 0.0;
         double sum1 = 0.0;
+        double sum10 = 0.0;
+        double sum11 = 0.0;
         double sum2 = 0.0;
         double sum3 = 0.0;
         double sum4 = 0.0;
@@ -547,130 +556,174 @@ static void jacobian_7(int n, const double *p, const double *y, double *w, doubl
         double sum6 = 0.0;
         double sum7 = 0.0;
         double sum8 = 0.0;
-        const double v9 = w16[i];
-        const double v12 = w28[i];
-        const double v15 = w17[i];
-        const double v17 = w29[i];
-        const double v20 = w18[i];
-        const double v22 = w19[i];
-        const double v24 = w20[i];
-        const double v26 = w21[i];
-        const double v48 = w22[i];
-        const double v53 = w23[i];
-        const double v67 = w24[i];
-        const double v71 = w25[i];
-        const double v75 = w26[i];
-        const double v79 = w27[i];
-        const double v86 = (-0.5) * w5[i];
-        const double v90 = w3[i];
-        const double v91 = sqrt(v90);
-        const double v93 = 1.0 / (v91 * v90);
-        const double v95 = log(v90);
-        const double v104 = 1.0 / v90;
-        const double v105 = w4[i] * v104;
-        const double v156 = v105 * v104;
-        const double v165 = 1.0 / (2.0 * v91);
+        double sum9 = 0.0;
+        const double v4 = (-0.5) * w5[i];
+        const double v9 = w3[i];
+        const double v10 = sqrt(v9);
+        const double v12 = 1.0 / (v10 * v9);
+        const double v14 = log(v9);
+        const double v25 = 1.0 / v9;
+        const double v26 = (0.9128709291752768 * w4[i]) * v25;
+        const double v69 = w22[i];
+        const double v72 = w16[i];
+        const double v76 = w28[i];
+        const double v79 = w23[i];
+        const double v81 = w17[i];
+        const double v84 = w29[i];
+        const double v92 = w24[i];
+        const double v94 = w18[i];
+        const double v97 = w25[i];
+        const double v99 = w19[i];
+        const double v102 = w26[i];
+        const double v104 = w20[i];
+        const double v107 = w27[i];
+        const double v109 = w21[i];
+        const double v272 = v26 * v25;
+        const double v281 = 1.0 / (2.0 * v10);
         for (int k = 0; k < FIBRES; k++) {
-            const double v4 = weight[k];
-            const double v6 = 2.0 * (c3 * v4);
-            const double v29 = zeta[k];
-            const double v30 = v4 * v29;
-            const double v32 = 2.0 * (c3 * v30);
-            const double v65 = 2.0 * (c63 * v4);
-            const double v94 = ((v86 * v29) * c88) * v93;
-            const double v100 = c3 * (2.0 * ((v94 + v95) - y[SLOTS * i + 5 + k]));
-            const double v109 = c63 * (2.0 * (v105 - y[SLOTS * i + 5 + 1 * FIBRES + k]));
-            const double v112 = squared(v100) + (3.0 * squared(v109));
-            const double v117 = sqrt(larger(v112, c115));
-            const double v118 = (double)(c83 < v117);
-            const double v123 = 1.0 / v117;
-            const double v124 = ((v117 - c83) * c121) * v123;
-            const double v126 = v124 * c125;
-            const double v127 = 2.0 * v100;
-            const double v128 = (double)(c115 <= v112);
-            const double v131 = v128 / (v128 + (double)(v112 <= c115));
-            const double v132 = v100 * c125;
-            const double v135 = v124 * v123;
-            const double v139 = 1.0 / (2.0 * v117);
-            const double v141 = v131 * ((((v132 * v123) * c121) - (v135 * v132)) * v139);
-            const double v145 = 2.0 * (c3 * (v126 + (v127 * v141)));
-            const double v148 = 2.0 * v109;
-            const double v152 = 2.0 * (c63 * (v148 * (3.0 * v141)));
-            const double v153 = v152 * v104;
-            const double v159 = v94 * v93;
-            const double v160 = v159 * v145;
-            const double v167 = (((v145 * v104) - (v156 * v152)) - (v91 * v160)) - ((v90 * v160) * v165);
-            const double v173 = (-0.5) * (v29 * (c88 * (v145 * v93)));
-            const double v176 = v118 != 0.0 ? (((v153 * v48) + (v167 * v9)) + (v173 * v12)) : 0.0;
-            const double v182 = v118 != 0.0 ? (((v153 * v53) + (v167 * v15)) + (v173 * v17)) : 0.0;
-            const double v202 = (3.0 * v109) * c125;
-            const double v208 = v131 * ((((v202 * v123) * c121) - (v135 * v202)) * v139);
-            const double v211 = 2.0 * (c3 * (v127 * v208));
-            const double v219 = 2.0 * (c63 * ((3.0 * v126) + (v148 * (3.0 * v208))));
-            const double v220 = v219 * v104;
-            const double v225 = v159 * v211;
-            const double v230 = (((v211 * v104) - (v156 * v219)) - (v91 * v225)) - ((v90 * v225) * v165);
-            const double v236 = (-0.5) * (v29 * (c88 * (v211 * v93)));
-            const double v239 = v118 != 0.0 ? (((v220 * v48) + (v230 * v9)) + (v236 * v12)) : 0.0;
-            const double v245 = v118 != 0.0 ? (((v220 * v53) + (v230 * v15)) + (v236 * v17)) : 0.0;
-            const double v268 = v159 * v6;
-            const double v279 = v159 * v32;
-            each0[FIBRES * i + k] = -v6;
-            each1[FIBRES * i + k] = -v32;
-            each2[FIBRES * i + k] = -v65;
-            e[ENTRIES * i + 41 + 19 * FIBRES + k] = v118 != 0.0 ? (-v145) : 0.0;
-            e[ENTRIES * i + 41 + 18 * FIBRES + k] = v176;
-            e[ENTRIES * i + 41 + 23 * FIBRES + k] = v182;
-            e[ENTRIES * i + 41 + 20 * FIBRES + k] = v118 != 0.0 ? (-v152) : 0.0;
-            e[ENTRIES * i + 41 + 16 * FIBRES + k] = v118 != 0.0 ? ((v153 * v67) + (v167 * v20)) : 0.0;
-            e[ENTRIES * i + 41 + 21 * FIBRES + k] = v118 != 0.0 ? ((v153 * v71) + (v167 * v22)) : 0.0;
-            e[ENTRIES * i + 41 + 17 * FIBRES + k] = v118 != 0.0 ? ((v153 * v75) + (v167 * v24)) : 0.0;
-            e[ENTRIES * i + 41 + 22 * FIBRES + k] = v118 != 0.0 ? ((v153 * v79) + (v167 * v26)) : 0.0;
-            e[ENTRIES * i + 41 + 27 * FIBRES + k] = v118 != 0.0 ? (-v211) : 0.0;
-            e[ENTRIES * i + 41 + 26 * FIBRES + k] = v239;
-            e[ENTRIES * i + 41 + 31 * FIBRES + k] = v245;
-            e[ENTRIES * i + 41 + 28 * FIBRES + k] = v118 != 0.0 ? (-v219) : 0.0;
-            e[ENTRIES * i + 41 + 24 * FIBRES + k] = v118 != 0.0 ? ((v220 * v67) + (v230 * v20)) : 0.0;
-            e[ENTRIES * i + 41 + 29 * FIBRES + k] = v118 != 0.0 ? ((v220 * v71) + (v230 * v22)) : 0.0;
-            e[ENTRIES * i + 41 + 25 * FIBRES + k] = v118 != 0.0 ? ((v220 * v75) + (v230 * v24)) : 0.0;
-            e[ENTRIES * i + 41 + 30 * FIBRES + k] = v118 != 0.0 ? ((v220 * v79) + (v230 * v26)) : 0.0;
-            sum0 += v100 * v4;
-            sum1 += v100 * v30;
-            sum2 += v109 * v4;
-            sum3 += ((v6 * v104) - (v91 * v268)) - ((v90 * v268) * v165);
-            sum4 += (-0.5) * (v29 * (c88 * (v6 * v93)));
-            sum5 += ((v32 * v104) - (v91 * v279)) - ((v90 * v279) * v165);
-            sum6 += (-0.5) * (v29 * (c88 * (v32 * v93)));
-            sum7 += v65 * v104;
-            sum8 += -(v156 * v65);
+            const double v5 = zeta[k];
+            const double v13 = ((v4 * v5) * c7) * v12;
+            const double v17 = (v13 + v14) - y[SLOTS * i + 5 + k];
+            const double v19 = exp((-1.5) * v17);
+            const double v27 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v29 = v26 - (v27 * v19);
+            const double v33 = c20 * (v17 + (0.25 * squared(v29)));
+            const double v35 = 0.5 * v29;
+            const double v42 = (v33 * v35) + (c40 * v35);
+            const double v44 = 1.5 * v27;
+            const double v45 = weight[k];
+            const double v46 = v44 * v45;
+            const double v50 = v19 * v46;
+            const double v53 = c20 * (v45 + (v35 * v50));
+            const double v59 = 2.0 * v29;
+            const double v62 = (0.5 * ((c40 * v50) + (v33 * v50))) + (v59 * (0.25 * v53));
+            const double v66 = (((-1.5) * (v19 * (v42 * v46))) + v53) - ((-1.5) * (v19 * (v27 * v62)));
+            const double v87 = v42 * v19;
+            const double v113 = v45 * v5;
+            const double v114 = v44 * v113;
+            const double v118 = v19 * v114;
+            const double v121 = c20 * (v113 + (v35 * v118));
+            const double v129 = (0.5 * ((c40 * v118) + (v33 * v118))) + (v59 * (0.25 * v121));
+            const double v133 = (((-1.5) * (v19 * (v42 * v114))) + v121) - ((-1.5) * (v19 * (v27 * v129)));
+            const double v166 = c20 * (v35 * v45);
+            const double v173 = (0.5 * ((c40 * v45) + (v33 * v45))) + (v59 * (0.25 * v166));
+            const double v177 = v166 - ((-1.5) * (v19 * (v27 * v173)));
+            const double v211 = squared(v33) + (3.0 * squared(v87));
+            const double v216 = sqrt(larger(v211, c214));
+            const double v217 = (double)(c206 < v216);
+            const double v218 = 2.0 * v87;
+            const double v219 = (double)(c214 <= v211);
+            const double v222 = v219 / (v219 + (double)(v211 <= c214));
+            const double v224 = 1.0 / v216;
+            const double v225 = c223 * v224;
+            const double v231 = (v216 - c206) * c228;
+            const double v233 = (v33 * v231) * v224;
+            const double v234 = v233 * v224;
+            const double v238 = 1.0 / (2.0 * v216);
+            const double v240 = v222 * ((((v33 * v225) * c228) - (v234 * c223)) * v238);
+            const double v242 = v218 * (3.0 * v240);
+            const double v246 = v231 * v225;
+            const double v247 = v19 * v242;
+            const double v250 = 2.0 * v33;
+            const double v253 = c20 * ((v246 + (v35 * v247)) + (v250 * v240));
+            const double v261 = (0.5 * ((c40 * v247) + (v33 * v247))) + (v59 * (0.25 * v253));
+            const double v265 = (((-1.5) * (v19 * (v42 * v242))) + v253) - ((-1.5) * (v19 * (v27 * v261)));
+            const double v269 = 0.9128709291752768 * (v261 * v25);
+            const double v275 = v13 * v12;
+            const double v276 = v275 * v265;
+            const double v283 = (((v265 * v25) - (v272 * v261)) - (v10 * v276)) - ((v9 * v276) * v281);
+            const double v289 = (-0.5) * (v5 * (c7 * (v265 * v12)));
+            const double v292 = v217 != 0.0 ? (((v269 * v69) + (v283 * v72)) + (v289 * v76)) : 0.0;
+            const double v298 = v217 != 0.0 ? (((v269 * v79) + (v283 * v81)) + (v289 * v84)) : 0.0;
+            const double v319 = 3.0 * v87;
+            const double v322 = ((-1.5) * v27) * c223;
+            const double v323 = v322 * v224;
+            const double v333 = (((v319 * v225) + (v33 * v323)) * c228) - (((((v319 * v231) * v224) * v224) * c223) + (v234 * v322));
+            const double v335 = v222 * (v333 * v238);
+            const double v338 = (3.0 * v246) + (v218 * (3.0 * v335));
+            const double v343 = v19 * v338;
+            const double v348 = c20 * (((v231 * v323) + (v35 * v343)) + (v250 * v335));
+            const double v356 = (0.5 * ((c40 * v343) + (v33 * v343))) + (v59 * (0.25 * v348));
+            const double v360 = (((-1.5) * (v19 * (v42 * v338))) + v348) - ((-1.5) * (v19 * (v27 * v356)));
+            const double v364 = 0.9128709291752768 * (v356 * v25);
+            const double v369 = v275 * v360;
+            const double v374 = (((v360 * v25) - (v272 * v356)) - (v10 * v369)) - ((v9 * v369) * v281);
+            const double v380 = (-0.5) * (v5 * (c7 * (v360 * v12)));
+            const double v383 = v217 != 0.0 ? (((v364 * v69) + (v374 * v72)) + (v380 * v76)) : 0.0;
+            const double v389 = v217 != 0.0 ? (((v364 * v79) + (v374 * v81)) + (v380 * v84)) : 0.0;
+            const double v394 = v217 != 0.0 ? (((-1.5) * (v233 * c223)) - (v19 * v356)) : 0.0;
+            const double v412 = v33 + (v44 * v87);
+            const double v418 = v275 * v177;
+            const double v423 = (((v177 * v25) - (v272 * v173)) - (v10 * v418)) - ((v9 * v418) * v281);
+            const double v434 = v275 * v66;
+            const double v439 = (((v66 * v25) - (v272 * v62)) - (v10 * v434)) - ((v9 * v434) * v281);
+            const double v449 = v275 * v133;
+            const double v454 = (((v133 * v25) - (v272 * v129)) - (v10 * v449)) - ((v9 * v449) * v281);
+            each0[FIBRES * i + k] = -v66;
+            each1[FIBRES * i + k] = (1.5 * (v87 * v45)) - (v19 * v62);
+            each2[FIBRES * i + k] = -v133;
+            each3[FIBRES * i + k] = (1.5 * (v87 * v113)) - (v19 * v129);
+            each4[FIBRES * i + k] = -v177;
+            each5[FIBRES * i + k] = -(v19 * v173);
+            e[ENTRIES * i + 41 + 23 * FIBRES + k] = v217 != 0.0 ? (-v265) : 0.0;
+            e[ENTRIES * i + 41 + 22 * FIBRES + k] = v292;
+            e[ENTRIES * i + 41 + 27 * FIBRES + k] = v298;
+            e[ENTRIES * i + 41 + 24 * FIBRES + k] = v217 != 0.0 ? (-(v19 * v261)) : 0.0;
+            e[ENTRIES * i + 41 + 20 * FIBRES + k] = v217 != 0.0 ? ((v269 * v92) + (v283 * v94)) : 0.0;
+            e[ENTRIES * i + 41 + 25 * FIBRES + k] = v217 != 0.0 ? ((v269 * v97) + (v283 * v99)) : 0.0;
+            e[ENTRIES * i + 41 + 21 * FIBRES + k] = v217 != 0.0 ? ((v269 * v102) + (v283 * v104)) : 0.0;
+            e[ENTRIES * i + 41 + 26 * FIBRES + k] = v217 != 0.0 ? ((v269 * v107) + (v283 * v109)) : 0.0;
+            e[ENTRIES * i + 41 + 31 * FIBRES + k] = v217 != 0.0 ? (-v360) : 0.0;
+            e[ENTRIES * i + 41 + 30 * FIBRES + k] = v383;
+            e[ENTRIES * i + 41 + 35 * FIBRES + k] = v389;
+            e[ENTRIES * i + 41 + 32 * FIBRES + k] = v394;
+            e[ENTRIES * i + 41 + 28 * FIBRES + k] = v217 != 0.0 ? ((v364 * v92) + (v374 * v94)) : 0.0;
+            e[ENTRIES * i + 41 + 33 * FIBRES + k] = v217 != 0.0 ? ((v364 * v97) + (v374 * v99)) : 0.0;
+            e[ENTRIES * i + 41 + 29 * FIBRES + k] = v217 != 0.0 ? ((v364 * v102) + (v374 * v104)) : 0.0;
+            e[ENTRIES * i + 41 + 34 * FIBRES + k] = v217 != 0.0 ? ((v364 * v107) + (v374 * v109)) : 0.0;
+            sum0 += v412 * v45;
+            sum1 += v412 * v113;
+            sum10 += v423;
+            sum11 += (-0.5) * (v5 * (c7 * (v177 * v12)));
+            sum2 += v42 * v45;
+            sum3 += 0.9128709291752768 * (v62 * v25);
+            sum4 += v439;
+            sum5 += (-0.5) * (v5 * (c7 * (v66 * v12)));
+            sum6 += 0.9128709291752768 * (v129 * v25);
+            sum7 += v454;
+            sum8 += (-0.5) * (v5 * (c7 * (v133 * v12)));
+            sum9 += 0.9128709291752768 * (v173 * v25);
         }
-        const double v8 = sum3;
-        const double v11 = sum4;
-        const double v34 = sum5;
-        const double v36 = sum6;
-        const double v47 = sum7;
-        const double v50 = sum8;
+        const double v68 = sum3;
+        const double v71 = sum4;
+        const double v75 = sum5;
+        const double v135 = sum6;
+        const double v137 = sum7;
+        const double v140 = sum8;
+        const double v179 = sum9;
+        const double v181 = sum10;
+        const double v184 = sum11;
         w7[i] = sum0;
-        w34[i] = (v8 * v9) + (v11 * v12);
-        w35[i] = (v8 * v15) + (v11 * v17);
-        w36[i] = v8 * v20;
-        w37[i] = v8 * v22;
-        w38[i] = v8 * v24;
-        w39[i] = v8 * v26;
+        w34[i] = ((v68 * v69) + (v71 * v72)) + (v75 * v76);
+        w35[i] = ((v68 * v79) + (v71 * v81)) + (v75 * v84);
+        w36[i] = (v68 * v92) + (v71 * v94);
+        w37[i] = (v68 * v97) + (v71 * v99);
+        w38[i] = (v68 * v102) + (v71 * v104);
+        w39[i] = (v68 * v107) + (v71 * v109);
         w8[i] = sum1;
-        w40[i] = (v34 * v9) + (v36 * v12);
-        w41[i] = (v34 * v15) + (v36 * v17);
-        w42[i] = v34 * v20;
-        w43[i] = v34 * v22;
-        w44[i] = v34 * v24;
-        w45[i] = v34 * v26;
+        w40[i] = ((v135 * v69) + (v137 * v72)) + (v140 * v76);
+        w41[i] = ((v135 * v79) + (v137 * v81)) + (v140 * v84);
+        w42[i] = (v135 * v92) + (v137 * v94);
+        w43[i] = (v135 * v97) + (v137 * v99);
+        w44[i] = (v135 * v102) + (v137 * v104);
+        w45[i] = (v135 * v107) + (v137 * v109);
         w9[i] = sum2;
-        w46[i] = (v47 * v48) + (v50 * v9);
-        w47[i] = (v47 * v53) + (v50 * v15);
-        w48[i] = (v47 * v67) + (v50 * v20);
-        w49[i] = (v47 * v71) + (v50 * v22);
-        w50[i] = (v47 * v75) + (v50 * v24);
-        w51[i] = (v47 * v79) + (v50 * v26);
+        w46[i] = ((v179 * v69) + (v181 * v72)) + (v184 * v76);
+        w47[i] = ((v179 * v79) + (v181 * v81)) + (v184 * v84);
+        w48[i] = (v179 * v92) + (v181 * v94);
+        w49[i] = (v179 * v97) + (v181 * v99);
+        w50[i] = (v179 * v102) + (v181 * v104);
+        w51[i] = (v179 * v107) + (v181 * v109);
     }
 }
 
@@ -745,6 +798,11 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
     double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
     double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
     double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
     const double c0 = p[1];
     for (int i = 0; i < n - 1; i++) {
         const double v2 = w8[i];
@@ -760,98 +818,104 @@ static void jacobian_8(int n, const double *p, const double *g, double *w)
         const double v23 = w16[i];
         const double v26 = w41[i];
         const double v28 = w17[i];
-        const double v31 = w42[i];
-        const double v33 = w18[i];
-        const double v36 = w43[i];
-        const double v38 = w19[i];
-        const double v41 = w44[i];
-        const double v43 = w20[i];
-        const double v46 = w45[i];
-        const double v48 = w21[i];
-        const double v53 = g[7 * i + 1] * p[0];
-        const double v55 = 1.0 / v5;
-        const double v56 = w7[i] * v55;
-        const double v57 = w4[i];
-        const double v58 = w9[i];
-        const double v61 = ((v57 * v58) * v55) * v55;
-        const double v64 = (-0.5) * w5[i];
-        const double v68 = (((v64 * v2) * c0) * v8) * v8;
-        const double v69 = v5 * v20;
-        const double v70 = v69 + v6;
-        const double v72 = (v56 - v61) - (v68 * v70);
-        const double v76 = g[7 * i + 4];
-        const double v77 = (w2[i + 1] - w2[i]) * v76;
-        const double v83 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v84 = cos(v83);
-        const double v89 = (w0[i + 1] - w0[i]) * v76;
-        const double v90 = sin(v83);
-        const double v92 = (v77 * v84) - (v89 * v90);
-        const double v94 = v58 * v55;
-        const double v97 = (v77 * v90) + (v89 * v84);
-        const double v103 = (-0.5) * v53;
-        const double v104 = v92 * v103;
-        const double v105 = v104 * v55;
-        const double v108 = v70 * v104;
-        const double v109 = v108 * v8;
-        const double v111 = c0 * (v109 * v8);
-        const double v112 = v64 * v111;
-        const double v116 = v97 * v103;
-        const double v118 = v68 * v104;
-        const double v123 = (((v94 * v55) * v116) - (v118 * v20)) + ((v61 * v55) * v104);
-        const double v126 = v56 * v55;
-        const double v132 = ((v68 * v8) * v108) + (v68 * v109);
-        const double v141 = (((2.0 * ((v69 * v20) * v118)) - v118) + (v5 * v132)) * v20;
-        const double v142 = (((v123 + (v61 * v105)) - (v126 * v104)) + (v6 * v132)) + v141;
-        const double v144 = v105 * v55;
-        const double v145 = v58 * v144;
-        const double v149 = w34[i];
-        const double v153 = (((v142 * v23) - (v145 * w22[i])) + (v105 * v149)) - (v112 * v14);
-        const double v155 = (-0.5) * (v2 * v111);
-        const double v159 = v94 * v103;
-        const double v161 = v72 * v103;
-        const double v169 = (v84 * ((v77 * v159) + (v89 * v161))) + (v90 * ((v77 * v161) - (v89 * v159)));
-        const double v170 = 0.5 * v169;
-        const double v174 = (v116 * v55) + (v57 * v144);
-        const double v182 = w35[i];
-        const double v186 = (((v142 * v28) - (v145 * w23[i])) + (v105 * v182)) - (v112 * v26);
-        const double v201 = w36[i];
-        const double v205 = (((v142 * v33) - (v145 * w24[i])) + (v105 * v201)) - (v112 * v31);
-        const double v212 = ((v84 * v159) + (v90 * v161)) * v76;
-        const double v218 = w37[i];
-        const double v222 = (((v142 * v38) - (v145 * w25[i])) + (v105 * v218)) - (v112 * v36);
-        const double v231 = w38[i];
-        const double v235 = (((v142 * v43) - (v145 * w26[i])) + (v105 * v231)) - (v112 * v41);
-        const double v242 = ((v84 * v161) - (v90 * v159)) * v76;
-        const double v248 = w39[i];
-        const double v252 = (((v142 * v48) - (v145 * w27[i])) + (v105 * v248)) - (v112 * v46);
+        const double v33 = w42[i];
+        const double v35 = w18[i];
+        const double v38 = w43[i];
+        const double v40 = w19[i];
+        const double v43 = w44[i];
+        const double v45 = w20[i];
+        const double v48 = w45[i];
+        const double v50 = w21[i];
+        const double v55 = g[7 * i + 1] * p[0];
+        const double v57 = 1.0 / v5;
+        const double v58 = w7[i] * v57;
+        const double v60 = (-0.5) * w5[i];
+        const double v64 = (((v60 * v2) * c0) * v8) * v8;
+        const double v65 = v5 * v20;
+        const double v66 = v65 + v6;
+        const double v71 = 0.9128709291752768 * w4[i];
+        const double v72 = w9[i];
+        const double v75 = ((v71 * v72) * v57) * v57;
+        const double v76 = (v58 - (v64 * v66)) - v75;
+        const double v80 = g[7 * i + 4];
+        const double v81 = (w2[i + 1] - w2[i]) * v80;
+        const double v87 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v88 = cos(v87);
+        const double v93 = (w0[i + 1] - w0[i]) * v80;
+        const double v94 = sin(v87);
+        const double v96 = (v81 * v88) - (v93 * v94);
+        const double v99 = (0.9128709291752768 * v72) * v57;
+        const double v102 = (v81 * v94) + (v93 * v88);
+        const double v108 = (-0.5) * v55;
+        const double v109 = v96 * v108;
+        const double v110 = v109 * v57;
+        const double v113 = v66 * v109;
+        const double v114 = v113 * v8;
+        const double v116 = c0 * (v114 * v8);
+        const double v117 = v60 * v116;
+        const double v120 = v102 * v108;
+        const double v123 = v110 * v57;
+        const double v125 = (0.9128709291752768 * (v120 * v57)) + (v71 * v123);
+        const double v135 = (((v99 * v57) * v120) + ((v75 * v57) * v109)) + (v75 * v110);
+        const double v136 = v64 * v109;
+        const double v139 = v58 * v57;
+        const double v145 = ((v64 * v8) * v113) + (v64 * v114);
+        const double v154 = (((2.0 * ((v65 * v20) * v136)) - v136) + (v5 * v145)) * v20;
+        const double v155 = (((v135 - (v136 * v20)) - (v139 * v109)) + (v6 * v145)) + v154;
+        const double v158 = 0.9128709291752768 * (v72 * v123);
+        const double v162 = w34[i];
+        const double v166 = (((v155 * v23) - (v158 * w22[i])) + (v110 * v162)) - (v117 * v14);
+        const double v168 = (-0.5) * (v2 * v116);
+        const double v172 = v99 * v108;
+        const double v174 = v76 * v108;
+        const double v182 = (v88 * ((v81 * v172) + (v93 * v174))) + (v94 * ((v81 * v174) - (v93 * v172)));
+        const double v183 = 0.5 * v182;
+        const double v192 = w35[i];
+        const double v196 = (((v155 * v28) - (v158 * w23[i])) + (v110 * v192)) - (v117 * v26);
+        const double v215 = w36[i];
+        const double v219 = (((v155 * v35) - (v158 * w24[i])) + (v110 * v215)) - (v117 * v33);
+        const double v226 = ((v88 * v172) + (v94 * v174)) * v80;
+        const double v232 = w37[i];
+        const double v236 = (((v155 * v40) - (v158 * w25[i])) + (v110 * v232)) - (v117 * v38);
+        const double v245 = w38[i];
+        const double v249 = (((v155 * v45) - (v158 * w26[i])) + (v110 * v245)) - (v117 * v43);
+        const double v256 = ((v88 * v174) - (v94 * v172)) * v80;
+        const double v262 = w39[i];
+        const double v266 = (((v155 * v50) - (v158 * w27[i])) + (v110 * v262)) - (v117 * v48);
         w10[i] = v9;
         w52[i] = (v11 * v14) - (v22 * v23);
         w53[i] = (v11 * v26) - (v22 * v28);
-        w54[i] = (v11 * v31) - (v22 * v33);
-        w55[i] = (v11 * v36) - (v22 * v38);
-        w56[i] = (v11 * v41) - (v22 * v43);
-        w57[i] = (v11 * v46) - (v22 * v48);
-        w11[i] = -((v53 * ((v72 * v92) - (v94 * v97))) * 0.5);
-        w58[i] = ((v153 - (v155 * w28[i])) - v170) - (v174 * w46[i]);
-        w59[i] = ((v186 - (v155 * w29[i])) - v170) - (v174 * w47[i]);
-        w60[i] = (v205 - (v174 * w48[i])) + v212;
-        w61[i] = (v222 - (v174 * w49[i])) - v212;
-        w62[i] = (v235 - (v174 * w50[i])) - v242;
-        w63[i] = (v252 - (v174 * w51[i])) + v242;
-        w12[i] = v56;
-        w64[i] = (v149 * v55) - (v126 * v23);
-        w65[i] = (v182 * v55) - (v126 * v28);
-        w66[i] = (v201 * v55) - (v126 * v33);
-        w67[i] = (v218 * v55) - (v126 * v38);
-        w68[i] = (v231 * v55) - (v126 * v43);
-        w69[i] = (v248 * v55) - (v126 * v48);
+        w54[i] = (v11 * v33) - (v22 * v35);
+        w55[i] = (v11 * v38) - (v22 * v40);
+        w56[i] = (v11 * v43) - (v22 * v45);
+        w57[i] = (v11 * v48) - (v22 * v50);
+        w11[i] = -((v55 * ((v76 * v96) - (v99 * v102))) * 0.5);
+        w58[i] = ((v166 - (v168 * w28[i])) - v183) - (v125 * w46[i]);
+        w59[i] = ((v196 - (v168 * w29[i])) - v183) - (v125 * w47[i]);
+        w60[i] = (v219 - (v125 * w48[i])) + v226;
+        w61[i] = (v236 - (v125 * w49[i])) - v226;
+        w62[i] = (v249 - (v125 * w50[i])) - v256;
+        w63[i] = (v266 - (v125 * w51[i])) + v256;
+        w12[i] = v58;
+        w64[i] = (v162 * v57) - (v139 * v23);
+        w65[i] = (v192 * v57) - (v139 * v28);
+        w66[i] = (v215 * v57) - (v139 * v35);
+        w67[i] = (v232 * v57) - (v139 * v40);
+        w68[i] = (v245 * v57) - (v139 * v45);
+        w69[i] = (v262 * v57) - (v139 * v50);
         for (int k = 0; k < FIBRES; k++) {
-            const double v12 = each1[FIBRES * i + k];
-            const double v106 = each0[FIBRES * i + k];
-            each3[FIBRES * i + k] = v11 * v12;
-            each4[FIBRES * i + k] = (v105 * v106) - (v112 * v12);
-            each5[FIBRES * i + k] = -(v174 * each2[FIBRES * i + k]);
-            each6[FIBRES * i + k] = v106 * v55;
+            const double v12 = each2[FIBRES * i + k];
+            const double v31 = each3[FIBRES * i + k];
+            const double v111 = each0[FIBRES * i + k];
+            const double v128 = ((v110 * v111) - (v117 * v12)) - (v125 * each4[FIBRES * i + k]);
+            const double v204 = each1[FIBRES * i + k];
+            const double v210 = ((v110 * v204) - (v117 * v31)) - (v125 * each5[FIBRES * i + k]);
+            each6[FIBRES * i + k] = v11 * v12;
+            each7[FIBRES * i + k] = v11 * v31;
+            each8[FIBRES * i + k] = v128;
+            each9[FIBRES * i + k] = v210;
+            each10[FIBRES * i + k] = v111 * v57;
+            each11[FIBRES * i + k] = v204 * v57;
         }
     }
 }
@@ -870,9 +934,10 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     double *restrict w61 = w + 61 * n;
     double *restrict w62 = w + 62 * n;
     double *restrict w63 = w + 63 * n;
-    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
-    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
-    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
+    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
+    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
+    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
     const double c1 = squared(p[10]);
     const double c3 = p[0];
     const double c4 = squared(c3);
@@ -882,24 +947,26 @@ static void jacobian_9(int n, const double *p, const double *g, double *w, doubl
     for (int i = 1; i < n - 1; i++) {
         const double v10 = c7 * g[7 * i + 5];
         const double v33 = ((v10 * w52[i]) - (v10 * w53[i - 1])) + (v10 * w59[i - 1]);
-        const double v58 = ((v10 * w54[i]) - (v10 * w55[i - 1])) + (v10 * w61[i - 1]);
-        const double v79 = ((v10 * w56[i]) - (v10 * w57[i - 1])) + (v10 * w63[i - 1]);
+        const double v64 = ((v10 * w54[i]) - (v10 * w55[i - 1])) + (v10 * w61[i - 1]);
+        const double v85 = ((v10 * w56[i]) - (v10 * w57[i - 1])) + (v10 * w63[i - 1]);
         e[ENTRIES * i + 34] = (v10 * w58[i - 1]) - (v10 * w52[i - 1]);
         e[ENTRIES * i + 37] = v33 + (v10 * w58[i]);
         e[ENTRIES * i + 40] = (v10 * w53[i]) + (v10 * w59[i]);
         e[ENTRIES * i + 32] = (v10 * w60[i - 1]) - (v10 * w54[i - 1]);
-        e[ENTRIES * i + 35] = v58 + (v10 * w60[i]);
+        e[ENTRIES * i + 35] = v64 + (v10 * w60[i]);
         e[ENTRIES * i + 38] = (v10 * w55[i]) + (v10 * w61[i]);
         e[ENTRIES * i + 33] = (v10 * w62[i - 1]) - (v10 * w56[i - 1]);
-        e[ENTRIES * i + 36] = v79 + (v10 * w62[i]);
+        e[ENTRIES * i + 36] = v85 + (v10 * w62[i]);
         e[ENTRIES * i + 39] = (v10 * w57[i]) + (v10 * w63[i]);
         for (int k = 0; k < FIBRES; k++) {
-            const double v15 = (v10 * each4[FIBRES * (i - 1) + k]) - (v10 * each3[FIBRES * (i - 1) + k]);
-            const double v20 = (v10 * each3[FIBRES * i + k]) + (v10 * each4[FIBRES * i + k]);
-            e[ENTRIES * i + 41 + 12 * FIBRES + k] = v15;
-            e[ENTRIES * i + 41 + 14 * FIBRES + k] = v20;
-            e[ENTRIES * i + 41 + 13 * FIBRES + k] = v10 * each5[FIBRES * (i - 1) + k];
-            e[ENTRIES * i + 41 + 15 * FIBRES + k] = v10 * each5[FIBRES * i + k];
+            const double v15 = (v10 * each8[FIBRES * (i - 1) + k]) - (v10 * each6[FIBRES * (i - 1) + k]);
+            const double v20 = (v10 * each6[FIBRES * i + k]) + (v10 * each8[FIBRES * i + k]);
+            const double v46 = (v10 * each9[FIBRES * (i - 1) + k]) - (v10 * each7[FIBRES * (i - 1) + k]);
+            const double v51 = (v10 * each7[FIBRES * i + k]) + (v10 * each9[FIBRES * i + k]);
+            e[ENTRIES * i + 41 + 16 * FIBRES + k] = v15;
+            e[ENTRIES * i + 41 + 18 * FIBRES + k] = v20;
+            e[ENTRIES * i + 41 + 17 * FIBRES + k] = v46;
+            e[ENTRIES * i + 41 + 19 * FIBRES + k] = v51;
         }
     }
 }
@@ -928,9 +995,12 @@ static void jacobian_10(int n, const double *p, const double *g, double *w)
     double *restrict w76 = w + 76 * n;
     double *restrict w77 = w + 77 * n;
     double *restrict w78 = w + 78 * n;
-    double *restrict each6 = w + (SCRATCH + 6 * FIBRES) * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
+    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
     const double c7 = 1.0 / p[0];
     const double c10 = squared(p[1]);
     const double c27 = squared(p[9]);
@@ -954,26 +1024,28 @@ static void jacobian_10(int n, const double *p, const double *g, double *w)
         const double v45 = (v40 / ((double)(v36 <= 0.0) + v40)) * (v30 * c7);
         const double v46 = v15 * v45;
         const double v49 = v18 * v45;
-        const double v67 = c29 * (v37 * c7);
-        const double v70 = (2.0 * v20) * ((2.0 * v21) * ((v24 * v23) * v67));
-        const double v75 = ((c10 * (v67 * v23)) * c7) * v4;
-        const double v76 = (v15 * v70) + v75;
-        const double v81 = v75 - (v18 * v70);
-        const double v89 = ((v81 * w30[i]) - (v76 * w31[i - 1])) + (v46 * w67[i - 1]);
-        const double v110 = ((v81 * w32[i]) - (v76 * w33[i - 1])) + (v46 * w69[i - 1]);
+        const double v71 = c29 * (v37 * c7);
+        const double v74 = (2.0 * v20) * ((2.0 * v21) * ((v24 * v23) * v71));
+        const double v79 = ((c10 * (v71 * v23)) * c7) * v4;
+        const double v80 = (v15 * v74) + v79;
+        const double v85 = v79 - (v18 * v74);
+        const double v93 = ((v85 * w30[i]) - (v80 * w31[i - 1])) + (v46 * w67[i - 1]);
+        const double v114 = ((v85 * w32[i]) - (v80 * w33[i - 1])) + (v46 * w69[i - 1]);
         w13[i] = (v30 * v37) * c7;
         w70[i] = v46 * w64[i - 1];
         w71[i] = (v46 * w65[i - 1]) + (v49 * w64[i]);
         w72[i] = v49 * w65[i];
-        w73[i] = (v46 * w66[i - 1]) - (v76 * w30[i - 1]);
-        w74[i] = v89 + (v49 * w66[i]);
-        w75[i] = (v81 * w31[i]) + (v49 * w67[i]);
-        w76[i] = (v46 * w68[i - 1]) - (v76 * w32[i - 1]);
-        w77[i] = v110 + (v49 * w68[i]);
-        w78[i] = (v81 * w33[i]) + (v49 * w69[i]);
+        w73[i] = (v46 * w66[i - 1]) - (v80 * w30[i - 1]);
+        w74[i] = v93 + (v49 * w66[i]);
+        w75[i] = (v85 * w31[i]) + (v49 * w67[i]);
+        w76[i] = (v46 * w68[i - 1]) - (v80 * w32[i - 1]);
+        w77[i] = v114 + (v49 * w68[i]);
+        w78[i] = (v85 * w33[i]) + (v49 * w69[i]);
         for (int k = 0; k < FIBRES; k++) {
-            each7[FIBRES * i + k] = v46 * each6[FIBRES * (i - 1) + k];
-            each8[FIBRES * i + k] = v49 * each6[FIBRES * i + k];
+            each12[FIBRES * i + k] = v46 * each10[FIBRES * (i - 1) + k];
+            each13[FIBRES * i + k] = v49 * each10[FIBRES * i + k];
+            each14[FIBRES * i + k] = v46 * each11[FIBRES * (i - 1) + k];
+            each15[FIBRES * i + k] = v49 * each11[FIBRES * i + k];
         }
     }
 }
@@ -990,8 +1062,10 @@ static void jacobian_11(int n, double *w)
     double *restrict w76 = w + 76 * n;
     double *restrict w77 = w + 77 * n;
     double *restrict w78 = w + 78 * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
     const int i = n - 1;
     w13[i] = 0.0;
     w70[i] = 0.0;
@@ -1004,8 +1078,10 @@ static void jacobian_11(int n, double *w)
     w77[i] = 0.0;
     w78[i] = 0.0;
     for (int k = 0; k < FIBRES; k++) {
-        each7[FIBRES * i + k] = 0.0;
-        each8[FIBRES * i + k] = 0.0;
+        each12[FIBRES * i + k] = 0.0;
+        each13[FIBRES * i + k] = 0.0;
+        each14[FIBRES * i + k] = 0.0;
+        each15[FIBRES * i + k] = 0.0;
     }
     (void)n;
 }
@@ -1022,8 +1098,10 @@ static void jacobian_12(int n, double *w)
     double *restrict w76 = w + 76 * n;
     double *restrict w77 = w + 77 * n;
     double *restrict w78 = w + 78 * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
     const int i = 0;
     w13[i] = 0.0;
     w70[i] = 0.0;
@@ -1036,8 +1114,10 @@ static void jacobian_12(int n, double *w)
     w77[i] = 0.0;
     w78[i] = 0.0;
     for (int k = 0; k < FIBRES; k++) {
-        each7[FIBRES * i + k] = 0.0;
-        each8[FIBRES * i + k] = 0.0;
+        each12[FIBRES * i + k] = 0.0;
+        each13[FIBRES * i + k] = 0.0;
+        each14[FIBRES * i + k] = 0.0;
+        each15[FIBRES * i + k] = 0.0;
     }
     (void)n;
 }
@@ -1129,202 +1209,227 @@ static void jacobian_13(int n, const double *p, const double *g, double *w)
     double *restrict each0 = w + (SCRATCH) * n;
     double *restrict each1 = w + (SCRATCH + 1 * FIBRES) * n;
     double *restrict each2 = w + (SCRATCH + 2 * FIBRES) * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
-    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
-    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
+    double *restrict each3 = w + (SCRATCH + 3 * FIBRES) * n;
+    double *restrict each4 = w + (SCRATCH + 4 * FIBRES) * n;
+    double *restrict each5 = w + (SCRATCH + 5 * FIBRES) * n;
     double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
     double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
     double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
     double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
     double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
-    const double c15 = p[1];
+    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
+    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
+    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
+    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
+    double *restrict each21 = w + (SCRATCH + 21 * FIBRES) * n;
+    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
+    double *restrict each23 = w + (SCRATCH + 23 * FIBRES) * n;
+    double *restrict each24 = w + (SCRATCH + 24 * FIBRES) * n;
+    double *restrict each25 = w + (SCRATCH + 25 * FIBRES) * n;
+    double *restrict each26 = w + (SCRATCH + 26 * FIBRES) * n;
+    double *restrict each27 = w + (SCRATCH + 27 * FIBRES) * n;
+    const double c9 = p[1];
     for (int i = 0; i < n - 1; i++) {
         const double v1 = w3[i];
         const double v2 = 1.0 / v1;
         const double v3 = w7[i] * v2;
-        const double v4 = w4[i];
-        const double v5 = w9[i];
-        const double v8 = ((v4 * v5) * v2) * v2;
-        const double v12 = (-0.5) * w5[i];
-        const double v13 = w8[i];
-        const double v17 = sqrt(v1);
-        const double v19 = 1.0 / (v17 * v1);
-        const double v21 = (((v12 * v13) * c15) * v19) * v19;
-        const double v23 = 1.0 / (2.0 * v17);
-        const double v24 = v1 * v23;
-        const double v25 = v24 + v17;
-        const double v27 = (v3 - v8) - (v21 * v25);
-        const double v33 = (w1[i] + w1[i + 1]) * 0.5;
-        const double v34 = cos(v33);
-        const double v36 = v5 * v2;
-        const double v37 = sin(v33);
-        const double v44 = g[7 * i + 4];
-        const double v47 = 1.0 / w6[i];
-        const double v48 = ((w13[i + 1] - w13[i]) * v44) * v47;
-        const double v52 = (w0[i + 1] - w0[i]) * v44;
-        const double v56 = (v52 * v47) * v44;
-        const double v59 = v34 * v2;
-        const double v62 = v25 * v34;
-        const double v63 = v62 * v19;
-        const double v65 = c15 * (v63 * v19);
-        const double v66 = v12 * v65;
-        const double v79 = w70[i];
-        const double v81 = v36 * v2;
-        const double v83 = v21 * v34;
-        const double v86 = v21 * v19;
-        const double v89 = (v86 * v62) + (v21 * v63);
-        const double v92 = v24 * v23;
-        const double v99 = (((v81 * v37) - (v83 * v23)) + (v17 * v89)) + ((((2.0 * (v92 * v83)) - v83) + (v1 * v89)) * v23);
-        const double v100 = v8 * v2;
-        const double v105 = v3 * v2;
-        const double v107 = ((v99 + (v100 * v34)) + (v8 * v59)) - (v105 * v34);
-        const double v108 = w16[i];
-        const double v110 = v59 * v2;
-        const double v111 = v5 * v110;
-        const double v112 = w22[i];
-        const double v115 = w34[i];
-        const double v118 = w40[i];
-        const double v120 = (((v107 * v108) - (v111 * v112)) + (v59 * v115)) - (v66 * v118);
-        const double v121 = w71[i];
-        const double v124 = w70[i + 1];
-        const double v128 = (-0.5) * (v13 * v65);
-        const double v129 = w28[i];
-        const double v135 = 0.5 * ((v34 * v36) + (v37 * v27));
-        const double v136 = (((v120 + (v56 * v121)) - (v56 * v124)) - (v128 * v129)) - v135;
-        const double v137 = v37 * v2;
-        const double v139 = v137 + (v4 * v110);
-        const double v140 = w46[i];
-        const double v143 = w17[i];
-        const double v145 = w23[i];
-        const double v148 = w35[i];
-        const double v151 = w41[i];
-        const double v153 = (((v107 * v143) - (v111 * v145)) + (v59 * v148)) - (v66 * v151);
-        const double v154 = w72[i];
-        const double v157 = w71[i + 1];
-        const double v160 = w29[i];
-        const double v163 = (((v153 + (v56 * v154)) - (v56 * v157)) - (v128 * v160)) - v135;
-        const double v164 = w47[i];
-        const double v167 = w72[i + 1];
-        const double v173 = w73[i];
-        const double v175 = w18[i];
-        const double v177 = w24[i];
-        const double v180 = w36[i];
-        const double v183 = w42[i];
-        const double v185 = (((v107 * v175) - (v111 * v177)) + (v59 * v180)) - (v66 * v183);
-        const double v186 = w74[i];
-        const double v189 = w73[i + 1];
-        const double v192 = w48[i];
-        const double v195 = v48 * v47;
-        const double v196 = v195 * v52;
-        const double v197 = w30[i];
-        const double v199 = (((v185 + (v56 * v186)) - (v56 * v189)) - (v139 * v192)) + (v196 * v197);
-        const double v200 = v48 * v44;
-        const double v202 = w19[i];
-        const double v204 = w25[i];
-        const double v207 = w37[i];
-        const double v210 = w43[i];
-        const double v212 = (((v107 * v202) - (v111 * v204)) + (v59 * v207)) - (v66 * v210);
-        const double v213 = w75[i];
-        const double v216 = w74[i + 1];
-        const double v219 = w49[i];
-        const double v222 = w31[i];
-        const double v224 = (((v212 + (v56 * v213)) - (v56 * v216)) - (v139 * v219)) + (v196 * v222);
-        const double v226 = w75[i + 1];
-        const double v229 = w76[i];
-        const double v231 = w20[i];
-        const double v233 = w26[i];
-        const double v236 = w38[i];
-        const double v239 = w44[i];
-        const double v241 = (((v107 * v231) - (v111 * v233)) + (v59 * v236)) - (v66 * v239);
-        const double v242 = w77[i];
-        const double v245 = w76[i + 1];
-        const double v248 = w50[i];
-        const double v251 = w32[i];
-        const double v253 = (((v241 + (v56 * v242)) - (v56 * v245)) - (v139 * v248)) + (v196 * v251);
-        const double v254 = w21[i];
-        const double v256 = w27[i];
-        const double v259 = w39[i];
-        const double v262 = w45[i];
-        const double v264 = (((v107 * v254) - (v111 * v256)) + (v59 * v259)) - (v66 * v262);
-        const double v265 = w78[i];
-        const double v268 = w77[i + 1];
-        const double v271 = w51[i];
-        const double v274 = w33[i];
-        const double v276 = (((v264 + (v56 * v265)) - (v56 * v268)) - (v139 * v271)) + (v196 * v274);
-        const double v277 = w78[i + 1];
-        const double v286 = (w2[i + 1] - w2[i]) * v44;
-        const double v290 = (v286 * v47) * v44;
-        const double v293 = v25 * v37;
-        const double v294 = v293 * v19;
-        const double v296 = c15 * (v294 * v19);
-        const double v297 = v12 * v296;
-        const double v309 = (v86 * v293) + (v21 * v294);
-        const double v312 = v21 * v37;
-        const double v322 = ((v17 * v309) - ((v81 * v34) + (v312 * v23))) + ((((2.0 * (v92 * v312)) - v312) + (v1 * v309)) * v23);
-        const double v328 = ((v322 + (v100 * v37)) + (v8 * v137)) - (v105 * v37);
-        const double v330 = v137 * v2;
-        const double v331 = v5 * v330;
-        const double v337 = (((v328 * v108) - (v331 * v112)) + (v137 * v115)) - (v297 * v118);
-        const double v343 = (-0.5) * (v13 * v296);
-        const double v349 = 0.5 * ((v34 * v27) - (v37 * v36));
-        const double v350 = (((v337 + (v290 * v121)) - (v290 * v124)) - (v343 * v129)) + v349;
-        const double v352 = v59 - (v4 * v330);
-        const double v361 = (((v328 * v143) - (v331 * v145)) + (v137 * v148)) - (v297 * v151);
-        const double v368 = (((v361 + (v290 * v154)) - (v290 * v157)) - (v343 * v160)) + v349;
-        const double v381 = (((v328 * v175) - (v331 * v177)) + (v137 * v180)) - (v297 * v183);
-        const double v388 = v195 * v286;
-        const double v390 = (((v381 + (v290 * v186)) - (v290 * v189)) + (v352 * v192)) + (v388 * v197);
-        const double v397 = (((v328 * v202) - (v331 * v204)) + (v137 * v207)) - (v297 * v210);
-        const double v405 = (((v397 + (v290 * v213)) - (v290 * v216)) + (v352 * v219)) + (v388 * v222);
-        const double v415 = (((v328 * v231) - (v331 * v233)) + (v137 * v236)) - (v297 * v239);
-        const double v423 = (((v415 + (v290 * v242)) - (v290 * v245)) + (v352 * v248)) + (v388 * v251);
-        const double v431 = (((v328 * v254) - (v331 * v256)) + (v137 * v259)) - (v297 * v262);
-        const double v439 = (((v431 + (v290 * v265)) - (v290 * v268)) + (v352 * v271)) + (v388 * v274);
-        w14[i] = ((v27 * v34) - (v36 * v37)) - (v48 * v52);
-        w79[i] = v56 * v79;
-        w80[i] = v136 - (v139 * v140);
-        w81[i] = v163 - (v139 * v164);
-        w82[i] = -(v56 * v167);
-        w83[i] = v56 * v173;
-        w84[i] = v199 + v200;
-        w85[i] = v224 - v200;
-        w86[i] = -(v56 * v226);
-        w87[i] = v56 * v229;
-        w88[i] = v253;
-        w89[i] = v276;
-        w90[i] = -(v56 * v277);
-        w15[i] = ((v27 * v37) + (v36 * v34)) - (v48 * v286);
-        w91[i] = v290 * v79;
-        w92[i] = v350 + (v352 * v140);
-        w93[i] = v368 + (v352 * v164);
-        w94[i] = -(v290 * v167);
-        w95[i] = v290 * v173;
-        w96[i] = v390;
-        w97[i] = v405;
-        w98[i] = -(v290 * v226);
-        w99[i] = v290 * v229;
-        w100[i] = v423 + v200;
-        w101[i] = v439 - v200;
-        w102[i] = -(v290 * v277);
+        const double v6 = (-0.5) * w5[i];
+        const double v7 = w8[i];
+        const double v11 = sqrt(v1);
+        const double v13 = 1.0 / (v11 * v1);
+        const double v15 = (((v6 * v7) * c9) * v13) * v13;
+        const double v17 = 1.0 / (2.0 * v11);
+        const double v18 = v1 * v17;
+        const double v19 = v18 + v11;
+        const double v24 = 0.9128709291752768 * w4[i];
+        const double v25 = w9[i];
+        const double v28 = ((v24 * v25) * v2) * v2;
+        const double v29 = (v3 - (v15 * v19)) - v28;
+        const double v35 = (w1[i] + w1[i + 1]) * 0.5;
+        const double v36 = cos(v35);
+        const double v39 = (0.9128709291752768 * v25) * v2;
+        const double v40 = sin(v35);
+        const double v47 = g[7 * i + 4];
+        const double v50 = 1.0 / w6[i];
+        const double v51 = ((w13[i + 1] - w13[i]) * v47) * v50;
+        const double v55 = (w0[i + 1] - w0[i]) * v47;
+        const double v59 = (v55 * v50) * v47;
+        const double v62 = v36 * v2;
+        const double v65 = v19 * v36;
+        const double v66 = v65 * v13;
+        const double v68 = c9 * (v66 * v13);
+        const double v69 = v6 * v68;
+        const double v79 = v40 * v2;
+        const double v81 = v62 * v2;
+        const double v83 = (0.9128709291752768 * v79) + (v24 * v81);
+        const double v90 = w70[i];
+        const double v92 = v39 * v2;
+        const double v94 = v28 * v2;
+        const double v99 = v15 * v36;
+        const double v102 = v15 * v13;
+        const double v105 = (v102 * v65) + (v15 * v66);
+        const double v107 = ((((v92 * v40) + (v94 * v36)) + (v28 * v62)) - (v99 * v17)) + (v11 * v105);
+        const double v108 = v18 * v17;
+        const double v115 = v107 + ((((2.0 * (v108 * v99)) - v99) + (v1 * v105)) * v17);
+        const double v116 = v3 * v2;
+        const double v118 = v115 - (v116 * v36);
+        const double v119 = w16[i];
+        const double v122 = 0.9128709291752768 * (v25 * v81);
+        const double v123 = w22[i];
+        const double v126 = w34[i];
+        const double v129 = w40[i];
+        const double v131 = (((v118 * v119) - (v122 * v123)) + (v62 * v126)) - (v69 * v129);
+        const double v132 = w71[i];
+        const double v135 = w70[i + 1];
+        const double v139 = (-0.5) * (v7 * v68);
+        const double v140 = w28[i];
+        const double v146 = 0.5 * ((v36 * v39) + (v40 * v29));
+        const double v147 = (((v131 + (v59 * v132)) - (v59 * v135)) - (v139 * v140)) - v146;
+        const double v148 = w46[i];
+        const double v151 = w17[i];
+        const double v153 = w23[i];
+        const double v156 = w35[i];
+        const double v159 = w41[i];
+        const double v161 = (((v118 * v151) - (v122 * v153)) + (v62 * v156)) - (v69 * v159);
+        const double v162 = w72[i];
+        const double v165 = w71[i + 1];
+        const double v168 = w29[i];
+        const double v171 = (((v161 + (v59 * v162)) - (v59 * v165)) - (v139 * v168)) - v146;
+        const double v172 = w47[i];
+        const double v175 = w72[i + 1];
+        const double v197 = w73[i];
+        const double v199 = w18[i];
+        const double v201 = w24[i];
+        const double v204 = w36[i];
+        const double v207 = w42[i];
+        const double v209 = (((v118 * v199) - (v122 * v201)) + (v62 * v204)) - (v69 * v207);
+        const double v210 = w74[i];
+        const double v213 = w73[i + 1];
+        const double v216 = w48[i];
+        const double v219 = v51 * v50;
+        const double v220 = v219 * v55;
+        const double v221 = w30[i];
+        const double v223 = (((v209 + (v59 * v210)) - (v59 * v213)) - (v83 * v216)) + (v220 * v221);
+        const double v224 = v51 * v47;
+        const double v226 = w19[i];
+        const double v228 = w25[i];
+        const double v231 = w37[i];
+        const double v234 = w43[i];
+        const double v236 = (((v118 * v226) - (v122 * v228)) + (v62 * v231)) - (v69 * v234);
+        const double v237 = w75[i];
+        const double v240 = w74[i + 1];
+        const double v243 = w49[i];
+        const double v246 = w31[i];
+        const double v248 = (((v236 + (v59 * v237)) - (v59 * v240)) - (v83 * v243)) + (v220 * v246);
+        const double v250 = w75[i + 1];
+        const double v253 = w76[i];
+        const double v255 = w20[i];
+        const double v257 = w26[i];
+        const double v260 = w38[i];
+        const double v263 = w44[i];
+        const double v265 = (((v118 * v255) - (v122 * v257)) + (v62 * v260)) - (v69 * v263);
+        const double v266 = w77[i];
+        const double v269 = w76[i + 1];
+        const double v272 = w50[i];
+        const double v275 = w32[i];
+        const double v277 = (((v265 + (v59 * v266)) - (v59 * v269)) - (v83 * v272)) + (v220 * v275);
+        const double v278 = w21[i];
+        const double v280 = w27[i];
+        const double v283 = w39[i];
+        const double v286 = w45[i];
+        const double v288 = (((v118 * v278) - (v122 * v280)) + (v62 * v283)) - (v69 * v286);
+        const double v289 = w78[i];
+        const double v292 = w77[i + 1];
+        const double v295 = w51[i];
+        const double v298 = w33[i];
+        const double v300 = (((v288 + (v59 * v289)) - (v59 * v292)) - (v83 * v295)) + (v220 * v298);
+        const double v301 = w78[i + 1];
+        const double v310 = (w2[i + 1] - w2[i]) * v47;
+        const double v314 = (v310 * v50) * v47;
+        const double v317 = v19 * v40;
+        const double v318 = v317 * v13;
+        const double v320 = c9 * (v318 * v13);
+        const double v321 = v6 * v320;
+        const double v329 = v79 * v2;
+        const double v331 = (0.9128709291752768 * v62) - (v24 * v329);
+        const double v342 = v15 * v40;
+        const double v344 = (((v94 * v40) - (v92 * v36)) + (v28 * v79)) - (v342 * v17);
+        const double v347 = (v102 * v317) + (v15 * v318);
+        const double v356 = (v344 + (v11 * v347)) + ((((2.0 * (v108 * v342)) - v342) + (v1 * v347)) * v17);
+        const double v358 = v356 - (v116 * v40);
+        const double v361 = 0.9128709291752768 * (v25 * v329);
+        const double v367 = (((v358 * v119) - (v361 * v123)) + (v79 * v126)) - (v321 * v129);
+        const double v373 = (-0.5) * (v7 * v320);
+        const double v379 = 0.5 * ((v36 * v29) - (v40 * v39));
+        const double v380 = (((v367 + (v314 * v132)) - (v314 * v135)) - (v373 * v140)) + v379;
+        const double v389 = (((v358 * v151) - (v361 * v153)) + (v79 * v156)) - (v321 * v159);
+        const double v396 = (((v389 + (v314 * v162)) - (v314 * v165)) - (v373 * v168)) + v379;
+        const double v420 = (((v358 * v199) - (v361 * v201)) + (v79 * v204)) - (v321 * v207);
+        const double v427 = v219 * v310;
+        const double v429 = (((v420 + (v314 * v210)) - (v314 * v213)) + (v331 * v216)) + (v427 * v221);
+        const double v436 = (((v358 * v226) - (v361 * v228)) + (v79 * v231)) - (v321 * v234);
+        const double v444 = (((v436 + (v314 * v237)) - (v314 * v240)) + (v331 * v243)) + (v427 * v246);
+        const double v454 = (((v358 * v255) - (v361 * v257)) + (v79 * v260)) - (v321 * v263);
+        const double v462 = (((v454 + (v314 * v266)) - (v314 * v269)) + (v331 * v272)) + (v427 * v275);
+        const double v470 = (((v358 * v278) - (v361 * v280)) + (v79 * v283)) - (v321 * v286);
+        const double v478 = (((v470 + (v314 * v289)) - (v314 * v292)) + (v331 * v295)) + (v427 * v298);
+        w14[i] = ((v29 * v36) - (v39 * v40)) - (v51 * v55);
+        w79[i] = v59 * v90;
+        w80[i] = v147 - (v83 * v148);
+        w81[i] = v171 - (v83 * v172);
+        w82[i] = -(v59 * v175);
+        w83[i] = v59 * v197;
+        w84[i] = v223 + v224;
+        w85[i] = v248 - v224;
+        w86[i] = -(v59 * v250);
+        w87[i] = v59 * v253;
+        w88[i] = v277;
+        w89[i] = v300;
+        w90[i] = -(v59 * v301);
+        w15[i] = ((v29 * v40) + (v39 * v36)) - (v51 * v310);
+        w91[i] = v314 * v90;
+        w92[i] = v380 + (v331 * v148);
+        w93[i] = v396 + (v331 * v172);
+        w94[i] = -(v314 * v175);
+        w95[i] = v314 * v197;
+        w96[i] = v429;
+        w97[i] = v444;
+        w98[i] = -(v314 * v250);
+        w99[i] = v314 * v253;
+        w100[i] = v462 + v224;
+        w101[i] = v478 - v224;
+        w102[i] = -(v314 * v301);
         for (int k = 0; k < FIBRES; k++) {
-            const double v57 = each7[FIBRES * i + k];
-            const double v60 = each0[FIBRES * i + k];
-            const double v67 = each1[FIBRES * i + k];
-            const double v70 = each8[FIBRES * i + k];
-            const double v73 = each7[FIBRES * (i + 1) + k];
-            const double v76 = each8[FIBRES * (i + 1) + k];
-            const double v170 = each2[FIBRES * i + k];
-            const double v303 = (((v137 * v60) - (v297 * v67)) + (v290 * v70)) - (v290 * v73);
-            each9[FIBRES * i + k] = v56 * v57;
-            each10[FIBRES * i + k] = (((v59 * v60) - (v66 * v67)) + (v56 * v70)) - (v56 * v73);
-            each11[FIBRES * i + k] = -(v56 * v76);
-            each12[FIBRES * i + k] = -(v139 * v170);
-            each13[FIBRES * i + k] = v290 * v57;
-            each14[FIBRES * i + k] = v303;
-            each15[FIBRES * i + k] = -(v290 * v76);
-            each16[FIBRES * i + k] = v352 * v170;
+            const double v60 = each12[FIBRES * i + k];
+            const double v63 = each0[FIBRES * i + k];
+            const double v70 = each2[FIBRES * i + k];
+            const double v73 = each13[FIBRES * i + k];
+            const double v76 = each12[FIBRES * (i + 1) + k];
+            const double v84 = each4[FIBRES * i + k];
+            const double v86 = ((((v62 * v63) - (v69 * v70)) + (v59 * v73)) - (v59 * v76)) - (v83 * v84);
+            const double v87 = each13[FIBRES * (i + 1) + k];
+            const double v178 = each14[FIBRES * i + k];
+            const double v180 = each1[FIBRES * i + k];
+            const double v182 = each3[FIBRES * i + k];
+            const double v185 = each15[FIBRES * i + k];
+            const double v188 = each14[FIBRES * (i + 1) + k];
+            const double v190 = (((v62 * v180) - (v69 * v182)) + (v59 * v185)) - (v59 * v188);
+            const double v191 = each5[FIBRES * i + k];
+            const double v194 = each15[FIBRES * (i + 1) + k];
+            const double v327 = (((v79 * v63) - (v321 * v70)) + (v314 * v73)) - (v314 * v76);
+            const double v408 = (((v79 * v180) - (v321 * v182)) + (v314 * v185)) - (v314 * v188);
+            each16[FIBRES * i + k] = v59 * v60;
+            each17[FIBRES * i + k] = v86;
+            each18[FIBRES * i + k] = -(v59 * v87);
+            each19[FIBRES * i + k] = v59 * v178;
+            each20[FIBRES * i + k] = v190 - (v83 * v191);
+            each21[FIBRES * i + k] = -(v59 * v194);
+            each22[FIBRES * i + k] = v314 * v60;
+            each23[FIBRES * i + k] = v327 + (v331 * v84);
+            each24[FIBRES * i + k] = -(v314 * v87);
+            each25[FIBRES * i + k] = v314 * v178;
+            each26[FIBRES * i + k] = v408 + (v331 * v191);
+            each27[FIBRES * i + k] = -(v314 * v194);
         }
     }
 }
@@ -1343,10 +1448,12 @@ static void jacobian_14(int n, const double *p, const double *g, double *w, doub
     double *restrict w88 = w + 88 * n;
     double *restrict w89 = w + 89 * n;
     double *restrict w90 = w + 90 * n;
-    double *restrict each9 = w + (SCRATCH + 9 * FIBRES) * n;
-    double *restrict each10 = w + (SCRATCH + 10 * FIBRES) * n;
-    double *restrict each11 = w + (SCRATCH + 11 * FIBRES) * n;
-    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
+    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
+    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
+    double *restrict each19 = w + (SCRATCH + 19 * FIBRES) * n;
+    double *restrict each20 = w + (SCRATCH + 20 * FIBRES) * n;
+    double *restrict each21 = w + (SCRATCH + 21 * FIBRES) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1370,14 +1477,18 @@ static void jacobian_14(int n, const double *p, const double *g, double *w, doub
         e[ENTRIES * i + 12] = (v9 * w89[i]) - (v9 * w90[i - 1]);
         e[ENTRIES * i + 15] = v9 * w90[i];
         for (int k = 0; k < FIBRES; k++) {
-            const double v17 = (v9 * each9[FIBRES * i + k]) - (v9 * each10[FIBRES * (i - 1) + k]);
-            const double v22 = (v9 * each10[FIBRES * i + k]) - (v9 * each11[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + k] = -(v9 * each9[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 1 * FIBRES + k] = v17;
-            e[ENTRIES * i + 41 + 3 * FIBRES + k] = v22;
-            e[ENTRIES * i + 41 + 5 * FIBRES + k] = v9 * each11[FIBRES * i + k];
-            e[ENTRIES * i + 41 + 2 * FIBRES + k] = -(v9 * each12[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 4 * FIBRES + k] = v9 * each12[FIBRES * i + k];
+            const double v17 = (v9 * each16[FIBRES * i + k]) - (v9 * each17[FIBRES * (i - 1) + k]);
+            const double v22 = (v9 * each17[FIBRES * i + k]) - (v9 * each18[FIBRES * (i - 1) + k]);
+            const double v52 = (v9 * each19[FIBRES * i + k]) - (v9 * each20[FIBRES * (i - 1) + k]);
+            const double v57 = (v9 * each20[FIBRES * i + k]) - (v9 * each21[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + k] = -(v9 * each16[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 2 * FIBRES + k] = v17;
+            e[ENTRIES * i + 41 + 4 * FIBRES + k] = v22;
+            e[ENTRIES * i + 41 + 6 * FIBRES + k] = v9 * each18[FIBRES * i + k];
+            e[ENTRIES * i + 41 + 1 * FIBRES + k] = -(v9 * each19[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 3 * FIBRES + k] = v52;
+            e[ENTRIES * i + 41 + 5 * FIBRES + k] = v57;
+            e[ENTRIES * i + 41 + 7 * FIBRES + k] = v9 * each21[FIBRES * i + k];
         }
     }
 }
@@ -1396,10 +1507,12 @@ static void jacobian_15(int n, const double *p, const double *g, double *w, doub
     double *restrict w100 = w + 100 * n;
     double *restrict w101 = w + 101 * n;
     double *restrict w102 = w + 102 * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
+    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
+    double *restrict each23 = w + (SCRATCH + 23 * FIBRES) * n;
+    double *restrict each24 = w + (SCRATCH + 24 * FIBRES) * n;
+    double *restrict each25 = w + (SCRATCH + 25 * FIBRES) * n;
+    double *restrict each26 = w + (SCRATCH + 26 * FIBRES) * n;
+    double *restrict each27 = w + (SCRATCH + 27 * FIBRES) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1423,14 +1536,18 @@ static void jacobian_15(int n, const double *p, const double *g, double *w, doub
         e[ENTRIES * i + 27] = (v9 * w101[i]) - (v9 * w102[i - 1]);
         e[ENTRIES * i + 30] = v9 * w102[i];
         for (int k = 0; k < FIBRES; k++) {
-            const double v17 = (v9 * each13[FIBRES * i + k]) - (v9 * each14[FIBRES * (i - 1) + k]);
-            const double v22 = (v9 * each14[FIBRES * i + k]) - (v9 * each15[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 6 * FIBRES + k] = -(v9 * each13[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 7 * FIBRES + k] = v17;
-            e[ENTRIES * i + 41 + 9 * FIBRES + k] = v22;
-            e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each15[FIBRES * i + k];
-            e[ENTRIES * i + 41 + 8 * FIBRES + k] = -(v9 * each16[FIBRES * (i - 1) + k]);
-            e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each16[FIBRES * i + k];
+            const double v17 = (v9 * each22[FIBRES * i + k]) - (v9 * each23[FIBRES * (i - 1) + k]);
+            const double v22 = (v9 * each23[FIBRES * i + k]) - (v9 * each24[FIBRES * (i - 1) + k]);
+            const double v52 = (v9 * each25[FIBRES * i + k]) - (v9 * each26[FIBRES * (i - 1) + k]);
+            const double v57 = (v9 * each26[FIBRES * i + k]) - (v9 * each27[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 8 * FIBRES + k] = -(v9 * each22[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 10 * FIBRES + k] = v17;
+            e[ENTRIES * i + 41 + 12 * FIBRES + k] = v22;
+            e[ENTRIES * i + 41 + 14 * FIBRES + k] = v9 * each24[FIBRES * i + k];
+            e[ENTRIES * i + 41 + 9 * FIBRES + k] = -(v9 * each25[FIBRES * (i - 1) + k]);
+            e[ENTRIES * i + 41 + 11 * FIBRES + k] = v52;
+            e[ENTRIES * i + 41 + 13 * FIBRES + k] = v57;
+            e[ENTRIES * i + 41 + 15 * FIBRES + k] = v9 * each27[FIBRES * i + k];
         }
     }
 }
@@ -1449,10 +1566,12 @@ static void jacobian_16(int n, const double *p, const double *g, double *w, doub
     double *restrict w100 = w + 100 * n;
     double *restrict w101 = w + 101 * n;
     double *restrict w102 = w + 102 * n;
-    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
-    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
-    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
-    double *restrict each16 = w + (SCRATCH + 16 * FIBRES) * n;
+    double *restrict each22 = w + (SCRATCH + 22 * FIBRES) * n;
+    double *restrict each23 = w + (SCRATCH + 23 * FIBRES) * n;
+    double *restrict each24 = w + (SCRATCH + 24 * FIBRES) * n;
+    double *restrict each25 = w + (SCRATCH + 25 * FIBRES) * n;
+    double *restrict each26 = w + (SCRATCH + 26 * FIBRES) * n;
+    double *restrict each27 = w + (SCRATCH + 27 * FIBRES) * n;
     const double c1 = squared(p[10]);
     const double c2 = p[0];
     const double c3 = c1 / c2;
@@ -1473,10 +1592,12 @@ static void jacobian_16(int n, const double *p, const double *g, double *w, doub
     e[ENTRIES * i + 27] = v9 * w101[i];
     e[ENTRIES * i + 30] = v9 * w102[i];
     for (int k = 0; k < FIBRES; k++) {
-        e[ENTRIES * i + 41 + 7 * FIBRES + k] = v9 * each13[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 9 * FIBRES + k] = v9 * each14[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each15[FIBRES * i + k];
-        e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each16[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 10 * FIBRES + k] = v9 * each22[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 12 * FIBRES + k] = v9 * each23[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 14 * FIBRES + k] = v9 * each24[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 11 * FIBRES + k] = v9 * each25[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 13 * FIBRES + k] = v9 * each26[FIBRES * i + k];
+        e[ENTRIES * i + 41 + 15 * FIBRES + k] = v9 * each27[FIBRES * i + k];
     }
     (void)n;
 }
@@ -1488,30 +1609,31 @@ static void work_0(int n, const double *p, const double *y, double *w)
     double *restrict w5 = w + 5 * n;
     double *restrict w103 = w + 103 * n;
     const double c1 = p[7];
-    const double c3 = p[5];
-    const double c4 = 0.5 * c3;
-    const double c25 = 0.4166666666666667 * c3;
-    const double c28 = 2.0 * p[8];
-    const double c29 = 2.0 + c28;
-    const double c30 = c25 / c29;
-    const double c41 = 1e-12 * c3;
-    const double c42 = squared(c41);
-    const double c48 = 1.0 / p[6];
+    const double c2 = p[5];
+    const double c40 = 1.0 + p[8];
+    const double c41 = c2 / c40;
+    const double c49 = 1e-12 * c2;
+    const double c50 = squared(c49);
+    const double c56 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
-        double sum9 = 0.0;
-        const double v7 = (-0.5) * w5[i];
-        const double v12 = w3[i];
-        const double v14 = sqrt(v12) * v12;
-        const double v16 = log(v12);
-        const double v32 = w4[i] / v12;
+        double sum12 = 0.0;
+        const double v5 = (-0.5) * w5[i];
+        const double v10 = w3[i];
+        const double v12 = sqrt(v10) * v10;
+        const double v14 = log(v10);
+        const double v22 = (0.9128709291752768 * w4[i]) / v10;
         for (int k = 0; k < FIBRES; k++) {
-            const double v19 = ((((v7 * zeta[k]) * p[1]) / v14) + v16) - y[SLOTS * i + 5 + k];
-            const double v37 = squared((c30 * (2.0 * (v32 - y[SLOTS * i + 5 + 1 * FIBRES + k]))));
-            const double v44 = sqrt(larger(squared((c4 * (2.0 * v19))) + (3.0 * v37), c42));
-            const double v53 = (double)(c1 < v44) != 0.0 ? ((v44 * ((v44 - c1) * c48)) * weight[k]) : 0.0;
-            sum9 += v53;
+            const double v17 = ((((v5 * zeta[k]) * p[1]) / v12) + v14) - y[SLOTS * i + 5 + k];
+            const double v26 = exp((-1.5) * v17);
+            const double v28 = v22 - (y[SLOTS * i + 5 + 1 * FIBRES + k] * v26);
+            const double v32 = c2 * (v17 + (0.25 * squared(v28)));
+            const double v36 = 0.5 * v28;
+            const double v47 = squared(v32) + (3.0 * squared((((v32 * v36) + (c41 * v36)) * v26)));
+            const double v52 = sqrt(larger(v47, c50));
+            const double v61 = (double)(c1 < v52) != 0.0 ? ((v52 * ((v52 - c1) * c56)) * weight[k]) : 0.0;
+            sum12 += v61;
         }
-        w103[i] = sum9;
+        w103[i] = sum12;
     }
 }
 
@@ -1643,66 +1765,72 @@ static void work_slope_0(int n, const double *p, const double *y, double *w)
     double *restrict w109 = w + 109 * n;
     double *restrict w110 = w + 110 * n;
     double *restrict w111 = w + 111 * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
+    double *restrict each28 = w + (SCRATCH + 28 * FIBRES) * n;
+    double *restrict each29 = w + (SCRATCH + 29 * FIBRES) * n;
     const double c1 = p[7];
-    const double c3 = p[5];
-    const double c4 = 0.5 * c3;
-    const double c10 = p[1];
-    const double c26 = 0.4166666666666667 * c3;
-    const double c29 = 2.0 * p[8];
-    const double c30 = 2.0 + c29;
-    const double c31 = c26 / c30;
-    const double c43 = 1e-12 * c3;
-    const double c44 = squared(c43);
-    const double c55 = 1.0 / p[6];
+    const double c2 = p[5];
+    const double c8 = p[1];
+    const double c42 = 1.0 + p[8];
+    const double c43 = c2 / c42;
+    const double c51 = 1e-12 * c2;
+    const double c52 = squared(c51);
+    const double c63 = 1.0 / p[6];
     for (int i = 0; i < n - 1; i++) {
-        double sum10 = 0.0;
-        double sum11 = 0.0;
         double sum12 = 0.0;
-        double sum9 = 0.0;
-        const double v7 = (-0.5) * w5[i];
-        const double v12 = w3[i];
-        const double v13 = sqrt(v12);
-        const double v15 = 1.0 / (v13 * v12);
-        const double v17 = log(v12);
-        const double v33 = 1.0 / v12;
-        const double v34 = w4[i] * v33;
-        const double v119 = v34 * v33;
-        const double v127 = 2.0 * v13;
+        double sum13 = 0.0;
+        double sum14 = 0.0;
+        double sum15 = 0.0;
+        const double v5 = (-0.5) * w5[i];
+        const double v10 = w3[i];
+        const double v11 = sqrt(v10);
+        const double v13 = 1.0 / (v11 * v10);
+        const double v15 = log(v10);
+        const double v23 = 1.0 / v10;
+        const double v24 = (0.9128709291752768 * w4[i]) * v23;
+        const double v148 = v24 * v23;
+        const double v156 = 2.0 * v11;
         for (int k = 0; k < FIBRES; k++) {
-            const double v8 = zeta[k];
-            const double v16 = ((v7 * v8) * c10) * v15;
-            const double v22 = c4 * (2.0 * ((v16 + v17) - y[SLOTS * i + 5 + k]));
-            const double v38 = c31 * (2.0 * (v34 - y[SLOTS * i + 5 + 1 * FIBRES + k]));
-            const double v41 = squared(v22) + (3.0 * squared(v38));
-            const double v46 = sqrt(larger(v41, c44));
-            const double v47 = (double)(c1 < v46);
-            const double v49 = (double)(c44 <= v41);
-            const double v56 = (v46 - c1) * c55;
-            const double v57 = weight[k];
-            const double v64 = (v49 / (v49 + (double)(v41 <= c44))) * (((v56 * v57) + ((v46 * v57) * c55)) / (2.0 * v46));
-            const double v67 = 2.0 * (c4 * ((2.0 * v22) * v64));
-            const double v93 = 2.0 * (c31 * ((2.0 * v38) * (3.0 * v64)));
-            const double v123 = (v16 * v15) * v67;
-            const double v129 = (((v67 * v33) - (v119 * v93)) - (v13 * v123)) - ((v12 * v123) / v127);
-            each17[FIBRES * i + k] = v47 != 0.0 ? (-v67) : 0.0;
-            each18[FIBRES * i + k] = v47 != 0.0 ? (-v93) : 0.0;
-            sum10 += v47 != 0.0 ? (v93 * v33) : 0.0;
-            sum11 += v47 != 0.0 ? v129 : 0.0;
-            sum12 += v47 != 0.0 ? ((-0.5) * (v8 * (c10 * (v67 * v15)))) : 0.0;
-            sum9 += v47 != 0.0 ? ((v46 * v56) * v57) : 0.0;
+            const double v6 = zeta[k];
+            const double v14 = ((v5 * v6) * c8) * v13;
+            const double v18 = (v14 + v15) - y[SLOTS * i + 5 + k];
+            const double v25 = y[SLOTS * i + 5 + 1 * FIBRES + k];
+            const double v28 = exp((-1.5) * v18);
+            const double v30 = v24 - (v25 * v28);
+            const double v34 = c2 * (v18 + (0.25 * squared(v30)));
+            const double v38 = 0.5 * v30;
+            const double v45 = (v34 * v38) + (c43 * v38);
+            const double v46 = v45 * v28;
+            const double v49 = squared(v34) + (3.0 * squared(v46));
+            const double v54 = sqrt(larger(v49, c52));
+            const double v55 = (double)(c1 < v54);
+            const double v57 = (double)(c52 <= v49);
+            const double v64 = (v54 - c1) * c63;
+            const double v65 = weight[k];
+            const double v72 = (v57 / (v57 + (double)(v49 <= c52))) * (((v64 * v65) + ((v54 * v65) * c63)) / (2.0 * v54));
+            const double v74 = (2.0 * v46) * (3.0 * v72);
+            const double v78 = v28 * v74;
+            const double v83 = c2 * ((v38 * v78) + ((2.0 * v34) * v72));
+            const double v92 = (0.5 * ((c43 * v78) + (v34 * v78))) + ((2.0 * v30) * (0.25 * v83));
+            const double v96 = (((-1.5) * (v28 * (v45 * v74))) + v83) - ((-1.5) * (v28 * (v25 * v92)));
+            const double v152 = (v14 * v13) * v96;
+            const double v158 = (((v96 * v23) - (v148 * v92)) - (v11 * v152)) - ((v10 * v152) / v156);
+            each28[FIBRES * i + k] = v55 != 0.0 ? (-v96) : 0.0;
+            each29[FIBRES * i + k] = v55 != 0.0 ? (-(v28 * v92)) : 0.0;
+            sum12 += v55 != 0.0 ? ((v54 * v64) * v65) : 0.0;
+            sum13 += v55 != 0.0 ? (0.9128709291752768 * (v92 * v23)) : 0.0;
+            sum14 += v55 != 0.0 ? v158 : 0.0;
+            sum15 += v55 != 0.0 ? ((-0.5) * (v6 * (c8 * (v96 * v13)))) : 0.0;
         }
-        const double v70 = sum10;
-        const double v73 = sum11;
-        const double v77 = sum12;
-        w103[i] = sum9;
-        w106[i] = ((v70 * w22[i]) + (v73 * w16[i])) + (v77 * w28[i]);
-        w107[i] = ((v70 * w23[i]) + (v73 * w17[i])) + (v77 * w29[i]);
-        w108[i] = (v70 * w24[i]) + (v73 * w18[i]);
-        w109[i] = (v70 * w25[i]) + (v73 * w19[i]);
-        w110[i] = (v70 * w26[i]) + (v73 * w20[i]);
-        w111[i] = (v70 * w27[i]) + (v73 * w21[i]);
+        const double v99 = sum13;
+        const double v102 = sum14;
+        const double v106 = sum15;
+        w103[i] = sum12;
+        w106[i] = ((v99 * w22[i]) + (v102 * w16[i])) + (v106 * w28[i]);
+        w107[i] = ((v99 * w23[i]) + (v102 * w17[i])) + (v106 * w29[i]);
+        w108[i] = (v99 * w24[i]) + (v102 * w18[i]);
+        w109[i] = (v99 * w25[i]) + (v102 * w19[i]);
+        w110[i] = (v99 * w26[i]) + (v102 * w20[i]);
+        w111[i] = (v99 * w27[i]) + (v102 * w21[i]);
     }
 }
 
@@ -1743,8 +1871,8 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
     double *restrict w109 = w + 109 * n;
     double *restrict w110 = w + 110 * n;
     double *restrict w111 = w + 111 * n;
-    double *restrict each17 = w + (SCRATCH + 17 * FIBRES) * n;
-    double *restrict each18 = w + (SCRATCH + 18 * FIBRES) * n;
+    double *restrict each28 = w + (SCRATCH + 28 * FIBRES) * n;
+    double *restrict each29 = w + (SCRATCH + 29 * FIBRES) * n;
     const double c0 = p[10];
     const double c3 = p[0] / c0;
     const double c4 = squared(c3);
@@ -1759,8 +1887,8 @@ static void work_slope_2(int n, const double *p, const double *g, double *w, dou
         s[SLOTS * i + 1] += v8 * w110[i];
         s[SLOTS * (i + 1) + 1] += v8 * w111[i];
         for (int k = 0; k < FIBRES; k++) {
-            s[SLOTS * i + 5 + k] += v8 * each17[FIBRES * i + k];
-            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each18[FIBRES * i + k];
+            s[SLOTS * i + 5 + k] += v8 * each28[FIBRES * i + k];
+            s[SLOTS * i + 5 + 1 * FIBRES + k] += v8 * each29[FIBRES * i + k];
         }
     }
 }
@@ -1820,8 +1948,10 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
     double *restrict w78 = w + 78 * n;
     double *restrict w104 = w + 104 * n;
     double *restrict w105 = w + 105 * n;
-    double *restrict each7 = w + (SCRATCH + 7 * FIBRES) * n;
-    double *restrict each8 = w + (SCRATCH + 8 * FIBRES) * n;
+    double *restrict each12 = w + (SCRATCH + 12 * FIBRES) * n;
+    double *restrict each13 = w + (SCRATCH + 13 * FIBRES) * n;
+    double *restrict each14 = w + (SCRATCH + 14 * FIBRES) * n;
+    double *restrict each15 = w + (SCRATCH + 15 * FIBRES) * n;
     const double c48 = p[0] / p[10];
     const double c49 = squared(c48);
     const double c50 = p[2] * c49;
@@ -1846,39 +1976,41 @@ static void work_slope_7(int n, const double *p, const double *g, double *w, dou
         const double v42 = 1.0 / w6[i - 1];
         const double v43 = ((v28 * v31) + (v35 * v38)) * v42;
         const double v52 = (v23 - v43) * c51;
-        const double v64 = w13[i] * c51;
-        const double v65 = v64 * v42;
-        const double v67 = (v28 * v65) * v27;
-        const double v68 = v64 * v22;
-        const double v70 = (v5 * v68) * v4;
-        const double v74 = (v35 * v65) * v27;
-        const double v76 = (v14 * v68) * v4;
-        const double v82 = (v43 * v42) * v64;
-        const double v87 = (v31 * v65) * v27;
-        const double v95 = (v23 * v22) * v64;
-        const double v100 = (v9 * v68) * v4;
-        const double v102 = (((v52 * w74[i]) + (v82 * w31[i - 1])) - (v95 * w30[i])) - (v87 + v100);
-        const double v115 = (v38 * v65) * v27;
-        const double v126 = (v18 * v68) * v4;
-        const double v128 = (((v52 * w77[i]) + (v82 * w33[i - 1])) - (v95 * w32[i])) - (v115 + v126);
+        const double v68 = w13[i] * c51;
+        const double v69 = v68 * v42;
+        const double v71 = (v28 * v69) * v27;
+        const double v72 = v68 * v22;
+        const double v74 = (v5 * v72) * v4;
+        const double v78 = (v35 * v69) * v27;
+        const double v80 = (v14 * v72) * v4;
+        const double v86 = (v43 * v42) * v68;
+        const double v91 = (v31 * v69) * v27;
+        const double v99 = (v23 * v22) * v68;
+        const double v104 = (v9 * v72) * v4;
+        const double v106 = (((v52 * w74[i]) + (v86 * w31[i - 1])) - (v99 * w30[i])) - (v91 + v104);
+        const double v119 = (v38 * v69) * v27;
+        const double v130 = (v18 * v72) * v4;
+        const double v132 = (((v52 * w77[i]) + (v86 * w33[i - 1])) - (v99 * w32[i])) - (v119 + v130);
         s[2 * SLOTS * n + SLOTS * (i - 1) + 4] += v52 * w70[i];
         s[2 * SLOTS * n + SLOTS * i + 4] += v52 * w71[i];
         s[2 * SLOTS * n + SLOTS * (i + 1) + 4] += v52 * w72[i];
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 2] += v67;
-        s[2 * SLOTS * n + SLOTS * i + 2] += -(v67 + v70);
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 2] += v70;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 3] += v74;
-        s[2 * SLOTS * n + SLOTS * i + 3] += -(v74 + v76);
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 3] += v76;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 0] += ((v52 * w73[i]) + (v82 * w30[i - 1])) + v87;
-        s[2 * SLOTS * n + SLOTS * i + 0] += v102;
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 0] += ((v52 * w75[i]) - (v95 * w31[i])) + v100;
-        s[2 * SLOTS * n + SLOTS * (i - 1) + 1] += ((v52 * w76[i]) + (v82 * w32[i - 1])) + v115;
-        s[2 * SLOTS * n + SLOTS * i + 1] += v128;
-        s[2 * SLOTS * n + SLOTS * (i + 1) + 1] += ((v52 * w78[i]) - (v95 * w33[i])) + v126;
+        s[2 * SLOTS * n + SLOTS * (i - 1) + 2] += v71;
+        s[2 * SLOTS * n + SLOTS * i + 2] += -(v71 + v74);
+        s[2 * SLOTS * n + SLOTS * (i + 1) + 2] += v74;
+        s[2 * SLOTS * n + SLOTS * (i - 1) + 3] += v78;
+        s[2 * SLOTS * n + SLOTS * i + 3] += -(v78 + v80);
+        s[2 * SLOTS * n + SLOTS * (i + 1) + 3] += v80;
+        s[2 * SLOTS * n + SLOTS * (i - 1) + 0] += ((v52 * w73[i]) + (v86 * w30[i - 1])) + v91;
+        s[2 * SLOTS * n + SLOTS * i + 0] += v106;
+        s[2 * SLOTS * n + SLOTS * (i + 1) + 0] += ((v52 * w75[i]) - (v99 * w31[i])) + v104;
+        s[2 * SLOTS * n + SLOTS * (i - 1) + 1] += ((v52 * w76[i]) + (v86 * w32[i - 1])) + v119;
+        s[2 * SLOTS * n + SLOTS * i + 1] += v132;
+        s[2 * SLOTS * n + SLOTS * (i + 1) + 1] += ((v52 * w78[i]) - (v99 * w33[i])) + v130;
         for (int k = 0; k < FIBRES; k++) {
-            s[2 * SLOTS * n + SLOTS * (i - 1) + 5 + k] += v52 * each7[FIBRES * i + k];
-            s[2 * SLOTS * n + SLOTS * i + 5 + k] += v52 * each8[FIBRES * i + k];
+            s[2 * SLOTS * n + SLOTS * (i - 1) + 5 + k] += v52 * each12[FIBRES * i + k];
+            s[2 * SLOTS * n + SLOTS * i + 5 + k] += v52 * each13[FIBRES * i + k];
+            s[2 * SLOTS * n + SLOTS * (i - 1) + 5 + 1 * FIBRES + k] += v52 * each14[FIBRES * i + k];
+            s[2 * SLOTS * n + SLOTS * i + 5 + 1 * FIBRES + k] += v52 * each15[FIBRES * i + k];
         }
     }
 }
@@ -1985,42 +2117,46 @@ static const int held_last[] = {
 static const int row[] = {
     0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3,
     3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2,
-    2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3,
+    2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2,
+    2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3,
     3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3,
-    3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
-    4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11,
-    12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6,
-    7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,
-    17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20, 13, 14, 15,
+    3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4,
+    4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10,
+    11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5,
+    6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
     16, 17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20, 13, 14,
-    15, 16, 17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20};
+    15, 16, 17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20, 13,
+    14, 15, 16, 17, 18, 19, 20, 13, 14, 15, 16, 17, 18, 19, 20};
 static const int offset[] = {
     0, 0, -2, -2, -2, -1, -1, -1, 0, 0, 0, 1, 1, 1, 2, 2, 2, -2, -2, -2, -1, -1, -1, 0, 0, 0, 1,
-    1, 1, 2, 2, 2, -1, -1, -1, 0, 0, 0, 1, 1, 1, -2, -2, -2, -2, -2, -2, -2, -2, -1, -1, -1, -1,
-    -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    0, 1, 1, 1, 1, 1, 1, 1, 1, -2, -2, -2, -2, -2, -2, -2, -2, -1, -1, -1, -1, -1, -1, -1, -1,
-    -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
-    1, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0,
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    1, 1, 2, 2, 2, -1, -1, -1, 0, 0, 0, 1, 1, 1, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2,
+    -2, -2, -2, -2, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, -2, -2,
+    -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -2, -1, -1, -1, -1, -1, -1, -1, -1, -1,
+    -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1,
+    -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 static const int column[] = {
     2, 3, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 0, 1,
-    4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
+    4, 0, 1, 4, 0, 1, 4, 0, 1, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5,
+    6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
     15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7,
-    8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17,
-    18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10,
-    11, 12, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11,
-    12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4,
-    4, 4, 4, 4, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 0, 0, 0, 0, 0,
-    0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1,
-    1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20,
-    0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4};
+    8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,
+    17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9,
+    10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17,
+    18, 19, 20, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 0, 0, 0, 0, 0, 0,
+    0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
+    16, 17, 18, 19, 20, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4,
+    0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4, 4, 5, 6, 7, 8, 9, 10,
+    11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 4,
+    4, 4, 4, 4, 4, 4, 4};
 
 const softcat_model softcat_filament_model = {
-    21, 16, 11, 7, 264, 297, 3, 1,
+    21, 16, 11, 7, 352, 329, 3, 1,
     rate, differential, held_first, held_last, row, offset, column,
     rates, jacobian, work, work_slope,
 };

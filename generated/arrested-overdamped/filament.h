@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres, necking-gradient
- * Digest of the structure: 60f886bde4993992d8a87c7c868be7fb7ce3a068eb4636f3888a0aa7c2c51001
+ * Digest of the structure: a06e2409002fe78c33e01f687b11e038d5a341fb976fa52ded4482b66d6dd387
  */
 
 #ifndef SOFTCAT_FILAMENT_H

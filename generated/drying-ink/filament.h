@@ -5,7 +5,7 @@
  * softcat_sym 0.1.0, casadi 3.8.2, sympy 1.14.0
  * Effects: inertia, bending, extensibility, finite-stretch, thinning, large-rotation,
  *     viscous-flow, yielding, gravity-ramp, shear, fibres
- * Digest of the structure: 99ecfac5c900f5eae35ff0e8438d47d1d3074089bc99fdc993cdf7f35fadeb73
+ * Digest of the structure: a7400035063263428761a4cff96596bc4f5cd98060ddc595446990155d76f413
  */
 
 #ifndef SOFTCAT_FILAMENT_H

@@ -170,13 +170,8 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
         axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, j) for kind in ("axial", "shear"))
         for fibre, *plastic in zip(fibres, axial, shear, strict=True):
             fibre.add(branch, (plastic[0], plastic[1]))
-        for number, kind in enumerate(("axial", "shear")):
-            rates = [fibre.rates[j][number] for fibre in fibres]
-            found.plastic |= {
-                name: _dot(rule.project[n], rates)
-                for n, name in enumerate(_state_names(rule, kind, j))
-                if name in b.slots
-            }
+        rates = _state_rates(rule, fibres, j)
+        found.plastic |= {name: rate for name, rate in rates.items() if name in b.slots}
     if resolved.viscous is not None:
         for fibre in fibres:
             fibre.resist()
@@ -194,6 +189,19 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
 
 def _state_names(rule: Sampling, kind: str, branch: int) -> list[str]:
     return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
+
+
+def _state_rates(rule: Sampling, fibres: Sequence[_Fibre], branch: int) -> dict[str, ca.SX]:
+    """Rates of the plastic states of a branch; what the states do not follow of the fibres' rates costs no energy."""
+    found: dict[str, ca.SX] = {}
+    for number, kind in enumerate(("axial", "shear")):
+        rates = [fibre.rates[branch][number] for fibre in fibres]
+        projected = [_dot(row, rates) for row in rule.project]
+        found |= zip(_state_names(rule, kind, branch), projected, strict=True)
+        if isinstance(rule, SectionRule) and not rule.is_of_fibres:
+            for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
+                fibre.dissipation += fibre.drives[branch][number] * (_dot(row, projected) - rate)
+    return found
 
 
 def _profiles(rule: SectionRule, resolved: ResolvedSection) -> dict[str, tuple[float, float]]:
@@ -231,31 +239,37 @@ class _Fibre:
         self.strain = (printed(resolved.cell.axial_strain, values), printed(resolved.cell.shear_strain, values))
         self.axial = self.shear = self.energy = self.dissipation = self.speed = self.yields = ca.SX(0)
         self.rates: list[Pair] = []
+        self.drives: list[Pair] = []  # What the rates of the plastic state are conjugate to
         self.flows = False
 
     def add(self, branch: FibreBranch, plastic: Pair) -> None:
         """A spring with its flow rule."""
-        strain = (reissner.eps, reissner.gamma)
-        values = {**self.values, **dict(zip(strain, self.strain, strict=True))}
+        spring, elastic = branch.spring, (reissner.eps_e, reissner.gamma_e)
+        values = {**self.values, **dict(zip((reissner.eps, reissner.gamma), self.strain, strict=True))}
         values |= {reissner.eps_p: plastic[0], reissner.gamma_p: plastic[1]}
-        sigma, tau = derivatives(branch.stored, strain, values)
-        self.axial, self.shear = self.axial + sigma, self.shear + tau
-        self.energy += printed(branch.stored, values)
+        for symbol, strain in zip(elastic, spring.elastic, strict=True):
+            values[symbol] = printed(strain, values)
+        for symbol, stress in zip((symbols.sigma, reissner.tau_f), spring.stress, strict=True):
+            values[symbol] = printed(stress, values)
+        values[reissner.tau_d] = printed(spring.driving, values)
+        conjugate = printed(spring.conjugate, values)
+        self.axial, self.shear = self.axial + conjugate, self.shear + values[reissner.tau_f]
+        self.energy += printed(spring.stored, values)
+        self.drives.append((conjugate, values[reissner.tau_d]))
         if branch.flow is None:
             self.rates.append((ca.SX(0), ca.SX(0)))
             return
         modulus = printed(self.moduli[len(self.rates)], values)
-        given = {**values, symbols.sigma: sigma, reissner.tau_f: tau}
         # Compared before the root is taken, whose derivative is infinite where nothing is stressed.
-        square = printed(branch.flow.equivalent**2, given)
-        given[sigma_eq] = ca.sqrt(ca.fmax(square, (_NO_STRESS * modulus) ** 2))
+        square = printed(branch.flow.equivalent**2, values)
+        values[sigma_eq] = ca.sqrt(ca.fmax(square, (_NO_STRESS * modulus) ** 2))
         flow = CellFunction(
             {
                 name: getattr(branch.flow, name)
                 for name in ("axial_rate", "shear_rate", "speed", "dissipation", "yields")
             },
-            tuple(given),
-        )(given)
+            tuple(values),
+        )(values)
         self.rates.append((ca.SX(flow["axial_rate"]), ca.SX(flow["shear_rate"])))
         self.dissipation += flow["dissipation"]
         self.speed = ca.fmax(self.speed, flow["speed"]) if self.flows else ca.SX(flow["speed"])
@@ -271,7 +285,7 @@ class _Fibre:
             symbol: printed(rate, self.values)
             for symbol, rate in zip((reissner.eps_t, reissner.gamma_t), viscous.strain_rates, strict=True)
         }
-        values = {**self.values, **rates}
+        values = {**self.values, **rates, reissner.gamma: self.strain[1]}
         sigma, tau = derivatives(viscous.rayleigh, tuple(rates), values)
         self.axial, self.shear = self.axial + sigma, self.shear + tau
         self.dissipation += 2 * printed(viscous.rayleigh, values)

@@ -20,13 +20,14 @@ def elastic_stretch(scene: Scene) -> float:
 
 
 def stays_straight(scene: Scene) -> bool:
-    """Whether a stretched section stays square to the centreline: log s < kappa_s mu/E.
+    """Whether a stretched section stays square to the centreline: log s (1 - kappa_s/2) < kappa_s mu/E.
 
-    Turned by phi at a fixed stretch, a section gains kappa_s mu phi^2/2 of energy in shear and loses E log(s) phi^2/2
-    of stretching: beyond that stretch it turns by itself, which no material does.
+    Turned by phi at a fixed stretch, a section gains kappa_s mu phi^2/2 of energy in shear and loses
+    E log(s) (1 - kappa_s/2) phi^2/2 of stretching, since a shear gam lengthens its fibres by gam^2/4: beyond that
+    stretch it turns by itself, which no material does.
     """
-    correction = SHEAR_CORRECTION[scene.filament.section]
-    limit = float(correction) / (2 * (1 + scene.material.poisson))
+    correction = float(SHEAR_CORRECTION[scene.filament.section])
+    limit = correction / (2 * (1 + scene.material.poisson)) / (1 - correction / 2)
     return math.log(elastic_stretch(scene)) < limit
 
 
@@ -47,7 +48,7 @@ SHEAR = Effect(
     source="Reissner 1972; 3.5-3.7",
     contribute=partial(replace, shear=True),
     applies=_applies,
-    without_it=f"the filament is stretched elastically beyond log s = kappa_s mu/E, or {SMALL_MODEL}",
+    without_it=f"the filament is stretched elastically beyond log s = kappa_s mu/(E (1 - kappa_s/2)), or {SMALL_MODEL}",
     estimate=OfMotion(
         "sheared", "share of the sag that shear makes", "of Timoshenko's beam, bent ends and hinges", amplified=True
     ),

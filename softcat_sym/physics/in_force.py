@@ -145,7 +145,12 @@ _FIBRE = (
     (tau_f, r"\tau^{{({j})}}", sy.STRESS, "shear stress of a fibre"),
     (eps_p, r"\epsilon^{{p({j})}}", sy.ONE, "axial plastic strain of a fibre"),
     (gamma_p, r"\gamma^{{p({j})}}", sy.ONE, "plastic shear of a fibre"),
+    (reissner.eps_e, r"\epsilon^{{e({j})}}", sy.ONE, "axial elastic strain of a fibre"),
+    (reissner.gamma_e, r"\gamma^{{e({j})}}", sy.ONE, "elastic shear of a fibre"),
+    (reissner.sigma_c, r"\hat\sigma^{{({j})}}", sy.STRESS, "stress conjugate to the axial strain"),
+    (reissner.tau_d, r"\tau_d^{{({j})}}", sy.STRESS, "driving shear stress of a fibre"),
 )
+_ELASTIC = (reissner.eps_e, reissner.gamma_e)
 
 
 def _part(number: int, several: bool, rows: tuple[tuple[sp.Symbol, str, sy.Dimension, str], ...]) -> Rename:
@@ -190,21 +195,36 @@ def _strains(resolved: ResolvedSection) -> Iterator[Stated]:
 def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
     # A spring by itself has no plastic state.
     at_rest = {eps_p: sp.Integer(0), gamma_p: sp.Integer(0)}
-    parts = [
-        (b.axial_stress, b.shear_stress) if b.flow else (b.axial_stress.subs(at_rest), b.shear_stress.subs(at_rest))
-        for b in resolved.branches
-    ]
-    if resolved.viscous is not None:
-        parts.append((resolved.viscous.axial_stress, resolved.viscous.shear_stress))
-    several = len(parts) > 1
-    for j, (axial, shear) in enumerate(parts):
-        new, which = _part(j, several, _FIBRE), f", part {j + 1}" if several else ""
-        yield stated(f"axial stress of a fibre{which}", sy.sigma.xreplace(new), axial.xreplace(new), "2.6, 2.8")
+    kept = 2 if resolved.shears else 1
+    yield stated("strain of a fibre", reissner.eps, resolved.cell.axial_strain, "2.6")
+    if resolved.shears:
+        yield stated("shear strain of a fibre", reissner.gamma, resolved.cell.shear_strain, _SOURCE)
+    several = len(resolved.branches) + (resolved.viscous is not None) > 1
+    conjugate = (reissner.sigma_c, tau_f)[:kept] if resolved.shears else (sy.sigma,)
+    for j, branch in enumerate(resolved.branches):
+        new, which, spring = _part(j, several, _FIBRE), f", part {j + 1}" if several else "", branch.spring
+        given = new if branch.flow else new | at_rest
+        for name, symbol, strain in list(zip(("strain", "shear"), _ELASTIC, spring.elastic, strict=True))[:kept]:
+            yield stated(
+                f"elastic {name} of a fibre{which}", symbol.xreplace(new), strain.xreplace(given), "THEORY 12a"
+            )
+        for name, symbol, value in list(zip(("axial", "shear"), (sy.sigma, tau_f), spring.stress, strict=True))[:kept]:
+            yield stated(f"{name} stress of a fibre{which}", symbol.xreplace(new), value.xreplace(new), "2.8")
         if resolved.shears:
-            yield stated(f"shear stress of a fibre{which}", tau_f.xreplace(new), shear.xreplace(new), _SOURCE)
+            along = spring.conjugate.xreplace({reissner.tau_d: spring.driving}).xreplace(given)
+            yield stated(f"conjugate stress of a fibre{which}", conjugate[0].xreplace(new), along, "THEORY 12a")
+    if resolved.viscous is not None:
+        new = _part(len(resolved.branches), several, _FIBRE)
+        which = f", part {len(resolved.branches) + 1}" if several else ""
+        moving = {reissner.eps_t: Rate(reissner.eps, sy.t, 1), reissner.gamma_t: Rate(reissner.gamma, sy.t, 1)}
+        pairs = zip(("axial", "shear"), (conjugate[0], tau_f), resolved.viscous.stress, strict=True)
+        for name, symbol, value in list(pairs)[:kept]:
+            shown = value.xreplace(moving)
+            yield stated(f"viscous {name} stress of a fibre{which}", symbol.xreplace(new), shown, "2.8")
     if several:
-        for total in (sy.sigma, tau_f) if resolved.shears else (sy.sigma,):
-            added = sp.Add(*(total.xreplace(_part(j, True, _FIBRE)) for j in range(len(parts))))
+        count = len(resolved.branches) + (resolved.viscous is not None)
+        for total in conjugate:
+            added = sp.Add(*(total.xreplace(_part(j, True, _FIBRE)) for j in range(count)))
             yield stated("sum over the parts in parallel", total, added, "2.8")
 
 
@@ -212,11 +232,15 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
     several = len(resolved.branches) + (resolved.viscous is not None) > 1
     share = PLANE_STRAIN**2 if equations.shape.plane_strain else sp.S.One
     # The rates of the section with the rule as one symbol, which is written by itself.
-    flow = (reissner.fibre_flow if resolved.shears else reissner.axial_flow)(plastic_rate, share)
+    rule_of = reissner.fibre_flow if resolved.shears else reissner.axial_flow
+    flow = rule_of(plastic_rate, share, resolved.cell.carry)
     for j, branch in enumerate(equations.law.branches):
         if branch.flow is None:
             continue
         new, which = _part(j, several, _FIBRE), f", part {j + 1}" if several else ""
+        if resolved.shears:
+            drive = resolved.branches[j].spring.driving.xreplace(new)
+            yield stated(f"driving shear stress{which}", reissner.tau_d.xreplace(new), drive, "THEORY 12a")
         yield stated(f"equivalent stress{which}", sigma_eq, flow.equivalent.xreplace(new), "3.5")
         rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
         yield stated(f"flow rule{which}", plastic_rate, rule, "2.7, 2.25")
@@ -230,7 +254,8 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
 
 def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[Stated]:
     cell = resolved.cell
-    means = {sigma_mean: Mean(sy.sigma), sigma_zeta: Mean(sy.sigma * sy.zeta), tau_mean: Mean(tau_f)}
+    along = reissner.sigma_c if resolved.shears else sy.sigma
+    means = {sigma_mean: Mean(along), sigma_zeta: Mean(along * sy.zeta), tau_mean: Mean(tau_f)}
     yield stated("tension", sy.T, cell.tension.xreplace(means), "2.10")
     yield stated("bending moment", sy.M, cell.moment.xreplace(means), "2.10")
     if resolved.shears:

@@ -10,7 +10,7 @@ from softcat_sym.physics import kinematics
 from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
 from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.kinematics import mass_per_length
-from softcat_sym.physics.laws import Branch, Law, bingham_rate, elastic_stress
+from softcat_sym.physics.laws import Branch, Law, bingham_rate
 from softcat_sym.physics.section_response import PLANE_STRAIN, resistance, stiffness
 from softcat_sym.physics.sections import RECTANGLE as RECTANGULAR
 from softcat_sym.physics.sections import UNIFORM, Contraction, Section
@@ -55,6 +55,10 @@ gamma = enter("gamma_f", r"\gamma", ONE, "shear strain of a fibre", "THEORY 12")
 eps_t = enter("eps_f_t", r"\dot\epsilon", RATE, "rate of eps", "THEORY 12")
 gamma_t = enter("gamma_f_t", r"\dot\gamma", RATE, "rate of gamma", "THEORY 12")
 tau_f = enter("tau_f", r"\tau", STRESS, "shear stress of a fibre", "THEORY 12")
+eps_e = enter("eps_f_e", r"\epsilon^e", ONE, "axial elastic strain of a fibre", "THEORY 12a")
+gamma_e = enter("gamma_f_e", r"\gamma^e", ONE, "elastic shear of a fibre", "THEORY 12a")
+sigma_c = enter("sigma_f_c", r"\hat\sigma", STRESS, "stress conjugate to the axial strain", "THEORY 12a")
+tau_d = enter("tau_f_d", r"\tau_d", STRESS, "shear stress that drives the flow", "THEORY 12a")
 kappa_s = enter("kappa_s", r"\kappa_s", ONE, "shear correction of the section", "THEORY 12", positive=True)
 sigma_zeta = enter("sigma_zeta", r"\langle\sigma\zeta\rangle", STRESS, "mean of sigma zeta", "THEORY 12")
 sigma_mean = enter("sigma_mean", r"\langle\sigma\rangle", STRESS, "mean of sigma", "THEORY 12")
@@ -94,9 +98,8 @@ class ShearingCell:
     area: sp.Expr  # A and h of Lam (2.9)
     thickness: sp.Expr
     axial_strain: sp.Expr  # True strain of the fibre zeta, of (Lam, k)
-    shear_strain: sp.Expr  # Gam/Lam, the same for all fibres
-    axial_stress: sp.Expr  # sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the fibre
-    shear_stress: sp.Expr
+    shear_strain: sp.Expr  # sqrt(kappa_s) Gam/Lam, the same for all fibres
+    carry: sp.Expr  # Power of a stretch f in f over its contraction through the thickness: 3/2, or 2 in a sheet
     tension: sp.Expr  # T, M and S of the means over the section and Lam
     moment: sp.Expr
     shear_force: sp.Expr
@@ -105,7 +108,6 @@ class ShearingCell:
     couple: sp.Expr
     force: tuple[sp.Expr, sp.Expr]  # n_1 d1 + n_2 d2 in the fixed frame, of (n_1, n_2, psi)
     turning_moment: sp.Expr  # Lam n_2 - Gam n_1, what the forces do to the section angle besides m_X
-    elastic_energy: sp.Expr  # Stored energy of a fibre per unit undeformed volume, of (sigma, tau)
 
     @property
     def power(self) -> sp.Expr:
@@ -120,8 +122,8 @@ class ShearingCell:
         """The same cell with a number for kappa_s."""
         return replace(
             self,
-            shear_stress=self.shear_stress.subs(kappa_s, correction),
-            elastic_energy=self.elastic_energy.subs(kappa_s, correction),
+            shear_strain=self.shear_strain.subs(kappa_s, correction),
+            shear_force=self.shear_force.subs(kappa_s, correction),
         )
 
 
@@ -133,7 +135,7 @@ def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
     """
     area, thickness = contraction.area.subs(s, Lam), contraction.thickness.subs(s, Lam)
     lever = sp.powsimp(thickness / (2 * Lam))
-    axial, shear = sp.log(Lam) - k * lever * zeta, Gam / Lam
+    axial, shear = sp.log(Lam) - k * lever * zeta, sp.sqrt(kappa_s) * Gam / Lam
     # Exponent of Lam in the lever, a number: -3/2 or -2.
     exponent = sp.powsimp(Lam * sp.diff(lever, Lam) / lever)
     return ShearingCell(
@@ -141,25 +143,60 @@ def shearing_cell(contraction: Contraction = UNIFORM) -> ShearingCell:
         thickness=thickness,
         axial_strain=axial,
         shear_strain=shear,
-        axial_stress=elastic_stress(axial, eps_p),
-        shear_stress=kappa_s * shear_modulus() * (shear - gamma_p),
+        carry=-exponent,
         tension=area * sigma_mean,
         moment=area * thickness * sigma_zeta / 2,
-        shear_force=area * tau_mean,
+        shear_force=sp.sqrt(kappa_s) * area * tau_mean,
         normal_force=T - exponent * M * k / Lam - S * Gam / Lam,
         section_force=S,
         couple=-M,
         force=(n_1 * sp.cos(psi) - n_2 * sp.sin(psi), n_1 * sp.sin(psi) + n_2 * sp.cos(psi)),
         turning_moment=Lam * n_2 - Gam * n_1,
-        elastic_energy=sigma**2 / (2 * E) + tau_f**2 / (2 * kappa_s * shear_modulus()),
+    )
+
+
+CARRY = sp.Rational(3, 2)
+"""``carry`` of a section that shrinks both ways."""
+
+
+@dataclass(frozen=True, slots=True)
+class FibreSpring:
+    """The stored energy of a fibre and its derivatives; what the package runs on is differentiated from the energy."""
+
+    elastic: tuple[sp.Expr, sp.Expr]  # (eps_e, gamma_e) of the strains (eps, gamma), the plastic state and eps_e
+    stored: sp.Expr  # Per unit undeformed volume, of (eps_e, gamma_e)
+    stress: tuple[sp.Expr, sp.Expr]  # sigma of (eps_e, gamma_e), and tau of sigma and these
+    conjugate: sp.Expr  # Stress conjugate to eps, of (sigma, tau_d) and the plastic state
+    driving: sp.Expr  # tau_d = -d stored/d gamma_p, of tau and eps_e
+
+
+def fibre_spring(
+    modulus: sp.Expr, shearing: sp.Expr, carry: sp.Expr = CARRY, relaxed: sp.Expr = sp.S.Zero, *, shear: bool = True
+) -> FibreSpring:
+    """Energy E (eps_e + gamma_e^2/4)^2/2 + mu gamma_e^2/2: Hencky's to third order if the volume is kept.
+
+    A fibre of a section that does not shear has no plastic shear, and none of its stress is the shear's.
+    """
+    carried = sp.exp(-carry * eps_e) if shear else sp.S.One
+    lengthened = eps_e + gamma_e**2 / 4 if shear else eps_e
+    stored = modulus * lengthened**2 / 2 + shearing * gamma_e**2 / 2
+    along = modulus * sp.expand(sp.diff(stored, eps_e) / modulus)
+    # What the shear stress has of the axial one, as a multiple of it.
+    share = sp.diff(lengthened, gamma_e)
+    return FibreSpring(
+        elastic=(eps - relaxed - eps_p, gamma - gamma_p * carried),
+        stored=stored,
+        stress=(along, sp.simplify(sp.diff(stored, gamma_e) - share * along) + share * sigma),
+        conjugate=sigma + carry * gamma_p * tau_d if shear else sigma,
+        driving=carried * tau_f,
     )
 
 
 @dataclass(frozen=True, slots=True)
 class FibreFlow:
-    """J2 flow of a fibre under (sigma, tau), the bulk law in this stress state; rates in ``sigma_eq`` as one symbol."""
+    """J2 flow of a fibre, the bulk law under driving stresses (sigma, tau_d); rates in ``sigma_eq`` as one symbol."""
 
-    # sig_eq of (sigma, tau). It vanishes where nothing is stressed: a consumer floors it before it divides.
+    # sig_eq of (sigma, tau_d). It vanishes where nothing is stressed: a consumer floors it before it divides.
     equivalent: sp.Expr
     axial_rate: sp.Expr  # Rates of eps_p and gamma_p
     shear_rate: sp.Expr
@@ -168,22 +205,27 @@ class FibreFlow:
     yields: sp.Expr  # 1 where the fibre flows, otherwise 0
 
 
-def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One) -> FibreFlow:
-    """sig_eq = sqrt(m sigma^2 + 3 tau^2), eps_p_t = phi m sigma/sig_eq, gamma_p_t = 3 phi tau/sig_eq."""
+def fibre_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY) -> FibreFlow:
+    """sig_eq = sqrt(m sigma^2 + 3 tau_d^2), eps_p_t = phi m sigma/sig_eq; gamma_p is carried by the plastic stretch.
+
+    Of a plastic deformation that leaves sections plane the shear rate 3 phi tau_d/sig_eq is gamma_p_t + c gamma_p
+    eps_p_t.
+    """
     speed = rate.subs(sigma, sigma_eq)
+    axial = share * speed * sigma / sigma_eq
     return FibreFlow(
-        equivalent=sp.sqrt(share * sigma**2 + 3 * tau_f**2),
-        axial_rate=share * speed * sigma / sigma_eq,
-        shear_rate=3 * speed * tau_f / sigma_eq,
+        equivalent=sp.sqrt(share * sigma**2 + 3 * tau_d**2),
+        axial_rate=axial,
+        shear_rate=3 * speed * tau_d / sigma_eq - carry * gamma_p * axial,
         speed=speed,
         dissipation=speed * sigma_eq,
         yields=sp.sign(speed),
     )
 
 
-def axial_flow(rate: sp.Expr, share: sp.Expr = sp.S.One) -> FibreFlow:
+def axial_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY) -> FibreFlow:
     """Flow of a fibre whose shear stress only keeps the section square to the centreline: sig_eq = sqrt(m) |sigma|."""
-    both = fibre_flow(rate, share)
+    both = fibre_flow(rate, share, carry)
     return replace(both, equivalent=sp.sqrt(share) * sp.Abs(sigma), shear_rate=sp.Integer(0))
 
 
@@ -241,10 +283,14 @@ def _balance() -> tuple[Equation, ...]:
 
 
 def _cell_equations() -> tuple[Equation, ...]:
-    both, flow = shearing_cell(), fibre_flow(bingham_rate())
+    both, flow, spring = shearing_cell(), fibre_flow(bingham_rate()), fibre_spring(E, shear_modulus())
     return (
-        Equation("axial stress of a shearing fibre", sigma, both.axial_stress, "THEORY 12"),
-        Equation("shear stress of a fibre", tau_f, both.shear_stress, "THEORY 12"),
+        Equation("elastic strain of a fibre", eps_e, spring.elastic[0], "THEORY 12a"),
+        Equation("elastic shear of a fibre", gamma_e, spring.elastic[1], "THEORY 12a"),
+        Equation("axial stress of a shearing fibre", sigma, spring.stress[0], "THEORY 12a"),
+        Equation("shear stress of a fibre", tau_f, spring.stress[1], "THEORY 12a"),
+        Equation("driving shear stress of a fibre", tau_d, spring.driving, "THEORY 12a"),
+        Equation("stress conjugate to the axial strain of a fibre", sigma_c, spring.conjugate, "THEORY 12a"),
         Equation("tension of fibres", T, both.tension, "THEORY 12"),
         Equation("moment of fibres", M, both.moment, "THEORY 12"),
         Equation("shear force of fibres", S, both.shear_force, "THEORY 12"),
@@ -253,7 +299,10 @@ def _cell_equations() -> tuple[Equation, ...]:
         Equation("moment conjugate to k", m_c, both.couple, "THEORY 12"),
         Equation("equivalent stress of a fibre", sigma_eq, flow.equivalent, "THEORY 12"),
         Equation(
-            "dissipation of a fibre", sigma * flow.axial_rate + tau_f * flow.shear_rate, flow.dissipation, "THEORY 12"
+            "dissipation of a fibre",
+            spring.conjugate * flow.axial_rate + tau_d * flow.shear_rate,
+            flow.dissipation,
+            "THEORY 12a",
         ),
     )
 
@@ -275,22 +324,16 @@ RIGIDITY = 1000
 class FibreBranch:
     """One spring of a fibre with its flow rule."""
 
-    axial_stress: sp.Expr  # sigma and tau of (Lam, Gam, k, zeta) and the plastic state (eps_p, gamma_p) of the branch
-    shear_stress: sp.Expr
-    elastic_energy: sp.Expr  # Stored energy per unit undeformed volume, of (sigma, tau)
-    stored: sp.Expr  # The same of the strains (eps, gamma) and the plastic state
-    flow: FibreFlow | None  # Plastic rates, of (sigma, tau) and ``sigma_eq``; None where it does not flow
+    spring: FibreSpring
+    flow: FibreFlow | None  # Plastic rates, of (sigma, tau_d), gamma_p and ``sigma_eq``; None where it does not flow
 
 
 @dataclass(frozen=True, slots=True)
 class ViscousFibre:
     """The viscous stress of a fibre."""
 
-    axial_stress: sp.Expr  # Of (Lam, Gam, k, zeta) and their rates
-    shear_stress: sp.Expr
-    dissipation: sp.Expr  # Power per unit undeformed volume and equivalent strain rate, of (sigma, tau)
-    speed: sp.Expr
-    rayleigh: sp.Expr  # Half the power, of the rates of the strains (eps, gamma)
+    stress: tuple[sp.Expr, sp.Expr]  # Conjugate to the strains, of gamma and the rates of (eps, gamma)
+    rayleigh: sp.Expr  # Half the power, of the shear strain and the rates of the strains (eps, gamma)
     strain_rates: tuple[sp.Expr, sp.Expr]  # These rates, of (Lam, Gam, k) and theirs
 
 
@@ -323,40 +366,28 @@ def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False) -> R
         strains=director_strains(),
         strain_rates=director_rates(),
         cell=cell,
-        branches=tuple(_branch(shape, cell, branch, correction, relaxed, shear=shear) for branch in law.branches),
-        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, correction),
+        branches=tuple(_branch(shape, cell, branch, relaxed, shear=shear) for branch in law.branches),
+        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, shear=shear),
         relative_thickness=(cell.thickness / h0).subs(s, Lam),
         rotary_inertia=rotary_inertia(shape),
     )
 
 
-def _branch(
-    shape: Section, cell: ShearingCell, branch: Branch, correction: sp.Expr, relaxed: sp.Expr, *, shear: bool
-) -> FibreBranch:
-    modulus, shearing = stiffness(shape, branch.modulus), correction * shear_modulus().subs(E, branch.modulus)
+def _branch(shape: Section, cell: ShearingCell, branch: Branch, relaxed: sp.Expr, *, shear: bool) -> FibreBranch:
+    modulus, shearing = stiffness(shape, branch.modulus), shear_modulus().subs(E, branch.modulus)
     flow = None
     if branch.flow is not None:
         share = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One
-        flow = (fibre_flow if shear else axial_flow)(branch.flow.rate, share)
-    return FibreBranch(
-        axial_stress=modulus * (cell.axial_strain - relaxed - eps_p),
-        shear_stress=shearing * (cell.shear_strain - gamma_p),
-        elastic_energy=sigma**2 / (2 * modulus) + tau_f**2 / (2 * shearing),
-        stored=modulus * (eps - relaxed - eps_p) ** 2 / 2 + shearing * (gamma - gamma_p) ** 2 / 2,
-        flow=flow,
-    )
+        flow = (fibre_flow if shear else axial_flow)(branch.flow.rate, share, cell.carry)
+    return FibreBranch(fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear), flow)
 
 
-def _viscous(shape: Section, cell: ShearingCell, viscosity: sp.Expr, correction: sp.Expr) -> ViscousFibre:
-    # Shear viscosity eta/3 (Trouton), with the same correction as the shear modulus.
-    axial, shearing = resistance(shape, viscosity), correction * viscosity / 3
-    rates = strain_rates(cell)
-    dissipation = sigma**2 / axial + tau_f**2 / shearing
+def _viscous(shape: Section, cell: ShearingCell, viscosity: sp.Expr, *, shear: bool) -> ViscousFibre:
+    # Shear viscosity eta/3 (Trouton) on the shear rate of the whole deformation, which the stretch carries as well.
+    sheared = gamma_t + cell.carry * gamma * eps_t if shear else gamma_t
+    rayleigh = resistance(shape, viscosity) * eps_t**2 / 2 + viscosity * sheared**2 / 6
     return ViscousFibre(
-        axial_stress=axial * rates[0],
-        shear_stress=shearing * rates[1],
-        dissipation=dissipation,
-        speed=sp.Abs(sigma) / axial,
-        rayleigh=axial * eps_t**2 / 2 + shearing * gamma_t**2 / 2,
-        strain_rates=rates,
+        stress=(sp.diff(rayleigh, eps_t), sp.diff(rayleigh, gamma_t)),
+        rayleigh=rayleigh,
+        strain_rates=strain_rates(cell),
     )

@@ -1,22 +1,29 @@
 """Independent oracle: a soft filament that shears, fibre by fibre, in NumPy; two-node elements in space, RK4 in time.
 
 Nothing here comes from the library under test. Kinematics: Reissner (1972), in the plane, with the section's mean
-shear; flow: von Mises, of (3.1)-(3.8) of Kamrin & Mahadevan, "Soft catenaries" (2012), under an axial and a shear
-stress. Units: length ``L``, stress ``E``, time ``L sqrt(rho/E)`` (the paper's ``t~``), forces per ``E A0``, moments per
-``E A0 L``; gravity is ``g~ = rho g L/E = G eps_Y`` and the relaxation time ``tau~ = V sqrt(g~)``.
+shear; elasticity and flow: (3.1)-(3.8) of Kamrin & Mahadevan, "Soft catenaries" (2012), for deformations that keep the
+volume and the section plane, lower triangular in the frame of the section: ``exp(eps)`` and ``exp(-eps/2)`` on the
+diagonal, ``exp(eps) gam`` below it. Both factors of ``F = F_e F_p`` are such. Units: length ``L``, stress ``E``, time
+``L sqrt(rho/E)`` (the paper's ``t~``), forces per ``E A0``, moments per ``E A0 L``; gravity is
+``g~ = rho g L/E = G eps_Y`` and the relaxation time ``tau~ = V sqrt(g~)``.
 
 The plane of the filament is the complex plane, ``z = x + i y``. Nodes carry ``z``, ``z_t`` and the section angle
 ``psi``; a cell carries all of a section, at its middle, with ``p`` the mean of the two ``psi``::
 
     Lam + i Gam = (z_X) exp(-i p),  k = psi_X,  A = 1/Lam,  h = delta Lam^(-1/2)
-    eps = log Lam - (k/Lam)(h/2) zeta,  gam = Gam/Lam           of the material fibre zeta in [-1, 1]
-    sigma = eps - eps_p,  tau = c (gam - gam_p),  c = kappa_s/(2 (1 + nu))
-    eps_p_t = phi sigma/q,  gam_p_t = 3 phi tau/q,  q = sqrt(sigma^2 + 3 tau^2),  phi = <q - eps_Y>/tau~
+    eps = log Lam - (k/Lam)(h/2) zeta,  gam = c Gam/Lam,  c^2 = kappa_s     of the material fibre zeta in [-1, 1]
+    e = eps - eps_p,  u = exp(-3 e/2),  y = gam - u gam_p                    elastic strains, from F_e = F F_p^-1
+    w = (e + y^2/4)^2/2 + mu y^2/2,  mu = 1/(2 (1 + nu))                     Hencky's energy to third order
+    sigma = w_e = e + y^2/4,  tau = w_y = (mu + sigma/2) y,  d = u tau
+    q = sqrt(sigma^2 + 3 d^2),  phi = <q - eps_Y>/tau~
+    eps_p_t = phi sigma/q,  gam_p_t + (3/2) gam_p eps_p_t = 3 phi d/q
 
-The forces are derivatives of the stored energy of a cell, ``W = <sigma^2>/2 + <tau^2>/(2 c)`` per unit ``X``, at fixed
-plastic strains. With ``s0 = <sigma>, s1 = <sigma zeta>, t0 = <tau>, B = (h/2)/Lam = (delta/2) Lam^(-3/2)``::
+The left sides of the last line are the two components of ``2 sym(F_p_t F_p^-1)`` that are free. The forces are
+derivatives of the stored energy of a cell, ``W = <w>`` per unit ``X``, at fixed plastic strains. By ``eps`` that of a
+fibre is ``along = sigma + (3/2) gam_p d``. With ``s0 = <along>, s1 = <along zeta>, t0 = <tau>``,
+``B = (h/2)/Lam = (delta/2) Lam^(-3/2)``::
 
-    n1 = W_Lam = (s0 + (3/2) k B s1 - t0 Gam/Lam)/Lam,   n2 = W_Gam = t0/Lam,   m = W_k = -B s1.
+    n1 = W_Lam = (s0 + (3/2) k B s1 - t0 gam)/Lam,   n2 = W_Gam = c t0/Lam,   m = W_k = -B s1.
 
 The sections have no rotary inertia: ``psi`` makes the stored energy stationary, ``m_X + Lam n2 - Gam n1 = 0``, and is
 solved for by Newton's method in every right-hand side. Optional is the gradient term of a neck (Audoly & Hutchinson,
@@ -59,8 +66,18 @@ class Result:
     steps: int
 
 
+class Fibres(NamedTuple):
+    """Elastic strains and stresses, each ``(fibres, cells)``."""
+
+    y: Array
+    lag: Array  # y_e = (3/2) u gam_p
+    sigma: Array
+    tau: Array
+    driving: Array
+
+
 class Section(NamedTuple):
-    """Strains, section means of the stresses and conjugate forces, each ``(cells,)``."""
+    """Strains, section means of the stresses and conjugate forces, each ``(cells,)``, and its fibres."""
 
     Lam: Array
     Gam: Array
@@ -72,6 +89,7 @@ class Section(NamedTuple):
     n1: Array
     n2: Array
     m: Array
+    fibres: Fibres
 
 
 class State(NamedTuple):
@@ -97,7 +115,7 @@ class Filament:
         if self.X.size < 4 or self.dX.min() <= 0.0 or fibres < 2:
             raise ValueError("needs three cells of positive length and two fibres")
         self.delta, self.g, self.tau, self.eps_Y, self.ramp, self.beta = delta, g, tau, eps_Y, ramp, beta
-        self.c = kappa_s / (2 * (1 + nu))
+        self.c, self.mu = kappa_s**0.5, 1 / (2 * (1 + nu))
         if circle:  # Chebyshev points of the second kind: the width is a semicircle
             angle = np.pi * np.arange(fibres, 0, -1) / (fibres + 1)
             self.zeta, self.mean = np.cos(angle), 2 / (fibres + 1) * np.sin(angle) ** 2
@@ -105,7 +123,7 @@ class Filament:
             self.zeta, weight = np.polynomial.legendre.leggauss(fibres)
             self.mean = 0.5 * weight
         self.moment = self.mean * self.zeta
-        self.spread = float(self.moment @ self.zeta)  # <zeta^2>
+        self.square = self.moment * self.zeta
         self.surface = surface
         self.symmetric = bool(self.X[0] == 0.0)
         self.n, self.fibres = self.X.size, fibres
@@ -138,15 +156,22 @@ class Filament:
         q = t / self.ramp
         return self.g * q * q * q * (10.0 - q * (15.0 - 6.0 * q))
 
-    def section(self, z_X: Complex, psi: Array, P: tuple[Array, Array, Array]) -> Section:
-        """All of a section; ``P`` are ``<eps_p>, <eps_p zeta>, <gam_p>`` of the cells."""
+    def section(self, z_X: Complex, psi: Array, state: State) -> Section:
+        """All of a section."""
         turned = z_X * np.exp(-0.5j * (psi[1:] + psi[:-1]))
         Lam, Gam, k = turned.real, turned.imag, (psi[1:] - psi[:-1]) / self.dX
         B = 0.5 * self.delta * Lam**-1.5
-        gam = Gam / Lam
-        s0, s1, t0 = np.log(Lam) - P[0], -k * B * self.spread - P[1], self.c * (gam - P[2])
+        gam = self.c * Gam / Lam
+        e = np.log(Lam) - np.multiply.outer(self.zeta, k * B) - state.eps_p
+        u = np.exp(-1.5 * e)
+        y = gam - u * state.gam_p
+        sigma = e + 0.25 * y * y
+        tau = (self.mu + 0.5 * sigma) * y
+        lag = 1.5 * u * state.gam_p
+        along = sigma + lag * tau
+        s0, s1, t0 = self.mean @ along, self.moment @ along, self.mean @ tau
         n1 = (s0 + 1.5 * k * B * s1 - t0 * gam) / Lam
-        return Section(Lam, Gam, k, s0, s1, t0, B, n1, t0 / Lam, -B * s1)
+        return Section(Lam, Gam, k, s0, s1, t0, B, n1, self.c * t0 / Lam, -B * s1, Fibres(y, lag, sigma, tau, u * tau))
 
     def add_gradient(self, q: Section) -> Section:
         """``n1`` with the gradient term of a neck, if there is one."""
@@ -160,22 +185,29 @@ class Filament:
 
     def hessian(self, q: Section) -> tuple[Array, Array, Array]:
         """Second derivatives of a cell's energy by ``(p, p)``, ``(p, k)``, ``(k, k)``, the gradient term left out."""
-        Lam, Gam, k, _, s1, t0, B, n1, n2, _ = q
-        gam = Gam / Lam
-        W_LL = (
-            (1.0 + 0.75 * k * B * (3.0 * self.spread * k * B - 3.0 * s1) + gam * (self.c * gam + t0)) / Lam - n1
-        ) / Lam
-        W_LG, W_GG = -(self.c * gam + t0) / Lam**2, self.c / Lam**2
-        W_Lk = 0.5 * B * (3.0 * s1 - 3.0 * self.spread * k * B) / Lam
-        W_pp = Gam * Gam * W_LL - 2.0 * Lam * Gam * W_LG + Lam * Lam * W_GG - Lam * n1 - Gam * n2
-        return W_pp, Gam * W_Lk, B * B * self.spread
+        Lam, Gam, k, s0, s1, t0, B, n1, n2, _, (y, lag, sigma, _, _) = q
+        # Of w(eps, gam) first; y_e = lag, y_ee = -(3/2) lag, and l = sigma is e + y^2/4.
+        bend = -1.5 * lag
+        w_ee = (1 + 0.5 * y * lag) ** 2 + sigma * 0.5 * (lag * lag + y * bend) + self.mu * (lag * lag + y * bend)
+        w_eg = (1 + 0.5 * y * lag) * 0.5 * y + (0.5 * sigma + self.mu) * lag
+        w_gg = self.mean @ (0.25 * y * y + 0.5 * sigma + self.mu)
+        ee = [weights @ w_ee for weights in (self.mean, self.moment, self.square)]
+        eg = [weights @ w_eg for weights in (self.mean, self.moment)]
+        gam, p = self.c * Gam / Lam, 1.5 * k * B
+        beside = eg[0] + p * eg[1]
+        W_LL = ee[0] + p * (2 * ee[1] + p * ee[2]) - gam * (2 * beside - gam * w_gg - 2 * t0) - s0 - 2.5 * p * s1
+        W_LG = self.c * (beside - gam * w_gg - t0)
+        W_Lk = B * (1.5 * s1 - ee[1] - p * ee[2] + gam * eg[1])
+        W_Gk = -self.c * B * eg[1]
+        W_pp = (gam / self.c) ** 2 * W_LL - 2.0 * gam / self.c * W_LG + self.c**2 * w_gg - Lam * n1 - Gam * n2
+        return W_pp, gam / self.c * W_Lk - W_Gk, B * B * ee[2]
 
-    def solve_angles(self, z: Complex, P: tuple[Array, Array, Array]) -> Section:
+    def solve_angles(self, state: State) -> Section:
         """Section angles that balance moments, from those of the last call; ``psi = 0`` at both ends."""
-        z_X, dX = (z[1:] - z[:-1]) / self.dX, self.dX
+        z_X, dX = (state.z[1:] - state.z[:-1]) / self.dX, self.dX
         psi = self.psi
         for _ in range(40):
-            q = self.add_gradient(self.section(z_X, psi, P))
+            q = self.add_gradient(self.section(z_X, psi, state))
             turning = 0.5 * dX * (q.Lam * q.n2 - q.Gam * q.n1)
             residual = q.m[1:] - q.m[:-1] + turning[1:] + turning[:-1]  # minus the energy's derivative by psi
             W_pp, W_pk, W_kk = self.hessian(q)
@@ -185,23 +217,14 @@ class Filament:
             step = dgtsv(beside, diagonal, beside, residual)[3]
             psi[1:-1] += step
             if np.abs(step).max() < SETTLED:
-                return self.add_gradient(self.section(z_X, psi, P))
+                return self.add_gradient(self.section(z_X, psi, state))
         raise FloatingPointError("the section angles do not settle: the filament is broken or the step too long")
-
-    def means(self, state: State) -> tuple[Array, Array, Array]:
-        """``<eps_p>, <eps_p zeta>, <gam_p>`` of the cells."""
-        return self.mean @ state.eps_p, self.moment @ state.eps_p, self.mean @ state.gam_p
-
-    def fibre_stresses(self, q: Section, state: State) -> tuple[Array, Array]:
-        """``sigma, tau`` of ``(fibres, cells)``."""
-        sigma = np.log(q.Lam) - np.multiply.outer(self.zeta, q.k * q.B) - state.eps_p
-        return sigma, self.c * (q.Gam / q.Lam - state.gam_p)
 
     def rhs(self, t: float, Y: Array) -> Array:
         """Time derivative of the state."""
         out = np.empty_like(Y)
         state, rate = self.views(Y), self.views(out)
-        q = self.solve_angles(state.z, self.means(state))
+        q = self.solve_angles(state)
         force = (q.n1 + 1j * q.n2) * np.exp(0.5j * (self.psi[1:] + self.psi[:-1]))
         z_X = (state.z[1:] - state.z[:-1]) / self.dX
         force += self.surface * np.abs(z_X) ** -1.5 * z_X
@@ -209,12 +232,13 @@ class Filament:
         rate.v[1:-1] = (force[1:] - force[:-1]) / self.mass[1:-1] - 1j * self.gravity(t)
         rate.v[-1] = 0.0
         rate.v[0] = 1j * (force[0].imag / self.mass[0] - self.gravity(t)) if self.symmetric else 0.0
-        sigma, tau = self.fibre_stresses(q, state)
-        equivalent = np.sqrt(sigma * sigma + 3.0 * tau * tau)
+        sigma, driving = q.fibres.sigma, q.fibres.driving
+        equivalent = np.sqrt(sigma * sigma + 3.0 * driving * driving)
         flow = np.maximum(equivalent - self.eps_Y, 0.0) / self.tau
         over = flow / np.maximum(equivalent, 1e-200)
         np.multiply(over, sigma, out=rate.eps_p)
-        np.multiply(3.0 * over, tau, out=rate.gam_p)
+        np.multiply(3.0 * over, driving, out=rate.gam_p)
+        rate.gam_p[:] -= 1.5 * state.gam_p * rate.eps_p
         rate.sums[0] = -self.gravity(t) * (self.mass @ state.v.imag)
         rate.sums[1] = self.dX @ (self.mean @ (flow * equivalent))
         return out
@@ -222,11 +246,10 @@ class Filament:
     def energies(self, Y: Array) -> dict[str, float]:
         """Kinetic and elastic energy, and what went to and from the filament since the start."""
         state = self.views(Y)
-        q = self.solve_angles(state.z, self.means(state))
-        sigma, tau = self.fibre_stresses(q, state)
+        q = self.solve_angles(state)
         return {
             "kinetic": float(0.5 * self.mass @ np.abs(state.v) ** 2),
-            "elastic": float(0.5 * self.dX @ (self.mean @ (sigma**2 + tau**2 / self.c))),
+            "elastic": float(0.5 * self.dX @ (self.mean @ (q.fibres.sigma**2 + self.mu * q.fibres.y**2))),
             "surface": float(2 * self.surface * self.dX @ (np.abs(np.diff(state.z) / self.dX) ** 0.5 - 1)),
             "dissipated": float(state.sums[1]),
             "gradient": self.gradient_work,
@@ -237,8 +260,8 @@ class Filament:
         """RK4's limit times `SAFETY`.
 
         The fastest wave of the straight grid is axial, ``w = 2/dX``: without rotary inertia flexural waves end as shear
-        waves, slower by ``sqrt(c)``. Relaxation, ``lambda^2 + lambda/tau~ + w^2 = 0``, has ``1/tau~`` from slow waves.
-        The gradient term quickens an axial wave by ``1 + 2 b/dX^2``, which is left to the margin.
+        waves, slower by ``c sqrt(mu)``. Relaxation, ``lambda^2 + lambda/tau~ + w^2 = 0``, has ``1/tau~`` from slow
+        waves. The gradient term quickens an axial wave by ``1 + 2 b/dX^2``, which is left to the margin.
         """
         return SAFETY * REACH / max(2.0 / self.dX.min(), 1.0 / self.tau)
 
