@@ -189,6 +189,7 @@ def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str])
     return Softcat(monkeypatch, capsys)
 
 
+@pytest.mark.slow
 def test_flags_make_a_page(softcat: Softcat, tmp_path: Path) -> None:
     done = softcat("card", *OIL, "--sag", "0.1 mm", *sets("numerics.cells=10"), "-o", str(tmp_path))
     assert done.status == 0, done.err

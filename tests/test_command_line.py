@@ -225,6 +225,7 @@ def test_samples_are_read_by_the_commands_they_are_for(softcat: Softcat, tmp_pat
     assert sc.load_scene(folder / "my-ink.toml").material.shear_yield_stress == 200
 
 
+@pytest.mark.slow
 def test_run_writes_its_files_and_is_short_on_the_screen_or_in_full(softcat: Softcat, tmp_path: Path) -> None:
     output = tmp_path / "deep" / "out"
     done = program("run", "arrested-overdamped", "-o", output, *sets(*COARSE))
@@ -263,6 +264,7 @@ def test_overrides_reach_the_run_and_its_resolved_scene_runs_to_the_same_answer(
     assert set(summary["effects"]) == {"inertia", "bending", "viscous-flow"}
 
 
+@pytest.mark.slow
 def test_an_answer_not_to_be_trusted_exits_1_is_stamped_and_still_writes(softcat: Softcat) -> None:
     asked = ("run", "edge-of-rupture", "-o", "out", "--set", "run.effects=paper", *ONCE)
     done, quiet = softcat(*asked), softcat(*asked, "-q")
@@ -576,6 +578,7 @@ def test_scenes_keys_and_paths_are_offered(tmp_path: Path) -> None:
     assert tuple(complete_scene("")) == sc.bundled_names()
 
 
+@pytest.mark.slow
 def test_a_tab_is_answered_before_one_notices_and_loads_nothing_heavy() -> None:
     """Half a second of the processor, the best of three: how long one waits where nothing else runs."""
 
@@ -596,6 +599,7 @@ def test_a_tab_is_answered_before_one_notices_and_loads_nothing_heavy() -> None:
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 def test_a_run_loads_neither_xarray_nor_dask_nor_scipy(tmp_path: Path) -> None:
     """Its fields are arrays, and its file is written without them; they take a second to load."""
     code = (

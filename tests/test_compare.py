@@ -343,6 +343,7 @@ def test_the_command_resumes_and_writes_the_same(
     assert {path: path.read_bytes() for path in broken.rglob("*") if path.is_file()} == files
 
 
+@pytest.mark.slow
 def test_an_answer_not_to_be_trusted_exits_1_and_still_writes(softcat: Softcat, tmp_path: Path) -> None:
     changes = sets("run.effects=paper", "run.frames=11", "numerics.cells=20")
     done = softcat("compare", "edge-of-rupture", "-o", str(tmp_path), "-q", *changes, "--mesh", "4x2")

@@ -331,6 +331,7 @@ def test_grading_helps_at_the_clamp() -> None:
     assert abs(graded - fine) < 0.7 * abs(equal - fine)
 
 
+@pytest.mark.slow
 def test_meshes_converge() -> None:
     rows = []
     for name, scene in (("elastic", UNYIELDING), ("yielding", YIELDING)):

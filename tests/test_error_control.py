@@ -233,7 +233,7 @@ def test_the_estimate_of_a_beam_is_its_error_and_it_is_refined_until_that_will_d
     assert run.summary["cells"] == run.summary["resolution"]["cells"] > 40
 
 
-@pytest.mark.parametrize("accuracy", [1e-3, 1e-5])
+@pytest.mark.parametrize("accuracy", [1e-3, pytest.param(1e-5, marks=pytest.mark.slow)])
 def test_a_run_is_as_near_a_finer_one_as_its_estimate_says(accuracy: float) -> None:
     run = honey(accuracy)
     at, wall = run.summary["resolution"], run.summary["wall_s"]

@@ -204,6 +204,7 @@ def test_one_run_serves_all_its_films() -> None:
         assert relative_errors(information, unknowns) == pytest.approx(by_frames, rel=0.03)
 
 
+@pytest.mark.slow
 def test_what_film_tells_what_of_a_maxwell_fluid() -> None:
     """The modulus shows while it rings, the viscosity long after: for each its own duration, and both in between."""
     scene = _maxwell("maxwell-slow", 20)
@@ -261,6 +262,7 @@ def _filmed(**changes: object) -> Experiment:
     return design_experiment(scene, ["viscosity"], _NOISE, asked, **changes)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_nuisance_costs_and_roughness_is_the_worst_corner() -> None:
     """An unknown more makes every error larger; corners make the worst larger; the camera's highest rate is taken."""
     plain = _filmed()

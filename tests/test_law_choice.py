@@ -256,6 +256,7 @@ def _fallen(law: str, noise: float, outliers: int = 0) -> tuple[sc.Scene, Measur
     return scene, Measurements.of(run.time.values[1:], height)
 
 
+@pytest.mark.slow
 def test_a_film_of_a_bingham_filament() -> None:
     scene, film = _fallen("bingham", 0.01)
     found = fit_laws(film, scene, ["newtonian", "bingham"], starts=0)
@@ -335,6 +336,7 @@ def test_the_wider_law_falls_as_the_one_inside(wider: str, narrower: str) -> Non
     assert np.abs(np.interp(time, after, found) - height)[late].max() < 0.02 * scale
 
 
+@pytest.mark.slow
 def test_a_wider_law_starts_again_from_the_one_inside() -> None:
     """A solid's modulus that is far too large cannot be left behind by its own starts, whose bounds lie about it."""
     scene = _oil("newtonian")

@@ -158,6 +158,7 @@ def test_beam_with_turned_clamps_is_a_parabola() -> None:
     np.testing.assert_allclose(turned, -0.01 * X * (1 - X), atol=1e-15)
 
 
+@pytest.mark.slow
 def test_turned_clamps_at_the_length_of_their_arc_are_that_arc() -> None:
     angle = 0.6
     length = angle / np.sin(angle)
@@ -453,6 +454,7 @@ def test_held_strain_relaxes_as_von_mises(Lam: float, Gam: float, eps_Y: float):
         assert found[0] ** 2 + 3 * found[2] ** 2 == pytest.approx(eps_Y**2, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_energy_balance_closes_with_the_order_of_the_integrator() -> None:
     for tau, eps_Y, beta in [
         (np.inf, 1.0, None),

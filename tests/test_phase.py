@@ -217,6 +217,7 @@ class Listener:
             raise KeyboardInterrupt
 
 
+@pytest.mark.slow
 def test_a_phase_diagram_resumes_from_its_finished_runs(results_of_studies: Path) -> None:
     scene = sc.load_scene("arrested-overdamped", [*SETTINGS, "numerics.cells=10", "run.frames=41"])
     with pytest.raises(KeyboardInterrupt):

@@ -424,6 +424,7 @@ def drawn_words(figure: Figure) -> Iterator[tuple[str, Bbox]]:
 
 
 @pytest.mark.parametrize("name", SCENES)
+@pytest.mark.slow
 def test_every_word_can_be_read(make_run, make_scene, summary, name):
     """None over another, none beyond the paper, no power of ten beside an axis."""
     span, thickness, sags, times, limit = SCENES[name]
@@ -497,6 +498,7 @@ def test_a_runaway_that_is_refused_scales_no_axis_and_an_answer_is_drawn_whole(
     assert (table[0], len(table)) == ("time_s,midpoint_m,refused", 202)
 
 
+@pytest.mark.slow
 def test_files_are_whole_the_table_reads_back_exactly_and_the_caller_s_style_stays(descent, summary, scene, tmp_path):
     folder = tmp_path / "new" / "out"
     (tmp_path / "new").mkdir()
@@ -575,6 +577,7 @@ def test_what_draws_loads_no_more_than_it_needs():
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
 
 
+@pytest.mark.slow
 def test_results_show_themselves_in_a_notebook(tmp_path: Path) -> None:
     changes = {"numerics.cells": 6, "numerics.estimate": False, "run.frames": 11, "run.effects": "paper"}
     scene = sc.load_scene("no-yield", changes)
@@ -631,6 +634,7 @@ def test_the_colour_blind_tell_all_series_from_each_other_and_from_the_paper():
 
 
 @pytest.mark.parametrize(("width", "millimetres"), [("column", 84.0), ("page", 174.0)])
+@pytest.mark.slow
 def test_pdfs_are_as_wide_as_asked_and_hold_truetype(descent, summary, scene, tmp_path, width, millimetres):
     before = matplotlib.rcParams.copy()
     write_pictures(descent, summary, scene, tmp_path, width)

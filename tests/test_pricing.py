@@ -71,6 +71,7 @@ def test_without_bending_the_beam_is_the_string_and_without_stretching_the_linea
         assert row.change > 0.05
 
 
+@pytest.mark.slow
 def test_a_law_that_lost_an_effect_is_the_simpler_law(yielding: Pricing) -> None:
     for effect, law, without in (
         ("yielding", "maxwell", ("yield_stress",)),
@@ -231,6 +232,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     assert rows[0]["change"] == pytest.approx(abs(still - base).max() / abs(base).max(), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_base_not_to_be_trusted_exits_1_and_still_writes(softcat: Softcat, tmp_path: Path) -> None:
     # Straight, without weight at first, and without inertia: a string that has no shape.
     changes = ("load.ramp=0.01 s", 'run.effects=["extensibility", "viscous-stress"]')

@@ -216,6 +216,7 @@ def test_time_to_a_share_of_an_exponential() -> None:
     assert math.isnan(work.time_to_share(time, np.zeros_like(time)))
 
 
+@pytest.mark.slow
 def test_members_of_which_a_single_run_does_more(tmp_path: Path) -> None:
     """One whose error is estimated, one that is repeated with more effects."""
     honey = sc.load_scene("cold-honey", {"numerics.cells": 6, "run.frames": 6, "run.duration": "0.1 s"})
