@@ -175,6 +175,24 @@ def test_without_inertia_weight_falls_through_a_bath_at_its_terminal_velocity():
         assert -speed == pytest.approx(1000 * 4e-6 * 9.81 / 2.0, rel=1e-6), backend
 
 
+def test_a_slack_strand_hangs_at_rest_in_its_bath_before_it_moves():
+    """Drag is not in the shape that a slack filament begins from: it stays there."""
+    table = drag(1.0, 2.0)
+    scene = sc.Scene.from_dict(
+        {
+            "filament": {"span": "0.2 m", "rest_length": "0.22 m", "thickness": "2 mm", "density": "1000 kg/m^3"},
+            "material": {"law": "elastic", "youngs_modulus": "10 MPa"},
+            "effects": table,
+            "run": {"duration": "0.2 s", "frames": 5},
+            "numerics": {"estimate": False},
+        }
+    )
+    run = sc.simulate(scene)
+    assert "slender-bath" in run.summary["effects"] and run.outcome.name == "solved"
+    height = run.data.midpoint.values
+    assert np.ptp(height) < 1e-6 * np.abs(height).max()
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [

@@ -6,6 +6,8 @@ import difflib
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 
+import sympy as sp
+
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate
 from softcat_sym.effects.extensibility import EXTENSIBILITY
@@ -229,6 +231,7 @@ class Effects:
             gravity_rate=bare.gravity_rate,
             shaking=bare.shaking,
             shaking_rate=bare.shaking_rate,
+            densities=tuple(replace(one, dissipation=sp.S.Zero) for one in self.terms().densities),
         )
 
 
