@@ -53,6 +53,8 @@ _MEANINGS = {
     "poisson": "used by shear only",
     "curvature": "natural",
     "aspect": "width over thickness",
+    "bath_density": "of what surrounds the filament",
+    "bath_viscosity": "shear viscosity of what surrounds the filament",
     "surface_tension": "of the filament's surface",
     "span": "horizontal distance between the supports",
     "drop": "of the right support below the left one",
@@ -161,6 +163,7 @@ def _bound(scene: Scene, name: str) -> str:
     if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
         return "any"
     zero = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", "surface_tension")
+    zero += ("bath_density", "bath_viscosity")
     return "not-negative" if name in zero or name.startswith("motion_") else "positive"
 
 

@@ -16,6 +16,7 @@ from softcat_sym.physics.densities import Densities
 Pair = tuple[Neighbours, Neighbours]
 
 _PLACES, _RATES = (sy.x, sy.y), (sy.x_t, sy.y_t)
+_LOAD_RATE = sp.Symbol("g_t_rate", real=True)
 _TANGENT, _TANGENT_RATES = (sy.x_X, sy.y_X), (sy.x_Xt, sy.y_Xt)
 
 
@@ -89,12 +90,14 @@ def _of_cells(b: Builder, of: Mechanics, densities: Densities, outer: Outer) -> 
 
 def _given(b: Builder, area: ca.SX, h: ca.SX, X: ca.SX) -> dict[sp.Symbol, ca.SX]:
     """What a density may hold beside place and tangent; of the undeformed section with its area here."""
+    now = {**b.values, sy.t: b.time * b.scale}
     return {
-        **b.values,
+        **now,
+        sy.g_t: printed(b.equations.terms.load, now),
+        _LOAD_RATE: printed(b.equations.terms.load_rate, now),
         sy.A0: b.named[AREA] * area,
         sy.h0: h,
         sy.X: X * b.span,
-        sy.t: b.time * b.scale,
     }
 
 
@@ -113,5 +116,6 @@ def _audit(
         outer.energies.setdefault(name, []).append(energy)
     lost = sum((slope * values[rate] for slope, rate in zip(by_rate, rates, strict=True)), ca.SX(0))
     outer.dissipation.append(Field(f"lost_{name}_{part}", where, share * lost))
-    changing = printed(sp.diff(densities.stored, sy.t), values)
+    stored = densities.stored
+    changing = printed(sp.diff(stored, sy.t) + sp.diff(stored, sy.g_t) * _LOAD_RATE, values)
     outer.power.append(Field(f"power_{name}_{part}", where, share * changing))

@@ -41,6 +41,8 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("curvature", symbols.kappa_0, "1/m"),
     Parameter("aspect", aspect, "1"),
     Parameter("surface_tension", surface_tension, "N/m"),
+    Parameter("bath_density", symbols.rho_b, "kg/m^3"),
+    Parameter("bath_viscosity", symbols.mu_b, "Pa*s"),
     Parameter("shake", symbols.a_g, "1"),
     Parameter("shake_frequency", symbols.f_g, "Hz"),
 )
@@ -72,6 +74,8 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "shake_frequency": scene.load.shake_frequency,
         "aspect": filament.width / filament.thickness,
         "curvature": filament.curvature,
+        "bath_density": scene.surroundings.density,
+        "bath_viscosity": scene.surroundings.viscosity,
         "surface_tension": scene.surroundings.surface_tension,
         AREA: undeformed_area(scene),
         POINT_MASS: scene.load.point_mass / undeformed_area(scene),

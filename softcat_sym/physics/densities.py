@@ -15,7 +15,7 @@ from softcat_sym.physics.laws import Constant
 
 _OF_A_POINT = (sy.x, sy.y, sy.x_t, sy.y_t, sy.X)
 _OF_A_CELL = (sy.x_X, sy.y_X, sy.x_Xt, sy.y_Xt)
-_GIVEN = (sy.t, sy.A0, sy.h0, sy.rho, sy.g, sy.L_0)
+_GIVEN = (sy.t, sy.g_t, sy.A0, sy.h0, sy.rho, sy.g, sy.L_0)
 _RATES = (sy.x_t, sy.y_t, sy.x_Xt, sy.y_Xt)
 
 

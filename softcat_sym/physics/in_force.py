@@ -282,7 +282,6 @@ def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iter
 
 
 axial_strain = sy.enter("eps", r"\epsilon", sy.ONE, "axial strain of a fibre", "2.6")
-weight = sy.enter("g_t", "g(t)", sy.ACCELERATION, "gravity while it is switched on", "section 3")
 progress = sy.enter("v_on", "v", sy.ONE, "how far gravity is switched on, in time", "section 3")
 
 
@@ -372,7 +371,7 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     if along:
         pulled = Rate(F_x + inner[0], sy.X, 1) + outer[0]
         yield stated("balance of momentum, horizontal", mass * Rate(sy.x, sy.t, 2), pulled, source)
-    falling = sy.rho * sy.A0 * (weight if _changes(equations) else terms.load)
+    falling = sy.rho * sy.A0 * (sy.g_t if _changes(equations) else terms.load)
     held = Rate(F_y + inner[1], sy.X, 1) + outer[1] - falling
     yield stated("balance of momentum, vertical", mass * Rate(sy.y, sy.t, 2), held, source)
     if along:
@@ -389,7 +388,7 @@ def _gravity(equations: FilamentEquations) -> Iterator[Stated]:
     how, source = ([what for what, there in found.items() if there] for found in (names, sources))
     shares = {part for part in terms.gravity.atoms(sp.Min) if part.has(sy.t)}
     load = terms.load.subs(dict.fromkeys(shares, progress))
-    yield stated(f"gravity, {' and '.join(how)}", weight, load, "; ".join(source))
+    yield stated(f"gravity, {' and '.join(how)}", sy.g_t, load, "; ".join(source))
     for share in shares:
         yield stated("time of switching on", progress, share, "section 3")
 

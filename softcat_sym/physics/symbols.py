@@ -98,7 +98,12 @@ eta_s = enter("eta_s", r"\eta_s", VISCOSITY, "tensile viscosity beside spring an
 sigma_Y = enter("sigma_Y", r"\sigma_Y", STRESS, "tensile yield stress", "2.25", positive=True)
 rho = enter("rho", r"\rho", DENSITY, "density", "2.1", positive=True)
 
+# surroundings
+rho_b = enter("rho_b", r"\rho_b", DENSITY, "density of what surrounds the filament", "Archimedes", positive=True)
+mu_b = enter("mu_b", r"\mu_b", VISCOSITY, "shear viscosity of what surrounds the filament", "Cox 1970", positive=True)
+
 # load
+g_t = enter("g_t", "g(t)", ACCELERATION, "gravity while it is switched on", "section 3")
 g = enter("g", "g", ACCELERATION, "acceleration of gravity", "2.1", positive=True)
 g_on = enter("g_on", r"g_{on}", TIME, "time over which gravity is switched on", "section 3", positive=True)
 a_g = enter("a_g", "a_g", ONE, "amplitude with which gravity oscillates, over g", "Rayleigh 1877", positive=True)

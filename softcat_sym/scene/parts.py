@@ -274,6 +274,10 @@ class Surroundings(Part):
 
     surface_tension: Annotated[float, Quantity("surface tension", "21 mN/m", "non-negative")] = 0.0
     """Surface tension Gamma between the filament and what surrounds it."""
+    density: Annotated[float, Quantity("density", "1.2 kg/m^3", "non-negative")] = 0.0
+    """Mass per volume of what surrounds it: it buoys the filament."""
+    viscosity: Annotated[float, Quantity("viscosity", "18 uPa*s", "non-negative")] = 0.0
+    """Shear viscosity of what surrounds it: it drags at the filament."""
 
 
 Until = Literal["duration", "settled"]

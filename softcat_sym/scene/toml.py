@@ -77,7 +77,11 @@ def _value(text: str) -> object:
     return parsed["value"] if set(parsed) == {"value"} else text.strip()
 
 
-_IDLE_AT_ZERO = {"load": ("shake", "shake_frequency"), "material": ("loss_tangent",)}
+_IDLE_AT_ZERO = {
+    "load": ("shake", "shake_frequency"),
+    "material": ("loss_tangent",),
+    "surroundings": ("density", "viscosity"),
+}
 """Keys that say nothing where they are zero."""
 
 

@@ -1,0 +1,47 @@
+"""Buoyancy: what surrounds the filament carries a part of its weight (Archimedes).
+
+The hydrostatic pressure drops out of the section: what the law gives is the effective tension A (sigma_xx + p).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.physics.densities import Densities
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.symbols import A0, g_t, rho_b, y
+from softcat_sym.scene.scene import Scene
+
+# Its mass counts for the weight only, not for the inertia; a point mass keeps its own weight.
+BUOYANT = Densities("buoyancy", stored=-rho_b * A0 * g_t * y, constants=(Constant("bath_density", rho_b),))
+
+
+def _contribute(terms: Terms) -> Terms:
+    return replace(terms, densities=(*terms.densities, BUOYANT))
+
+
+def _applies(scene: Scene) -> bool:
+    return scene.model == "filament" and scene.surroundings.density > 0
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    del motion
+    share = min(1.0, scene.surroundings.density / scene.filament.density)
+    return Estimate(share, "share of the weight that what surrounds the filament carries", "rho_b/rho")
+
+
+BUOYANCY = Effect(
+    name="buoyancy",
+    summary="weight less that of what the filament displaces, g (1 - rho_b/rho)",
+    source="Archimedes",
+    contribute=_contribute,
+    applies=_applies,
+    without_it=f"surroundings.density is zero, or {SMALL_MODEL}",
+    estimate=_estimate,
+    observable="share of the weight that is carried, which no motion changes",
+    example="embedded-strand",
+    derivation="12_surroundings",
+    in_paper=False,
+)
