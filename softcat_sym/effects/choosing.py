@@ -186,6 +186,7 @@ class Effects:
 
     decisions: tuple[Decision, ...]  # One for every effect, in the order of the registry
     bare: Terms  # The filament of this material and shape without any effect
+    scene: Scene  # Whose they are
 
     @property
     def in_force(self) -> tuple[Effect, ...]:
@@ -215,7 +216,7 @@ class Effects:
         """The terms that these effects pick."""
         terms = self.bare
         for effect in self.in_force:
-            terms = effect.added_to(terms)
+            terms = effect.added_to(terms, self.scene)
         return terms
 
     def at_rest(self) -> Terms:
@@ -249,7 +250,7 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     refuse_without(scene, chosen)
     refuse_unsound(scene, chosen)
     decisions = tuple(_decision(effect, scene, reasons) for effect in REGISTRY)
-    return Effects(decisions, bare(scene))
+    return Effects(decisions, bare(scene), scene)
 
 
 def bare(scene: Scene) -> Terms:

@@ -11,33 +11,108 @@ from dataclasses import replace
 
 import sympy as sp
 
-from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
-from softcat_sym.effects.free_vibration import ringing
+from softcat_sym.effects.forecast import forecast
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.laws import Constant
-from softcat_sym.physics.symbols import VISCOSITY, enter, h0, mu_b, rho_b, s, x_t, x_X, y_t, y_X
-from softcat_sym.scene.scene import Scene, undeformed_area
+from softcat_sym.physics.necking import aspect
+from softcat_sym.physics.symbols import L_0, h0, mu_b, rho_b, s, x_t, x_X, y_t, y_X
+from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
 
-zeta_n = enter("zeta_n", r"\zeta_n", VISCOSITY, "force per length and velocity across a slender body", "Cox 1970")
-zeta_t = enter("zeta_t", r"\zeta_t", VISCOSITY, "force per length and velocity along a slender body", "Cox 1970")
+# Of a body of half the mean of thickness and width as radius; of an ellipse that is exact.
+_slenderness = sp.log(8 * L_0 / (h0 * (1 + aspect)))
+across = 4 * sp.pi * mu_b / (_slenderness - sp.Rational(1, 2))
+along = 2 * sp.pi * mu_b / (_slenderness - sp.Rational(3, 2))
+"""Force per length and velocity across and along a slender body (Cox 1970, Batchelor 1970)."""
 
-_along = (x_X * x_t + y_X * y_t) / s
-_across = (x_X * y_t - y_X * x_t) / s
-_diameter = h0 / sp.sqrt(s)
+_v_t = (x_X * x_t + y_X * y_t) / s
+_v_n = (x_X * y_t - y_X * x_t) / s
+_d = h0 * (1 + aspect) / 2 / sp.sqrt(s)
 
-SLENDER = s * (zeta_t * _along**2 + zeta_n * _across**2) / 2
-"""Per rest length, a body of length s dX (Cox 1970, Batchelor 1970)."""
+SLENDER = s * (along * _v_t**2 + across * _v_n**2) / 2
 
-CROSS_FLOW = s * (
-    zeta_t * _along**2 / 2
-    + rho_b
-    * _diameter
-    / 2
-    * (
-        sp.Abs(_across) ** 3 / 3
-        + sp.Rational(30, 7) * (mu_b / (rho_b * _diameter)) ** sp.Rational(2, 3) * sp.Abs(_across) ** sp.Rational(7, 3)
-    )
+_inertial = sp.Abs(_v_n) ** 3 / 3
+_viscous = sp.Rational(30, 7) * (mu_b / (rho_b * _d)) ** sp.Rational(2, 3) * sp.Abs(_v_n) ** sp.Rational(7, 3)
+CROSS_FLOW = s * (along * _v_t**2 + rho_b * _d * (_inertial + _viscous)) / 2
+"""Potential of (1/2) rho_b C_d d |v_n| v_n with C_d = 1 + 10 Re^(-2/3) (White 1991), and of a slender body along."""
+
+_BATH = (Constant("bath_density", rho_b), Constant("bath_viscosity", mu_b))
+
+
+def reynolds_number(scene: Scene, motion: Motion) -> float:
+    """Re = rho_b d U/mu_b of the largest speed of the midpoint."""
+    bath = scene.surroundings
+    return bath.density * _diameter(scene) * motion.speed / bath.viscosity if bath.viscosity else math.inf
+
+
+def _diameter(scene: Scene) -> float:
+    return (scene.filament.thickness + scene.filament.width) / 2
+
+
+def is_cross_flow(scene: Scene) -> bool:
+    """Whether the forecast is too fast for a slender body without inertia of the bath: Re of 1 or more."""
+    return scene.surroundings.density > 0 and reynolds_number(scene, forecast(scene)) >= _SLOW
+
+
+_SLOW = 1.0
+
+
+def _adapted(scene: Scene, terms: Terms) -> Terms:
+    law = CROSS_FLOW if is_cross_flow(scene) else SLENDER
+    return replace(terms, densities=(*terms.densities, Densities("drag", dissipation=law, constants=_BATH)))
+
+
+def _applies(scene: Scene) -> bool:
+    held = scene.model == "filament" and scene.filament.section != "sheet"
+    return held and scene.surroundings.viscosity > 0
+
+
+def resistance(scene: Scene, speed: float) -> float:
+    """Force per length of the law in force, across the filament at a speed [N/m]."""
+    bath, d = scene.surroundings, _diameter(scene)
+    if is_cross_flow(scene):
+        viscous = 10 * (bath.viscosity / (bath.density * d)) ** (2 / 3) * speed ** (4 / 3)
+        return bath.density * d / 2 * (speed**2 + viscous)
+    slenderness = math.log(4 * rest_length(scene) / d)
+    return 4 * math.pi * bath.viscosity / (slenderness - 0.5) * speed
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    weight = scene.filament.density * undeformed_area(scene) * scene.load.gravity
+    taken = resistance(scene, motion.speed) / weight if weight > 0 else 1.0
+    # A swing of that speed loses zeta/(2 m) of its amplitude in a unit of time.
+    mass = scene.filament.density * undeformed_area(scene)
+    decay = resistance(scene, motion.speed) / motion.speed / (2 * mass) if motion.speed > 0 else 0.0
+    lost = motion.swings * -math.expm1(-decay * scene.run.duration)
+    # It matters to the sag for as long as the fall goes on.
+    fall = motion.sag * scene.filament.span / motion.speed if motion.speed > 0 else 0.0
+    falling = min(1.0, fall / scene.run.duration)
+    meaning = "share of the weight that the bath resists by, or ringing that it takes away"
+    return Estimate(min(1.0, max(taken * falling, lost)), meaning, "zeta U/q, or swings (1 - exp(-zeta T/(2 m)))")
+
+
+def _warnings(scene: Scene, motion: Motion) -> list[str]:
+    if not _applies(scene) or scene.surroundings.density == 0:
+        return []
+    number, cross = reynolds_number(scene, motion), is_cross_flow(scene)
+    if not cross and number > _SLOW:
+        return [f"the bath is taken to have no inertia, but the Reynolds number reaches {number:.2g}"]
+    return []
+
+
+DRAG = Effect(
+    name="drag",
+    summary="resistance of a slender body, beyond Re = 1 of a cylinder in cross-flow",
+    source="Cox 1970; White 1991",
+    adapt=_adapted,
+    applies=_applies,
+    without_it=f"surroundings.viscosity is zero, the section is a sheet, or {SMALL_MODEL}",
+    estimate=_estimate,
+    observable="resistance at the largest speed of the midpoint, over the weight; ringing that it would have ended",
+    example="embedded-strand",
+    derivation="12_surroundings",
+    needs=("extensibility",),
+    in_paper=False,
+    warnings=_warnings,
 )
-"""Potential of (1/2) rho_b C_d d |v_n| v_n with C_d = 1 + 10 Re^(-2/3) (White 1991), and a slender body along."""

@@ -36,6 +36,7 @@ class Motion:
     damped: float  # Change of the midpoint, in scales, by a solid that loses nothing below yield
     sheared: float  # Share of the sag that shear makes, of a filament that does not flow beyond a yield stress
     folds: float  # Growth of a neck, e-folds
+    speed: float  # Largest speed of the midpoint [m/s]
     capillary: float  # Share of the sag that surface tension would take, or takes
     rings_on: bool = False
 
@@ -164,6 +165,8 @@ class Effect:
         By what a run shows it.
     contribute : callable
         Terms before to terms after.
+    adapt : callable
+        ``(scene, terms)`` to terms, of an effect whose law depends on the scene.
     stored, dissipation : sympy expression
         Densities [J/m], [W/m].
     constants : tuple of EffectConstant
@@ -200,6 +203,7 @@ class Effect:
     estimate: Callable[[Scene, Motion], Estimate]
     observable: str = ""
     contribute: Callable[[Terms], Terms] | None = None
+    adapt: Callable[[Scene, Terms], Terms] | None = None
     stored: sp.Expr = sp.S.Zero
     dissipation: sp.Expr = sp.S.Zero
     constants: tuple[EffectConstant, ...] = ()
@@ -229,10 +233,12 @@ class Effect:
         """Whether it has densities of its own."""
         return not (self.stored == 0 and self.dissipation == 0)
 
-    def added_to(self, terms: Terms) -> Terms:
+    def added_to(self, terms: Terms, scene: Scene) -> Terms:
         """The terms with it."""
         if self.contribute is not None:
             terms = self.contribute(terms)
+        if self.adapt is not None:
+            terms = self.adapt(scene, terms)
         return replace(terms, densities=(*terms.densities, self.densities)) if self.adds_densities else terms
 
 

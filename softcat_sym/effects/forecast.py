@@ -251,8 +251,18 @@ def _forecast(scene: Scene) -> Motion:
         damped=_damped(scene, scale, first),
         sheared=sheared_share(scene, sag, tension_share(scene, sag)),
         folds=scales.neck_folds(scene, strain_of(scene, sag)),
+        speed=_speed(scene, history, rings),
         capillary=_capillary(scene, float(np.max(free.sag))),
     )
+
+
+def _speed(scene: Scene, history: quasi_static.History, rings: Ringing) -> float:
+    """Largest speed of the midpoint [m/s]: of the sag as it grows, and of the ringing; no faster than free fall."""
+    span = scene.filament.span
+    growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
+    ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
+    fallen = math.sqrt(2 * scene.load.gravity * float(np.max(history.sag)) * span)
+    return min(max(growing, ringing_speed) * span, fallen)
 
 
 def _carried(scene: Scene, sag: float) -> float:

@@ -83,7 +83,7 @@ def terms_of(scene: Scene, names: Iterable[str]) -> Terms:
     """The terms that effects of these names pick."""
     terms = bare(scene)
     for effect in named(*names):
-        terms = effect.added_to(terms)
+        terms = effect.added_to(terms, scene)
     return terms
 
 

@@ -7,6 +7,8 @@ from dataclasses import replace
 from importlib.metadata import entry_points
 
 from softcat_sym.effects.bending import BENDING
+from softcat_sym.effects.buoyancy import BUOYANCY
+from softcat_sym.effects.drag import DRAG
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, never
 from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
@@ -44,6 +46,8 @@ REGISTRY: list[Effect] = [
     GRAVITY_SHAKING,
     SURFACE_TENSION,
     SOLID_DAMPING,
+    BUOYANCY,
+    DRAG,
 ]
 
 ENTRY_POINTS = "softcat_sym.effects"
@@ -75,7 +79,7 @@ def register_effect(effect: Effect) -> Effect:
         raise ValueError(f"effect {effect.name!r}: a name is lower-case words joined by hyphens")
     if effect.name in names[:_OWN]:
         raise ValueError(f"effect {effect.name!r} belongs to the package")
-    if effect.contribute is None and not effect.adds_densities:
+    if effect.contribute is None and effect.adapt is None and not effect.adds_densities:
         raise ValueError(f"effect {effect.name!r} adds nothing: neither densities nor terms")
     if missing := set(effect.needs) - set(names):
         raise ValueError(f"effect {effect.name!r} needs {', '.join(sorted(missing))}, which there is not")

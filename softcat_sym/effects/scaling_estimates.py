@@ -76,9 +76,17 @@ def beam_share_of_surface(scene: Scene) -> float:
 
 
 def weight_stress(scene: Scene) -> float:
-    """Rho g L [Pa]."""
+    """Rho g L [Pa], less what the surroundings carry."""
     filament = scene.filament
-    return filament.density * scene.load.gravity * filament.span
+    return filament.density * scene.load.gravity * filament.span * abs(1 - buoyant_share(scene))
+
+
+def buoyant_share(scene: Scene) -> float:
+    """rho_b/rho where buoyancy is not left out by name: by a list of effects, or the paper's."""
+    asked = scene.run.effects
+    listed = asked == "auto" if isinstance(asked, str) else "buoyancy" in asked
+    in_bath = listed and scene.run.closure != "printed" and scene.model == "filament"
+    return scene.surroundings.density / scene.filament.density if in_bath else 0.0
 
 
 def effective_viscosity(scene: Scene) -> float | None:

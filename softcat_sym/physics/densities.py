@@ -12,10 +12,11 @@ import sympy as sp
 
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.necking import aspect
 
 _OF_A_POINT = (sy.x, sy.y, sy.x_t, sy.y_t, sy.X)
 _OF_A_CELL = (sy.x_X, sy.y_X, sy.x_Xt, sy.y_Xt)
-_GIVEN = (sy.t, sy.g_t, sy.A0, sy.h0, sy.rho, sy.g, sy.L_0)
+_GIVEN = (aspect, sy.t, sy.g_t, sy.A0, sy.h0, sy.rho, sy.g, sy.L_0)
 _RATES = (sy.x_t, sy.y_t, sy.x_Xt, sy.y_Xt)
 
 

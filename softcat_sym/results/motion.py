@@ -125,6 +125,7 @@ def observed_motion(
         flowing_overstress=flowing_overstress(scene, sag),
         sheared=max(sheared_share(scene, sag, shared), compliance / sag),
         folds=_folds(scene, strain, time, fields),
+        speed=float(np.max(np.abs(np.diff(midpoint) / np.diff(time)))) if len(time) > 1 else 0.0,
         capillary=_capillary(scene, depth, fields, length, expected.capillary),
     )
     return _what_was_left_out(scene, effects, time, midpoint, motion)
