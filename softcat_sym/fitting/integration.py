@@ -429,15 +429,26 @@ class Point:
 class FrozenFilament:
     """A filament ready to be integrated with any values of its free parameters."""
 
-    def __init__(self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend) -> None:
+    def __init__(
+        self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend, *, without_idle: bool
+    ) -> None:
         self._scene, self.backend = scene, backend
-        self._all = tuple(free)
+        self.all_free = tuple(free)
         self.scale = time_scale(scene)
-        parts = _assembled(scene, effects, self._all)
+        parts = _assembled(scene, effects, self.all_free)
         self.graph = parts.graph
-        self._starts = Starts(parts, follow=all(one.path != "initial.stretch" for one in self._all))
+        self._starts = Starts(parts, follow=all(one.path != "initial.stretch" for one in self.all_free))
         self.integrator = self._made(parts, effects)
-        self._refuse_what_does_nothing()
+        idle = self._idle()
+        if idle and not without_idle:
+            named, remedy = ", ".join(self.graph.effects), "run.effects with more"
+            found = f"makes no difference with the effects in force: {named}"
+            raise SceneError([Fault(f"free {one.name}", found, remedy) for one in idle])
+        if idle:
+            self.all_free = tuple(one for one in self.all_free if one not in idle)
+            del self.free
+            self._starts.last = None
+            self._idle()
 
     @property
     def near(self) -> Start | None:
@@ -451,7 +462,7 @@ class FrozenFilament:
     @cached_property
     def free(self) -> tuple[FreeParameter, ...]:
         """Those of the scene."""
-        return tuple(one for one in self._all if not one.of_measurement)
+        return tuple(one for one in self.all_free if not one.of_measurement)
 
     def scene_of(self, q: Floats) -> Scene:
         """The scene with these unknowns, those of the measurement left out."""
@@ -503,31 +514,24 @@ class FrozenFilament:
         works = "v" not in parts.graph.x_kinds
         return CompiledForward(filament, settings, kinks, controls_work=works, jumps=parts.graph.terms.resolved)
 
-    def _refuse_what_does_nothing(self) -> None:
-        typical = np.array([one.scaled(one.typical) for one in self.free])
-        point = self.point(typical, slopes=True)
+    def _idle(self) -> list[FreeParameter]:
+        """What makes no difference at the scene's own values."""
+        point = self.point(np.array([one.scaled(one.typical) for one in self.free]), slopes=True)
         if point is None:
             found = "no shape in balance was found to start from"
             raise SceneError([Fault("ends", found, "supports between which a filament can rest")])
-        moves = [np.any(part != 0, axis=1) for part in (point.d_parameters, point.d_x, point.d_z)]
-        idle = ~(moves[0] | moves[1] | moves[2] | (point.d_length != 0))
-        named = ", ".join(self.graph.effects)
-        faults = [
-            Fault(
-                f"free {one.name}", f"makes no difference with the effects in force: {named}", "run.effects with more"
-            )
-            for one, does_nothing in zip(self.free, idle, strict=True)
-            if does_nothing
-        ]
-        if faults:
-            raise SceneError(faults)
+        columns = point.d_parameters, point.d_x, point.d_z, point.d_length[:, None]
+        moves = np.concatenate(columns, axis=1).any(axis=1)
+        return [one for one, is_moving in zip(self.free, moves, strict=True) if not is_moving]
 
 
 def _numbers(point: Point) -> tuple[Floats, Floats, Floats, float]:
     return point.parameters, point.start.x, point.start.z, point.length
 
 
-def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None) -> FrozenFilament:
+def frozen_filament(
+    scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None, *, without_idle: bool = False
+) -> FrozenFilament:
     """Choose once what holds for all values."""
     # Whichever backend: a linearly implicit method, whose discrete solution can be differentiated.
     update: dict[str, object] = {"solver": None}
@@ -540,7 +544,7 @@ def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, r
     if not effects.terms().integrates:
         found = "without inertia or flow nothing of the motion depends on time"
         raise SceneError([Fault("run.effects", found, "inertia, or a law that flows")])
-    return FrozenFilament(scene, free, effects, choose_backend(scene, effects))
+    return FrozenFilament(scene, free, effects, choose_backend(scene, effects), without_idle=without_idle)
 
 
 def _tolerances(scene: Scene, effects: Effects) -> Settings:
