@@ -477,16 +477,16 @@ class FrozenFilament:
             return base
         count = len(self.free)
         p, x, z = (np.zeros((count, part.size)) for part in (base.parameters, base.start.x, base.start.z))
-        length = np.zeros(count)
+        length, across = np.zeros(count), 2 * _STEP
         # In lock-step the compiled solver makes algebraic unknowns consistent by itself.
         settle = not self.backend.compiled or self.graph.positions_are_algebraic or self.graph.terms.resolved
         for row, direction in enumerate(np.eye(count)):
             low, high = (self._at(q + step * direction, base.start, settle=settle) for step in (-_STEP, _STEP))
             if low is None or high is None:
                 return None
-            pairs = zip(_numbers(low), _numbers(high), strict=True)
-            p[row], x[row], z[row], length[row] = ((b - a) / (2 * _STEP) for a, b in pairs)
-        return replace(base, d_parameters=p, d_x=x, d_z=z, d_length=length)
+            p[row], x[row] = high.parameters - low.parameters, high.start.x - low.start.x
+            z[row], length[row] = high.start.z - low.start.z, high.length - low.length
+        return replace(base, d_parameters=p / across, d_x=x / across, d_z=z / across, d_length=length / across)
 
     def _at(self, q: Floats, near: Start | None, *, settle: bool) -> Point | None:
         scene = self.scene_of(q)
@@ -521,12 +521,7 @@ class FrozenFilament:
             found = "no shape in balance was found to start from"
             raise SceneError([Fault("ends", found, "supports between which a filament can rest")])
         columns = point.d_parameters, point.d_x, point.d_z, point.d_length[:, None]
-        moves = np.concatenate(columns, axis=1).any(axis=1)
-        return [one for one, is_moving in zip(self.free, moves, strict=True) if not is_moving]
-
-
-def _numbers(point: Point) -> tuple[Floats, Floats, Floats, float]:
-    return point.parameters, point.start.x, point.start.z, point.length
+        return [one for one, row in zip(self.free, np.concatenate(columns, axis=1), strict=True) if not row.any()]
 
 
 def frozen_filament(
