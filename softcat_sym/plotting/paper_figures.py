@@ -54,7 +54,8 @@ def printed(name: str, figure: Figure) -> dict[str, bytes]:
 
 def table(frames: Sequence[pd.DataFrame]) -> bytes:
     """Write tables below each other as one CSV file, numbers to eight digits."""
-    return pd.concat(frames).to_csv(index=False, float_format="%.8g").encode()
+    text: str = pd.concat(frames).to_csv(index=False, float_format="%.8g")
+    return text.encode()
 
 
 def _figure(height: float, caption: str) -> tuple[Figure, SubFigure]:
@@ -639,13 +640,13 @@ def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
     for letter, instant, scene in (*panels, ("d", INSTANTS[-1], last)):
         shot, strip = scene.film.at(instant), strip_at(scene, instant)
         named = {"panel": letter, "t_tilde": instant}
-        columns = ("X_over_L", "Y_over_L", "x_over_L", "y_over_L", "plastic_shear_rate")
-        values = np.column_stack([scene.film.point, shot.place, shot.rate])
-        points.append(pd.DataFrame(named | dict(zip(columns, values.T, strict=True))))
+        (X, Y), (x, y) = scene.film.point.T, shot.place.T
+        columns = {"X_over_L": X, "Y_over_L": Y, "x_over_L": x, "y_over_L": y, "plastic_shear_rate": shot.rate}
+        points.append(pd.DataFrame(named | columns))
         thickness = (strip.section.thickness[1:] + strip.section.thickness[:-1]) / 2
-        columns = ("X_over_L", "x_over_L", "y_over_L", "thickness_over_L", "core_low", "core_high")
-        values = np.column_stack([strip.X, strip.place, thickness, strip.low, strip.high])
-        cells.append(pd.DataFrame(named | dict(zip(columns, values.T, strict=True))))
+        x, y = strip.place.T
+        columns = {"X_over_L": strip.X, "x_over_L": x, "y_over_L": y, "thickness_over_L": thickness}
+        cells.append(pd.DataFrame(named | columns | {"core_low": strip.low, "core_high": strip.high}))
         sags = {"elements": -float(np.interp(instant, *scene.elements)), "filament": -float(strip.section.y.min())}
         shares = {"flowing_share_of_elements": float(np.mean(shot.rate > 0))}
         shares |= {"yielded_share_of_filament": strip.yielded_share}
