@@ -45,7 +45,6 @@ class Display:
     def __init__(self, *, quiet: bool = False, console: Console | None = None) -> None:
         self.stages: list[Stage] = []
         self._quiet, self._console, self._named = quiet, console, False
-        # Kept, since an integrator redirects it while it works.
         self._stream = sys.stderr
         self._over, self._thread = threading.Event(), threading.Thread(target=self._show, daemon=True)
 
@@ -118,7 +117,6 @@ class Display:
             TimeRemainingColumn(),
         )
         tasks: dict[int, TaskID] = {}
-        # The integrators redirect both streams for themselves, and would restore them in the wrong order.
         with Progress(
             *columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False, auto_refresh=False
         ) as bars:

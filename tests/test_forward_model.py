@@ -6,6 +6,7 @@ import _thread
 import math
 import threading
 import time
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -165,8 +166,8 @@ def test_neighbours_that_are_lost_are_found_again() -> None:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_what_fails_is_no_number(backend: str) -> None:
-    """Whichever solver gives up."""
+def test_what_fails_is_no_number(backend: str, capfd: pytest.CaptureFixture[str]) -> None:
+    """Whichever solver gives up, and none writes to the terminal."""
     model = _model(_scene("continual-descent"), "viscosity", backend=backend)
     model.__dict__["_max_steps"] = 10
     midpoint, derivatives = model.with_derivatives(np.zeros(1))
@@ -174,6 +175,11 @@ def test_what_fails_is_no_number(backend: str) -> None:
     assert np.isnan(midpoint[-1])
     assert np.isnan(derivatives[-1]).all()
     assert np.isnan(model.gradient(np.zeros(1), np.ones(len(midpoint)))).all()
+    point = model._filament.point(np.zeros(1), slopes=True)
+    assert point is not None
+    lost = replace(point.begin(np.array([1.0])), parameters=point.parameters * math.nan)
+    assert model._filament.integrator.run_with_slopes(lost, (0,), 1000).message
+    assert capfd.readouterr() == ("", "")
 
 
 def test_a_filament_that_would_be_slack_has_no_answer() -> None:

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from scipy.optimize import brentq
 
 from softcat_sym import store
 from softcat_sym.design.information import (
@@ -32,40 +33,15 @@ from softcat_sym.scene.units import NotAQuantity, shown
 from softcat_sym.simulate import identity_of, simulated, without_estimate
 from softcat_sym.solvers.solution import Progress, Silence
 
-_MOST = 60
-
 
 def crossings(values: Sequence[float]) -> tuple[int, ...]:
     """Numbers i for which values i and i + 1 lie on different sides of zero; infinities count by their sign."""
     return tuple(i for i, (a, b) in enumerate(pairwise(values)) if (a < 0) != (b < 0))
 
 
-def illinois(
-    function: Callable[[float], float], low: tuple[float, float], high: tuple[float, float], tolerance: float
-) -> tuple[float, float]:
-    """Find a root by the Illinois method (Dowell and Jarratt 1971); by bisection while an end is infinite."""
-    (a, fa), (b, fb) = low, high
-    best = min((low, high), key=lambda pair: abs(pair[1]))
-    last = math.inf
-    for _ in range(_MOST):
-        c = (a * fb - b * fa) / (fb - fa) if math.isfinite(fa) and math.isfinite(fb) else 0.5 * (a + b)
-        fc = function(c)
-        best = min(best, (c, fc), key=lambda pair: abs(pair[1]))
-        if fc == 0 or abs(c - last) <= tolerance or abs(b - a) <= tolerance:
-            break
-        last = c
-        if (fc < 0) != (fb < 0):
-            a, fa = b, fb
-        else:
-            fa = 0.5 * fa
-        b, fb = c, fc
-    return best
-
-
 # Between which the largest sag is found by a parabola.
 _MIN_FRAMES = 2001
 _STEP = 1e-3
-_NO_DIFFERENCE = "makes no difference"
 
 
 @dataclass(frozen=True)
@@ -137,17 +113,15 @@ class FrozenSag:
 
     def _made(self) -> ForwardModel | None:
         """The forward model without what makes no difference; None if nothing is integrated, or nothing with slopes."""
-        names = [SPAN, *self._paths]
+        free = free_parameters(self._scene, [SPAN, *self._paths])
         try:
-            return ForwardModel(self._scene, free_parameters(self._scene, names), self._times)
-        except SceneError as error:
-            idle = {one.path.removeprefix("free ") for one in error.faults if one.found.startswith(_NO_DIFFERENCE)}
-            if not idle:
-                return None
-        free = [one for one in free_parameters(self._scene, names) if one.name not in idle]
-        self.idle = tuple(path for path in self._paths if path not in [one.path for one in free])
-        self._paths = tuple(one.path for one in free[1:])
-        return ForwardModel(self._scene, free, self._times)
+            model = ForwardModel(self._scene, free, self._times, without_idle=True)
+        except SceneError:
+            return None
+        own = [one.path for one in model.free]
+        self.idle = tuple(path for path in self._paths if path not in own)
+        self._paths = tuple(own[1:])
+        return model
 
     def _by_runs(self, span: float) -> tuple[float, float, dict[str, float]]:
         """The same by central differences of runs, for a row of equilibria, which has no forward model."""
@@ -354,6 +328,7 @@ _FACTOR = 30.0
 _RATIO = 1.8  # of neighbouring spans in the scan
 _FEWEST = 4
 _COARSE = 2e-3
+_CLEAR = 2.0  # of log sag over the limit: clearly more, or less
 _JUMP = 1.0  # of log sag over the limit, that no continuous sag leaves within the bracket
 _THICK = 1.05
 
@@ -452,9 +427,13 @@ def _closed_in(
     _refuse_without_crossing(allowed, spans, scanned, excess)
     found = crossings(excess)
     first = found[0]
-    ends = [(math.log(spans[i]), excess[i]) for i in (first, first + 1)]
-    near, left = illinois(lambda x: allowed.excess(math.exp(x), run(math.exp(x)).value), ends[0], ends[1], _COARSE)
-    if not abs(left) < _JUMP:
+
+    def left(x: float) -> float:
+        # Of an infinite sag the sign is enough.
+        return float(np.clip(allowed.excess(math.exp(x), run(math.exp(x)).value), -_CLEAR, _CLEAR))
+
+    near = brentq(left, math.log(spans[first]), math.log(spans[first + 1]), xtol=_COARSE, rtol=_COARSE)
+    if not abs(left(near)) < _JUMP:
         found_text = f"the sag jumps past the limit at a span of {length_text(math.exp(near))}"
         raise SoftcatError(f"{found_text}: the filament ruptures, or has no answer, before it sags so much")
     effects, paths = run(math.exp(near)).effects, _parameters(scene)

@@ -198,7 +198,7 @@ class ForwardModel(Unknowns):
 
     Effects, grid, tolerances and the unit of time are chosen once, for the scene's own values, so that the model is
     smooth in its unknowns q (:class:`softcat_sym.fitting.free_parameters.FreeParameter`). Before the filament begins to
-    move the midpoint is where it begins.
+    move the midpoint is where it begins. A parameter that makes no difference is refused, or left out on request.
     """
 
     def __init__(
@@ -208,11 +208,14 @@ class ForwardModel(Unknowns):
         times: Floats,
         backend: str = "auto",
         rtol: float | None = None,
+        *,
+        without_idle: bool = False,
     ) -> None:
-        self.free, self.times = tuple(free), np.asarray(times, dtype=float)
+        self.times = np.asarray(times, dtype=float)
         if self.times.ndim != 1 or not np.all(np.isfinite(self.times)):
             raise SoftcatError("times: give a row of finite times in s")
-        self._filament: FrozenFilament = frozen_filament(scene, self.free, backend, rtol)
+        self._filament = frozen_filament(scene, free, backend, rtol, without_idle=without_idle)
+        self.free = self._filament.all_free
         self._stored = StoredEvaluations(self._filament, (identity_of(scene), self.free, rtol, self.backend))
         self._seen = _seen_of(self._filament.graph)
         self._shifts = any(one.path == TIME_OFFSET for one in self.free)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 import casadi as ca
 import numpy as np
@@ -39,18 +39,14 @@ class Starts:
     def __init__(self, assembled: Assembled, *, follow: bool = True) -> None:
         self._follow = follow
         self._graph = assembled.graph
-        self._assembled = assembled
         self._straight, self._slack = is_straight(assembled.scene), is_slack(assembled.scene)
         # Without algebraic unknowns nothing is sought: the straight filament as it is.
         self._bare = replace(self._graph, still=Layout("z", []))
         self._equilibrium = Equilibrium(self._graph) if self._graph.is_dae else None
-        self._followed = _Followed(self._graph, assembled.at_rest()) if self._is_followed else None
+        # Its shape at rest may be that of another graph, without inertia and viscous stress.
+        is_followed = not self._straight and not self._graph.positions_are_algebraic
+        self._followed = _Followed(self._graph, assembled.at_rest()) if is_followed else None
         self.last: Start | None = None
-
-    @property
-    def _is_followed(self) -> bool:
-        """Whether its shape at rest is that of another graph, without inertia and viscous stress."""
-        return not self._straight and not self._graph.positions_are_algebraic
 
     def at(self, scene: Scene, p: Floats, near: Start | None = None, *, settle: bool = True) -> Start | None:
         """Where the filament begins; None if no shape in balance is found, or it is of another kind."""
@@ -59,7 +55,8 @@ class Starts:
         near = near or self.last
         found = self._near(scene, p, near, settle) if near is not None and self._follow else None
         if found is None:
-            statics = None if self._followed is None else self._followed.statics
+            followed = self._followed
+            statics = None if followed is None else lambda: followed.rest
             found = starting_state(scene, self._graph, p, statics)
         if found is not None and settle:
             self.last = found
@@ -88,7 +85,7 @@ class _Followed:
     """A shape at rest, as unknowns of the filament that moves."""
 
     def __init__(self, graph: Graph, rest: Graph) -> None:
-        self._graph, self._rest = graph, rest
+        self._graph, self.rest = graph, rest
         self._equilibrium = Equilibrium(rest)
         x = _numbered(graph.x_kinds, graph.x_places)
         z = _numbered(graph.z_kinds, graph.z_places)
@@ -97,22 +94,18 @@ class _Followed:
         self._moving, self._still = _pairs(rest_z, x), _pairs(rest_z, z)
         self._complete = len(self._moving[0]) + len(self._still[0]) == len(rest_z)
 
-    def statics(self) -> Graph:
-        """The graph of the shape at rest."""
-        return self._rest
-
     def at(self, near: Start, p: Floats, *, slack: bool) -> Start | None:
         """The shape at rest with these parameters, followed from a neighbouring one; algebraic unknowns as there."""
         if not self._complete:
             return None
-        x, z = self._rest.start.copy(), np.zeros(self._rest.z.numel())
+        x, z = self.rest.start.copy(), np.zeros(self.rest.z.numel())
         x[self._plastic[0]] = near.x[self._plastic[1]]
         z[self._moving[0]], z[self._still[0]] = near.x[self._moving[1]], near.z[self._still[1]]
         values = dict(zip(self._graph.parameters, p.tolist(), strict=True))
         if not slack:
             # A taut filament starts without its weight.
             values["gravity"] = 0.0
-        constants = np.array([values[name] for name in self._rest.parameters])
+        constants = np.array([values[name] for name in self.rest.parameters])
         shape = self._equilibrium.search(0.0, x, constants, [z])
         if shape is None:
             return None
@@ -159,21 +152,6 @@ class Path:
     message: str = ""  # What went wrong; empty if nothing did
 
 
-class Integrator(Protocol):
-    """Carries a filament through the times of the data, for one set of values after another.
-
-    Unknowns that are seen are numbered: differential ones first, algebraic ones behind them.
-    """
-
-    def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate."""
-        ...
-
-    def run_with_slopes(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate, with derivatives of the discrete solution."""
-        ...
-
-
 _AT_START = 1e-12  # of the longest time
 _BESIDE = 1e-6  # of the longest time, to either side, where no unknown is the velocity
 
@@ -218,7 +196,7 @@ class InterpretedForward:
         self._reverse = lru_cache(maxsize=8)(lambda key: self._function(*key).reverse(1))
 
     def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate; parameters as :class:`softcat_sym.fitting.integration.Integrator`."""
+        """Integrate through the times; differential unknowns are numbered first, algebraic ones behind them."""
         key = self._key(begin, seen, max_steps)
         values = _called(self._function(*key), *_inputs(begin))
         return self._path(values, None, begin, seen)
@@ -276,11 +254,12 @@ class InterpretedForward:
         dae |= {"ode": ode * interval}
         if graph.is_dae:
             dae |= {"z": graph.z, "alg": alg}
-        options = {"reltol": self._settings.rtol, "abstol": self._settings.atol, "max_num_steps": max_steps}
+        options: dict[str, Any] = {"reltol": self._settings.rtol, "abstol": self._settings.atol}
+        # What fails is seen in the answer; a fit tries many values at which it does.
+        options |= {"max_num_steps": max_steps, "show_eval_warnings": False}
         call = ca.integrator("filament", "rosenbrock", dae, 0.0, list(taus), options)
-        found = (
-            call(x0=x, z0=z, p=ca.vertcat(p, start, unit)) if graph.is_dae else call(x0=x, p=ca.vertcat(p, start, unit))
-        )
+        algebraic = {"z0": z} if graph.is_dae else {}
+        found = call(x0=x, p=ca.vertcat(p, start, unit), **algebraic)
         return found["xf"], found["zf"]
 
     def _path(self, values: ca.DM | None, slopes: ca.DM | None, begin: Begin, seen: tuple[int, ...]) -> Path:
@@ -333,7 +312,7 @@ class CompiledForward:
     jumps: bool = False
 
     def run(self, begin: Begin, seen: tuple[int, ...], max_steps: int) -> Path:
-        """Integrate; parameters as :class:`softcat_sym.fitting.integration.Integrator`."""
+        """Integrate through the times; differential unknowns are numbered first, algebraic ones behind them."""
         run, status = self._run(begin, max_steps), Status()
         (answer,) = _watched(lambda stop: self.filament.model.integrate(run, status, stop))
         return self._path(answer.states, None, seen, status)
@@ -450,20 +429,26 @@ class Point:
 class FrozenFilament:
     """A filament ready to be integrated with any values of its free parameters."""
 
-    def __init__(self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend) -> None:
+    def __init__(
+        self, scene: Scene, free: Sequence[FreeParameter], effects: Effects, backend: Backend, *, without_idle: bool
+    ) -> None:
         self._scene, self.backend = scene, backend
-        self._all = tuple(free)
+        self.all_free = tuple(free)
         self.scale = time_scale(scene)
-        parts = _assembled(scene, effects, self._all)
+        parts = _assembled(scene, effects, self.all_free)
         self.graph = parts.graph
-        self._starts = Starts(parts, follow=all(one.path != "initial.stretch" for one in self._all))
-        self._integrator = self._made(parts, effects)
-        self._refuse_what_does_nothing()
-
-    @property
-    def integrator(self) -> Integrator:
-        """What integrates it."""
-        return self._integrator
+        self._starts = Starts(parts, follow=all(one.path != "initial.stretch" for one in self.all_free))
+        self.integrator = self._made(parts, effects)
+        idle = self._idle()
+        if idle and not without_idle:
+            named, remedy = ", ".join(self.graph.effects), "run.effects with more"
+            found = f"makes no difference with the effects in force: {named}"
+            raise SceneError([Fault(f"free {one.name}", found, remedy) for one in idle])
+        if idle:
+            self.all_free = tuple(one for one in self.all_free if one not in idle)
+            del self.free
+            self._starts.last = None
+            self._idle()
 
     @property
     def near(self) -> Start | None:
@@ -477,7 +462,7 @@ class FrozenFilament:
     @cached_property
     def free(self) -> tuple[FreeParameter, ...]:
         """Those of the scene."""
-        return tuple(one for one in self._all if not one.of_measurement)
+        return tuple(one for one in self.all_free if not one.of_measurement)
 
     def scene_of(self, q: Floats) -> Scene:
         """The scene with these unknowns, those of the measurement left out."""
@@ -492,18 +477,16 @@ class FrozenFilament:
             return base
         count = len(self.free)
         p, x, z = (np.zeros((count, part.size)) for part in (base.parameters, base.start.x, base.start.z))
-        length = np.zeros(count)
+        length, across = np.zeros(count), 2 * _STEP
         # In lock-step the compiled solver makes algebraic unknowns consistent by itself.
         settle = not self.backend.compiled or self.graph.positions_are_algebraic or self.graph.terms.resolved
         for row, direction in enumerate(np.eye(count)):
             low, high = (self._at(q + step * direction, base.start, settle=settle) for step in (-_STEP, _STEP))
             if low is None or high is None:
                 return None
-            p[row] = (high.parameters - low.parameters) / (2 * _STEP)
-            x[row] = (high.start.x - low.start.x) / (2 * _STEP)
-            z[row] = (high.start.z - low.start.z) / (2 * _STEP)
-            length[row] = (high.length - low.length) / (2 * _STEP)
-        return replace(base, d_parameters=p, d_x=x, d_z=z, d_length=length)
+            p[row], x[row] = high.parameters - low.parameters, high.start.x - low.start.x
+            z[row], length[row] = high.start.z - low.start.z, high.length - low.length
+        return replace(base, d_parameters=p / across, d_x=x / across, d_z=z / across, d_length=length / across)
 
     def _at(self, q: Floats, near: Start | None, *, settle: bool) -> Point | None:
         scene = self.scene_of(q)
@@ -518,7 +501,7 @@ class FrozenFilament:
         p, x, z = (np.zeros((0, part.size)) for part in (values, start.x, start.z))
         return Point(start, values, rest_length(scene), p, x, z, np.zeros(0))
 
-    def _made(self, parts: Assembled, effects: Effects) -> Integrator:
+    def _made(self, parts: Assembled, effects: Effects) -> InterpretedForward | CompiledForward:
         scene = self._scene
         settings = _tolerances(scene, effects)
         kinks = np.array(sorted({row[0] / self.scale for row in scene.ends.motion if row[0] > 0}))
@@ -531,27 +514,19 @@ class FrozenFilament:
         works = "v" not in parts.graph.x_kinds
         return CompiledForward(filament, settings, kinks, controls_work=works, jumps=parts.graph.terms.resolved)
 
-    def _refuse_what_does_nothing(self) -> None:
-        typical = np.array([one.scaled(one.typical) for one in self.free])
-        point = self.point(typical, slopes=True)
+    def _idle(self) -> list[FreeParameter]:
+        """What makes no difference at the scene's own values."""
+        point = self.point(np.array([one.scaled(one.typical) for one in self.free]), slopes=True)
         if point is None:
             found = "no shape in balance was found to start from"
             raise SceneError([Fault("ends", found, "supports between which a filament can rest")])
-        moves = [np.any(part != 0, axis=1) for part in (point.d_parameters, point.d_x, point.d_z)]
-        idle = ~(moves[0] | moves[1] | moves[2] | (point.d_length != 0))
-        named = ", ".join(self.graph.effects)
-        faults = [
-            Fault(
-                f"free {one.name}", f"makes no difference with the effects in force: {named}", "run.effects with more"
-            )
-            for one, does_nothing in zip(self.free, idle, strict=True)
-            if does_nothing
-        ]
-        if faults:
-            raise SceneError(faults)
+        columns = point.d_parameters, point.d_x, point.d_z, point.d_length[:, None]
+        return [one for one, row in zip(self.free, np.concatenate(columns, axis=1), strict=True) if not row.any()]
 
 
-def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None) -> FrozenFilament:
+def frozen_filament(
+    scene: Scene, free: Sequence[FreeParameter], backend: str, rtol: float | None, *, without_idle: bool = False
+) -> FrozenFilament:
     """Choose once what holds for all values."""
     # Whichever backend: a linearly implicit method, whose discrete solution can be differentiated.
     update: dict[str, object] = {"solver": None}
@@ -564,7 +539,7 @@ def frozen_filament(scene: Scene, free: Sequence[FreeParameter], backend: str, r
     if not effects.terms().integrates:
         found = "without inertia or flow nothing of the motion depends on time"
         raise SceneError([Fault("run.effects", found, "inertia, or a law that flows")])
-    return FrozenFilament(scene, free, effects, choose_backend(scene, effects))
+    return FrozenFilament(scene, free, effects, choose_backend(scene, effects), without_idle=without_idle)
 
 
 def _tolerances(scene: Scene, effects: Effects) -> Settings:

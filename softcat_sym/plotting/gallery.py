@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import math
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
@@ -200,11 +199,8 @@ def contact_sheet(pictures: Sequence[bytes], columns: int = _COLUMNS) -> bytes:
 
     tiles: list[NDArray[np.float32]] = [imread(io.BytesIO(content), format="png")[..., :3] for content in pictures]
     columns = min(columns, len(tiles))
-    height, width, _ = tiles[0].shape
-    sheet = np.ones((math.ceil(len(tiles) / columns) * height, columns * width, 3), dtype=np.float32)
-    for k, picture in enumerate(tiles):
-        row, column = divmod(k, columns)
-        sheet[row * height : (row + 1) * height, column * width : (column + 1) * width] = picture
+    tiles += [np.ones_like(tiles[0])] * (-len(tiles) % columns)
+    rows = [np.concatenate(tiles[k : k + columns], axis=1) for k in range(0, len(tiles), columns)]
     content = io.BytesIO()
-    imsave(content, sheet, format="png")
+    imsave(content, np.concatenate(rows), format="png")
     return content.getvalue()

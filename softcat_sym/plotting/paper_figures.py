@@ -52,9 +52,9 @@ def printed(name: str, figure: Figure) -> dict[str, bytes]:
         return style.printed(name, figure, DPI)
 
 
-def table(rows: Sequence[Mapping[str, object]]) -> bytes:
-    """Write a CSV file, numbers to eight digits."""
-    text: str = pd.DataFrame(rows).to_csv(index=False, float_format="%.8g")
+def table(frames: Sequence[pd.DataFrame]) -> bytes:
+    """Write tables below each other as one CSV file, numbers to eight digits."""
+    text: str = pd.concat(frames).to_csv(index=False, float_format="%.8g")
     return text.encode()
 
 
@@ -123,25 +123,14 @@ def maxwell_descent_figure(panels: Sequence[Panel]) -> Figure:
 
 def maxwell_descent_files(panels: Sequence[Panel]) -> dict[str, bytes]:
     """Picture, data and facts of figure 2, by file name."""
-    curves = [
-        pd.DataFrame(
-            {"delta": panel.delta, "tau_star": panel.tau_star, "curve": curve.name, "time_star": curve.time,
-             "sag_over_span": curve.sag}
-        )
-        for panel in panels
-        for curve in panel.curves
-    ]  # fmt: skip
-    facts = [
-        {
-            "delta": panel.delta,
-            "tau_star": panel.tau_star,
-            "t_low": panel.t_low,
-            "t_high": panel.t_high,
-            "tension_over_bending_at_t_high": panel.tension_over_bending,
-            "outcomes": panel.outcomes,
-        }
-        for panel in panels
-    ]
+    curves, facts = [], []
+    for panel in panels:
+        named = {"delta": panel.delta, "tau_star": panel.tau_star}
+        for curve in panel.curves:
+            columns = {"curve": curve.name, "time_star": curve.time, "sag_over_span": curve.sag}
+            curves.append(pd.DataFrame(named | columns))
+        share = {"tension_over_bending_at_t_high": panel.tension_over_bending, "outcomes": panel.outcomes}
+        facts.append(named | {"t_low": panel.t_low, "t_high": panel.t_high} | share)
     return {
         **printed("figure2", maxwell_descent_figure(panels)),
         "figure2.csv": pd.concat(curves).to_csv(index=False).encode(),
@@ -265,16 +254,18 @@ def phase_files(diagram: PhaseDiagram) -> dict[str, bytes]:
     runs, lines, planes = [], [], []
     for sheet in diagram.sheets:
         name = sheet.plane.name
-        for run in (point.run for point in sheet.points):
-            runs.append(
-                {"plane": name, "G": run.place.G, "V": run.place.V, "delta": run.place.delta,
-                 "regime": run.regime or "none", "outcome": run.outcome, "sag_over_L": run.sag,
-                 "largest_rate_over_sY_by_eta": run.rate}
-            )  # fmt: skip
+        ran = [point.run for point in sheet.points]
+        columns = {key: [getattr(run.place, key) for run in ran] for key in ("G", "V", "delta")} | {
+            "regime": [run.regime or "none" for run in ran],
+            "outcome": [run.outcome for run in ran],
+            "sag_over_L": [run.sag for run in ran],
+            "largest_rate_over_sY_by_eta": [run.rate for run in ran],
+        }
+        runs.append(pd.DataFrame({"plane": name} | columns))
         for line in sheet.lines:
             texts = {"plane": name, "line": line.name, "source": line.source, "equation": line.equation}
             texts = {key: text.replace(",", " with") for key, text in texts.items()}
-            lines += [{**texts, "other": other, "G": G} for other, G in zip(line.other, line.G, strict=True)]
+            lines.append(pd.DataFrame(texts | {"other": line.other, "G": line.G}))
         boundaries = [
             {"boundary": each.kind, "line": each.line.name, "source": each.line.source, "rows": each.rows,
              "median": 1 + each.median, "least": 1 + each.least, "most": 1 + each.most}
@@ -410,7 +401,7 @@ def midpoint_files(scenes: Sequence[FilmedScene]) -> dict[str, bytes]:
         named = {"elements": filmed.elements, **{name: filmed.filament(name) for name in THEORIES}}
         for name, (time, height) in named.items():
             keys = {"scene": filmed.of.name, "curve": name.replace(",", " with")}
-            curves += [{**keys, "t_tilde": t, "midpoint_over_L": y} for t, y in zip(time, height, strict=True)]
+            curves.append(pd.DataFrame(keys | {"t_tilde": time, "midpoint_over_L": height}))
     return {
         **printed("figure3b", midpoints_figure(scenes)),
         "figure3b.csv": table(curves),
@@ -649,33 +640,22 @@ def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
     for letter, instant, scene in (*panels, ("d", INSTANTS[-1], last)):
         shot, strip = scene.film.at(instant), strip_at(scene, instant)
         named = {"panel": letter, "t_tilde": instant}
-        points += _rows(
-            named, ("X_over_L", "Y_over_L", "x_over_L", "y_over_L", "plastic_shear_rate"),
-            scene.film.point, shot.place, shot.rate,
-        )  # fmt: skip
+        (X, Y), (x, y) = scene.film.point.T, shot.place.T
+        columns = {"X_over_L": X, "Y_over_L": Y, "x_over_L": x, "y_over_L": y, "plastic_shear_rate": shot.rate}
+        points.append(pd.DataFrame(named | columns))
         thickness = (strip.section.thickness[1:] + strip.section.thickness[:-1]) / 2
-        cells += _rows(
-            named, ("X_over_L", "x_over_L", "y_over_L", "thickness_over_L", "core_low", "core_high"),
-            strip.X, strip.place, thickness, strip.low, strip.high,
-        )  # fmt: skip
+        x, y = strip.place.T
+        columns = {"X_over_L": strip.X, "x_over_L": x, "y_over_L": y, "thickness_over_L": thickness}
+        cells.append(pd.DataFrame(named | columns | {"core_low": strip.low, "core_high": strip.high}))
         sags = {"elements": -float(np.interp(instant, *scene.elements)), "filament": -float(strip.section.y.min())}
-        facts.append(
-            {
-                "panel": letter,
-                "scene": scene.of.name,
-                "t_tilde": shot.time,
-                "largest_rate": float(shot.rate.max()),
-                "flowing_share_of_elements": float(np.mean(shot.rate > 0)),
-                "yielded_share_of_filament": strip.yielded_share,
-                "sag_over_L": sags,
-            }
-        )
+        shares = {"flowing_share_of_elements": float(np.mean(shot.rate > 0))}
+        shares |= {"yielded_share_of_filament": strip.yielded_share}
+        place = {"panel": letter, "scene": scene.of.name, "t_tilde": shot.time, "largest_rate": float(shot.rate.max())}
+        facts.append(place | shares | {"sag_over_L": sags})
     outline = last.film.at(INSTANTS[-1]).outline
-    corners = [
-        {"element": element, "corner": corner, "x_over_L": float(x), "y_over_L": float(y)}
-        for element, place in enumerate(outline)
-        for corner, (x, y) in enumerate(place)
-    ]
+    element, corner = np.indices(outline.shape[:2]).reshape(2, -1)
+    x, y = outline.reshape(-1, 2).T
+    corners = [pd.DataFrame({"element": element, "corner": corner, "x_over_L": x, "y_over_L": y})]
     return {
         **printed("figure4", snapshots_figure(filmed)),
         "figure4-elements.csv": table(points),
@@ -683,9 +663,3 @@ def snapshot_files(filmed: Sequence[FilmedScene]) -> dict[str, bytes]:
         "figure4-mesh.csv": table(corners),
         "figure4.json": json_bytes({"caption": snapshots_caption(scenes), "alpha": ALPHA, "snapshots": facts}),
     }
-
-
-def _rows(named: Mapping[str, object], columns: Sequence[str], *arrays: Floats) -> list[dict[str, object]]:
-    """Rows of arrays side by side under the names of their columns."""
-    rows = np.column_stack(arrays).tolist()
-    return [{**named, **dict(zip(columns, row, strict=True))} for row in rows]

@@ -85,8 +85,8 @@ def test_elements_tend_to_the_material_closure() -> None:
     assert printed[-1, -1] > 0.02
     assert np.all(np.abs(default - halved) < 5e-4)
     assert np.all(default < material)
-    assert np.all(default[:, :3] < 0.005)
-    assert np.all(default[1:, -1] < 0.6 * default[:-1, -1])
+    # With shear what is left is of the size of what the elements leave: no order is to be seen in it.
+    assert np.all(default < 0.002)
     # The coarser meshes are off by less than a fifth of what is claimed of the theories at the end.
     assert np.all(uncertainty < material[:, -1] / 5)
 
