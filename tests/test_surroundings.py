@@ -1,0 +1,161 @@
+"""What surrounds a filament: buoyancy and drag against closed forms, in the interpreter and in C."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq, curve_fit
+
+import softcat_sym as sc
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.effects.drag import is_cross_flow
+
+L, H, RHO, G = 0.2, 2e-3, 1000.0, 9.81
+BACKENDS = ("interpreted", "compiled")
+
+
+def strand(bath: dict[str, str], **tables: Any) -> sc.Scene:
+    """A round strand in a bath."""
+    return sc.Scene.from_dict(
+        {
+            "filament": {"span": f"{L} m", "diameter": f"{H} m", "density": f"{RHO} kg/m^3"},
+            "material": {"law": "elastic", "youngs_modulus": "10 MPa"},
+            "surroundings": bath,
+            "run": {"duration": "1 s", "frames": 11},
+            **tables,
+        }
+    )
+
+
+def slender(viscosity: float) -> tuple[float, float]:
+    """Force per length and velocity of a slender body, along and across (Cox 1970)."""
+    log = math.log(2 * L / H)
+    return 2 * math.pi * viscosity / (log + math.log(2) - 1.5), 4 * math.pi * viscosity / (log + math.log(2) - 0.5)
+
+
+def test_buoyancy_takes_its_share_of_the_weight() -> None:
+    """A beam sags by q L^4/(384 E I) of what is left of its weight; in a bath of its own density it stays straight."""
+    area, inertia = math.pi * H**2 / 4, math.pi * H**4 / 64
+    for density in (0.0, 400.0, 1000.0, 1500.0):
+        listed = ["bending", *(["buoyancy"] if density else [])]
+        scene = strand({"density": f"{density} kg/m^3"}).replace({"run.effects": listed, "load.gravity": "0.1 m/s^2"})
+        run = sc.simulate(scene)
+        sag = (RHO - density) * area * 0.1 * L**4 / (384 * 10e6 * inertia)
+        assert -run.summary["midpoint_final_m"] == pytest.approx(sag, rel=2e-3, abs=1e-12), density
+
+
+def test_a_slender_strand_falls_at_its_terminal_velocity() -> None:
+    """Across: (rho - rho_b) A g/zeta_n, from the first instant where nothing has inertia."""
+    viscosity = 1.0
+    listed = ["bending", "extensibility", "viscous-stress", "buoyancy", "drag"]
+    scene = strand(
+        {"viscosity": f"{viscosity} Pa*s", "density": "100 kg/m^3"},
+        material={"law": "newtonian", "viscosity": "1e-3 Pa*s"},
+        run={"duration": "1e-4 s", "frames": 11, "effects": listed},
+        numerics={"rtol": 1e-8, "estimate": False},
+    )
+    assert not is_cross_flow(scene)
+    for backend in BACKENDS:
+        run = sc.simulate(scene.replace({"numerics.backend": backend}))
+        speed = -np.gradient(run.data.midpoint.values, run.data.time.values)[5]
+        expected = (RHO - 100) * math.pi * H**2 / 4 * G / slender(viscosity)[1]
+        assert speed == pytest.approx(expected, rel=1e-6), backend
+
+
+def test_a_fast_strand_falls_at_the_terminal_velocity_of_a_cylinder() -> None:
+    """C_d = 1 + 10 Re^(-2/3) (White): the weight is what it resists by; energy is accounted for on the way."""
+    bath, viscosity = 1.2, 2e-5
+    scene = strand(
+        {"viscosity": f"{viscosity} Pa*s", "density": f"{bath} kg/m^3"},
+        filament={"span": "10 km", "diameter": f"{H} m", "density": f"{RHO} kg/m^3"},
+        material={"law": "newtonian", "viscosity": "1e-6 Pa*s"},
+        run={
+            "duration": "10 s",
+            "frames": 201,
+            "effects": ["inertia", "bending", "extensibility", "viscous-stress", "buoyancy", "drag"],
+        },
+        numerics={"rtol": 1e-7, "estimate": False, "cells": 4},
+    )
+    assert is_cross_flow(scene)
+    weight = (RHO - bath) * math.pi * H**2 / 4 * G
+
+    def excess(speed: float) -> float:
+        viscous = 10 * (viscosity / (bath * H)) ** (2 / 3) * speed ** (4 / 3)
+        return bath * H / 2 * (speed**2 + viscous) - weight
+
+    expected = brentq(excess, 1.0, 1000.0)
+    for backend in BACKENDS:
+        run = sc.simulate(scene.replace({"numerics.backend": backend}))
+        speed = -np.gradient(run.data.midpoint.values, run.data.time.values)[-5:]
+        np.testing.assert_allclose(speed, expected, rtol=2e-3)
+        assert run.summary["energy_residual"] < 1e-5
+
+
+def test_a_beam_rings_down_in_its_bath() -> None:
+    """Frequency and decay of the first mode: w^2 = (22.3733/L^2)^2 E I/(rho A), decay zeta_n/(2 rho A)."""
+    area, inertia = math.pi * H**2 / 4, math.pi * H**4 / 64
+    natural = 22.37329 / L**2 * math.sqrt(10e6 * inertia / (RHO * area))
+    viscosity = 0.005
+    decay = slender(viscosity)[1] / (2 * RHO * area)
+    assert 0.02 < decay / natural < 0.3
+    scene = strand(
+        {"viscosity": f"{viscosity} Pa*s"},
+        load={"gravity": "0.01 m/s^2"},
+        run={
+            "duration": f"{6 * 2 * math.pi / natural} s",
+            "frames": 601,
+            "effects": ["inertia", "bending", "extensibility", "drag"],
+        },
+        numerics={"rtol": 1e-8, "estimate": False, "cells": 40, "solver": "rosenbrock"},
+    )
+    for backend in BACKENDS:
+        run = sc.simulate(scene.replace({"numerics.backend": backend}))
+        late = run.data.time.values > 0.3 * run.data.time.values[-1]
+        time, sag = run.data.time.values[late], -run.data.midpoint.values[late]
+
+        def ringing(t: np.ndarray, rest: float, swing: float, rate: float, frequency: float, phase: float) -> np.ndarray:
+            return rest * (1 + swing * np.exp(-rate * t) * np.cos(frequency * t + phase))
+
+        begin = (sag.mean(), 1.0, decay, math.sqrt(natural**2 - decay**2), math.pi)
+        found = curve_fit(ringing, time, sag, begin)[0]
+        assert found[2] == pytest.approx(decay, rel=5e-3), backend
+        assert found[3] == pytest.approx(math.sqrt(natural**2 - decay**2), rel=2e-3), backend
+
+
+def test_auto_takes_them_in_where_they_matter() -> None:
+    """By rho_b/rho, and by what the bath resists; air matters to neither for a short strand."""
+    for bath, expected in (
+        ({"density": "1.2 kg/m^3", "viscosity": "18 uPa*s"}, set()),
+        ({"density": "900 kg/m^3", "viscosity": "1 mPa*s"}, {"buoyancy"}),
+        ({"density": "900 kg/m^3", "viscosity": "10 Pa*s"}, {"buoyancy", "drag"}),
+    ):
+        assert set(choose_effects(strand(bath)).names) & {"buoyancy", "drag"} >= expected, bath
+        if not expected:
+            assert not set(choose_effects(strand(bath)).names) & {"buoyancy"}, bath
+
+
+@pytest.mark.parametrize(
+    ("bath", "words"),
+    [
+        ({"density": "-1 kg/m^3"}, "surroundings.density"),
+        ({"density": "1 m"}, "surroundings.density"),
+        ({"viscosity": "-1 Pa*s"}, "surroundings.viscosity"),
+        ({"viscocity": "1 Pa*s"}, "viscosity"),
+    ],
+)
+def test_bad_baths_are_one_clear_error(bath: dict[str, str], words: str) -> None:
+    with pytest.raises(sc.SceneError, match=words):
+        strand(bath)
+
+
+def test_what_cannot_be_had_says_why() -> None:
+    """A sheet has no drag of its own: the flow around it knows no distance."""
+    sheet = {"span": "0.2 m", "thickness": "2 mm", "section": "sheet", "density": "1000 kg/m^3"}
+    scene = strand({"viscosity": "1 Pa*s"}, filament=sheet, run={"duration": "1 s", "effects": ["drag", "bending"]})
+    with pytest.raises(sc.SceneError, match="sheet"):
+        sc.explain(scene)
+    with pytest.raises(sc.SceneError, match=r"surroundings\.density is zero"):
+        sc.explain(strand({}).replace({"run.effects": ["bending", "buoyancy"]}))
