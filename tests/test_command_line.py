@@ -23,6 +23,7 @@ from rich.console import Console
 
 import softcat_sym as sc
 from softcat_sym.cli import plain, print_whatever_the_terminal_takes
+from softcat_sym.cli.application import output_directory
 from softcat_sym.cli.completing import complete_change, complete_scene
 from softcat_sym.cli.explain import article, print_explanation
 from softcat_sym.codegen.library import keep, store
@@ -40,6 +41,7 @@ from tests.common.in_process import Softcat, sets
 
 ROOT = Path(__file__).parents[1]
 PROGRAM = Path(sys.executable).with_name("softcat")
+SHORT = (*sets("run.duration=0.01 s", "numerics.estimate=false"), "-q")
 COARSE = ("numerics.cells=10", "run.frames=21")
 ONCE = sets(*COARSE, "numerics.estimate=false")
 PICTURES = {"midpoint.png", "shapes.png", "energy.png", "space-time.png", "midpoint.csv"}
@@ -73,6 +75,17 @@ def test_every_command_is_listed_under_its_group_and_helps(softcat: Softcat) -> 
     for name in names:
         assert f"softcat {name} [OPTIONS]" in softcat(name, "-h").out
     assert softcat("--version").out.startswith("softcat ") and softcat("fly").status == 2
+
+
+def test_each_command_has_a_folder_of_its_own() -> None:
+    for command, scene, folder in (
+        ("run", "ink-bridge", "ink-bridge"),
+        ("card", "ink-bridge", "ink-bridge-card"),
+        ("sweep", "deep/er/my-ink.toml", "my-ink-sweep"),
+        ("run", "./no-yield", "no-yield"),
+        ("figures", None, "figures"),
+    ):
+        assert output_directory(None, command, scene) == Path("softcat-out") / folder
 
 
 def test_faults_of_the_scene_come_before_those_of_the_folder(softcat: Softcat) -> None:

@@ -16,7 +16,7 @@ import pytest
 
 from softcat_sym.codegen import compiler as asking
 from softcat_sym.codegen import library as cached
-from softcat_sym.codegen.compiler import beside, cache_folder, find_compiler
+from softcat_sym.codegen.compiler import beside, cache_folder, compiler_name, find_compiler
 from softcat_sym.codegen.library import GRACE, OPTIMISED, cache_entries, cache_limit, clear_cache, compile_library, load
 from softcat_sym.errors import SoftcatError
 from tests.common.compilers import ANSWER, COMPILE, Counter, compiler, left_in
@@ -104,6 +104,26 @@ def test_a_compiler_is_examined_again_when_it_may_have_changed(
         (native / "compilers.json").write_bytes(known)
         asking._examine.cache_clear()
         assert compile_library(ANSWER) == path
+
+
+def test_compilers_in_short(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for version, name in [
+        ("cc (Debian 12.2.0-14+deb12u1) 12.2.0", "gcc 12.2.0"),
+        ("gcc-13 (Homebrew GCC 13.2.0) 13.2.0", "gcc 13.2.0"),
+        ("Apple clang version 15.0.0 (clang-1500.3.9.4)", "clang 15.0.0"),
+        ("tcc version 0.9.27 (x86_64 Linux)", "tcc 0.9.27"),
+        ("strange", "strange"),
+    ]:
+        assert asking.Compiler(("cc",), version).name == name
+    assert compiler_name().split()[0] in ("gcc", "clang")
+    monkeypatch.setattr(asking, "_PATIENCE", 0.5)
+    script = tmp_path / "odd-cc"
+    for prints, name in [("printf '\\n\\nodd 1.2\\n'", "odd 1.2"), ("sleep 60", "")]:
+        script.write_text(f"#!/bin/sh\n{prints}\n")
+        script.chmod(0o755)
+        asking._examine.cache_clear()
+        monkeypatch.setenv("CC", str(script))
+        assert compiler_name() == name
 
 
 def test_where_the_cache_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -205,6 +225,25 @@ def test_a_disk_that_fills(limit: int, native: Path) -> None:
     assert "free some space, or set SOFTCAT_CACHE to a folder elsewhere" in done.stdout
     assert left_in(native) == []
     assert load(compile_library(source)).answer() == 42
+
+
+@pytest.mark.parametrize("usual", [False, True], ids=["named", "usual"])
+def test_a_folder_without_space_is_no_reason_to_compile_elsewhere(
+    usual: bool, native: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    native = usual_folder(tmp_path, monkeypatch) if usual else native
+    write = Path.write_text
+
+    def full(path: Path, data: str, encoding: str | None = None) -> int:
+        if path.name in ("library.sha256", "answer.c"):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return write(path, data, encoding)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "write_text", full)
+        refused("No space left on device; free some space")
+    assert left_in(native) == []
+    assert load(compile_library(ANSWER)).answer() == 42
 
 
 def test_a_named_folder_that_cannot_be_used_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import pairwise
 from typing import Any
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from softcat_sym import load_scene, simulate
+from softcat_sym import load_scene, progress, simulate
 from softcat_sym.effects import choosing
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.effect import Estimate
@@ -479,6 +479,19 @@ def test_named_effects_are_never_repeated() -> None:
         assert done.summary["checked"][absent] > 10 * ACCURACY
         assert (done.outcome, done.summary["repeats"]) == (Outcome.solved, [])
         assert scene.run.effects in ("paper", tuple(done.summary["effects"]))
+
+
+def test_the_trial_is_no_part_of_the_accepted_run_s_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A clock that strikes once whenever it is read: one each for building and solving, two for the trial."""
+    ticks: Iterator[float] = iter(map(float, range(100)))
+    monkeypatch.setattr(progress.time, "perf_counter", lambda: next(ticks))
+    scene, numbers = CASES["extensibility"]
+    scene = scene.replace({"numerics.backend": "interpreted"})
+    stages = ("build", "solve", "estimate", "total")
+    without = simulate(scene).summary["wall_s"]
+    blind(monkeypatch, *numbers)
+    wall = simulate(scene).summary["wall_s"]
+    assert [[wall[stage] for stage in stages] for wall in (without, wall)] == [[1, 1, 0, 2], [1, 1, 2, 4]]
 
 
 def test_two_repeats_are_worth_a_warning_and_a_third_is_no_success(monkeypatch: pytest.MonkeyPatch) -> None:
