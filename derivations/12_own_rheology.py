@@ -163,22 +163,22 @@ figure.tight_layout()
 # %% [markdown]
 # The best law goes on to a scene, turned from shear to tension; a flow curve knows nothing of the modulus or of the
 # surface, which are the scene's own. This paste is weaker than the toothpaste of the scene: by its yield stress alone
-# it does not hold in a gap of 5 mm, and flows down. The surface tension of 40 mN/m that the scene states holds it: on
-# a strand of 2 mm its pull, over the section, is as much as the yield stress.
+# it does not hold in a gap of 6 mm: it runs away, and what flows gathers in so short a piece that the run is given up.
+# The surface tension of 40 mN/m that the scene states holds it: on a strand of 2 mm its pull, over the section, is as
+# much as the yield stress.
 
 # %%
-changes = ["filament.span=5 mm", "filament.thickness=2 mm", "material.youngs_modulus=1 kPa", "run.accuracy=0.01"]
+changes = ["filament.span=6 mm", "filament.thickness=2 mm", "material.youngs_modulus=1 kPa", "run.accuracy=0.01"]
 regimes = {}
 for tension in ("0 N/m", "40 mN/m"):
     short = [*changes, "run.duration=0.2 s", f"surroundings.surface_tension={tension}"]
     scene = fitted_scene(fit, "toothpaste", overrides=short)
     done = sc.simulate(scene)
-    assert done.outcome is sc.Outcome.solved
-    regimes[tension] = done.summary["regime"]
+    regimes[tension] = done.summary["regime"] or done.outcome.name
     print(f"{tension}: {regimes[tension]}, sag {-1e6 * done.summary['midpoint_final_m']:.0f} um")
 print("\n".join(scene.material.notes))
 pull = 0.04 / 1e-3
 print(f"surface: {pull:.0f} Pa, yield stress in tension: {scene.material.yield_stress:.0f} Pa")
-assert regimes == {"0 N/m": "descending", "40 mN/m": "arrested-overdamped"}
+assert regimes == {"0 N/m": "localised", "40 mN/m": "arrested-overdamped"}
 assert abs(scene.material.yield_stress / (25 * np.sqrt(3)) - 1) < 0.1
 assert 0.5 < pull / scene.material.yield_stress < 1.5

@@ -18,7 +18,6 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.errors import Fault, SceneError
 from tests.common.in_process import Softcat, sets
 from tests.common.scenes import BINGHAM, faults_of, spoiled
-from tests.common.table import show
 
 BAD: list[tuple[dict[str, Any], str, str]] = [
     ({"filament.spam": "0.2 m"}, "filament.spam", "unknown key (did you mean 'span'?)"),
@@ -194,14 +193,11 @@ KEYS = ("material.law", "run.closure", "numerics.fibres", "numerics.order", "num
 
 
 def test_each_mistake_about_effects_is_one_clear_fault() -> None:
-    rows = []
     for (scene, *changes), words in MISTAKES.items():
         with pytest.raises(SceneError) as caught:
             sc.explain(sc.load_scene(scene, [*changes, "numerics.cells=4"]))
         path, says = (words[0], words[1:]) if words[0] in KEYS else ("run.effects", words)
         judge("effects", (scene, *changes), caught.value.faults, path, says)
-        rows.append([scene, "; ".join(changes), str(caught.value.faults[0]).replace(NAMES, "...")])
-    show("bad lists of effects", ["scene", "mistake", "what is said"], rows)
     with pytest.raises(SceneError, match="2 faults") as caught:
         sc.explain(sc.load_scene(INK, [of("magic", "viscous-stress")]))
     assert "'magic'" in str(caught.value) and "'viscous-stress' cannot be had" in str(caught.value)

@@ -44,7 +44,6 @@ from tests.common.strips import (
     timoshenko_frequency,
     timoshenko_sag,
 )
-from tests.common.table import show
 
 PATCH = Mesh(5, 4, grading=2.5)
 THICKNESS = 0.2
@@ -92,7 +91,6 @@ def test_a_patch_pulled_far_flows_like_the_material_point() -> None:
     assert loop.elastic_energy == pytest.approx(point.energy * volume, rel=1e-12)
     assert loop.rate == pytest.approx(np.full((4, 4), point.rate), rel=1e-11)
     assert loop.point == pytest.approx(np.tile(point.state, (4, 4, 1)), rel=1e-12)
-    print(f"\nstretch 2.2: dissipated {loop.plastic_work / volume:.6f} E, point {point.work:.6f} E")
 
 
 def test_free_fall() -> None:
@@ -120,7 +118,6 @@ def test_free_fall_while_gravity_grows_is_second_order_in_the_step() -> None:
         loop.begin(0.0, 6.0 / steps, steps)
         loop.march(steps)
         errors.append(abs(loop.displacement[0, 1] - exact))
-    print(f"\nfall {exact:.9f}, errors {errors[0]:.3e} {errors[1]:.3e}, ratio {errors[0] / errors[1]:.3f}")
     assert errors[1] < 1e-5
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
 
@@ -141,8 +138,6 @@ def test_a_free_mesh_has_three_modes_without_energy_and_stays_below_the_bound(al
     scale = np.repeat(loop.strip.mass, 2) ** -0.5
     squares = np.linalg.eigvalsh(stiffness * np.outer(scale, scale))
     bound = largest_frequency(loop.strip.size, POISSON)
-    print(f"\n{along} x {through}: lowest squares over the largest {squares[:5] / squares[-1]}")
-    print(f"largest frequency {np.sqrt(squares[-1]):.4f}, bound {bound:.4f}")
     assert stiffness == pytest.approx(stiffness.T, abs=1e-8 * abs(stiffness).max())
     assert np.sum(abs(squares) < 1e-8 * squares[-1]) == 3
     assert squares[3] > 1e-5 * squares[-1]
@@ -213,7 +208,6 @@ def harmonic(time: Floats, height: Floats, near: float) -> tuple[float, float]:
 
 def compare(mesh: Mesh, thickness: float, poisson: float) -> tuple[float, float]:
     sag, frequency = swing(mesh, thickness, poisson)
-    print(f"\n{mesh}, h/L = {thickness}, nu = {poisson}: sag {sag - 1:+.3%}, period {1 / frequency - 1:+.3%}")
     return sag, frequency
 
 
@@ -254,23 +248,14 @@ def descent() -> ElementRun:
 
 
 def test_energy_is_balanced_and_half_the_step_changes_nothing(descent: ElementRun) -> None:
-    rows = []
-    for name, scene in (("elastic", UNYIELDING), ("yielding", YIELDING), ("yielding, stiff flow", STIFF)):
+    for scene in (UNYIELDING, YIELDING, STIFF):
         whole = descent if scene is YIELDING else run_elements(scene, COARSE)
         half = run_elements(scene, COARSE, step_factor=0.5)
         change = abs(drop(half) - drop(whole))
-        rows.append(
-            (name, f"{drop(whole):.6f}", f"{whole.energy_error:.1e}", f"{half.energy_error:.1e}", f"{change:.1e}")
-        )
         assert whole.energy_error < 1e-4
         assert half.energy_error < 0.6 * whole.energy_error
         assert change < 1e-5
         assert 1.95 < half.steps / whole.steps < 2.05
-    show(
-        "Energy error over work; change of midpoint/L by half the step",
-        ["case", "midpoint/L", "h", "h/2", "change"],
-        rows,
-    )
 
 
 def test_energies_are_of_the_whole_filament(descent: ElementRun) -> None:
@@ -320,27 +305,22 @@ def test_fixing_the_whole_face_is_stiffer(descent: ElementRun) -> None:
     fixed = run_elements(YIELDING, COARSE, clamp=Clamp.FIXED)
     assert np.all(fixed.thinning == 1)
     ratio = drop(fixed) / drop(descent)
-    print(f"\nmidpoint: thinning {drop(descent):.6f}, fixed {drop(fixed):.6f} ({100 * (ratio - 1):+.3f} %)")
     assert 0.99 < ratio < 0.9999
 
 
 def test_grading_helps_at_the_clamp() -> None:
     fine = drop(run_elements(YIELDING, Mesh(48, 2)))
     equal, graded = (drop(run_elements(YIELDING, Mesh(16, 2, grading=g))) for g in (1.0, 3.0))
-    print(f"\n48 x 2 {fine:.6f}; 16 x 2 equal {equal:.6f}, graded {graded:.6f}")
     assert abs(graded - fine) < 0.7 * abs(equal - fine)
 
 
 @pytest.mark.slow
 def test_meshes_converge() -> None:
-    rows = []
-    for name, scene in (("elastic", UNYIELDING), ("yielding", YIELDING)):
+    for scene in (UNYIELDING, YIELDING):
         found = [drop(run_elements(scene, Mesh(*m))) for m in ((8, 2), (16, 4), (24, 6))]
         first, second = abs(found[1] - found[0]), abs(found[2] - found[1])
-        rows.append((name, *(f"{y:.6f}" for y in found), f"{first / second:.2f}"))
         # Even at first order the ratio would be 3.
         assert first > 3 * second
-    show("Midpoint/L on meshes of one shape", ["case", "8 x 2", "16 x 4", "24 x 6", "ratio of differences"], rows)
 
 
 def test_without_gravity_nothing_moves() -> None:

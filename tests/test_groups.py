@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from softcat_sym.scene.bundled import bundled_names, bundled_title
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Groups, Scene, elastic_time, gravity_time, groups_of
 from tests.common.scenes import GROUPS, faults_of, spoiled
@@ -254,9 +253,3 @@ def test_what_a_user_would_bring() -> None:
     assert oil.material.viscosity == pytest.approx(3 * 0.1 * 970)
     assert 1e-4 < groups_of(oil).tau_star * gravity_time(oil) < 1e-2  # type: ignore[operator]
     assert (glass.ends.left, glass.ends.right, glass.material.youngs_modulus) == ("pinned", "pinned", 70e9)
-
-
-def test_every_bundled_scene_loads_and_has_a_title() -> None:
-    assert len(bundled_names()) == 31
-    for name in bundled_names():
-        assert load_scene(name).title == bundled_title(name) != ""

@@ -23,8 +23,6 @@ from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from tests.common.hard_cases import CASES, Case, asked
 from tests.common.limited_process import LimitedProcess, limit_this_process
-from tests.common.table import show
-from tests.marks import few
 
 Array = npt.NDArray[np.float64]
 
@@ -225,14 +223,6 @@ def fault_of(case: Case, found: Finding) -> str:
 
 
 @pytest.fixture(scope="module")
-def rows() -> Iterator[list[tuple[str, ...]]]:
-    """Gathers the table and prints it at the end, whatever failed."""
-    table: list[tuple[str, ...]] = []
-    yield table
-    show("hard cases", ("case", "outcome", "error", "estimate", "seconds", ""), table)
-
-
-@pytest.fixture(scope="module")
 def worker() -> Iterator[LimitedProcess]:
     process = LimitedProcess(serve)
     yield process
@@ -242,13 +232,10 @@ def worker() -> Iterator[LimitedProcess]:
 @pytest.mark.parametrize(
     "case", [pytest.param(case, id=case.title, marks=() if case.fast else pytest.mark.slow) for case in CASES]
 )
-def test_hard_case(case: Case, rows: list[tuple[str, ...]], worker: LimitedProcess) -> None:
+def test_hard_case(case: Case, worker: LimitedProcess) -> None:
     found = found_by(worker, case)
     fault = fault_of(case, found)
-    numbers = ("" if number is None else f"{number:.1e}" for number in (found.error, found.estimate))
-    rows.append((case.title, found.outcome, *numbers, f"{found.seconds:.1f}", "RED" if fault else ""))
-    print(" | ".join((*rows[-1], fault[:300])), flush=True)
-    assert not fault, fault
+    assert not fault, (fault, found)
 
 
 SCENES = {
@@ -260,10 +247,10 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("name", few(("maxwell", "bingham", "slack"), "maxwell"))
-def test_left_is_right_of_a_whole_span(name: str) -> None:
-    """A support that moves by nothing takes the symmetry from the solver, but not from the answer."""
-    half = without_estimate(SCENES[name])
+@pytest.mark.slow
+def test_left_is_right_of_a_slack_filament() -> None:
+    """A support that moves by nothing takes the symmetry from the solver, but not from the answer; others: beams."""
+    half = without_estimate(SCENES["slack"])
     effects = list(sc.simulate(half).summary["effects"])
     half = half.replace({"run.effects": effects})
     whole = half.replace({"ends.motion": [["0 s", "0 m", "0 m"], ["1 s", "0 m", "0 m"]]})
@@ -274,7 +261,6 @@ def test_left_is_right_of_a_whole_span(name: str) -> None:
     deep = np.max(np.abs(y))
     lopsided = max(np.max(np.abs(y - y[:, ::-1])), np.max(np.abs(x + x[:, ::-1])))
     apart = np.max(np.abs(np.asarray(one.data["midpoint"] - two.data["midpoint"])))
-    print(f"{name}: left against right {lopsided / deep:.1e}, half against whole {apart / deep:.1e}")
     assert lopsided < 1e-7 * deep
     assert apart < 1e-5 * deep
 
@@ -294,7 +280,6 @@ def test_every_cell_dissipates_at_every_moment(name: str) -> None:
             for t, x, z in zip(solution.time, solution.x.T, solution.z.T, strict=True)
         ]
     )
-    print(f"{name}: least power of {cells.size} cells and moments {cells.min() / cells.max():.1e} of the largest")
     assert cells.size >= 10 * 20
     assert cells.max() > 0
     assert cells.min() >= 0

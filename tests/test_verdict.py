@@ -175,10 +175,10 @@ def test_the_strain_of_a_neck_does_not_depend_on_the_grid() -> None:
 def test_a_viscous_thread_that_thins_at_its_clamps_is_not_refused() -> None:
     """Without a yield stress a neck only grows with the strain itself, and the sag does not depend on the grid."""
     coarse = {"run.accuracy": 1e-5, "numerics.cells": 12, "numerics.estimate": False, "run.frames": 21}
+    coarse |= {"run.duration": "0.8 s"}
     thread = simulate(load_scene("silicone-thread", coarse))
     assert "necking-gradient" in thread.summary["effects"]
-    # Beyond twice that of its neighbours, and on its way: a section that shears thins less than one that does not.
-    assert float(thread.data.stretch.values[-1].max()) > 2
+    assert float(thread.data.stretch.values[-1].max()) > 3
     assert thread.outcome is Outcome.solved
 
 
@@ -536,19 +536,14 @@ def test_a_run_that_fails_is_repeated_with_what_it_lacks(monkeypatch: pytest.Mon
                 "poisson": 0.397,
             },
             "ends": {"left_angle": "-9.5 deg", "right_angle": "7.6 deg"},
-            "load": {"gravity": "4.546 m/s^2", "point_mass": "93.8 kg"},
+            "load": {"gravity": "4.546 m/s^2", "point_mass": "220 kg"},
             "run": {"duration": "6.6 s", "frames": 7, "accuracy": 0.1},
             "numerics": {"cells": 11, "estimate": False},
         }
     )
     found, finer = simulate(thread), simulate(thread.replace({"run.accuracy": 0.01}))
     assert found.outcome is finer.outcome is Outcome.solved
-    effects = choose_effects(thread)
-    left_out = dict.fromkeys(effects.left_out, Estimate(0.0, "nothing"))
-    assert "shear" in effects.names and "rotary-inertia" in left_out
-    lacking = missing_effect(thread, effects, left_out, Outcome.no_convergence)
-    assert lacking["rotary-inertia"] == "the run without it failed"
-    assert "rotary-inertia" not in missing_effect(thread, effects, left_out, Outcome.solved)
+    assert found.summary["repeats"] == ["rotary-inertia: the run without it failed"]
     assert found.summary["midpoint_final_m"] == pytest.approx(finer.summary["midpoint_final_m"], rel=0.05)
     # A straight string without inertia has nothing to begin with; an accuracy of 20 % does not ask for bending.
     honey = load_scene("cold-honey", {"run.accuracy": 0.2, "filament.thickness": "0.2 mm"})

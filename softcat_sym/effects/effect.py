@@ -47,11 +47,19 @@ class Motion:
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """How much an effect matters: before a run from the groups of the scene, after it from what it shows."""
+    """How much an effect matters: before a run from the groups of the scene, after it from what it shows.
 
-    value: float  # Change of the midpoint, relative to the largest, that leaving the effect out would make
-    meaning: str  # What the number is, in plain words
-    formula: str = ""  # How it is worked out, in symbols
+    Attributes
+    ----------
+    value : float
+        Change of the midpoint, relative to the largest, that leaving the effect out would make.
+    meaning, formula : str
+        What the number is in plain words, and how it is worked out in symbols.
+    """
+
+    value: float
+    meaning: str
+    formula: str = ""
 
     def __str__(self) -> str:
         return amount(self.value)
