@@ -20,7 +20,7 @@ from softcat_sym.codegen.c_printer import Row, Target, Writer, helpers_of, numbe
 from softcat_sym.codegen.loops import Chain, Entry, Loop, differentiated, entry_name, levels_of, needed
 from softcat_sym.discretization.assembly import Theory
 from softcat_sym.discretization.cell import Program, Slot
-from softcat_sym.discretization.filament import POWERS, build
+from softcat_sym.discretization.filament import build
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.section_rule import PER_FIBRE, OneFibre, SectionRule
@@ -182,12 +182,12 @@ def _work(
 
     The fields of the rates are in the scratch already, and their derivatives those of the Jacobian.
     """
-    items = [item for power in program.powers for item in power]
+    items = [item for power in program.powers.values() for item in power]
     if not items:
         return (), [], []
     known = {item.name for item in fields}
     others = [one for one in needed(program.leaves, program.fields, items) if one.name not in known]
-    index = {item.name: k for k, power in enumerate(program.powers) for item in power}
+    index = {item.name: k for k, power in enumerate(program.powers.values()) for item in power}
     levels, size = levels_of(program.leaves, [*others, *items]), writer.slots.count
     loops = [loop for level in levels for loop in level]
     calls = []
@@ -202,7 +202,7 @@ def _work(
         return Target(f"s[{before}{writer.slots.at(*one)}]", PER_FIBRE in one[0], adds=True)
 
     changes = _derivatives(writer, chain, levels, "work_slope", entry)
-    return POWERS, calls, changes
+    return tuple(program.powers), calls, changes
 
 
 _HEAD = """\

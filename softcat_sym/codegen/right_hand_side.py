@@ -32,7 +32,7 @@ _HEADING = """\
 Right-hand side of a filament, as CasADi functions of (t, x, z, p), for an integrator of your own:
   {rhs}: ode [{nx}] = dx/dt, alg [{nz}] = 0
   {jacobian}: ode_t, ode_x, ode_z, alg_t, alg_x, alg_z, sparse by columns
-  {powers}: powers [3], plastic, of the changing load, of the necking gradient
+  {powers}: powers, plastic, of the changing load, of the necking gradient, of each effect that dissipates
 t, x [{nx}] and z [{nz}] are dimensionless: lengths in rest lengths, time in units of the parameter time_scale.
 Each NAME has NAME_n_in, NAME_sparsity_in and their like, and NAME_work for the sizes of the work vectors:
   int NAME(const double **arg, double **res, long long int *iw, double *w, int mem)
@@ -84,7 +84,7 @@ class Dynamics:
         self.graph, self.program, self._count = graph, graph.program, graph.grid.cells + 1
         sizes = (part.numel() for part in (graph.t, graph.x, graph.z, graph.p))
         self._inputs = [ca.MX.sym(name, size) for name, size in zip(ARGUMENTS, sizes, strict=True)]
-        self._powers = [one for power in self.program.powers for one in power]
+        self._powers = [one for power in self.program.powers.values() for one in power]
 
     def _spread(self) -> Spread:
         t, x, z, p = self._inputs
@@ -203,8 +203,8 @@ class Dynamics:
 
     @cached_property
     def powers(self) -> ca.Function:
-        """(t, x, z, p) to the powers of the whole filament, shape (3,)."""
-        values, powers = self._values(self._powers), self.program.powers
+        """(t, x, z, p) to the powers of the whole filament, shape (powers,)."""
+        values, powers = self._values(self._powers), self.program.powers.values()
         total = [sum((ca.sum1(values[one.name]) for one in power), ca.MX(0)) for power in powers]
         rows = {one.name: [k] * self._count for k, power in enumerate(powers) for one in power}
         slopes = ca.Function("softcat_slopes", self._inputs, self._blocks(self._powers, [rows], [len(powers)]))

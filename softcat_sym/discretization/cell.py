@@ -70,8 +70,9 @@ class Program:
     slots: tuple[Slot, ...]  # Unknowns of a site, plastic states last
     fields: tuple[Field, ...]  # What other sites read, each made of earlier ones
     rates: tuple[Field, ...]  # What becomes of each slot: its rate, or what it balances
-    # Plastic power, power of the load and of the necking gradient, each a sum over the sites of its fields.
-    powers: tuple[tuple[Field, ...], ...]
+    # Plastic power, power of the load, of the necking gradient, and what each effect dissipates: each a sum over the
+    # sites of its fields.
+    powers: Mapping[str, tuple[Field, ...]]
     shown: Mapping[str, Field | tuple[Field, ...]]  # What a run stores: a field, or the sum over several
     parameters: tuple[str, ...]  # Numbers that a run is given, as a whole and for each site
     places: tuple[str, ...]
@@ -247,11 +248,13 @@ class Mechanics:
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
+    level: bool = False  # Whether motion sees a level, unstretched centreline: of small deflections
 
 
 def _resists(b: Builder) -> bool:
     """Whether a stress or a force depends on the velocities."""
-    return b.equations.law.viscosity is not None or b.equations.terms.drags
+    terms = b.equations.terms
+    return b.equations.law.viscosity is not None or terms.drags or terms.adds_mass
 
 
 def _needs_velocities(b: Builder) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -37,10 +38,6 @@ from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
 
-POWERS = "plastic", "load", "gradient"
-"""What is integrated beside the unknowns."""
-
-
 def build(
     equations: FilamentEquations, model: str, ends: tuple[End, End], body: Body, rule: Sampling | None
 ) -> Program:
@@ -69,13 +66,16 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
 
     outer = outer_forces(b, of)
     of.energies |= outer.energies
-    of.dissipation += outer.dissipation
     fixed = per_mass, gravity * unit, rotary
+    massive = _Massive(of.force, outer, mass * b.density * span, gravity, unit) if outer.adds_mass else None
     slots = _ordered(b.slots)
-    rates = tuple(_rate(b, of, outer, slot, fixed) for slot in slots)
+    rates = tuple(
+        massive.rate(slot, b.slots) if massive and slot.name in ("u", "v") else _rate(b, of, outer, slot, fixed)
+        for slot in slots
+    )
     powers = _powers(b, of, outer, mass, gravity, gravity_rate)
-    shown = _observables(b, of, mass, gravity, rotary)
-    everything = [*b.fields, *rates, *(one for power in powers for one in power)]
+    shown = _observables(b, of, outer, mass, gravity, rotary)
+    everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
     everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
     used = {
         leaf.name
@@ -138,6 +138,37 @@ def _net(force: Neighbours, outer: Outer, way: int) -> Sided:
     return acting
 
 
+@dataclass(frozen=True)
+class _Massive:
+    """Accelerations of nodes whose mass differs with the direction: two components of a node, solved together."""
+
+    force: tuple[Neighbours, Neighbours]  # Internal [Pa]
+    outer: Outer
+    mass: ca.SX  # Of the node alone [kg/m^2]
+    gravity: ca.SX
+    unit: ca.SX  # Dimensionless acceleration over that in SI
+
+    def rate(self, slot: Slot, slots: Mapping[str, Slot]) -> Field:
+        """Acceleration of one component; where the other is held, its force is the support's."""
+        way = int(slot.name == "v")
+        other = slots["u" if way else "v"].held if {"u", "v"} <= set(slots) else (True, True)
+
+        def acting(before: int | None, behind: int | None, *, alone: bool) -> ca.SX:
+            along, across = (_net(self.force[k], self.outer, k)(before, behind) for k in (0, 1))
+            across -= self.mass * self.gravity
+            xx, xy, yy = self.outer.mass(before, behind)
+            xx, yy = xx + self.mass, yy + self.mass
+            if alone:
+                return self.unit * (across / yy if way else along / xx)
+            solved = xx * across - xy * along if way else yy * along - xy * across
+            return self.unit * solved / (xx * yy - xy**2)
+
+        always = {"u", "v"} - set(slots) != set()
+        sides = zip((0, -1), ((None, 0), (-1, None)), slot.held, other, strict=True)
+        ends = {site: acting(*cells, alone=held) for site, cells, is_held, held in sides if not is_held}
+        return Field(f"f_{slot.name}", INNER, acting(-1, 0, alone=always), ends)
+
+
 def _linear_profiles(b: Builder) -> dict[str, tuple[float, float]]:
     return {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
 
@@ -158,8 +189,11 @@ def place_names(body: Body) -> tuple[str, ...]:
 
 def _powers(
     b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX, gravity_rate: ca.SX
-) -> tuple[tuple[Field, ...], ...]:
-    """Plastic power, power of the changing load and of the gradient, site by site, in `energy_scale` units."""
+) -> dict[str, tuple[Field, ...]]:
+    """Plastic power, power of the changing load, of the gradient and of what effects dissipate, site by site.
+
+    In `energy_scale` units; what is integrated beside the unknowns.
+    """
     span, at = b.span, b.supports
     scale = b.scale / energy_scale(b.density, span, b.scale)
     lifted = mass * (span * b.density * gravity_rate * scale)
@@ -184,14 +218,19 @@ def _powers(
         Field(f"power_plastic_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
         for k, one in enumerate(of.dissipation)
     ]
-    kept = (
-        tuple(one for one in group if not all(v.is_zero() for v in one.values)) for group in (plastic, load, gradient)
-    )
-    return tuple(kept)
+    lost = {
+        name: [Field(one.name, one.where, one.value * scale) for one in fields]
+        for name, fields in outer.dissipation.items()
+    }
+    groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
+    return {
+        name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
+        for name, fields in groups.items()
+    }
 
 
 def _observables(
-    b: Builder, of: Mechanics, mass: ca.SX, gravity: ca.SX, rotary: ca.SX
+    b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX, rotary: ca.SX
 ) -> dict[str, Field | tuple[Field, ...]]:
     """What a run stores, in SI and per unit undeformed area."""
     span, terms = b.span, b.equations.terms
@@ -201,6 +240,7 @@ def _observables(
     if terms.inertia:
         moving = mass * (of.u[0] ** 2 + of.v[0] ** 2) * speed**2 * b.density / 2
         kinetic.append(Field("moving", NODES, moving * span))
+        kinetic += [Field(one.name, one.where, one.value * span) for one in outer.kinetic]
     if terms.rotary_inertia:
         turning = b.node[0] * of.omega[0] ** 2 * rotary / (2 * b.scale**2)
         kinetic.append(Field("turning", NODES, turning * span))

@@ -26,7 +26,7 @@ class Expressions:
     """What a filament is in terms of its unknowns, before common subexpressions are shared."""
 
     rates: tuple[ca.SX, ca.SX]  # `ode` and `alg`
-    powers: tuple[ca.SX, ca.SX, ca.SX]  # Plastic power, power of the changing load, power of the necking gradient
+    powers: tuple[ca.SX, ...]  # In the order of the program
     observables: Mapping[str, ca.SX]  # What a trajectory shows
 
 
@@ -151,8 +151,9 @@ class Graph:
         for one in program.fields:
             spread.take(one)
         rates = {slot.name: spread.values(rate) for slot, rate in zip(program.slots, program.rates, strict=True)}
-        plastic, load, gradient = (
-            ca.vertcat(*(spread.values(one) for one in power)) if power else ca.SX(1, 1) for power in program.powers
+        powers = tuple(
+            ca.vertcat(*(spread.values(one) for one in power)) if power else ca.SX(1, 1)
+            for power in program.powers.values()
         )
         shown = {
             name: spread.values(item)
@@ -161,7 +162,7 @@ class Graph:
             for name, item in program.shown.items()
         }
         ode, alg = (layout.gather(rates) for layout in (self.moving, self.still))
-        return Expressions((ca.SX(ode), ca.SX(alg)), (plastic, load, gradient), shown)
+        return Expressions((ca.SX(ode), ca.SX(alg)), powers, shown)
 
     def spread(self, x: Any, z: Any, shared: Mapping[Leaf, Any]) -> Spread:
         """The sites of this grid with these unknowns, ready for the fields of the program."""
@@ -188,13 +189,12 @@ class Graph:
         return self.rates[1]
 
     @cached_property
-    def powers(self) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """Plastic power, power of the changing load, power of the necking gradient: each place by place.
+    def powers(self) -> tuple[ca.SX, ...]:
+        """Plastic power, power of the changing load, of the necking gradient, of effects: each place by place.
 
         In ``energy_scale`` times undeformed area and span. Their sums would fill a row of every Jacobian.
         """
-        plastic, load, gradient = tidy(*self.raw.powers)
-        return plastic, load, gradient
+        return tuple(tidy(*self.raw.powers))
 
     @cached_property
     def observables(self) -> ca.Function:
@@ -210,7 +210,7 @@ class Graph:
 
     @property
     def quad(self) -> ca.SX:
-        """The powers of the whole filament, shape (3,)."""
+        """The powers of the whole filament, shape (powers,)."""
         return ca.vertcat(*(ca.sum1(power) for power in self.powers))
 
     @cached_property

@@ -213,7 +213,7 @@ def small_deflection(b: Builder) -> Mechanics:
     shown = _shown(b, section, s, transverse, mean_of_nodes(turning) / s)
     shown |= {"relative_thickness": ca.SX(1), **({"axial_force": section.tension + pull} if surface else {})}
     energies = {"elastic": section.stored, "surface": surface}
-    return Mechanics(x, y, u, v, same, force, section.plastic, energies, section.dissipation, shown)
+    return Mechanics(x, y, u, v, same, force, section.plastic, energies, section.dissipation, shown, level=True)
 
 
 def _shown(b: Builder, section: Section, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:

@@ -232,7 +232,7 @@ class Effects:
             gravity_rate=bare.gravity_rate,
             shaking=bare.shaking,
             shaking_rate=bare.shaking_rate,
-            densities=tuple(replace(one, dissipation=sp.S.Zero) for one in self.terms().densities),
+            densities=tuple(replace(one, dissipation=sp.S.Zero, kinetic=sp.S.Zero) for one in self.terms().densities),
         )
 
 

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from importlib.metadata import entry_points
 
+from softcat_sym.effects.added_mass import ADDED_MASS
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.buoyancy import BUOYANCY
 from softcat_sym.effects.drag import DRAG
@@ -48,6 +49,7 @@ REGISTRY: list[Effect] = [
     SOLID_DAMPING,
     BUOYANCY,
     DRAG,
+    ADDED_MASS,
 ]
 
 ENTRY_POINTS = "softcat_sym.effects"

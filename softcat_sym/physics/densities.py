@@ -1,6 +1,7 @@
 """What an effect adds to a filament beside its section: energies and Rayleigh potentials of a unit of rest length.
 
-The force on the centreline is their Euler-Lagrange derivative, f = -W_q + d/dX W_{q_X} - R_{q_t} + d/dX R_{q_Xt}.
+The force on the centreline is their Euler-Lagrange derivative, f = L_q - d/dX L_{q_X} - d/dt L_{q_t} - R_{q_t} +
+d/dX R_{q_Xt} with L = T - W.
 """
 
 from __future__ import annotations
@@ -27,15 +28,25 @@ class Densities:
     name: str  # Of the effect
     stored: sp.Expr = sp.S.Zero  # W(x, y, x_X, y_X, s, X, t) [J/m]
     dissipation: sp.Expr = sp.S.Zero  # R(..., x_t, y_t, x_Xt, y_Xt) [W/m], half of the power lost where quadratic
+    kinetic: sp.Expr = sp.S.Zero  # T(x_X, y_X, s, x_t, y_t) [J/m], quadratic in the velocity
     constants: tuple[Constant, ...] = ()
 
     def __post_init__(self) -> None:
         known = {*_OF_A_POINT, *_OF_A_CELL, *_GIVEN, sy.s, *(one.symbol for one in self.constants)}
-        if unknown := {*self.stored.free_symbols, *self.dissipation.free_symbols} - known:
+        if unknown := self._symbols - known:
             names = ", ".join(sorted(map(str, unknown)))
             raise ValueError(f"the densities of {self.name!r} hold {names}, which no filament has")
         if self.stored.free_symbols & set(_RATES):
             raise ValueError(f"the stored energy of {self.name!r} depends on rates")
+        velocity = _RATES[:2]
+        if self.kinetic.free_symbols & set(_RATES[2:]) or sp.simplify(
+            sum(rate * sp.diff(self.kinetic, rate) for rate in velocity) - 2 * self.kinetic
+        ):
+            raise ValueError(f"the kinetic energy of {self.name!r} is not quadratic in the velocity")
+
+    @property
+    def _symbols(self) -> set[sp.Basic]:
+        return self.stored.free_symbols | self.dissipation.free_symbols | self.kinetic.free_symbols
 
     @property
     def label(self) -> str:
@@ -45,18 +56,32 @@ class Densities:
     @property
     def of_a_cell(self) -> bool:
         """Whether the tangent stands in them: they belong to a cell then, otherwise to a node."""
-        return bool((self.stored.free_symbols | self.dissipation.free_symbols) & {*_OF_A_CELL, sy.s})
+        return bool(self._symbols & {*_OF_A_CELL, sy.s})
 
     @property
     def symmetric(self) -> bool:
         """Whether a symmetric filament stays so."""
         turned = {one: -one for one in (sy.x, sy.x_t, sy.X, sy.y_X, sy.y_Xt)}
-        given = (self.stored, self.dissipation)
+        given = (self.stored, self.dissipation, self.kinetic)
         return all(sp.expand(one - one.subs(turned, simultaneous=True)) == 0 for one in given)
 
     def of(self, stretch: sp.Expr) -> Densities:
         """The same with the stretch as a function of the tangent."""
-        return replace(self, stored=self.stored.subs(sy.s, stretch), dissipation=self.dissipation.subs(sy.s, stretch))
+        return self._with({sy.s: stretch})
+
+    @property
+    def level(self) -> Densities:
+        """Of small slope: what depends on the velocity sees a level, unstretched centreline."""
+        flat = self._with({sy.s: sp.S.One, sy.x_X: sp.S.One, sy.y_X: sp.S.Zero})
+        return replace(flat, stored=self.stored)
+
+    def _with(self, values: dict[sp.Symbol, sp.Expr]) -> Densities:
+        return replace(
+            self,
+            stored=self.stored.subs(values),
+            dissipation=self.dissipation.subs(values),
+            kinetic=self.kinetic.subs(values),
+        )
 
 
 def outer_force(densities: Iterable[Densities], stretch: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
@@ -64,7 +89,13 @@ def outer_force(densities: Iterable[Densities], stretch: sp.Expr) -> tuple[tuple
     both = [one.of(stretch) for one in densities]
 
     def total(place: sp.Symbol, rate: sp.Symbol) -> sp.Expr:
-        return sp.Add(*(sp.diff(one.stored, place) + sp.diff(one.dissipation, rate) for one in both))
+        return sp.Add(*(sp.diff(one.stored - one.kinetic, place) + sp.diff(one.dissipation, rate) for one in both))
 
     outer = -total(sy.x, sy.x_t), -total(sy.y, sy.y_t)
     return outer, (total(sy.x_X, sy.x_Xt), total(sy.y_X, sy.y_Xt))
+
+
+def outer_momentum(densities: Iterable[Densities], stretch: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Momentum (horizontal, vertical) per unit of rest length of what moves with the filament, T_v."""
+    kinetic = sp.Add(*(one.of(stretch).kinetic for one in densities))
+    return sp.diff(kinetic, sy.x_t), sp.diff(kinetic, sy.y_t)

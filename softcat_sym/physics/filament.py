@@ -85,6 +85,11 @@ class Terms:
         return any(one.dissipation != 0 for one in self.densities)
 
     @property
+    def adds_mass(self) -> bool:
+        """Whether something that moves with the filament has a kinetic energy of its own."""
+        return any(one.kinetic != 0 for one in self.densities)
+
+    @property
     def load(self) -> sp.Expr:
         """g(t): as it comes on, times its shaking."""
         return self.gravity * self.shaking

@@ -10,7 +10,7 @@ from softcat_sym.physics import reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.closures import CLOSURES, A, h
-from softcat_sym.physics.densities import outer_force
+from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.kinematics import F_x, F_y, mass_per_length
@@ -365,15 +365,17 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     mass, source = mass_per_length(), "2.14" if reduced else "2.1, 2.2"
     if not terms.inertia:
         mass = sp.Integer(0)
-    outer, inner = outer_force(terms.densities, terms.centreline.stretch)
+    densities = [one.level for one in terms.densities] if reduced else terms.densities
+    outer, inner = outer_force(densities, terms.centreline.stretch)
+    carried = [Rate(one, sy.t, 1) if one else one for one in outer_momentum(densities, terms.centreline.stretch)]
     if terms.densities:
         source += f"; {', '.join(one.name for one in terms.densities)}"
     if along:
         pulled = Rate(F_x + inner[0], sy.X, 1) + outer[0]
-        yield stated("balance of momentum, horizontal", mass * Rate(sy.x, sy.t, 2), pulled, source)
+        yield stated("balance of momentum, horizontal", mass * Rate(sy.x, sy.t, 2) + carried[0], pulled, source)
     falling = sy.rho * sy.A0 * (sy.g_t if _changes(equations) else terms.load)
     held = Rate(F_y + inner[1], sy.X, 1) + outer[1] - falling
-    yield stated("balance of momentum, vertical", mass * Rate(sy.y, sy.t, 2), held, source)
+    yield stated("balance of momentum, vertical", mass * Rate(sy.y, sy.t, 2) + carried[1], held, source)
     if along:
         yield stated("tangent, horizontal", sy.x_X, Rate(sy.x, sy.X, 1), "2.5")
     yield stated("tangent, vertical", sy.y_X, Rate(sy.y, sy.X, 1), "2.5")

@@ -61,14 +61,17 @@ VARIABLES: Final[Mapping[str, Variable]] = {
 }
 
 COORDINATES: Final = ("time", "X_node", "X_cell")
-_ENERGY = "energy_"
+_ENERGY, _LOST = "energy_", "energy_dissipated_"
+_OWN_POWERS = 3  # Plastic, of the load, of the necking gradient; then of the effects that dissipate
 _ODD = frozenset({"x", "shear", "shear_force"})
 
 
 def variable_of(name: str) -> Variable:
-    """What a variable is: one above, or the energy that the densities of an effect store."""
+    """What a variable is: one above, or the energy that the densities of an effect store or lose."""
     if name in VARIABLES or not name.startswith(_ENERGY):
         return VARIABLES[name]
+    if name.startswith(_LOST):
+        return Variable(_FRAME, "J", f"dissipated by {name.removeprefix(_LOST).replace('_', '-')} since t = 0", True)
     return Variable(_FRAME, "J", f"energy stored by {name.removeprefix(_ENERGY).replace('_', '-')} since t = 0", True)
 
 
@@ -82,6 +85,11 @@ def variables_of(names: Iterable[str]) -> dict[str, Variable]:
 def energies_of(names: Iterable[str]) -> tuple[str, ...]:
     """Names of the energies among those of fields: kinetic, stored and dissipated."""
     return tuple(name for name in names if name.startswith(_ENERGY))
+
+
+def is_loss(name: str) -> bool:
+    """Whether an energy is what was dissipated."""
+    return name.startswith("energy_dissipated")
 
 
 def mirrored(name: str, values: Floats) -> Floats:
@@ -107,9 +115,11 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     graph, span = prepared.graph, rest_length(scene)
     observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
-    observed["energy_dissipated"] = solution.quad[0][:, None] * unit
-    observed["work_external"] = solution.quad[1][:, None] * unit
-    against_gradient = solution.quad[2] * unit
+    plastic, load, gradient, *lost = solution.quad * unit
+    observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]
+    for name, loss in zip(list(graph.program.powers)[_OWN_POWERS:], lost, strict=True):
+        observed[f"{_LOST}{name}"] = loss[:, None]
+    against_gradient = gradient
     if not graph.has_velocities:
         # Positions that are algebraic have no velocity that a quadrature could use: the work is summed over frames.
         change, force = np.diff(np.diff(observed["stretch"], axis=1), axis=0), observed["double_force"]

@@ -23,7 +23,7 @@ from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.initial_state import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import POWERS, Flagged, Progress, Solution, watched
+from softcat_sym.solvers.solution import Flagged, Progress, Solution, watched
 
 Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)
@@ -307,7 +307,7 @@ class CompiledIntegration:
         frames = max(1, int(np.count_nonzero(times <= status.reached)))
         x, z = sites.vectors(room.states[:frames])
         x[:, 0], z[:, 0] = start.x, start.z
-        quad = np.zeros((POWERS, frames))
+        quad = np.zeros((len(self.graph.program.powers), frames))
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
         if status.code != SOLVED:

@@ -47,7 +47,7 @@ class External:
 
     library: Path
     rhs: ca.Function  # (t, x, z, p) to (ode, alg)
-    powers: ca.Function  # (t, x, z, p) to the powers of the whole filament, shape (3,)
+    powers: ca.Function  # (t, x, z, p) to the powers of the whole filament, shape (powers,)
 
     def symbols(self) -> tuple[ca.MX, ca.MX, ca.MX]:
         """New symbols x, z, p of the right sizes."""
@@ -90,7 +90,7 @@ class FrameIntegrator:
         local = settings.solver == "rosenbrock"
         powers = ca.vertcat(*graph.powers) if local else graph.quad
         sizes = [power.numel() if local else 1 for power in graph.powers]
-        self._firsts = [0, sizes[0], sizes[0] + sizes[1]]
+        self._firsts = np.cumsum([0, *sizes[:-1]])
         x: Any = graph.x
         z: Any = graph.z
         p: Any = graph.p
@@ -101,7 +101,7 @@ class FrameIntegrator:
             (ode, alg), quad = external.rhs(now, x, z, p), external.powers(now, x, z, p)
         # Without inertia nothing but flow limits the steps of IDAS, and where nothing flows a quadrature would be left
         # with one point a frame: the powers then count as unknowns, whose error is controlled.
-        self._works = 3 if settings.solver == "idas" and "v" not in graph.x_kinds else 0
+        self._works = len(sizes) if settings.solver == "idas" and "v" not in graph.x_kinds else 0
         works = kind.sym("works", self._works)
         dae: dict[str, Any] = {
             "t": tau,
@@ -210,7 +210,7 @@ class Integration:
             Called after every chunk.
         """
         last, interval = self._frames - 1, duration / (self._frames - 1)
-        parts, reached, integrator = [Solution.at(start.x, start.z)], 0, self._chunk
+        parts, reached, integrator = [Solution.at(start.x, start.z, len(self._graph.program.powers))], 0, self._chunk
         while reached < last:
             if len(self._kinks):
                 # A piece begins just behind its kink and ends just before the next.
@@ -240,7 +240,7 @@ class Integration:
     def piece(self, start: Start, p: Floats, times: Floats, scale: float, progress: Progress) -> Solution:
         """Integrate a part; parameters as :meth:`softcat_sym.solvers.run.Prepared.piece`."""
         begin, first, end = (float(times[k]) for k in (0, 1, -1))
-        parts = [Solution.at(start.x, start.z)]
+        parts = [Solution.at(start.x, start.z, len(self._graph.program.powers))]
         spans = [(low * (1 + _BESIDE), (high - low) * (1 - 2 * _BESIDE)) for low, high in self._cuts(begin, first)]
         parts.append(self._through(parts[0], p, spans))
         if parts[-1].outcome is Outcome.solved:

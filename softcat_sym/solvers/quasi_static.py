@@ -86,7 +86,7 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
         shapes.append(path.last)
         progress.update(time * scale, None)
     frames = len(shapes)
-    quad = np.vstack([np.zeros(frames), work, np.zeros(frames)])
+    quad = np.array([work if name == "load" else np.zeros(frames) for name in graph.program.powers])
     return Solution(times[:frames], np.zeros((0, frames)), np.array(shapes).T, quad, outcome, message, frames - 1)
 
 

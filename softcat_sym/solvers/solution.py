@@ -16,9 +16,6 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.solvers.outcome import Outcome
 
-POWERS = 3
-"""Quadratures: plastic work, work of the changing load, work against the necking gradient."""
-
 
 class Progress(Protocol):
     """Listens to a run; one listener hears all of it, estimates and refinements included."""
@@ -79,15 +76,15 @@ class Solution:
     time: Floats  # shape (frames,), in units of the time scale; shorter than requested if the integration failed
     x: Floats  # Differential states
     z: Floats  # Algebraic states
-    quad: Floats  # Quadratures, shape (POWERS, frames)
+    quad: Floats  # Quadratures, shape (powers, frames)
     outcome: Outcome
     message: str  # Time, worst component and the integrator's words, if it failed
     steps: int
 
     @classmethod
-    def at(cls, x: Floats, z: Floats) -> Solution:
+    def at(cls, x: Floats, z: Floats, powers: int) -> Solution:
         """The frame from which an integration begins, at time zero."""
-        return cls(np.zeros(1), x[:, None], z[:, None], np.zeros((POWERS, 1)), Outcome.solved, "", 0)
+        return cls(np.zeros(1), x[:, None], z[:, None], np.zeros((powers, 1)), Outcome.solved, "", 0)
 
     @classmethod
     def joined(cls, parts: Sequence[Solution]) -> Solution:
