@@ -41,9 +41,13 @@ _BATH = (Constant("bath_density", rho_b), Constant("bath_viscosity", mu_b))
 
 
 def reynolds_number(scene: Scene, motion: Motion) -> float:
-    """Re = rho_b d U/mu_b of the largest speed of the midpoint."""
-    bath = scene.surroundings
-    return bath.density * _diameter(scene) * motion.speed / bath.viscosity if bath.viscosity else math.inf
+    """Re = rho_b d U/mu_b of the largest speed of the midpoint, which no weight pulls beyond its terminal velocity."""
+    bath, d = scene.surroundings, _diameter(scene)
+    weight = abs(scene.filament.density - bath.density) * undeformed_area(scene) * scene.load.gravity
+    # Of White's law, without either of its two terms.
+    fast = math.sqrt(2 * weight / (bath.density * d))
+    slow = (weight / (5 * bath.density * d)) ** 0.75 * math.sqrt(bath.density * d / bath.viscosity)
+    return bath.density * d * min(motion.speed, fast, slow) / bath.viscosity
 
 
 def _diameter(scene: Scene) -> float:
@@ -55,7 +59,8 @@ def is_cross_flow(scene: Scene) -> bool:
     return scene.surroundings.density > 0 and reynolds_number(scene, forecast(scene)) >= _SLOW
 
 
-_SLOW = 1.0
+_SLOW, _FAST = 1.0, 2e5
+"""Reynolds numbers between which White's law holds; below, the bath has no inertia."""
 
 
 def _adapted(scene: Scene, terms: Terms) -> Terms:
@@ -88,7 +93,8 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # It matters to the sag for as long as the fall goes on.
     fall = motion.sag * scene.filament.span / motion.speed if motion.speed > 0 else 0.0
     falling = min(1.0, fall / scene.run.duration)
-    meaning = "share of the weight that the bath resists by, or ringing that it takes away"
+    law = "a cylinder in cross-flow (White)" if is_cross_flow(scene) else "a slender body (Cox)"
+    meaning = f"share of the weight that the bath resists by, as of {law}, or ringing that it takes away"
     return Estimate(min(1.0, max(taken * falling, lost)), meaning, "zeta U/q, or swings (1 - exp(-zeta T/(2 m)))")
 
 
@@ -98,7 +104,13 @@ def _warnings(scene: Scene, motion: Motion) -> list[str]:
     number, cross = reynolds_number(scene, motion), is_cross_flow(scene)
     if not cross and number > _SLOW:
         return [f"the bath is taken to have no inertia, but the Reynolds number reaches {number:.2g}"]
+    if cross and not _SLOW / _MARGIN < number < _FAST:
+        return [f"the drag is that of cross-flow at Reynolds numbers of 1 to 2e5, but the largest is {number:.2g}"]
     return []
+
+
+_MARGIN = 3.0
+"""By how much less than one Re may come out: the forecast has one digit."""
 
 
 DRAG = Effect(
