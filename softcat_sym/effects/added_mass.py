@@ -57,7 +57,7 @@ ADDED_MASS = Effect(
     estimate=_estimate,
     observable="change of every period, times the lag behind the balanced sag",
     example="embedded-strand",
-    derivation="14_surroundings",
+    derivation="17_surroundings",
     needs=("inertia",),
     in_paper=False,
 )

@@ -42,6 +42,6 @@ BUOYANCY = Effect(
     estimate=_estimate,
     observable="share of the weight that is carried, which no motion changes",
     example="embedded-strand",
-    derivation="14_surroundings",
+    derivation="17_surroundings",
     in_paper=False,
 )
