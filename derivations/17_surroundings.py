@@ -18,7 +18,8 @@
 # a bath leaves its weight and nothing else; that the potentials give the forces which the literature states; that the
 # kinetic energy gives Lighthill's reactive force, and what the mass of a node becomes.
 #
-# Effects derived here: `buoyancy` (`effects.buoyancy`), `drag` (`effects.drag`), `added-mass` (`effects.added_mass`).
+# Effects derived here: `buoyancy` (`effects.buoyancy.BUOYANT`), `drag` (`effects.drag.SLENDER`,
+# `effects.drag.CROSS_FLOW`), `added-mass` (`effects.added_mass.ADDED`).
 
 # %%
 import sympy as sp

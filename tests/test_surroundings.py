@@ -10,6 +10,7 @@ import pytest
 from scipy.optimize import brentq, curve_fit
 
 import softcat_sym as sc
+from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.drag import is_cross_flow
 
@@ -30,9 +31,9 @@ def strand(bath: dict[str, str], **tables: Any) -> sc.Scene:
     )
 
 
-def slender(viscosity: float) -> tuple[float, float]:
+def slender(viscosity: float, thickness: float = H) -> tuple[float, float]:
     """Force per length and velocity of a slender body, along and across (Cox 1970)."""
-    log = math.log(2 * L / H)
+    log = math.log(2 * L / thickness)
     return 2 * math.pi * viscosity / (log + math.log(2) - 1.5), 4 * math.pi * viscosity / (log + math.log(2) - 0.5)
 
 
@@ -94,35 +95,42 @@ def test_a_fast_strand_falls_at_the_terminal_velocity_of_a_cylinder() -> None:
         assert run.summary["energy_residual"] < 1e-5
 
 
-def test_a_beam_rings_down_in_its_bath() -> None:
-    """Frequency and decay of the first mode: w^2 = (22.3733/L^2)^2 E I/(rho A), decay zeta_n/(2 rho A)."""
+def ringing(time: Floats, rest: float, swing: float, rate: float, frequency: float, phase: float) -> Floats:
+    return rest * (1 + swing * np.exp(-rate * time) * np.cos(frequency * time + phase))
+
+
+def rings(viscosity: float, density: float, effects: tuple[str, ...], cells: int, backend: str) -> tuple[float, ...]:
+    """Decay and frequency of a clamped beam over those of theory, and what is missing in the energy.
+
+    First mode: w_0^2 = (22.3733/L^2)^2 E I/((rho + rho_b) A), decay zeta_n/(2 (rho + rho_b) A). Added to it are the
+    third and its like, which have died out, or hold little: they fall off as the fourth power of the wave number.
+    """
     area, inertia = math.pi * H**2 / 4, math.pi * H**4 / 64
-    natural = 22.37329 / L**2 * math.sqrt(10e6 * inertia / (RHO * area))
-    viscosity = 0.005
-    decay = slender(viscosity)[1] / (2 * RHO * area)
-    assert 0.02 < decay / natural < 0.3
+    mass = (RHO + density) * area
+    natural = 22.37329 / L**2 * math.sqrt(10e6 * inertia / mass)
+    decay = slender(viscosity)[1] / (2 * mass) if viscosity else 0.0
+    expected = math.sqrt(natural**2 - decay**2)
     scene = strand(
-        {"viscosity": f"{viscosity} Pa*s"},
+        {"viscosity": f"{viscosity} Pa*s", "density": f"{density} kg/m^3"},
         load={"gravity": "0.01 m/s^2"},
-        run={
-            "duration": f"{6 * 2 * math.pi / natural} s",
-            "frames": 601,
-            "effects": ["inertia", "bending", "extensibility", "drag"],
-        },
-        numerics={"rtol": 1e-8, "estimate": False, "cells": 40, "solver": "rosenbrock"},
+        run={"duration": f"{4 * 2 * math.pi / natural} s", "frames": 401, "effects": ["inertia", "bending", *effects]},
+        numerics={"rtol": 1e-6, "estimate": False, "cells": cells, "backend": backend},
     )
-    for backend in BACKENDS:
-        run = sc.simulate(scene.replace({"numerics.backend": backend}))
-        late = run.data.time.values > 0.3 * run.data.time.values[-1]
-        time, sag = run.data.time.values[late], -run.data.midpoint.values[late]
+    run = sc.simulate(scene)
+    time, sag = run.data.time.values, -run.data.midpoint.values
+    late = time > 0.2 * time[-1]
+    begin = (sag.mean(), 1.0, decay, expected, math.pi)
+    found = curve_fit(ringing, time[late], sag[late], begin)[0]
+    return found[2] / decay if decay else found[2] / natural, found[3] / expected, run.summary["energy_residual"]
 
-        def ringing(t: np.ndarray, rest: float, swing: float, rate: float, frequency: float, phase: float) -> np.ndarray:
-            return rest * (1 + swing * np.exp(-rate * t) * np.cos(frequency * t + phase))
 
-        begin = (sag.mean(), 1.0, decay, math.sqrt(natural**2 - decay**2), math.pi)
-        found = curve_fit(ringing, time, sag, begin)[0]
-        assert found[2] == pytest.approx(decay, rel=5e-3), backend
-        assert found[3] == pytest.approx(math.sqrt(natural**2 - decay**2), rel=2e-3), backend
+def test_a_beam_rings_down_in_its_bath() -> None:
+    decay, frequency, residual = rings(0.005, 0.0, ("extensibility", "drag"), 16, "compiled")
+    assert decay == pytest.approx(1, abs=5e-3)
+    assert frequency == pytest.approx(1, abs=5e-3)
+    assert residual < 1e-4
+    slower = rings(0.0, 800.0, ("added-mass",), 16, "compiled")
+    assert slower[1] == pytest.approx(1, abs=5e-3)
 
 
 def test_auto_takes_them_in_where_they_matter() -> None:

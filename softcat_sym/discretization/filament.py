@@ -38,6 +38,7 @@ from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
 
+
 def build(
     equations: FilamentEquations, model: str, ends: tuple[End, End], body: Body, rule: Sampling | None
 ) -> Program:

@@ -188,6 +188,7 @@ def kirchhoff(b: Builder) -> Mechanics:
         shown,
         double_force=double_force,
         moved=(moved[0], moved[1]),
+        level=not terms.stretches,
     )
 
 

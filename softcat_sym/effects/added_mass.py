@@ -44,7 +44,9 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # A ringing loses step by that in every radian; without it, inertia matters as far as the motion lags.
     slower = math.sqrt(1 + mass_ratio(scene)) - 1
     value = slower * max(motion.missed, motion.swings)
-    return Estimate(min(1.0, value), "change of every period, times what inertia matters", "sqrt(1 + C_m rho_b/rho) - 1")
+    return Estimate(
+        min(1.0, value), "change of every period, times what inertia matters", "sqrt(1 + C_m rho_b/rho) - 1"
+    )
 
 
 ADDED_MASS = Effect(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.laws import Constant
@@ -23,7 +23,7 @@ def _contribute(terms: Terms) -> Terms:
 
 
 def _applies(scene: Scene) -> bool:
-    return scene.model == "filament" and scene.surroundings.density > 0
+    return scene.surroundings.density > 0
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
@@ -38,7 +38,7 @@ BUOYANCY = Effect(
     source="Archimedes",
     contribute=_contribute,
     applies=_applies,
-    without_it=f"surroundings.density is zero, or {SMALL_MODEL}",
+    without_it="surroundings.density is zero",
     estimate=_estimate,
     observable="share of the weight that is carried, which no motion changes",
     example="embedded-strand",

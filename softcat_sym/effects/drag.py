@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.forecast import forecast
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import Terms
@@ -69,8 +69,7 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
 
 
 def _applies(scene: Scene) -> bool:
-    held = scene.model == "filament" and scene.filament.section != "sheet"
-    return held and scene.surroundings.viscosity > 0
+    return scene.filament.section != "sheet" and scene.surroundings.viscosity > 0
 
 
 def resistance(scene: Scene, speed: float) -> float:
@@ -119,12 +118,11 @@ DRAG = Effect(
     source="Cox 1970; White 1991",
     adapt=_adapted,
     applies=_applies,
-    without_it=f"surroundings.viscosity is zero, the section is a sheet, or {SMALL_MODEL}",
+    without_it="surroundings.viscosity is zero, or the section is a sheet, around which no flow is slow",
     estimate=_estimate,
     observable="resistance at the largest speed of the midpoint, over the weight; ringing that it would have ended",
     example="embedded-strand",
     derivation="17_surroundings",
-    needs=("extensibility",),
     in_paper=False,
     warnings=_warnings,
 )

@@ -85,7 +85,7 @@ def buoyant_share(scene: Scene) -> float:
     """rho_b/rho where buoyancy is not left out by name: by a list of effects, or the paper's."""
     asked = scene.run.effects
     listed = asked == "auto" if isinstance(asked, str) else "buoyancy" in asked
-    in_bath = listed and scene.run.closure != "printed" and scene.model == "filament"
+    in_bath = listed and scene.run.closure != "printed"
     return scene.surroundings.density / scene.filament.density if in_bath else 0.0
 
 

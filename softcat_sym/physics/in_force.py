@@ -365,7 +365,7 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     mass, source = mass_per_length(), "2.14" if reduced else "2.1, 2.2"
     if not terms.inertia:
         mass = sp.Integer(0)
-    densities = [one.level for one in terms.densities] if reduced else terms.densities
+    densities = terms.densities if along else [one.level for one in terms.densities]
     outer, inner = outer_force(densities, terms.centreline.stretch)
     carried = [Rate(one, sy.t, 1) if one else one for one in outer_momentum(densities, terms.centreline.stretch)]
     if terms.densities:

@@ -30,6 +30,7 @@ def sag(material: Mapping[str, Any], filament: Mapping[str, Any], effects: tuple
     numerics = {f"numerics.{key}": value for key, value in asked.pop("numerics", {}).items()}
     if "surface_tension" in asked:
         numerics["surroundings.surface_tension"] = f"{asked.pop('surface_tension')!r} N/m"
+    numerics |= {f"surroundings.{key}": value for key, value in asked.pop("surroundings", {}).items()}
     run = {"frames": 21, **asked.pop("run", {})}
     made = scene(material, filament, effects=effects, run=run, **{"cells": 16, "rtol": 1e-8, **asked})
     return -np.asarray(solved(made.replace(numerics))["midpoint"].values)
@@ -209,6 +210,30 @@ def surface_of_a_beam(force: float) -> Pair:
     asked = {"cells": 40, "run": {"frames": 2}, "surface_tension": force * modulus * thickness**3 / 24}
     material, filament = {"law": "elastic", "youngs_modulus": modulus}, {"thickness": thickness}
     return pair("surface-tension", ("bending", *STRETCHES), material, filament, **asked)
+
+
+# Buoyancy: q (1 - rho_b/rho), of a linear beam that share of the sag.
+def buoyancy_of_a_beam(ratio: float) -> Pair:
+    material = {"law": "elastic", "youngs_modulus": beam_modulus(1e-3, 0.05)}
+    bath = {"density": f"{1000 * ratio!r} kg/m^3"}
+    return pair("buoyancy", ("bending",), material, {"thickness": 0.05}, run={"frames": 2}, surroundings=bath)
+
+
+# Drag and added mass: the first mode of a swinging beam loses zeta/(2 rho A) in time, and its period gains half of the
+# share of the mass.
+def bath_of_a_beam(effect: str, bath: Mapping[str, str]) -> Pair:
+    material = {"law": "elastic", "youngs_modulus": beam_modulus(SWING_SAG, 0.05)}
+    asked = {"load": {"ramp": SWING_RAMP}, "run": {"frames": 101, "duration": SWING}, "cells": 12}
+    without = ("inertia", "bending", "gravity-ramp")
+    return pair(effect, without, material, {"thickness": 0.05}, surroundings=bath, **asked)
+
+
+def drag_of_a_beam(viscosity: float) -> Pair:
+    return bath_of_a_beam("drag", {"viscosity": f"{viscosity!r} Pa*s"})
+
+
+def mass_of_a_bath(ratio: float) -> Pair:
+    return bath_of_a_beam("added-mass", {"density": f"{1000 * ratio!r} kg/m^3"})
 
 
 # --- section -----------------------------------------------------------------------------------------------------

@@ -123,6 +123,9 @@ LIMITS: tuple[Limit, ...] = (
     Limit(
         "surface-tension", "clamped beam, F L^2/(E I)", halved(0.4), (1, 0.02), fading.surface_of_a_beam, (1 / 40, 0.01)
     ),
+    Limit("buoyancy", "clamped beam, rho_b/rho", halved(0.2), (1, 0.001), fading.buoyancy_of_a_beam, (1.0, 0.001)),
+    Limit("drag", "swinging clamped beam, mu_b", halved(0.1), (1, 0.03), fading.drag_of_a_beam),
+    Limit("added-mass", "swinging clamped beam, rho_b/rho", halved(0.02), (1, 0.04), fading.mass_of_a_bath),
     Limit(
         "solid-damping",
         "swinging clamped beam, G''/G'",
@@ -192,8 +195,9 @@ def _cells(text: str) -> tuple[str, str]:
 def _is_held(name: str) -> bool:
     """Whether the equations have an object of this name."""
     module, _, attribute = name.rpartition(".")
+    package = "softcat_sym" if module.startswith("effects.") else EQUATIONS
     try:
-        return hasattr(importlib.import_module(f"{EQUATIONS}.{module}" if module else EQUATIONS), attribute)
+        return hasattr(importlib.import_module(f"{package}.{module}" if module else package), attribute)
     except ModuleNotFoundError:
         return False
 
@@ -345,6 +349,8 @@ SYMBOLS: dict[str, tuple[set[str], set[str]]] = {
     "necking-gradient": ({"aspect"}, set()),
     "rotary-inertia": (set(), {"omega"}),
     "solid-damping": ({"solid_viscosity"}, set()),
+    "buoyancy": (set(), set()),
+    "drag": ({"bath_viscosity"}, set()),
     "gravity-shaking": ({"shake", "shake_frequency"}, set()),
 }
 """Parameters and blocks of unknowns of each effect alone; the others change expressions, and have neither."""

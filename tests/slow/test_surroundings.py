@@ -1,0 +1,89 @@
+"""Tables of what surrounds a filament, against closed forms: ring-down, terminal velocities, a beam that creeps down."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from tests.common.table import show
+from tests.test_surroundings import BACKENDS, H, L, RHO, rings, slender, strand
+
+pytestmark = pytest.mark.slow
+
+
+def test_ring_down_of_a_beam_in_its_bath() -> None:
+    """Decay and frequency over those of theory, of beam and of filament, sheared or not, interpreted and in C."""
+    rows = []
+    beam, filament = (), ("extensibility", "finite-stretch", "thinning", "large-rotation")
+    for theory, kinds in (("beam", beam), ("filament", filament), ("sheared", (*filament, "shear"))):
+        for viscosity, density in ((0.005, 0.0), (0.0, 1000.0), (0.005, 1000.0)):
+            for backend in BACKENDS:
+                effects = (*kinds, *(["drag"] if viscosity else []), *(["added-mass"] if density else []))
+                found = rings(viscosity, density, effects, 40, backend)
+                rows.append([theory, viscosity, density, backend, *found])
+                assert found[0] == pytest.approx(1 if viscosity else 0, abs=3e-3), rows[-1]
+                assert found[1] == pytest.approx(1, abs=1.5e-3), rows[-1]
+                assert found[2] < 1e-4, rows[-1]
+    show("ring-down", ("theory", "mu_b", "rho_b", "backend", "decay", "frequency", "energy residual"), rows)
+
+
+def test_a_pinned_beam_creeps_down_in_a_viscous_bath() -> None:
+    """zeta y_t + E I y_xxxx = -q between pins: y(L/2) = -sum 4 q/(n pi E I k^4) sin(n pi/2) (1 - exp(-E I k^4 t/zeta))."""
+    viscosity, gravity, h = 5000.0, 0.1, 10 * H  # Of a thin one, axial forces of rounding are seen in the velocities
+    area, stiffness = math.pi * h**2 / 4, 10e6 * math.pi * h**4 / 64
+    zeta, load = slender(viscosity, h)[1], RHO * area * gravity
+    n = np.arange(1, 60, 2)
+    k = n * math.pi / L
+    duration = 3 * zeta / (stiffness * (math.pi / L) ** 4)
+    rows = []
+    for model in ("filament", "small-deflection"):
+        errors = []
+        for cells in (10, 20, 40):
+            scene = strand(
+                {"viscosity": f"{viscosity} Pa*s"},
+                model=model,
+                filament={"span": f"{L} m", "diameter": f"{h} m", "density": f"{RHO} kg/m^3"},
+                ends={"left": "pinned", "right": "pinned"},
+                load={"gravity": f"{gravity} m/s^2"},
+                run={"duration": f"{duration} s", "frames": 31, "effects": ["bending", "drag"]},
+                numerics={"rtol": 1e-7, "estimate": False, "cells": cells, "grading": 1.0},
+            )
+            run = sc.simulate(scene)
+            time = run.data.time.values[:, None]
+            series = 4 * load / (n * math.pi * stiffness * k**4) * np.sin(n * math.pi / 2)
+            exact = np.sum(series * -np.expm1(-stiffness * k**4 * time / zeta), axis=1)
+            ratio = -run.data.midpoint.values[10:] / exact[10:]
+            errors.append(float(np.max(np.abs(ratio - 1))))
+            rows.append([model, cells, errors[-1], run.summary["energy_residual"]])
+            assert run.summary["energy_residual"] < 1e-5
+        order = math.log2(errors[0] / errors[1])
+        assert order == pytest.approx(2, abs=0.15), errors
+        assert errors[-1] < 1e-3
+    show("creeping beam", ("model", "cells", "largest error", "energy residual"), rows)
+
+
+def test_terminal_velocities() -> None:
+    """(rho - rho_b) A g/zeta_n of a slender body, from the first instant, where nothing has inertia."""
+    rows = []
+    area, viscosity = math.pi * H**2 / 4, 1.0
+    across = slender(viscosity)[1]
+    for backend in BACKENDS:
+        scene = strand(
+            {"viscosity": f"{viscosity} Pa*s", "density": "100 kg/m^3"},
+            material={"law": "newtonian", "viscosity": "1e-3 Pa*s"},
+            run={
+                "duration": "1e-4 s",
+                "frames": 11,
+                "effects": ["bending", "extensibility", "viscous-stress", "buoyancy", "drag"],
+            },
+            numerics={"rtol": 1e-8, "estimate": False, "backend": backend},
+        )
+        run = sc.simulate(scene)
+        speed = -np.gradient(run.data.midpoint.values, run.data.time.values)[5]
+        exact = (RHO - 100) * area * 9.81 / across
+        rows.append(["across", backend, speed, exact, speed / exact - 1])
+        assert speed == pytest.approx(exact, rel=1e-6)
+    show("terminal velocity [m/s]", ("direction", "backend", "found", "exact", "difference"), rows)
