@@ -13,6 +13,7 @@ from pydantic_core import PydanticCustomError
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.parameters import time_scale
+from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
@@ -169,6 +170,8 @@ def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
     yield _positive("load.shake_frequency", "Hz", load.shake_frequency)
     yield _positive("load.point_mass", "kg", load.point_mass)
     yield _surface_tension(scene)
+    yield _bath(scene, "density", "kg/m^3")
+    yield _bath(scene, "viscosity", "Pa*s")
     yield _stretch(scene)
     for table, name in _SIGNED:
         value, path = float(getattr(getattr(scene, table), name)), f"{table}.{name}"
@@ -192,6 +195,15 @@ def _surface_tension(scene: Scene) -> Candidate:
     if plain.trouble or pull_of_surface(scene) > 0:
         return plain
     found, remedy = "left out by run.effects or run.closure", "surface-tension in run.effects, and the material closure"
+    return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
+
+
+def _bath(scene: Scene, key: str, unit: str) -> Candidate:
+    plain = _positive(f"surroundings.{key}", unit, getattr(scene.surroundings, key))
+    in_force = {one.name for density in choose_effects(scene).terms().densities for one in density.constants}
+    if plain.trouble or f"bath_{key}" in in_force:
+        return plain
+    found, remedy = "no effect in force depends on it", "an effect in run.effects that does"
     return Candidate(**{**vars(plain), "trouble": found, "remedy": remedy})
 
 

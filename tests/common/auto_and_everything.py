@@ -52,18 +52,18 @@ class Answer:
     idle: dict[str, float] | None = None
 
 
-def answers(scenes: Sequence[tuple[str, sc.Scene]]) -> list[Answer]:
-    """The answers, in the order of the scenes."""
-    jobs = [(name, scene.to_toml()) for name, scene in scenes]
+def answers(scenes: Sequence[tuple[str, sc.Scene]], *, idle: bool = True) -> list[Answer]:
+    """The answers, in the order of the scenes; `idle` asks what each chosen effect is worth."""
+    jobs = [(name, scene.to_toml(), "idle" if idle else "") for name, scene in scenes]
     with ProcessPoolExecutor(max_workers=os.cpu_count(), mp_context=get_context("spawn")) as pool:
         return list(pool.map(_kept, jobs))
 
 
-def _kept(job: tuple[str, str]) -> Answer:
+def _kept(job: tuple[str, str, str]) -> Answer:
     return Answer(**kept(job, fingerprint(__file__), lambda: asdict(answer_of(*job))))
 
 
-def answer_of(name: str, text: str) -> Answer:
+def answer_of(name: str, text: str, idle: str) -> Answer:
     """Run ``auto``, everything, and ``auto`` without each of its effects."""
     scene = sc.Scene.model_validate(tomllib.loads(text))
     auto = _run(scene)
@@ -94,7 +94,7 @@ def answer_of(name: str, text: str) -> Answer:
         finer=finer,
         seconds=seconds_of(auto),
         everything_seconds=seconds_of(complete),
-        idle=_idle(scene, chosen, quick=seconds_of(auto) < _QUICK),
+        idle=_idle(scene, chosen, quick=seconds_of(auto) < _QUICK) if idle else None,
     )
 
 

@@ -17,6 +17,9 @@ ramp                  none 50 %, else log, 1 to 30 sqrt(L/g), half the duration 
 in 10 % each          slack by up to 30 % (or, of an elastic filament, drawn by up to 5 %); a support lowered by up to
                       0.3 L; a point mass of up to the filament's own. None of them with a free end, none slack with a
                       ramp; no Newtonian fluid slack or with a lowered support, which gives it no shape to begin with
+surroundings          if asked for: a surface tension of 1 to 72 mN/m (log) in 60 %, of an elastic filament a tenth of
+                      what it withstands at the most; none 25 %, air 25 %, a liquid as thin as water of 300 to 1500
+                      kg/m^3 25 %, an oil of 900 kg/m^3 and 0.01 to 10 Pa s (log) 25 %
 ====================  =================================================================================================
 """
 
@@ -75,6 +78,27 @@ def random_scenes(number: int = NUMBER, seed: int = SEED) -> list[sc.Scene]:
     """The scenes, always the same for a seed; the first of a longer list are those of a shorter one."""
     generator = np.random.default_rng(seed)
     return [_scene(generator) for _ in range(number)]
+
+
+def in_surroundings(scenes: list[sc.Scene], seed: int = SEED) -> list[sc.Scene]:
+    """The same filaments, each in surroundings of its own."""
+    generator = np.random.default_rng(seed + 1)
+    return [_surrounded(scene, generator) for scene in scenes]
+
+
+def _surrounded(scene: sc.Scene, generator: np.random.Generator) -> sc.Scene:
+    pulled, kind, tension, thin, oil = (float(u) for u in generator.uniform(size=5))
+    bath = ((0.0, 0.0), (1.2, 1.8e-5), (300 + 1200 * thin, 1e-3), (900.0, 10 ** (3 * oil - 2)))[int(4 * kind)]
+    gamma = 1e-3 * 72**tension if pulled < 0.6 else 0.0
+    if scene.material.law in ("elastic", "kelvin-voigt", "standard-linear") and scene.material.youngs_modulus:
+        gamma = min(gamma, 0.1 * scene.material.youngs_modulus * scene.filament.thickness)
+    return scene.replace(
+        {
+            "surroundings.surface_tension": f"{gamma!r} N/m",
+            "surroundings.density": f"{bath[0]!r} kg/m^3",
+            "surroundings.viscosity": f"{bath[1]!r} Pa*s",
+        }
+    )
 
 
 def _scene(generator: np.random.Generator) -> sc.Scene:
