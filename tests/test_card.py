@@ -15,11 +15,12 @@ import xarray as xr
 
 import softcat_sym as sc
 from softcat_sym.physics import closed_forms, regimes
+from softcat_sym.plotting.card import facts
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import without_estimate
 from softcat_sym.solvers.solution import Silence
-from softcat_sym.studies.card import scene_from_flags
+from softcat_sym.studies.card import Card, scene_from_flags
 from softcat_sym.studies.card_rules import (
     RULES,
     WORDS,
@@ -27,11 +28,13 @@ from softcat_sym.studies.card_rules import (
     Variants,
     applied_to,
     blamed,
+    certificate_of,
     descent_of,
     percent,
     smay_modulus_needed,
     unusual,
 )
+from softcat_sym.studies.card_surface import surface_hold
 from tests.common.in_process import Softcat, sets
 
 FIELD = {rule.key: rule for rule in RULES}
@@ -177,6 +180,35 @@ def test_descent_of_a_known_curve() -> None:
     assert [percent(error) for error in (0.012, -0.5, 3.99, 14.0)] == ["+1.2 %", "−50 %", "+399 %", "× 15"]
 
 
+def test_what_surface_tension_holds_and_what_the_rules_say_that_ignore_it() -> None:
+    """A thread at rest is a string under both pulls, 8 Q f = q L^2; a rule's longest span is its formula inverted."""
+    effects = "bending extensibility finite-stretch thinning large-rotation surface-tension"
+    coarse = {"numerics.cells": 12, "run.frames": 11}
+    run = at_rest("0.1 MPa", effects, thickness="0.1 mm", **{"surroundings.surface_tension": "10 mN/m"}, **coarse)
+    hold = surface_hold(run, "5 %", None, lambda _: (None, "not sought"), Silence())
+    assert hold is not None and hold.pull == pytest.approx(200)
+    sag, weight = -run.summary["midpoint_final_m"], 1000 * 9.81 * 0.1
+    assert hold.share == pytest.approx(8 * 200 * sag / 0.1 / weight, rel=0.02)
+    assert hold.sag_without == pytest.approx((3 * 1000 * 9.81 * 0.1**4 / (64 * 1e5)) ** (1 / 3), rel=0.05)
+    assert sag < 0.97 * hold.sag_without
+    assert hold.rule_spans["elastic-cable"] == pytest.approx(0.05**3 * 64 * 1e5 / (3 * 1000 * 9.81), rel=1e-5)
+    stiffness = 384 * 1e5 * (1e-4) ** 2 / 16 / (1000 * 9.81)
+    assert hold.rule_spans["beam-clamped"] == pytest.approx((0.05 * stiffness) ** (1 / 3), rel=1e-5)
+    assert set(hold.rule_spans) == {"smay-pinned", "beam-clamped", "elastic-cable"}
+    descent = descent_of(run)
+    assert descent is not None
+    rules = tuple(applied_to(run, field) for field in RULES)
+    shown = Card("", run.scene, run, descent, certificate_of(run, descent), rules, "5 %", None, "not sought", hold, ())
+    rows = dict(facts(shown))
+    assert rows["surface tension"].startswith("pulls with 200 Pa, carries 1")
+    assert "elastic cable 27.2 mm" in rows["spans by the rules"] and "span without it" not in rows
+    found = json.loads(json.dumps(shown.to_dict()))["surface_tension"]
+    assert (found["pull"], found["span_without"]) == (hold.pull, None)
+    names = [line.get_label() for line in shown.plot().axes[1].lines]
+    assert any(str(name).startswith("without surface") for name in names)
+    assert surface_hold(at_rest("10 MPa", **coarse), "5 %", None, lambda _: (None, ""), Silence()) is None
+
+
 FILES = {"card.html", "card.json", "card.csv", "card.png", "scene.toml"}
 BODY = ("--density", "1000 kg/m^3", "--span", "10 cm", "--diameter", "1 mm")
 OIL = (*BODY, "--law", "newtonian", "--viscosity", "1 GPa*s", "--duration", "1 s")
@@ -225,7 +257,9 @@ def test_a_flow_curve_is_a_material_in_tension(tmp_path: Path) -> None:
     # Twenty swings of sqrt(L/g), and five times eta/sigma_Y.
     assert scene.run.duration == pytest.approx(20 * (0.1 / 9.81) ** 0.5 + 5 * 30 / (200 * 3**0.5), rel=0.01)
     assert len(notes) == 2
-    forced, _ = scene_from_flags({**flags, "law": "herschel-bulkley", "duration": "3 s", "ends": "pinned"})
+    more = {"law": "herschel-bulkley", "duration": "3 s", "ends": "pinned", "surface-tension": "72 mN/m"}
+    forced, _ = scene_from_flags({**flags, **more})
+    assert forced.surroundings.surface_tension == 0.072
     assert (forced.material.law, forced.run.duration, forced.ends.left) == ("herschel-bulkley", 3.0, "pinned")
 
 
@@ -249,6 +283,7 @@ BAD: list[tuple[tuple[str, ...], str]] = [
     ((*without("--density"), "--density", "-1 kg/m^3"), "filament.density"),
     ((*without("--diameter"), "--diameter", "1 m"), "filament.thickness"),
     ((*INK, "--ends", "glued"), "ends.left"),
+    ((*INK, "--surface-tension", "72 Pa"), "surroundings.surface_tension"),
     ((*INK, "--index", "thin"), "material.index"),
     ((*INK, "--duration", "0 s"), "run.duration"),
     ((*INK, *sets("material.visosity=1 Pa*s")), "material.visosity"),

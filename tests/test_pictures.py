@@ -33,7 +33,6 @@ from softcat_sym.plotting.run import (
     MAX_FRAMES,
     ROWS,
     energy_figure,
-    energy_imbalance,
     maps_of,
     midpoint_figure,
     shapes_figure,
@@ -72,6 +71,7 @@ from softcat_sym.plotting.units import (
     stress_unit,
     time_unit,
 )
+from softcat_sym.results.fields import energy_imbalance
 from softcat_sym.solvers.outcome import Outcome
 from tests.common.catenary import descent, make_run, make_scene, scene, summary
 
@@ -318,6 +318,34 @@ def test_energies_have_one_unit_and_the_imbalance_is_what_is_missing(descent, su
     assert largest == 10.0
     data["energy_dissipated"] = [0.0, 1.0, 4.25]
     np.testing.assert_allclose(energy_imbalance(data)[0], [0.0, 0.0, 0.25])
+
+
+def test_every_column_of_the_audit_is_drawn_by_its_name(descent, summary, scene):
+    """Those of effects too, whatever their names; what is nothing at all times is left out."""
+    held = {**descent, "energy_elastic_foundation": 0.1 * descent["energy_elastic"]}
+    for style, own in (("screen", "--"), ("column", ":")):
+        upper = energy_figure({**held, "energy_surface": descent["energy_kinetic"]}, summary, scene, style).axes[0]
+        lines = {str(line.get_label()): line for line in upper.lines}
+        np.testing.assert_allclose(lines["elastic foundation"].get_ydata(), 1e6 * held["energy_elastic_foundation"])
+        np.testing.assert_allclose(lines["surface"].get_ydata(), 1e6 * descent["energy_kinetic"])
+        assert "gradient" not in lines and own in {line.get_linestyle() for line in upper.lines}
+    assert energy_imbalance(held)[1] == energy_imbalance(descent)[1]
+    np.testing.assert_allclose(
+        energy_imbalance(held)[0] - energy_imbalance(descent)[0], held["energy_elastic_foundation"], atol=1e-12
+    )
+
+
+def test_shapes_are_drawn_swollen(descent, summary, scene):
+    """About the same centreline, by as much as is asked and said."""
+    plain, swollen = (shapes_figure(descent, summary, scene, radius=radius) for radius in (1.0, 5.0))
+    (thin, thick) = (np.array(figure.axes[-1].patches[0].get_xy()) for figure in (plain, swollen))
+    middle = len(thin) // 4
+    across = [np.ptp(body[[middle, len(body) - 2 - middle], 1]) for body in (thin, thick)]
+    assert across[1] == pytest.approx(5 * across[0], rel=1e-6)
+    words = [text.get_text() for text in swollen.findobj(Text)]
+    assert any("thickness × 5" in text for text in words) and not any("true thickness" in text for text in words)
+    with pytest.raises(SoftcatError, match="radius: -1; accepted: a positive factor"):
+        shapes_figure(descent, summary, scene, radius=-1.0)
 
 
 def meshes(figure: Figure) -> list[QuadMesh]:

@@ -47,6 +47,7 @@ def card(
     shear_viscosity: Annotated[str | None, _value("From a rheometer, converted: '10 Pa*s'.")] = None,
     shear_consistency: Annotated[str | None, _value("Likewise, of a law with an index.")] = None,
     shear_yield_stress: Annotated[str | None, _value("Likewise: '200 Pa'.")] = None,
+    surface_tension: Annotated[str | None, _value("Of its surface: '72 mN/m' of water; none if not given.")] = None,
     flow_curve: Annotated[str | None, _CURVE] = None,
     ends: Annotated[str | None, _value("clamped (default) or pinned.")] = None,
     duration: Annotated[str | None, _value("How long to look: '1 s'. Chosen if not given.")] = None,

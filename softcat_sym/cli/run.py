@@ -46,6 +46,9 @@ StyleOption = Annotated[
         "--style", metavar="STYLE", help="Of the pictures: screen; publication (a column wide, PDF too); page."
     ),
 ]
+RadiusOption = Annotated[
+    float, typer.Option("--radius", metavar="FACTOR", help="Draw shapes with their thickness swollen, to see beads.")
+]
 TrajectoryArgument = Annotated[
     Path, typer.Argument(metavar="TRAJECTORY", help="A trajectory.nc that softcat run wrote, or its folder.")
 ]
@@ -59,6 +62,7 @@ def run(
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
+    radius: RadiusOption = 1.0,
     verbose: VerboseOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -66,7 +70,7 @@ def run(
 
     DIR gets trajectory.nc, summary.json, scene.toml, pictures and a table.
     """
-    order, drawn = _requested_pictures(animate, animate_seconds, style)
+    order, drawn = _requested_pictures(animate, animate_seconds, style, radius)
     asked, output = scene_and_directory(scene, changes, output, "run")
     from softcat_sym.files import made, written_together
     from softcat_sym.plotting.run import write_run
@@ -79,7 +83,7 @@ def run(
             trajectory = simulated(asked, progress)
             progress.stage("drawing pictures")
             with made(output), written_together():
-                written = write_run(trajectory, output, drawn)
+                written = write_run(trajectory, output, drawn, radius)
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written")
         raise typer.Exit(INTERRUPTED) from None
@@ -105,6 +109,7 @@ def draw(
     animate: AnimateOption = None,
     animate_seconds: SecondsOption = 8.0,
     style: StyleOption = "screen",
+    radius: RadiusOption = 1.0,
     quiet: QuietOption = False,
 ) -> None:
     """Draw a finished run again: in another style, or as a film.
@@ -112,7 +117,7 @@ def draw(
     Without solving; its pictures, its table and a film go to DIR (by default the folder of the run with -draw).
     summary.json and scene.toml of the run go along with them.
     """
-    order, drawn = _requested_pictures(animate, animate_seconds, style)
+    order, drawn = _requested_pictures(animate, animate_seconds, style, radius)
     folder = trajectory.parent if trajectory.suffix == ".nc" else trajectory
     output = output_directory(output, "draw", folder.resolve().name)
     from softcat_sym.files import made, written_together
@@ -125,7 +130,7 @@ def draw(
     try:
         with made(output), written_together():
             beside = {"summary.json": run.summary, "scene.toml": run.scene.to_toml()}
-            files = write_results(output, pictures(run.fields, run.summary, run.scene, drawn) | beside)
+            files = write_results(output, pictures(run.fields, run.summary, run.scene, drawn, radius) | beside)
             files += [] if order is None else [_film(order, output, run, quiet=quiet)]
     except KeyboardInterrupt:
         print_error("interrupted; nothing was written")
@@ -134,10 +139,11 @@ def draw(
         typer.echo(f"wrote {', '.join(path.name for path in files)} to {output}")
 
 
-def _requested_pictures(animate: str | None, seconds: float, style: str) -> tuple[FilmOrder | None, str]:
+def _requested_pictures(animate: str | None, seconds: float, style: str, radius: float) -> tuple[FilmOrder | None, str]:
     """What the options of films and pictures ask for, refused before anything is computed."""
-    from softcat_sym.plotting.style import picture_style
+    from softcat_sym.plotting.style import drawn_radius, picture_style
 
+    drawn_radius(radius)
     drawn = picture_style(style)
     if animate is None:
         return None, drawn

@@ -496,10 +496,10 @@ def _refuse_without_crossing(allowed: Limit, spans: list[float], scanned: list[S
 
 
 def _parameters(scene: Scene) -> tuple[str, ...]:
-    """Every constant of the material once, thickness, width if it is one's own, and density."""
+    """Every constant of material and surroundings once, thickness, width if it is one's own, and density."""
     paths: dict[str, str] = {}
     for one in candidates(scene):
         geometric = one.path in ("filament.thickness", "filament.width", "filament.density")
-        if (one.path.startswith("material.") or geometric) and one.logarithmic and not one.trouble:
+        if (one.path.startswith(("material.", "surroundings.")) or geometric) and one.logarithmic and not one.trouble:
             paths.setdefault(one.constant, one.path)
     return tuple(paths.values())

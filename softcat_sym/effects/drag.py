@@ -13,6 +13,7 @@ import sympy as sp
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.forecast import forecast
+from softcat_sym.effects.scaling_estimates import weight_stress
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.laws import Constant
@@ -43,7 +44,7 @@ _BATH = (Constant("bath_density", rho_b), Constant("bath_viscosity", mu_b))
 def reynolds_number(scene: Scene, motion: Motion) -> float:
     """Re = rho_b d U/mu_b of the largest speed of the midpoint, which no weight pulls beyond its terminal velocity."""
     bath, d = scene.surroundings, _diameter(scene)
-    weight = abs(scene.filament.density - bath.density) * undeformed_area(scene) * scene.load.gravity
+    weight = weight_stress(scene) * undeformed_area(scene) / scene.filament.span
     # Of White's law, without either of its two terms.
     fast = math.sqrt(2 * weight / (bath.density * d))
     slow = (weight / (5 * bath.density * d)) ** 0.75 * math.sqrt(bath.density * d / bath.viscosity)
@@ -83,7 +84,7 @@ def resistance(scene: Scene, speed: float) -> float:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    weight = scene.filament.density * undeformed_area(scene) * scene.load.gravity
+    weight = weight_stress(scene) * undeformed_area(scene) / scene.filament.span
     taken = resistance(scene, motion.speed) / weight if weight > 0 else 1.0
     # A swing of that speed loses zeta/(2 m) of its amplitude in a unit of time.
     mass = scene.filament.density * undeformed_area(scene)

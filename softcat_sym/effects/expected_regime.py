@@ -12,18 +12,17 @@ import sympy as sp
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
 from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.quasi_static import load_factor
 from softcat_sym.physics import regimes
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import (
     Scene,
-    gravity_time,
     groups_of,
     is_held,
     is_slack,
     stress_free_length,
-    undeformed_area,
 )
 
 TURNS_BACK = 0.05
@@ -107,8 +106,7 @@ def worst_gravity_number(scene: Scene) -> float | None:
     filament = scene.filament
     areas = [part ** SECTIONS[filament.section].area_power for part in filament.profile] or [1.0]
     mean = sum(areas) / len(areas)
-    carried = scene.load.point_mass / (filament.density * undeformed_area(scene) * filament.span)
-    return plain * (mean + 2 * carried) / min(areas)
+    return plain * (mean + load_factor(scene) - 1) / min(areas)
 
 
 def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
@@ -170,7 +168,9 @@ def _arrested(
         springs = _swing(scene, effects, gravity_number)
     depth = past * (numbers.stopping_depth_exact or 0.0)
     clamped = "clamped" in (scene.ends.left, scene.ends.right) and "bending" in effects
+    # Of the tension that turns the hinge, over sigma_Y/eta.
     pace = hinge_pace(gravity_number, viscous, depth, scales.duration_star(scene)) if clamped else 0.0
+    pace /= scales.share_of_yield(scene)
     named = functools.partial(found, overshoot=past, rebound=springs, hinge_pace=pace)
     carried = _how_it_is_held(scene, numbers)
     if pace > HINGES_CREEP:
@@ -218,7 +218,7 @@ def _pulled_beyond_yield(scene: Scene) -> bool:
 
 def _ramp(scene: Scene, effects: Collection[str]) -> float:
     """Ramp in sqrt(L/g); none where it is left out."""
-    return scene.load.ramp / gravity_time(scene) if "gravity-ramp" in effects else 0.0
+    return scene.load.ramp / scales.fall_time(scene) if "gravity-ramp" in effects else 0.0
 
 
 def _first_frequency(scene: Scene) -> float:

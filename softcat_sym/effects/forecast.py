@@ -110,7 +110,9 @@ def neck_draw(scene: Scene, gravity_number: float, viscous: float, sag: float) -
     if viscous == 0:
         gathered = 1.0
     else:
-        gathered = -math.expm1(-math.pi * math.sqrt(gravity_number / 10) / (gravity_number * viscous))
+        # Of the tension at yield the surface's part makes a neck grow half as fast.
+        growth = (1 + scales.share_of_yield(scene)) / 2
+        gathered = -math.expm1(-math.pi * math.sqrt(gravity_number / 10) / (gravity_number * viscous) * growth)
     return gathered * 8 / 3 * sag**2 * rest_length(scene) / (2 * scales.neck_length(scene))
 
 
@@ -261,7 +263,7 @@ def _speed(scene: Scene, history: quasi_static.History, rings: Ringing) -> float
     span = scene.filament.span
     growing = float(np.max(np.abs(np.diff(history.sag)) / np.diff(history.time))) if len(history.time) > 1 else 0.0
     ringing_speed = rings.amplitude * rings.frequency if math.isfinite(rings.frequency) else 0.0
-    fallen = math.sqrt(2 * scene.load.gravity * float(np.max(history.sag)) * span)
+    fallen = math.sqrt(2 * scales.gravity_of(scene) * float(np.max(history.sag)) * span)
     return min(max(growing, ringing_speed) * span, fallen)
 
 
@@ -323,8 +325,8 @@ def expected_strain(scene: Scene) -> float:
 def missed_by(scene: Scene, time: quasi_static.Floats, sag: quasi_static.Floats) -> float:
     """What a filament that is in balance at every instant misses; a slack one hangs in its weight from the start."""
     if is_slack(scene):
-        return missed_from_rest(time, sag, scene.load.gravity)
-    return missed_inertia(time, sag, scene.load.gravity, scene.load.ramp)
+        return missed_from_rest(time, sag, scales.gravity_of(scene))
+    return missed_inertia(time, sag, scales.gravity_of(scene), scene.load.ramp)
 
 
 def strain_of(scene: Scene, sag: float) -> float:
@@ -359,11 +361,12 @@ def tension_share(scene: Scene, sag: float) -> float:
 
 
 def flowing_overstress(scene: Scene, sag: float) -> float:
-    """Mean stress of beam or catenary over the yield stress; infinite without one."""
+    """Mean stress of beam or catenary, of which its surface carries a part, over the yield stress; infinite without."""
     limit, delta = scales.yield_stress_of(scene), groups_of(scene).delta
     if limit is None:
         return math.inf
-    return scales.weight_stress(scene) * min(sag + 1 / (8 * sag), 1 / (2 * delta)) / limit
+    weight, pull = scales.weight_stress(scene), scales.pull_of_surface(scene) if is_held(scene) else 0.0
+    return max(0.0, min(weight * (sag + 1 / (8 * sag)) - pull, weight / (2 * delta))) / limit
 
 
 def _risen(scene: Scene, history: quasi_static.History, amplitude: float) -> float:
@@ -397,7 +400,7 @@ def _overstress(scene: Scene, rings: Ringing) -> float:
     limit, modulus = scales.yield_stress_of(scene), scales.instant_modulus(scene)
     if limit is None or modulus is None:
         return math.inf
-    strained = largest_strain(scene, rings) / (1 + scales.beam_share_of_surface(scene))
+    strained = largest_strain(scene, rings) * scales.moment_left_by_surface(scene)
     squeezed = 0.0 if is_held(scene) else scales.pull_of_surface(scene)
     return max(modulus * strained, squeezed) / limit
 

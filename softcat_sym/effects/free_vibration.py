@@ -176,13 +176,13 @@ def _strand(scene: Scene, modulus: float) -> _Strand:
     ell, areas = length / _ELEMENTS, relative**section.area_power
     size = 2 * (_ELEMENTS + 1)
     bending, geometric, mass = (np.zeros((size, size)) for _ in range(3))
-    push = np.zeros(size)
+    push, sinking = np.zeros(size), scene.filament.density * abs(1 - scales.buoyant_share(scene))
     for n in range(_ELEMENTS):
         at = slice(2 * n, 2 * n + 4)
         bending[at, at] += stiff * area * areas[n] * gyration * relative[n] ** 2 / ell**3 * _bent(ell)
         geometric[at, at] += _pulled(ell) / (30 * ell)
         mass[at, at] += scene.filament.density * area * areas[n] * ell / 420 * _inert(ell)
-        push[at] += scene.filament.density * area * areas[n] * ell * np.array([1 / 2, ell / 12, 1 / 2, -ell / 12])
+        push[at] += sinking * area * areas[n] * ell * np.array([1 / 2, ell / 12, 1 / 2, -ell / 12])
     mass[_ELEMENTS, _ELEMENTS] += scene.load.point_mass
     push[_ELEMENTS] += scene.load.point_mass
     free = _free_places((scene.ends.left, scene.ends.right), size)
@@ -265,7 +265,7 @@ def ringing(scene: Scene, *, lossless: bool = False) -> Ringing:
     deep = elastic_sag_under(scene, weight, static) - start_sag(scene)
     if deep <= 0:
         return Ringing(math.inf, 0.0, 0.0)
-    frequency = math.sqrt(_FREQUENCY * scene.load.gravity / (deep * scene.filament.span))
+    frequency = math.sqrt(_FREQUENCY * scales.gravity_of(scene) / (deep * scene.filament.span))
     decay = _decay(scene, frequency) + (0.0 if lossless else solid_decay(scene))
     left = min(1.0, _left_by_ramp(scene, frequency, deep)) if scene.load.ramp > 0 else 1.0
     return Ringing(frequency, decay, deep * left if decay < frequency else 0.0)
@@ -278,7 +278,7 @@ def _left_by_ramp(scene: Scene, frequency: float, deep: float) -> float:
     a speed of 2.15 sags per ramp, is caught up by inertia when its frequency has grown to one radian, at t_c, and keeps
     the action of that swing.
     """
-    ramp, gravity, span = scene.load.ramp, scene.load.gravity, scene.filament.span
+    ramp, gravity, span = scene.load.ramp, scales.gravity_of(scene), scene.filament.span
     smooth = _RAMP_ENVELOPE / (frequency * ramp) ** 3
     beam = elastic_sag_under(scene, scales.weight_stress(scene), scales.instant_modulus(scene), taut=False)
     straight = is_held(scene) and abs(slackness(scene)) < _STRAIGHT

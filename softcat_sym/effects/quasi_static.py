@@ -35,9 +35,9 @@ def smooth_step(share: Floats) -> Floats:
 
 
 def load_factor(scene: Scene) -> float:
-    """Sag of the loaded filament over that of the bare one: a mass at midspan counts twice."""
-    mass = scene.filament.density * undeformed_area(scene) * scene.filament.span
-    return 1 + 2 * scene.load.point_mass / mass
+    """Sag of the loaded filament over that of the bare one: a mass at midspan counts twice, with its whole weight."""
+    weight = scales.weight_stress(scene) * undeformed_area(scene)
+    return 1 + 2 * scene.load.point_mass * scene.load.gravity / weight if weight > 0 else 1.0
 
 
 def slackness(scene: Scene) -> float:

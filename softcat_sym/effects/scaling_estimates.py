@@ -11,7 +11,7 @@ from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.necking import NECKS, aspect
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import h0
-from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held
+from softcat_sym.scene.scene import Scene, groups_of, is_held
 
 _THROUGHOUT = 2.0
 """G over that of first yield from which the whole section yields."""
@@ -69,16 +69,41 @@ def gravity_number_of(scene: Scene) -> float | None:
     return None if limit is None else weight_stress(scene) / limit
 
 
-def beam_share_of_surface(scene: Scene) -> float:
-    """C: weight of the elastic beam that surface tension carries, over what bending carries; 0 with a free end."""
-    modulus = instant_modulus(scene)
-    return 8 * pull_of_surface(scene) / (bending_stiffness(scene) * modulus) if modulus and is_held(scene) else 0.0
+def moment_left_by_surface(scene: Scene) -> float:
+    """Share of the largest moment of the elastic beam that the pull of its surface leaves; 1 with a free end."""
+    modulus, pull = instant_modulus(scene), pull_of_surface(scene)
+    if not modulus or not pull or not is_held(scene):
+        return 1.0
+    gyration = float(regimes.gyration(SECTIONS[scene.filament.section]))
+    psi = math.sqrt(pull / (4 * modulus * gyration)) / groups_of(scene).delta
+    return _relief(beam_of(scene), psi)
+
+
+_WEAK, _STRONG = 1e-3, 300.0
+"""Below the former psi nothing is left to take, above the latter hyperbolic functions overflow."""
+
+
+@lru_cache(maxsize=256)
+def _relief(beam: regimes.Beam, psi: float) -> float:
+    least = float(beam.relief.subs(regimes.psi_T, min(psi, _STRONG))) if psi > _WEAK else 1.0
+    # A string between clamps: as 3/psi; between pins as 2/psi^2, which is small anyway.
+    return least * min(1.0, _STRONG / psi)
+
+
+def gravity_of(scene: Scene) -> float:
+    """Gravity g |1 - rho_b/rho|, less what the surroundings carry."""
+    return scene.load.gravity * abs(1 - buoyant_share(scene))
+
+
+def fall_time(scene: Scene) -> float:
+    """Time sqrt(L/g) with that gravity [s]."""
+    gravity = gravity_of(scene)
+    return math.sqrt(scene.filament.span / gravity) if gravity > 0 else math.inf
 
 
 def weight_stress(scene: Scene) -> float:
     """Rho g L [Pa], less what the surroundings carry."""
-    filament = scene.filament
-    return filament.density * scene.load.gravity * filament.span * abs(1 - buoyant_share(scene))
+    return scene.filament.density * gravity_of(scene) * scene.filament.span
 
 
 def buoyant_share(scene: Scene) -> float:
@@ -117,13 +142,15 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
 def viscous_number(scene: Scene) -> float | None:
     """V = eta/(rho sqrt(g L^3)) (3.10) with the effective viscosity; infinite without gravity."""
     viscosity = effective_viscosity(scene)
-    impulse = weight_stress(scene) * gravity_time(scene) if scene.load.gravity > 0 else 0.0
+    # The inertia is that of the whole density.
+    density, span = scene.filament.density, scene.filament.span
+    impulse = density * math.sqrt(gravity_of(scene) * span * span * span)
     return viscosity if viscosity is None else viscosity / impulse if impulse > 0 else math.inf
 
 
 def duration_star(scene: Scene) -> float:
     """Duration of the run in units of sqrt(L/g); zero without gravity."""
-    return scene.run.duration / gravity_time(scene)
+    return scene.run.duration / fall_time(scene)
 
 
 def beam_of(scene: Scene) -> regimes.Beam:
@@ -148,7 +175,7 @@ def first_yield_gravity_number(scene: Scene) -> float:
     In the G of :func:`gravity_number_of`, and with what surface tension carries of the weight.
     """
     plain = _first_yield(scene.filament.section, beam_of(scene), groups_of(scene).delta)
-    return plain * (1 + beam_share_of_surface(scene)) * share_of_yield(scene)
+    return plain / moment_left_by_surface(scene) * share_of_yield(scene)
 
 
 def yields_throughout(scene: Scene) -> bool:

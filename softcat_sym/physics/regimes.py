@@ -18,6 +18,7 @@ Rational = sp.Rational
 delta = enter("delta", r"\delta", ONE, "slenderness h_0/L", "3.9", positive=True)
 eps_Y = enter("eps_Y", r"\epsilon_Y", ONE, "yield strain sigma_Y/E", "3.9", positive=True)
 G = enter("G", "G", ONE, "gravity number rho g L/sigma_Y", "3.10", positive=True)
+Gam_s = enter("Gam_s", r"\Gamma_s", STRESS, "pull of the surface over the area, gamma P/(2 A)", "Eggers & Dupont 1994")
 V = enter("V", "V", ONE, "viscous number eta/(rho sqrt(g L^3))", "3.10", positive=True)
 E_star = enter("E_star", "E^*", ONE, "modulus over weight E/(rho g L)", "THEORY 5", positive=True)
 tau_star = enter("tau_star", r"\tau^*", ONE, "relaxation time eta/E in units of sqrt(L/g)", "2.18", positive=True)
@@ -40,11 +41,23 @@ class Beam:
     # moment that all modes add up to when all are at their worst.
     overshoot_bound: sp.Expr
     collapse: sp.Expr  # q L^2 over the fully plastic moment when enough hinges have formed for the beam to give way
+    # Share of the largest static moment that a steady tension, such as that of the surface, leaves; of psi.
+    relief: sp.Expr = sp.S.One
 
 
-CLAMPED = Beam(Rational(1, 12), Rational(1, 384), sp.Integer(2), sp.Integer(16))
-PROPPED = Beam(Rational(1, 8), Rational(1, 192), sp.Integer(2), 6 + 4 * sp.sqrt(2))
-PINNED = Beam(Rational(1, 8), Rational(5, 384), 1 + 28 * sp.zeta(3) / sp.pi**3, sp.Integer(8))
+# Of a clamped end that the other one answers by the carry-over of a beam in tension.
+_CLAMPED_RELIEF = 3 * (psi_T / sp.tanh(psi_T) - 1) / psi_T**2
+_carried_over = (sp.sinh(2 * psi_T) - 2 * psi_T) / (2 * psi_T * sp.cosh(2 * psi_T) - sp.sinh(2 * psi_T))
+
+CLAMPED = Beam(Rational(1, 12), Rational(1, 384), sp.Integer(2), sp.Integer(16), _CLAMPED_RELIEF)
+PROPPED = Beam(
+    Rational(1, 8), Rational(1, 192), sp.Integer(2), 6 + 4 * sp.sqrt(2),
+    Rational(2, 3) * (1 + _carried_over) * _CLAMPED_RELIEF,
+)  # fmt: skip
+PINNED = Beam(
+    Rational(1, 8), Rational(5, 384), 1 + 28 * sp.zeta(3) / sp.pi**3, sp.Integer(8),
+    2 * (1 - 1 / sp.cosh(psi_T)) / psi_T**2,
+)  # fmt: skip
 
 CANTILEVER = Beam(Rational(1, 2), Rational(17, 384), sp.Integer(2), sp.Integer(2))
 """One end clamped, the other free; the sag is that of the middle."""
@@ -213,6 +226,7 @@ FIRST_YIELD = tuple(
 
 EQUATIONS: tuple[Equation, ...] = (
     *GROUPS,
+    Equation("gravity number with surface tension", G, rho * g * L / (sigma_Y + Gam_s), "3.10, Eggers & Dupont 1994"),
     *FIRST_YIELD,
     CATENARY_SAG,
     CATENARY_STRESS,

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from softcat_sym.physics.equation import Equation
-from softcat_sym.physics.regimes import E_star, H, V, tau_star
-from softcat_sym.physics.symbols import A0, ONE, VISCOSITY, E, L, enter, eta, g, rho
+from softcat_sym.physics.regimes import SHALLOW_STRESS, E_star, Gam_s, H, V, tau_star
+from softcat_sym.physics.symbols import A0, ONE, VISCOSITY, E, L, enter, eta, g, rho, sigma_Y
 
 Rational = sp.Rational
 
@@ -73,6 +73,11 @@ MODULUS_FROM_CABLE = Equation(
     "Irvine and Caughey 1974",
 )
 """The shape follows; R sqrt(2H/L) between pi/2 (taut) and 4.493 (inextensible, where R says nothing of E)."""
+
+YIELD_STRESS_FROM_SAG = Equation(
+    "yield stress from the sag at which a catenary stopped", sigma_Y, SHALLOW_STRESS.right - Gam_s, "before 3.12"
+)
+"""What the sag itself reads is sigma_Y + gamma P/(2 A): its surface holds a part of the filament."""
 
 MODULUS_BY_GROUPS = Equation("modulus over weight", E_star, 1 / (2 * B * tau_star), "2.17")
 VISCOUS_NUMBER = Equation("viscous number", V, 1 / (2 * B), "2.20")

@@ -18,6 +18,7 @@ from matplotlib.ticker import MaxNLocator
 from rich.console import Console
 from rich.text import Text
 
+from softcat_sym.effects.scaling_estimates import yield_stress_of
 from softcat_sym.plotting import style
 from softcat_sym.plotting.files import page, write_results
 from softcat_sym.plotting.section import Section, outline, quads_outside, section_at, vertical_stretch, yielding_of
@@ -63,6 +64,7 @@ def facts(card: Card) -> list[tuple[str, str]]:
         sags = f"{length_unit(span).text(span)} sags {length_unit(sag).text(sag)} (limit {card.limit})"
         powers = ", ".join(f"{name}^{power:.2g}" for name, power in exponents(card)[:_STRONGEST])
         rows[-1:] = [("longest span", sags), ("it grows as", powers or "nothing that is known here")]
+    rows += _of_surface(card)
     modulus = card.scene.material.youngs_modulus
     if modulus is not None and not unusual(card.scene):
         needed, own = smay_modulus_needed(card.scene), modulus / _INCOMPRESSIBLE
@@ -72,6 +74,34 @@ def facts(card: Card) -> list[tuple[str, str]]:
     rows += [("note", text) for text in card.notes]
     rows += [("warning", str(text)) for text in card.summary.get("warnings") or ()]
     return rows
+
+
+def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
+    """What surface tension holds, the span that it adds, and the spans of the rules, which ignore it."""
+    hold, limit = card.surface, yield_stress_of(card.scene)
+    if hold is None:
+        return
+    pull = stress_unit(hold.pull).text(hold.pull)
+    if limit:
+        unit = stress_unit(limit)
+        read = unit.text(limit + hold.pull)
+        pull += f" beside a yield stress of {unit.text(limit)} ({read} together, read from an arrested sag)"
+    carried = "" if hold.share is None else f", carries {100 * hold.share:.2g} % of the weight"
+    bare = f"no answer ({hold.outcome_without})"
+    if hold.sag_without is not None:
+        bare = length_unit(abs(hold.sag_without)).text(hold.sag_without)
+    yield "surface tension", f"pulls with {pull}{carried}; sag without it {bare}"
+    if hold.span_without is not None:
+        without = length_unit(hold.span_without).text(hold.span_without)
+        added = hold.span_added or 0.0
+        adds = f"; it adds {length_unit(abs(added)).text(added)}" if hold.span_added is not None else ""
+        yield "span without it", f"{without}{adds}"
+    elif hold.span_text != card.span_text:
+        yield "span without it", f"none found: {hold.span_text}"
+    if hold.rule_spans:
+        names = {rule.key: rule.name for rule in card.rules}
+        spans = (f"{names[key]} {length_unit(span).text(span)}" for key, span in hold.rule_spans.items())
+        yield "spans by the rules", f"{', '.join(spans)}: they ignore it"
 
 
 def _descent(card: Card) -> Iterator[tuple[str, str]]:
@@ -226,6 +256,12 @@ def _draw_descent(axes: Axes, card: Card) -> None:
             axes.axhline(float(unit.of(depth)), color=colour, linewidth=0.9, linestyle="--", label=label)
         else:
             axes.plot([], [], linestyle="none", label=f"{label} ↓")
+    if card.surface is not None and card.surface.sag_without is not None:
+        depth = card.surface.sag_without
+        if abs(depth) <= _DEEPEST * deepest:
+            axes.axhline(float(unit.of(depth)), color=style.BLUE, lw=0.9, linestyle=":", label="without surface")
+        else:
+            axes.plot([], [], linestyle="none", label=f"without surface {percent(depth / float(sag[-1]) - 1)} ↓")
     if card.descent is not None and card.descent.to_90 is not None:
         at = (float(clock.of(card.descent.to_90)), float(unit.of(0.9 * sag[-1])))
         axes.plot(*at, "o", color=style.BLUE, markersize=4, zorder=4, label="90 %")
@@ -290,6 +326,9 @@ def _headline(card: Card) -> Iterator[tuple[str, str]]:
             yield time_unit(descent.to_90).text(descent.to_90), "to 90 % of it"
     if card.span is not None:
         yield length_unit(card.span.span).text(card.span.span), f"longest span for {card.limit}"
+    if card.surface is not None and card.surface.span_without is not None:
+        without = card.surface.span_without
+        yield length_unit(without).text(without), "without surface tension"
     if card.error_estimate is not None:
         yield f"{100 * card.error_estimate:.2g} %", "estimated error"
 

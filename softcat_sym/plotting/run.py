@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
+from itertools import cycle
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -258,19 +260,24 @@ _LOW = 0.3
 """Below this height [inch] the axis of a shape has room for one number."""
 
 
-def shapes_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
+def shapes_figure(
+    data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN, radius: float = 1.0
+) -> Figure:
     """Draw the filament at a few telling times, one below the other, or side by side if that would be too tall.
 
     Lengths are equal along both axes. A sag below 2 % of the span is too flat to see: the vertical scale is then
-    stretched, thickness and all, by a factor that the axis label states.
+    stretched, thickness and all, by a factor that the axis label states. So is a `radius` by which the thickness is
+    drawn swollen, for the beads of a thin thread to be seen.
     """
+    thickness = radius * scene.filament.thickness
+    data = {**data, "thickness": style.drawn_radius(radius) * array(data, "thickness")}
     sheet = Sheet.of(data, summary, scene, name)
     shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
-    stretch = vertical_stretch(largest_sag(shapes), scene.filament.thickness, scene.filament.span)
+    stretch = vertical_stretch(largest_sag(shapes), thickness, scene.filament.span)
     corners = np.array([[shape.outline.min(axis=0), shape.outline.max(axis=0)] for shape in shapes])
     low, high = corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)
-    margin = 0.25 * scene.filament.thickness
-    x = np.array([low[0], high[0]]) + np.array([-1, 1]) * (0.02 * float(high[0] - low[0]) or scene.filament.thickness)
+    margin = 0.25 * thickness
+    x = np.array([low[0], high[0]]) + np.array([-1, 1]) * (0.02 * float(high[0] - low[0]) or thickness)
     y = corners[:, :, 1] + margin * np.array([-1, 1])
     ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
     inch = (WIDTHS[name] - (1.0 if sheet.on_screen else 0.65)) / float(np.ptp(x))
@@ -286,8 +293,9 @@ def shapes_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
         heights = inch * np.ptp(y[:1], axis=1)
     with styled_for(name):
         size, lines = (8.0 if sheet.on_screen else 7.0), 1 if stacked else 3
+        drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
         figure, panels = sheet.figure(
-            "shapes with their true thickness", heights.tolist(), columns=columns, above=0.28 + 0.15 * lines,
+            f"shapes with their {drawn}", heights.tolist(), columns=columns, above=0.28 + 0.15 * lines,
             right=0.2 if sheet.on_screen else 0.1, between=(0.15, 0.24),
         )  # fmt: skip
         for axes, shape, bounds in zip(panels, shapes, y, strict=True):
@@ -309,6 +317,7 @@ def shapes_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             if not stacked and axes is not panels[0]:
                 axes.tick_params(labelleft=False)
         scaled = "" if stretch == 1 else f" (vertical scale × {stretch:g}, thickness too)"
+        scaled += "" if radius == 1 or sheet.on_screen else f" ({drawn})"
         figure.supxlabel(
             f"x [{ruler.symbol}]{scaled}", fontsize=size + 0.5, y=0.04 / figure.get_figheight(), va="bottom"
         )
@@ -336,42 +345,31 @@ def _draw_shape(axes: Axes, shape: Shape, ruler: Unit) -> None:
     style.lighten(axes)
 
 
-# Name in the trajectory, label, colour, line style, sign in the balance. Line styles too: colour alone is not enough.
-TERMS = (
-    ("energy_potential", "potential", style.BLUE, "-", 1.0),
-    ("energy_elastic", "elastic", style.GREEN, "-", 1.0),
-    ("energy_surface", "surface", style.BLACK, "--", 1.0),
-    ("energy_kinetic", "kinetic", style.ORANGE, "--", 1.0),
-    ("energy_dissipated", "dissipated", style.VERMILLION, "-", 1.0),
-    ("energy_gradient", "gradient", style.SKY, ":", 1.0),
-    ("work_external", "external work", style.PURPLE, "-.", -1.0),
-)
-
-
-def energy_imbalance(data: Fields) -> tuple[Floats, float]:
-    """Kinetic + elastic + surface + potential + dissipated + gradient - work, less its first value."""
-    values = [array(data, name) for name, *_ in TERMS]
-    total = np.sum([sign * value for (*_, sign), value in zip(TERMS, values, strict=True)], axis=0)
-    return np.asarray(total - total[0]), max(float(np.abs(value).max()) for value in values)
+# Of the columns of the audit in their order. Line styles too: colour alone is not enough.
+_LOOKS = (
+    (style.ORANGE, "--"), (style.GREEN, "-"), (style.BLACK, "--"), (style.BLUE, "-"), (style.VERMILLION, "-"),
+    (style.SKY, ":"), (style.PURPLE, "-."), (style.BLACK, ":"), (style.GREY, "-"), (style.GREEN, "-."),
+)  # fmt: skip
 
 
 def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> Figure:
     """Draw the energy budget, and on the screen below it the imbalance relative to the largest energy."""
+    from softcat_sym.results.fields import audit_of, energy_imbalance, energy_label
+
     sheet = Sheet.of(data, summary, scene, name)
     time = sheet.clock.of(sheet.time)
     imbalance, largest = energy_imbalance(sheet.data)
     unit, marker = energy_unit(largest), "o" if time.size == 1 else None
+    looks, across = (_LOOKS, 6) if sheet.on_screen else (LINES, 3)
+    columns = [(term, look) for term, look in zip(audit_of(sheet.data), cycle(looks)) if np.any(sheet.data[term])]
     with styled_for(name):
-        heights, above = ([2.4, 0.8], 0.3) if sheet.on_screen else ([1.6], 0.55)
+        heights, above = ([2.4, 0.8], 0.15 * (1 + -(-len(columns) // across))) if sheet.on_screen else ([1.6], 0.55)
         figure, panels = sheet.figure(
             "energy budget of the whole filament", heights, above=above, between=(0.15, 0.3), right=0.2
         )
-        optional = ("energy_gradient", "energy_surface")
-        terms = [t for t in TERMS if np.any(sheet.data[t[0]]) or (sheet.on_screen and t[0] not in optional)]
-        for k, (term, label, colour, line, _) in enumerate(terms):
-            look = (colour, line) if sheet.on_screen else LINES[k % len(LINES)]
-            energy = unit.of(sheet.data[term])
-            panels[0].plot(time, energy, color=look[0], linestyle=look[1], label=label, marker=marker)
+        for term, (colour, line) in columns:
+            energy, label = unit.of(sheet.data[term]), energy_label(term)
+            panels[0].plot(time, energy, color=colour, linestyle=line, label=label, marker=marker)
         panels[0].set_ylabel(f"energy [{unit.symbol}]")
         if sheet.on_screen:
             residual = imbalance / largest if largest > 0 else imbalance
@@ -390,8 +388,8 @@ def energy_figure(data: Fields, summary: Summary, scene: Scene, name: str = styl
             axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
             axes.yaxis.set_major_locator(MaxNLocator(6 if axes is panels[0] else 3, steps=_STEPS))
         panels[0].set_xlabel("" if sheet.on_screen else panels[0].get_xlabel())
-        if terms:
-            sheet.legend(figure, ncols=7 if sheet.on_screen else 3, handlelength=2.0, columnspacing=1.1)
+        if columns:
+            sheet.legend(figure, ncols=across, handlelength=2.0, columnspacing=1.1)
     return figure
 
 
@@ -522,10 +520,17 @@ FIGURES = {
 }
 
 
-def pictures(data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN) -> dict[str, object]:
+def figures_with(radius: float) -> dict[str, Callable[..., Figure]]:
+    """The pictures, shapes drawn as many times as thick."""
+    return {**FIGURES, "shapes": partial(shapes_figure, radius=radius)}
+
+
+def pictures(
+    data: Fields, summary: Summary, scene: Scene, name: str = style.SCREEN, radius: float = 1.0
+) -> dict[str, object]:
     """Midpoint, shapes, energy and space-time as PNG, for print as PDF too, and ``midpoint.csv``."""
     contents: dict[str, object] = {}
-    for what, draw in FIGURES.items():
+    for what, draw in figures_with(radius).items():
         figure = draw(data, summary, scene, name)
         if name == style.SCREEN:
             contents[f"{what}.png"] = figure
@@ -557,13 +562,13 @@ class WrittenRun:
     summary: dict[str, Any]  # As in ``summary.json``, with the time that the writing took
 
 
-def write_run(trajectory: Run, directory: str | Path, name: str = style.SCREEN) -> WrittenRun:
+def write_run(trajectory: Run, directory: str | Path, name: str = style.SCREEN, radius: float = 1.0) -> WrittenRun:
     """Write what ``softcat run`` leaves behind: trajectory, summary, resolved scene, pictures and the midpoint table.
 
     The summary states how long all but itself took.
     """
     began = time.perf_counter()
-    drawn = pictures(trajectory.fields, trajectory.summary, trajectory.scene, name)
+    drawn = pictures(trajectory.fields, trajectory.summary, trajectory.scene, name, radius)
     written = write_results(directory, {**trajectory.files(), **drawn})
     spent = time.perf_counter() - began
     wall = trajectory.summary["wall_s"]

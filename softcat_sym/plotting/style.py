@@ -47,6 +47,13 @@ def picture_style(asked: str) -> str:
     return STYLES[asked]
 
 
+def drawn_radius(asked: float) -> float:
+    """Read by how much the thickness is to be drawn swollen."""
+    if not 0 < asked < float("inf"):
+        raise SoftcatError(f"radius: {asked:g}; accepted: a positive factor of the thickness drawn, such as 5")
+    return asked
+
+
 BLACK: Final = "#222222"
 GREY: Final = "#8a8a8a"
 BLUE: Final = "#0072B2"

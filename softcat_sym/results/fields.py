@@ -61,7 +61,7 @@ VARIABLES: Final[Mapping[str, Variable]] = {
 }
 
 COORDINATES: Final = ("time", "X_node", "X_cell")
-_ENERGY, _LOST = "energy_", "energy_dissipated_"
+_ENERGY, _WORK, _LOST = "energy_", "work_", "energy_dissipated_"
 _OWN_POWERS = 3  # Plastic, of the load, of the necking gradient; then of the effects that dissipate
 _ODD = frozenset({"x", "shear", "shear_force"})
 
@@ -80,6 +80,18 @@ def variables_of(names: Iterable[str]) -> dict[str, Variable]:
     found = set(names)
     listed = [name for name in VARIABLES if name in found]
     return {name: variable_of(name) for name in (*listed, *(one for one in energies_of(names) if one not in listed))}
+
+
+def audit_of(names: Iterable[str]) -> dict[str, float]:
+    """Names of all energies and works among those of fields, with their signs in the balance."""
+    found = (name for name in variables_of(names) if name.startswith((_ENERGY, _WORK)))
+    return {name: -1.0 if name.startswith(_WORK) else 1.0 for name in found}
+
+
+def energy_label(name: str) -> str:
+    """What a picture calls a column of the audit: ``surface``, ``external work``."""
+    words = name.replace("_", " ").replace("dissipated ", "dissipated by ")
+    return words.removeprefix("energy ") if name.startswith(_ENERGY) else f"{words.removeprefix('work ')} work"
 
 
 def energies_of(names: Iterable[str]) -> tuple[str, ...]:
@@ -158,10 +170,15 @@ def min_energy(scene: Scene) -> float:
     return modulus * undeformed_area(scene) * rest_length(scene) * 1e-6**2
 
 
+def energy_imbalance(fields: Mapping[str, Floats]) -> tuple[Floats, float]:
+    """Sum of all energies less the works, less its first value; and the largest of them all."""
+    values = {name: np.asarray(fields[name], dtype=float) for name in audit_of(fields)}
+    total = np.sum([sign * values[name] for name, sign in audit_of(fields).items()], axis=0)
+    return total - total[0], max(float(np.abs(value).max()) for value in values.values())
+
+
 def energy_residual(fields: Mapping[str, Floats], least: float = 0.0) -> float:
     """Largest imbalance over the run, relative to the largest energy in it."""
-    energies = energies_of(fields)
-    balance = sum(fields[name] for name in energies) - fields["work_external"]
-    scale = max(float(np.max(np.abs(fields[name]))) for name in (*energies, "work_external"))
-    scale = max(scale, least)
-    return float(np.max(np.abs(balance - balance[0]))) / scale if scale > 0 else 0.0
+    imbalance, largest = energy_imbalance(fields)
+    scale = max(largest, least)
+    return float(np.max(np.abs(imbalance))) / scale if scale > 0 else 0.0

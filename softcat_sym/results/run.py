@@ -174,23 +174,25 @@ class Run:
         """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
         return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
 
-    def plot(self, what: str = "midpoint") -> Figure:
+    def plot(self, what: str = "midpoint", radius: float = 1.0) -> Figure:
         """Draw one picture of the run.
 
         Parameters
         ----------
         what : str
             ``midpoint``, ``shapes``, ``energy`` or ``space-time``.
+        radius : float
+            By how much ``shapes`` draws the filament swollen, for the beads of a thin thread to be seen.
 
         Raises
         ------
         SoftcatError
-            If there is no such picture.
+            If there is no such picture, or the radius is not positive.
         """
         from softcat_sym.plotting.notebook import drawn
-        from softcat_sym.plotting.run import FIGURES
+        from softcat_sym.plotting.run import figures_with
 
-        return drawn(FIGURES, what, self.fields, self.summary, self.scene)
+        return drawn(figures_with(radius), what, self.fields, self.summary, self.scene)
 
     def figures(self) -> dict[str, Figure]:
         """All pictures of the run, by name."""

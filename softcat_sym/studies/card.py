@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import pandas as pd
@@ -30,6 +31,7 @@ from softcat_sym.studies.card_rules import (
     certificate_of,
     descent_of,
 )
+from softcat_sym.studies.card_surface import Span, SurfaceHold, surface_hold
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -47,7 +49,8 @@ _MATERIAL = {
     "shear-consistency": "material.shear_consistency",
     "shear-yield-stress": "material.shear_yield_stress",
 }
-FLAGS = (*_GEOMETRY, *_MATERIAL, "ends", "duration", "flow-curve")
+_SURFACE = {path.partition(".")[2].replace("_", "-"): path for path in ("surroundings.surface_tension",)}
+FLAGS = (*_GEOMETRY, *_MATERIAL, *_SURFACE, "ends", "duration", "flow-curve")
 """What a scene is made of."""
 
 _EXAMPLES = {
@@ -69,9 +72,10 @@ def scene_from_flags(flags: Mapping[str, str | None], changes: Sequence[str] = (
     run = {"duration": given.get("duration", "1 s"), "accuracy": _ACCURACY}
     scene: dict[str, Any] = {
         "title": f"{given.get('law') or 'ink'}, {given['diameter']} across {given['span']}",
-        "filament": {"section": "circle"}, "material": {}, "ends": {"left": ends, "right": ends}, "run": run,
+        "filament": {"section": "circle"}, "material": {}, "surroundings": {}, "ends": {"left": ends, "right": ends},
+        "run": run,
     }  # fmt: skip
-    for name, path in {**_GEOMETRY, **_MATERIAL}.items():
+    for name, path in {**_GEOMETRY, **_MATERIAL, **_SURFACE}.items():
         if name in given and not (curve and name == "law"):
             part, _, key = path.partition(".")
             scene[part][key] = _number(given[name]) if name == "index" else given[name]
@@ -154,6 +158,8 @@ class Card:
         The longest span that sags less, and its exponents; None where none was found.
     span_text : str
         Why not; empty otherwise.
+    surface : SurfaceHold or None
+        What surface tension holds; None where there is none.
     notes : tuple of str
         What was assumed or converted.
     """
@@ -167,6 +173,7 @@ class Card:
     limit: str
     span: CriticalSpan | None
     span_text: str
+    surface: SurfaceHold | None
     notes: tuple[str, ...]
 
     @property
@@ -186,7 +193,13 @@ class Card:
         return str(self.summary.get("regime") or "")
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``card.json`` holds, in SI."""
+        """What ``card.json`` holds, in SI.
+
+        Of surface tension, under ``surface_tension`` (null without any): ``pull`` gamma P/(2 A) [Pa], ``share`` of the
+        weight that it carries at the end, ``sag_without`` [m] and ``outcome_without`` of the same run without it,
+        ``span_without`` and ``span_added`` [m], ``span_text`` if there is none, ``rule_spans`` [m]: the longest span by
+        each rule of the field, which ignores it, by its key.
+        """
         span, summary = self.span, self.summary
         return {
             "name": self.name,
@@ -205,6 +218,7 @@ class Card:
                 "exponents": {} if span is None else dict(span.gradient),
                 "notes": [self.span_text] if span is None else list(span.notes),
             },
+            "surface_tension": None if self.surface is None else asdict(self.surface),
             "effects": list(summary.get("effects") or ()),
             "notes": list(self.notes),
             "warnings": list(summary.get("warnings") or ()),
@@ -255,7 +269,8 @@ def card(
 
     The filament is run with an error estimate. Each rule of the field is laid beside the run; where it is off by more
     than 5 %, the run is repeated without what the rule leaves out, one effect after another, and what brings the two
-    together is named. Then the longest span that sags less than a limit is sought. Finished runs come from the store.
+    together is named. Then the longest span that sags less than a limit is sought; of a filament with surface tension
+    that without it, too. Finished runs come from the store.
 
     Parameters
     ----------
@@ -288,7 +303,12 @@ def card(
     progress.stage("the filament itself")
     run = recalled(scene, progress)
     descent = descent_of(run)
-    longest, why = _longest_span(scene, limit, progress, given=sag is not None) if span else (None, "not sought")
+    unsought: Span = (None, "not sought")
+    longest, why = _longest_span(scene, limit, progress, given=sag is not None) if span else unsought
+    surface = None
+    if descent is not None:
+        seek = partial(_longest_span, limit=limit, progress=progress, given=False)
+        surface = surface_hold(run, limit, longest, seek if span else lambda _: unsought, progress)
     rules: tuple[Rule, ...] = ()
     if descent is not None:
         rules = tuple(applied_to(run, field) for field in RULES)
@@ -296,10 +316,11 @@ def card(
             variants = Variants(run, progress)
             rules = tuple(blamed(rule, field, variants) for rule, field in zip(rules, RULES, strict=True))
     certificate = None if descent is None else certificate_of(run, descent)
-    return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, (*notes, *scene.notes))
+    texts = (*notes, *scene.notes)
+    return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, surface, texts)
 
 
-def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool) -> tuple[CriticalSpan | None, str]:
+def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool) -> Span:
     """The critical span near the scene's own, or farther away; why there is none, if a default limit has none."""
     own = scene.filament.span
     progress.stage("the longest span")

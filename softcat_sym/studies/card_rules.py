@@ -17,8 +17,10 @@ from softcat_sym.effects.lists import dependants, ordered, string_of, terms_of, 
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import (
     beam_of,
+    buoyant_share,
     effective_viscosity,
     gravity_number_of,
+    gravity_of,
     static_modulus,
     weight_stress,
     yield_stress_of,
@@ -210,13 +212,14 @@ def unusual(scene: Scene) -> str:
         "it starts stressed": bool(scene.initial.P) or bool(scene.initial.C) or scene.initial.stretch != 1,
         "there is no gravity": scene.load.gravity == 0,
         "it is shaken": scene.load.shake > 0,
+        "it floats up": buoyant_share(scene) >= 1,
     }
     return next((why for why, found in checks.items() if found), "")
 
 
 def _value(expression: Any, scene: Scene, more: Mapping[Any, float] | None = None) -> float:
     filament = scene.filament
-    known = {rho: filament.density, g: scene.load.gravity, L: filament.span, h0: filament.thickness}
+    known = {rho: filament.density, g: gravity_of(scene), L: filament.span, h0: filament.thickness}
     return float(expression.subs({**known, **(more or {})}))
 
 
