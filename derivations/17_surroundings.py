@@ -30,7 +30,7 @@ from softcat_sym.effects.buoyancy import BUOYANT
 from softcat_sym.effects.drag import CROSS_FLOW, SLENDER, across, along
 from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.necking import aspect
-from softcat_sym.physics.symbols import A0, L_0, X, g, g_t, h0, mu_b, rho_b, s, t, x_t, x_X, y, y_t, y_X
+from softcat_sym.physics.symbols import A0, L_0, X, g, g_t, h0, mu_b, rho_b, s, t, x_t, x_X, y_t, y_X
 
 stretch = sp.sqrt(x_X**2 + y_X**2)
 

@@ -177,6 +177,8 @@ def _strand(scene: Scene, modulus: float) -> _Strand:
     size = 2 * (_ELEMENTS + 1)
     bending, geometric, mass = (np.zeros((size, size)) for _ in range(3))
     push, sinking = np.zeros(size), scene.filament.density * abs(1 - scales.buoyant_share(scene))
+    if sinking == 0 and scene.load.point_mass == 0:
+        sinking = scene.filament.density  # Nothing pushes it: as if its weight did
     for n in range(_ELEMENTS):
         at = slice(2 * n, 2 * n + 4)
         bending[at, at] += stiff * area * areas[n] * gyration * relative[n] ** 2 / ell**3 * _bent(ell)
