@@ -34,9 +34,13 @@ _d = h0 * (1 + aspect) / 2 / sp.sqrt(s)
 SLENDER = s * (along * _v_t**2 + across * _v_n**2) / 2
 
 _inertial = sp.Abs(_v_n) ** 3 / 3
-_viscous = sp.Rational(30, 7) * (mu_b / (rho_b * _d)) ** sp.Rational(2, 3) * sp.Abs(_v_n) ** sp.Rational(7, 3)
+_slow = across**3 / (125 * rho_b * _d * mu_b**2)  # Speed below which the slender body's force is the larger one
+_viscous = sp.Rational(30, 7) * (mu_b / (rho_b * _d)) ** sp.Rational(2, 3) * (_v_n**2 + _slow**2) ** sp.Rational(7, 6)
 CROSS_FLOW = s * (along * _v_t**2 + rho_b * _d * (_inertial + _viscous)) / 2
-"""Potential of (1/2) rho_b C_d d |v_n| v_n with C_d = 1 + 10 Re^(-2/3) (White 1991), and of a slender body along."""
+"""Potential of (1/2) rho_b C_d d |v_n| v_n with C_d = 1 + 10 Re^(-2/3) (White 1991), and of a slender body along.
+
+Of a Reynolds number near 0.1 it passes into the slender body across too: Re^(-2/3) alone would have no slope at rest.
+"""
 
 _BATH = (Constant("bath_density", rho_b), Constant("bath_viscosity", mu_b))
 
@@ -79,8 +83,7 @@ def resistance(scene: Scene, speed: float) -> float:
     if is_cross_flow(scene):
         viscous = 10 * (bath.viscosity / (bath.density * d)) ** (2 / 3) * speed ** (4 / 3)
         return bath.density * d / 2 * (speed**2 + viscous)
-    slenderness = math.log(4 * rest_length(scene) / d)
-    return 4 * math.pi * bath.viscosity / (slenderness - 0.5) * speed
+    return 4 * math.pi * bath.viscosity / (math.log(4 * rest_length(scene) / d) - 0.5) * speed
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:

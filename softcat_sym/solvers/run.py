@@ -89,7 +89,9 @@ class Prepared:
         if self.start is None:
             text = "at t = 0 s: no shape in balance was found (a straight string that does not bend has no stiffness)"
             x, z = self.graph.start[:, None], self.graph.straight[:, None]
-            return Solution(self.times[:1], x, z, np.zeros((3, 1)), Outcome.no_equilibrium, text, 0)
+            return Solution(
+                self.times[:1], x, z, np.zeros((len(self.graph.program.powers), 1)), Outcome.no_equilibrium, text, 0
+            )
         if self.integration is None:
             return march(self.graph, self.start.z, self.p, self.times, self.scale, progress)
         return self.integration.run(self.start, self.p, float(self.times[-1]), self.scale, progress)

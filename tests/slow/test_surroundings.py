@@ -1,4 +1,4 @@
-"""Tables of what surrounds a filament, against closed forms: ring-down, terminal velocities, a beam that creeps down."""
+"""Tables of what surrounds a filament, against closed forms: ring-down, terminal velocity, a beam that creeps down."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 import softcat_sym as sc
 from tests.common.table import show
-from tests.test_surroundings import BACKENDS, H, L, RHO, rings, slender, strand
+from tests.test_surroundings import BACKENDS, RHO, H, L, rings, slender, strand
 
 pytestmark = pytest.mark.slow
 
@@ -31,7 +31,7 @@ def test_ring_down_of_a_beam_in_its_bath() -> None:
 
 
 def test_a_pinned_beam_creeps_down_in_a_viscous_bath() -> None:
-    """zeta y_t + E I y_xxxx = -q between pins: y(L/2) = -sum 4 q/(n pi E I k^4) sin(n pi/2) (1 - exp(-E I k^4 t/zeta))."""
+    """Zeta y_t + E I y_xxxx = -q: y(L/2) = -sum 4 q/(n pi E I k^4) sin(n pi/2) (1 - exp(-E I k^4 t/zeta)), n odd."""
     viscosity, gravity, h = 5000.0, 0.1, 10 * H  # Of a thin one, axial forces of rounding are seen in the velocities
     area, stiffness = math.pi * h**2 / 4, 10e6 * math.pi * h**4 / 64
     zeta, load = slender(viscosity, h)[1], RHO * area * gravity
