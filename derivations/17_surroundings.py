@@ -123,8 +123,9 @@ prove_equal(sp.powsimp(slope, force=True).replace(sp.Abs, lambda log: log), acro
 # ## Added mass
 #
 # Around a cylinder that moves across itself the liquid has the kinetic energy of its own volume,
-# $\frac12\rho_b A v_n^2$ a length: $T = \frac12\rho_b A_0 v_n^2$ a unit of rest length, whatever the stretch. Its Euler-Lagrange derivative is
-# the reactive force of Lighthill (1971): momentum $m w\mathbf n$ carried along, and a flux of it through the section.
+# $\frac12\rho_b A v_n^2$ a length: $T = \frac12\rho_b A_0 v_n^2$ a unit of rest length, whatever the stretch. Its
+# Euler-Lagrange derivative is the reactive force of Lighthill (1971): momentum $m w\mathbf n$ carried along, and a flux
+# of it through the section.
 
 # %%
 fields = [sp.Function(name)(X, t) for name in ("xi", "eta")]

@@ -162,8 +162,8 @@ def _bound(scene: Scene, name: str) -> str:
     free = ("curvature", "drop", "left_angle", "right_angle")
     if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
         return "any"
-    zero = ("gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale", "surface_tension")
-    zero += ("bath_density", "bath_viscosity")
+    zero = {"gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale"}
+    zero |= {"surface_tension", "bath_density", "bath_viscosity"}
     return "not-negative" if name in zero or name.startswith("motion_") else "positive"
 
 

@@ -52,7 +52,7 @@ def reynolds_number(scene: Scene, motion: Motion) -> float:
     # Of White's law, without either of its two terms.
     fast = math.sqrt(2 * weight / (bath.density * d))
     slow = (weight / (5 * bath.density * d)) ** 0.75 * math.sqrt(bath.density * d / bath.viscosity)
-    return bath.density * d * min(motion.speed, fast, slow) / bath.viscosity
+    return float(bath.density * d * min(motion.speed, fast, slow) / bath.viscosity)
 
 
 def _diameter(scene: Scene) -> float:
@@ -82,7 +82,7 @@ def resistance(scene: Scene, speed: float) -> float:
     bath, d = scene.surroundings, _diameter(scene)
     if is_cross_flow(scene):
         viscous = 10 * (bath.viscosity / (bath.density * d)) ** (2 / 3) * speed ** (4 / 3)
-        return bath.density * d / 2 * (speed**2 + viscous)
+        return float(bath.density * d / 2 * (speed**2 + viscous))
     return 4 * math.pi * bath.viscosity / (math.log(4 * rest_length(scene) / d) - 0.5) * speed
 
 

@@ -155,7 +155,7 @@ class Effect:
     """One piece of physics that can be in force or absent; absent, it leaves nothing in the graph.
 
     An effect either picks terms of the package's own physics (`contribute`), or adds densities of its own: a `stored`
-    energy and a Rayleigh potential (`dissipation`) of a unit of rest length, in the symbols of
+    energy, a Rayleigh potential (`dissipation`) and a `kinetic` energy of a unit of rest length, in the symbols of
     ``softcat_sym.physics.symbols`` (place ``x, y``, velocity ``x_t, y_t``, tangent ``x_X, y_X`` and its rate, stretch
     ``s``, ``X, t``, ``A0, h0, rho, g, L_0``) and of its `constants`. Forces, energy audit, C, written equations and
     gradients of fits follow from them.
@@ -175,8 +175,8 @@ class Effect:
         Terms before to terms after.
     adapt : callable
         ``(scene, terms)`` to terms, of an effect whose law depends on the scene.
-    stored, dissipation : sympy expression
-        Densities [J/m], [W/m].
+    stored, dissipation, kinetic : sympy expression
+        Densities [J/m], [W/m], [J/m].
     constants : tuple of EffectConstant
         Keys of ``[effects.NAME]``.
     applies : callable
@@ -214,6 +214,7 @@ class Effect:
     adapt: Callable[[Scene, Terms], Terms] | None = None
     stored: sp.Expr = sp.S.Zero
     dissipation: sp.Expr = sp.S.Zero
+    kinetic: sp.Expr = sp.S.Zero
     constants: tuple[EffectConstant, ...] = ()
     applies: Callable[[Scene], bool] = never
     without_it: str = ""
@@ -234,12 +235,13 @@ class Effect:
     def densities(self) -> Densities:
         """Its own densities, with the numbers that a run is given for its constants."""
         given = tuple(Constant(constant_in_c(f"effects.{self.name}.{one.name}"), one.symbol) for one in self.constants)
-        return Densities(self.name, sp.sympify(self.stored), sp.sympify(self.dissipation), given)
+        parts = (sp.sympify(part) for part in (self.stored, self.dissipation, self.kinetic))
+        return Densities(self.name, *parts, constants=given)
 
     @property
     def adds_densities(self) -> bool:
         """Whether it has densities of its own."""
-        return not (self.stored == 0 and self.dissipation == 0)
+        return any(part != 0 for part in (self.stored, self.dissipation, self.kinetic))
 
     def added_to(self, terms: Terms, scene: Scene) -> Terms:
         """The terms with it."""

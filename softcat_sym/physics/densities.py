@@ -46,7 +46,7 @@ class Densities:
 
     @property
     def _symbols(self) -> set[sp.Basic]:
-        return self.stored.free_symbols | self.dissipation.free_symbols | self.kinetic.free_symbols
+        return {*self.stored.free_symbols, *self.dissipation.free_symbols, *self.kinetic.free_symbols}
 
     @property
     def label(self) -> str:
