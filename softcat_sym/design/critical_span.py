@@ -400,7 +400,8 @@ def critical_span(
     progress : Progress, optional
         Hears of every span of the scan.
     exponents : bool
-        Whether to work out the gradient, which takes most of the time; without it the span is known to 0.2 %.
+        Whether to work out the gradient, which takes most of the time; without it the span is known to 0.2 %, and the
+        scan ends at the first crossing.
 
     Raises
     ------
@@ -434,6 +435,9 @@ def _closed_in(
     for span in spans:
         progress.doing(f"sag of a span of {span:.3g} m")
         scanned.append(run(span))
+        if not paths and allowed.excess(span, scanned[-1].value) >= 0:
+            break
+    spans = spans[: len(scanned)]
     excess = [allowed.excess(span, one.value) for span, one in zip(spans, scanned, strict=True)]
     _refuse_without_crossing(allowed, spans, scanned, excess)
     found = crossings(excess)
