@@ -53,6 +53,8 @@ def test_a_viscous_beam_in_small_deflection(ends: str, factor: float) -> None:
     assert {path: found.gradient[path] for path in expected} == pytest.approx(expected, abs=3e-3)
     assert found.gradient["filament.width"] == 0.0
     assert len(found.crossings) == 1
+    rough = critical_span(_beam(ends), f"{limit!r} m", within=("20 mm", "200 mm"), exponents=False)
+    assert rough.span == pytest.approx(found.span, rel=4e-3) and rough.gradient == {}
 
 
 def test_a_fraction_of_the_span_and_a_time() -> None:

@@ -307,7 +307,7 @@ def card(
     longest, why = _longest_span(scene, limit, progress, given=sag is not None) if span else unsought
     surface = None
     if descent is not None:
-        seek = partial(_longest_span, limit=limit, progress=progress, given=False)
+        seek = partial(_longest_span, limit=limit, progress=progress, given=False, exponents=False)
         surface = surface_hold(run, limit, longest, seek if span else lambda _: unsought, progress)
     rules: tuple[Rule, ...] = ()
     if descent is not None:
@@ -320,7 +320,7 @@ def card(
     return Card(name, scene, run, descent, certificate, rules, str(limit), longest, why, surface, texts)
 
 
-def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool) -> Span:
+def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: bool, exponents: bool = True) -> Span:
     """The critical span near the scene's own, or farther away; why there is none, if a default limit has none."""
     own = scene.filament.span
     progress.stage("the longest span")
@@ -331,6 +331,7 @@ def _longest_span(scene: Scene, limit: object, progress: Progress, *, given: boo
                 limit,
                 within=(own / factor, own * factor),
                 progress=progress,
+                exponents=exponents,
             ), ""
         except SoftcatError as error:
             # Other spans may make no sense at all: of a moving support, say.

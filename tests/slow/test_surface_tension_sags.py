@@ -137,7 +137,7 @@ def test_critical_spans_of_the_ink() -> None:
     for words, limit, prototype in (("d/4", d / 4, "4.7 -> 5.9"), ("d", d, "6.5 -> 8.4")):
         for scene in (ink.replace(BARE), ink):
             try:
-                found = critical_span(scene, f"{limit!r} m", within=("3 mm", "20 mm"))
+                found = critical_span(scene, f"{limit!r} m", within=("3 mm", "20 mm"), exponents=False)
             except SoftcatError as error:
                 spans[words, scene is ink] = math.nan
                 print(error)
