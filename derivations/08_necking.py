@@ -26,15 +26,15 @@
 # Throughout: $y, z$ across the filament; material lines stay at the same relative distance from the centreline, which
 # is the uniform contraction (2.9); slopes are small; a prime is $d/dx$ with $x$ the *current* axial position.
 #
-# Effects derived here: `necking-gradient` (`necking.NECKS`), `surface-tension` (`loads.SURFACES`).
+# Effect derived here: `necking-gradient` (`necking.NECKS`).
 
 # %%
 import sympy as sp
 from proving import prove_equal, vanishes
 
-from softcat_sym.physics import kinematics, laws, loads, necking, sections
+from softcat_sym.physics import kinematics, laws, necking, sections
 from softcat_sym.physics.equation import check
-from softcat_sym.physics.symbols import A0, T, X, eta, h0, s, sigma, sigma_Y, t, x_X, y_X
+from softcat_sym.physics.symbols import A0, T, X, eta, h0, s, sigma, sigma_Y, t
 
 # %% [markdown]
 # ## First way: equilibrium
@@ -410,71 +410,4 @@ for name, derived in derived_stiffness.items():
     prove_equal(rigid_plastic.subs(pulling).doit(), complete.subs(pulling).doit())
     assert held[f"growth of a neck, {name}"].right == necking.NECKS[name].growth_rate(rate)
 for equation in necking.EQUATIONS:
-    check(equation)
-
-# %% [markdown]
-# ## The energy of the surface
-#
-# Surface tension $\gamma$ pulls on the filament with whatever force changes its area. Of a tube of radius $R$ around a
-# bent centreline, $r_c(\sigma) + R(\cos\varphi\,n + \sin\varphi\,b)$, the area per length is $2\pi R$ whatever the
-# curvature (Pappus), and likewise for every outline whose centroid is on the centreline: no moment.
-
-# %%
-gamma, R, kappa, phi = sp.symbols("gamma R kappa phi", positive=True)
-around = sp.Matrix([0, -R * sp.sin(phi), R * sp.cos(phi)])  # along t, n, b
-along = sp.Matrix([1 - kappa * R * sp.cos(phi), 0, 0])  # t' = kappa n, n' = - kappa t
-prove_equal(along.cross(around).norm() ** 2, (R * (1 - kappa * R * sp.cos(phi))) ** 2)
-prove_equal(sp.integrate(R * (1 - kappa * R * sp.cos(phi)), (phi, 0, 2 * sp.pi)), 2 * sp.pi * R)
-
-# %% [markdown]
-# A section that tilts against the centreline, $r_X = \Lambda d_1 + \Gamma d_2$, makes the outline oblique. Its area is
-# that of the *centreline's* stretch $s = \sqrt{\Lambda^2+\Gamma^2}$ up to $(3/64)(\Gamma/\Lambda)^4$: in either
-# kinematics the energy is $e(s)$, and its force $e'(s)\,r_X/s$ is along the tangent.
-
-# %%
-q = sp.Symbol("q", positive=True)
-oblique = sp.Matrix([1, q, 0]).cross(sp.Matrix([0, -sp.sin(phi), sp.cos(phi)]))
-prove_equal(oblique.norm() ** 2, 1 + q**2 * sp.cos(phi) ** 2)
-element = sp.series(sp.sqrt(1 + q**2 * sp.cos(phi) ** 2), q, 0, 6).removeO()
-mean = sp.integrate(sp.expand(element), (phi, 0, 2 * sp.pi)) / (2 * sp.pi)
-ratio = sp.series(mean / (1 + q**2) ** sp.Rational(1, 4), q, 0, 6).removeO()
-prove_equal(ratio, 1 + sp.Rational(3, 64) * q**4)
-
-# %% [markdown]
-# Per unit material length the area is the perimeter times $s$. It shrinks as $s^{-1/2}$ where the section contracts
-# both ways; of a sheet the two faces keep their width, and the edges $2hs = 2h_0$ do not change. What is left out is
-# the slope of the outline: the whole area of a circle is $2\pi R\sqrt{s^2+R_X^2}$.
-
-# %%
-width = necking.aspect * h0
-perimeters = {
-    "circle": (sp.pi * h0 / sp.sqrt(s), sp.pi * h0**2 / 4),
-    "rectangle": (2 * (h0 + width) / sp.sqrt(s), h0 * width),
-    "sheet": (2 * width, h0 * width),
-}
-pulls = {"circle": sp.pi * gamma * h0 / 2, "rectangle": gamma * (h0 + width), "sheet": 2 * gamma * width}
-for name, (perimeter, area) in perimeters.items():
-    kept = loads.SURFACES[name]
-    energy = gamma * perimeter * s
-    prove_equal(energy, area * kept.energy().subs(loads.surface_tension, gamma))
-    prove_equal(sp.diff(energy, s), area * kept.force().subs(loads.surface_tension, gamma))
-    prove_equal(sp.diff(energy, s).subs(s, 1), pulls[name])
-    stretched = energy.subs(s, sp.sqrt(x_X**2 + y_X**2))
-    tangential = sp.diff(energy, s).subs(s, sp.sqrt(x_X**2 + y_X**2)) / sp.sqrt(x_X**2 + y_X**2)
-    for component in (x_X, y_X):
-        prove_equal(sp.diff(stretched, component), tangential * component)
-
-# %% [markdown]
-# Two consequences. The stress of a fibre is $\sigma_{xx}-\sigma_{rr}$ with $\sigma_{rr} = -\gamma/R$, so that the law
-# stays as it is and only the axial force gains $Q_c$. And an elastic filament, $Q = A_0(E\log s/s + \mathrm{Gam}\,
-# s^{-1/2})$, pulls less the more it is stretched once $\mathrm{Gam} > 2E$, $\gamma > 6\mu R$ of a circle with $E =
-# 3\mu$ (Mora et al. 2010): it gathers into beads.
-
-# %%
-E, pressure, mu = sp.symbols("E pressure mu", positive=True)
-stiffness = sp.diff(E * sp.log(s) / s + pressure / sp.sqrt(s), s).subs(s, 1)
-prove_equal(stiffness, E - pressure / 2)
-prove_equal(sp.solve(stiffness.subs({pressure: gamma / R, E: 3 * mu}), gamma)[0], 6 * mu * R)
-prove_equal(-gamma / R + 2 * gamma / R, gamma / R)  # A sigma_xx + 2 pi gamma R = A sigma + pi gamma R
-for equation in loads.SURFACE_EQUATIONS:
     check(equation)

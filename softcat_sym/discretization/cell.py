@@ -37,6 +37,7 @@ from softcat_sym.discretization.supports import Body, Held, held
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.laws import Constant
+from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 
 Values = Mapping[Any, Any]
@@ -320,26 +321,46 @@ def neck_force(b: Builder, stretch: Neighbours, tension: Neighbours) -> tuple[Ne
     neck = b.equations.neck
     if neck is None:
         return None, ca.SX(0)
-    slope = (stretch[0] - stretch[-1]) / b.node[0] / b.span
-    values = {
-        **b.values,
-        symbols.T: b.averaged(tension)(-1, 0),
-        symbols.s: b.averaged(stretch)(-1, 0),
-        s_slope: slope,
-        symbols.h0: b.h_node,
-    }
-    force = printed(neck.double_force(), values) / b.span
-    staged = b.stage("double_force", INNER, force, {0: ca.SX(0), -1: ca.SX(0)})
+    values = {**_of_a_joint(b, stretch), symbols.T: b.averaged(tension)(-1, 0)}
+    return _double_force(b, "double_force", printed(neck.double_force(), values))
+
+
+def _of_a_joint(b: Builder, stretch: Neighbours) -> dict[Any, Any]:
+    """The stretch at an inner node and its change along the filament, with the section there."""
+    values = {**b.values, symbols.s: b.averaged(stretch)(-1, 0), symbols.h0: b.h_node}
+    return values | {s_slope: (stretch[0] - stretch[-1]) / b.node[0] / b.span}
+
+
+def _double_force(b: Builder, name: str, force: ca.SX) -> tuple[Neighbours, ca.SX]:
+    """What is conjugate to s_X at inner nodes, over the rest length, and -d/dX of it; the ends are free of it."""
+    staged = b.stage(name, INNER, force / b.span, {0: ca.SX(0), -1: ca.SX(0)})
     return staged, -(staged[1] - staged[0]) / b.length[0]
 
 
-def surface_force(b: Builder, stretch: ca.SX) -> tuple[ca.SX, list[Field]]:
-    """Axial force of a cell per unit undeformed area of the scene's section, and the energy of its surface."""
+def surface_force(b: Builder, stretch: Neighbours) -> tuple[ca.SX, list[Field]]:
+    """Axial force of a cell per unit undeformed area of the scene's section, and the energy of its surface.
+
+    Derivatives of one energy, of the stretch of cells and of its change at the joints between them.
+    """
     surface = b.equations.surface
     if surface is None:
         return ca.SX(0), []
     # Along a profile the width stays, so that its ratio to the thickness does not.
-    values = {**b.values, symbols.s: stretch, symbols.h0: b.h_cell, aspect: b.values[aspect] / b.relative}
+    values = {**b.values, symbols.s: stretch[0], symbols.h0: b.h_cell, aspect: b.values[aspect] / b.relative}
     (force,) = derivatives(surface.energy(), (symbols.s,), values)
-    energy = printed(surface.energy(), values)
-    return force * b.area_cell, [Field("surface", CELLS, b.length[0] * b.area_cell * energy)]
+    pull = force * b.area_cell
+    energies = [Field("surface", CELLS, b.length[0] * b.area_cell * printed(surface.energy(), values))]
+    if isinstance(stretch, Same):  # Of small deflections: no slope
+        return pull, energies
+    values, density = {**_of_a_joint(b, stretch), h0_slope: ca.SX(0)}, surface.gradient_energy()
+    if b.body.profile.nodes is not None:
+        h, h_node = b.place("h_cell"), b.place("h_node")[0]
+        values |= {
+            h0_slope: b.values[symbols.h0] * (h[0] - h[-1]) / b.node[0] / b.span,
+            aspect: b.values[aspect] / h_node,
+        }
+    direct, across = (b.area_node * one for one in derivatives(density, (symbols.s, s_slope), values))
+    of_stretch = b.stage("surface_at_joints", INNER, direct, {0: ca.SX(0), -1: ca.SX(0)})
+    pull += _double_force(b, "surface_double_force", across)[1] + mean_of_nodes(of_stretch)
+    energies.append(Field("surface_slope", INNER, b.node[0] * b.area_node * printed(density, values)))
+    return pull, energies

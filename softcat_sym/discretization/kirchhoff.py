@@ -160,7 +160,7 @@ def kirchhoff(b: Builder) -> Mechanics:
         if terms.bending:
             turning_t = b.turning("turning_rate", line.turning_rate(), slope, speed)
     section = linear_section(b, Strains(s, s_node, turning, s_t, s_node_t, turning_t))
-    pull, surface = surface_force(b, s[0])
+    pull, surface = surface_force(b, s)
     total = b.stage("tension", CELLS, section.tension) if b.equations.neck is not None else s
     double_force, necked = neck_force(b, s, total)
     axial = section.tension + section.correction + pull + necked
@@ -207,7 +207,7 @@ def small_deflection(b: Builder) -> Mechanics:
     same, none = Same(s), Same()
     turning = b.turning("turning", line.turning, slope)
     section = linear_section(b, Strains(same, same, turning, none, none, none), whole=True)
-    pull, surface = surface_force(b, s)
+    pull, surface = surface_force(b, same)
     transverse = (section.moment[1] - section.moment[0]) / b.length[0] / b.span
     given = {**tangent, symbols.s: s, symbols.Q: section.tension + pull, symbols.M_X: transverse}
     force = none, b.stage("force_y", CELLS, printed(b.equations.force.vertical, given))

@@ -99,7 +99,7 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
     section["shear_force"] = b.area_cell * printed(resolved.cell.shear_force, values)
     # Along the tangent of the centreline, not along the normal of the section: conjugate to its stretch.
     stretch = b.stage("stretch", CELLS, ca.sqrt(slope_x**2 + slope_y**2))
-    pull, surface = surface_force(b, stretch[0])
+    pull, surface = surface_force(b, stretch)
     tension = b.stage("tension", CELLS, section["tension"]) if b.equations.neck is not None else Same()
     double_force, necked = neck_force(b, stretch, tension)
     along = (pull + necked) / stretch[0]

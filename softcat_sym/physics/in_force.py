@@ -15,6 +15,7 @@ from softcat_sym.physics.equation import Mean, Rate, Stated, stated
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.kinematics import F_x, F_y, mass_per_length
 from softcat_sym.physics.laws import Branch, Flow, plastic_rate
+from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import s_slope
 from softcat_sym.physics.reissner import (
     Gam,
@@ -128,9 +129,13 @@ def gradient_term(equations: FilamentEquations) -> sp.Expr:
     return sp.Integer(0) if equations.neck is None else -Rate(equations.neck.stiffness() * s_slope, sy.X, 1)
 
 
-def surface_term(equations: FilamentEquations) -> sp.Expr:
+def surface_term(equations: FilamentEquations, *, reduced: bool = False) -> sp.Expr:
     """What surface tension adds to the axial force; zero if it is not in force."""
-    return sp.Integer(0) if equations.surface is None else sy.A0 * equations.surface.force()
+    if equations.surface is None:
+        return sp.Integer(0)
+    direct, across = (sy.A0 * one.subs(h0_slope, 0) for one in equations.surface.slope_forces())
+    uniform = sy.A0 * equations.surface.force()
+    return uniform if reduced else uniform + direct - Rate(across, sy.X, 1)
 
 
 # Symbols of one of several parts in parallel: the plain one, the LaTeX of its own before the part's number.
@@ -261,16 +266,17 @@ def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iter
     if resolved.shears:
         yield stated("shear force", S, cell.shear_force.xreplace(means), _SOURCE)
     along = cell.normal_force if resolved.shears else cell.normal_force.subs(Gam, 0)
-    gain = gradient_term(equations).subs(sy.s, Lam)
     pull = surface_term(equations)
+    stretch = sy.s if pull and resolved.shears else Lam
+    gain = gradient_term(equations).subs(sy.s, stretch)
     outward, aside = (pull * Lam / sy.s, pull * Gam / sy.s) if resolved.shears else (pull.subs(sy.s, Lam), sp.S.Zero)
     source = "THEORY 4; Audoly & Hutchinson 2016" if gain else "THEORY 4"
     source += "; Eggers & Dupont 1994" if pull else ""
     if aside:
         yield stated("stretch of the centreline", sy.s, sp.sqrt(Lam**2 + Gam**2), _SOURCE)
     yield stated("force along the section's normal", n_1, along + gain + outward, source)
-    if equations.neck is not None:
-        yield stated("slope of a neck", s_slope, Rate(Lam, sy.X, 1), "Audoly & Hutchinson 2016")
+    if equations.neck is not None or pull:
+        yield stated("change of the stretch", s_slope, Rate(stretch, sy.X, 1), "Audoly & Hutchinson 2016")
     if resolved.shears:
         yield stated("force along the section", n_2, cell.section_force + aside, _SOURCE)
     yield stated("couple", m_c, cell.couple, _SOURCE)
@@ -294,7 +300,7 @@ def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -
     if equations.resolved is not None:
         section = resolved_section(equations)
     elif reduced:
-        section = (*_uniform_stretch(equations), *_section(equations))
+        section = (*_uniform_stretch(equations), *_section(equations, reduced=True))
     else:
         section = (*_kinematics(equations), *_strain(equations), *_section(equations))
     return (*section, *_balance(equations, reduced=reduced), *_gravity(equations))
@@ -332,7 +338,7 @@ def _strain(equations: FilamentEquations) -> Iterator[Stated]:
             yield stated("thickness", h, equations.response.thickness, contraction.source)
 
 
-def _section(equations: FilamentEquations) -> Iterator[Stated]:
+def _section(equations: FilamentEquations, *, reduced: bool = False) -> Iterator[Stated]:
     terms, response = equations.terms, equations.response
     yield from stresses(equations)
     yield from plastic_rates(equations)
@@ -341,15 +347,15 @@ def _section(equations: FilamentEquations) -> Iterator[Stated]:
     if terms.bending:
         yield stated("bending moment", sy.M, response.moment, "2.10")
     if terms.stretches:
-        gain, pull = gradient_term(equations), surface_term(equations)
+        gain, pull = gradient_term(equations), surface_term(equations, reduced=reduced)
         source = "THEORY 4" if response.axial_correction != 0 else "2.4"
         source += "; Audoly & Hutchinson 2016" if gain else ""
         source += "; Eggers & Dupont 1994" if pull else ""
         yield stated(
             "axial force, conjugate to the stretch", sy.Q, sy.T + response.axial_correction + gain + pull, source
         )
-        if gain:
-            yield stated("slope of a neck", s_slope, Rate(sy.s, sy.X, 1), "Audoly & Hutchinson 2016")
+        if gain or (pull and not reduced):
+            yield stated("change of the stretch", s_slope, Rate(sy.s, sy.X, 1), "Audoly & Hutchinson 2016")
     if terms.bending:
         yield stated("change of the moment", sy.M_X, Rate(sy.M, sy.X, 1), "2.3")
 
@@ -360,7 +366,7 @@ def _balance(equations: FilamentEquations, *, reduced: bool) -> Iterator[Stated]
     if equations.resolved is None:
         if along:
             yield stated("internal force, horizontal", F_x, force.horizontal, "2.4, corrected")
-        upwards = force.vertical.subs(sy.Q, sy.T + surface_term(equations)) if reduced else force.vertical
+        upwards = force.vertical.subs(sy.Q, sy.T + surface_term(equations, reduced=True)) if reduced else force.vertical
         yield stated("internal force, vertical", F_y, upwards, "2.14" if reduced else "2.4, corrected")
     mass, source = mass_per_length(), "2.14" if reduced else "2.1, 2.2"
     if not terms.inertia:

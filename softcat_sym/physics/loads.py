@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from softcat_sym.physics import sections
 from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.kinematics import axial_force
 from softcat_sym.physics.kinematics import stretch as stretch_field
-from softcat_sym.physics.necking import aspect, tension
-from softcat_sym.physics.symbols import A0, ACCELERATION, ONE, a_g, enter, enter_field, f_g, g, g_on, h0, s, t
+from softcat_sym.physics.necking import aspect, s_slope, tension
+from softcat_sym.physics.symbols import A0, ACCELERATION, ONE, X, a_g, enter, enter_field, f_g, g, g_on, h0, s, t
 
 gravity = enter_field("gravity", "g(t)", ACCELERATION, "gravity while it is switched on", "section 3")(t)
 shake = enter_field("shake", "S(t)", ONE, "oscillating gravity over what it would be at rest", "Rayleigh 1877")(t)
@@ -54,39 +55,90 @@ LOADING_EQUATIONS: tuple[Equation, ...] = (
 )
 
 surface_tension = enter("gamma_s", r"\gamma", (1, 0, -2), "surface tension", "Eggers & Dupont 1994", positive=True)
+h0_slope = enter(
+    "h0_slope", r"h_{0,X}", ONE, "change of the undeformed thickness per unit material length", "THEORY 10"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Sides:
+    """A part of a section's outline: two sides that face each other, or the whole of a circle."""
+
+    pull: sp.Expr  # Surface tension times this part of the undeformed perimeter, over A_0 [Pa]
+    apart: sp.Expr  # How far they are from each other, undeformed
+    slope: sp.Expr = h0_slope  # How that changes per unit material length
 
 
 @dataclass(frozen=True, slots=True)
 class Surface:
-    """Surface of one shape of section."""
+    """Surface of one shape of section: gamma times the lateral area is an energy of the centreline's stretch.
+
+    The area is that of the outline along the filament, perimeter times sqrt(s^2 + R_X^2) of a circle, here to the
+    second order of the slope R_X/s.
+    """
 
     name: str  # Section, as in the scene
-    # Gam, axial force over area at s = 1: gamma P_0/(2 A_0) where the whole perimeter shrinks, 2 gamma/h_0 of a
-    # sheet, whose width is held.
-    pressure: sp.Expr
-    shrinks: bool = True  # Whether the perimeter shrinks as the filament stretches
+    sides: tuple[Sides, ...]
+    contraction: sections.Contraction = sections.UNIFORM  # How the section shrinks; of a sheet the width is held
 
     def energy(self) -> sp.Expr:
-        """Energy per unit undeformed volume [Pa], gamma times the lateral area over A_0: 2 Gam sqrt(s), sheet Gam s."""
-        return 2 * self.pressure * sp.sqrt(s) if self.shrinks else self.pressure * s
+        """Energy per unit undeformed volume [Pa] of a filament that does not change along its length.
+
+        2 Gam sqrt(s) where the perimeter shrinks, Gam s of a sheet, with Gam = :attr:`pressure`.
+        """
+        return sp.Add(*(one.pull * self._shrunk() * s for one in self.sides))
+
+    def gradient_energy(self) -> sp.Expr:
+        """What the slope of the outline adds to it, of (s, s_X): Gam R_0^2 s_X^2/(4 s^(9/2)) of a circle."""
+        return sp.Add(*(one.pull * self._shrunk() * self._tilt(one) ** 2 / (2 * s) for one in self.sides))
+
+    def whole_energy(self) -> sp.Expr:
+        """Both together, whatever the slope."""
+        return sp.Add(*(one.pull * self._shrunk() * sp.sqrt(s**2 + self._tilt(one) ** 2) for one in self.sides))
+
+    @property
+    def pressure(self) -> sp.Expr:
+        """Gam, axial force over area at s = 1: gamma P_0/(2 A_0), of a sheet 2 gamma/h_0."""
+        return self.force().subs(s, 1)
+
+    @property
+    def shrinks(self) -> bool:
+        """Whether the perimeter shrinks as the filament stretches."""
+        return self.contraction is not sections.WIDE
 
     def force(self) -> sp.Expr:
-        """Axial force over undeformed area [Pa], conjugate to the stretch."""
+        """Axial force over undeformed area [Pa], conjugate to the stretch, where the outline does not slope."""
         return sp.diff(self.energy(), s)
 
+    def slope_forces(self) -> tuple[sp.Expr, sp.Expr]:
+        """Derivatives of the gradient part by s and by s_X; the axial force gains the first less d/dX of the second."""
+        return sp.diff(self.gradient_energy(), s), sp.diff(self.gradient_energy(), s_slope)
 
-RECTANGLE = Surface("rectangle", surface_tension / h0 * (1 + 1 / aspect))
-CIRCLE = Surface("circle", 2 * surface_tension / h0)
-SHEET = Surface("sheet", 2 * surface_tension / h0, shrinks=False)
+    def _shrunk(self) -> sp.Expr:
+        """Length of the outline over the undeformed one."""
+        return 1 / sp.sqrt(s) if self.shrinks else sp.S.One
+
+    def _tilt(self, of: Sides) -> sp.Expr:
+        """By how much one of two sides leaves the centreline per unit material length, R_X of a circle."""
+        across = self.contraction.thickness / h0
+        return (of.slope * across + of.apart * sp.diff(across, s) * s_slope) / 2
+
+
+_FACES, _WIDTH = Sides(2 * surface_tension / h0, h0), aspect * h0
+# Along a profile the width stays.
+RECTANGLE = Surface("rectangle", (_FACES, Sides(2 * surface_tension / _WIDTH, _WIDTH, sp.S.Zero)))
+CIRCLE = Surface("circle", (Sides(4 * surface_tension / h0, h0),))
+SHEET = Surface("sheet", (_FACES,), sections.WIDE)
 
 SURFACES: dict[str, Surface] = {surface.name: surface for surface in (RECTANGLE, CIRCLE, SHEET)}
 
-SURFACE_EQUATIONS: tuple[Equation, ...] = tuple(
-    Equation(
-        f"axial force with surface tension, {surface.name}",
-        axial_force,
-        tension + A0 * surface.force().subs(s, stretch_field),
-        "Eggers & Dupont 1994",
-    )
-    for surface in SURFACES.values()
-)
+
+def _equation(surface: Surface) -> Equation:
+    here = {s: stretch_field, s_slope: sp.Derivative(stretch_field, X), h0_slope: 0}
+    direct, across = (A0 * one.subs(here) for one in surface.slope_forces())
+    pull = A0 * surface.force().subs(here) + direct - sp.Derivative(across, X)
+    name = f"axial force with surface tension, {surface.name}"
+    return Equation(name, axial_force, tension + pull, "Eggers & Dupont 1994")
+
+
+SURFACE_EQUATIONS: tuple[Equation, ...] = tuple(map(_equation, SURFACES.values()))
