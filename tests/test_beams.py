@@ -647,7 +647,7 @@ def fallen(law: str, solver: str, L: float, rho: float, g: float) -> np.ndarray:
     ("law", "solver"),
     few(
         [("elastic", "rosenbrock"), *product(("maxwell", "bingham"), ("cvodes", "rosenbrock", "idas"))],
-        *[("maxwell", "idas"), ("bingham", "cvodes"), ("bingham", "rosenbrock")],
+        *[("maxwell", "idas"), ("bingham", "rosenbrock")],
     ),
 )
 def test_same_groups_same_shape(law: str, solver: str) -> None:
@@ -678,7 +678,7 @@ def difference(one: np.ndarray, two: np.ndarray) -> float:
     return float(np.max(np.abs(one - two)) / np.max(np.abs(one)))
 
 
-@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics", "bingham-descent"))
+@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics"))
 def test_half_span_equals_whole_span(name: str) -> None:
     asked = SCENES_SYMMETRY[name]
     half = run(asked)
@@ -695,7 +695,7 @@ def test_half_span_equals_whole_span(name: str) -> None:
     assert max(energies.values()) < 1e-7
 
 
-@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics", "bingham-descent"))
+@pytest.mark.parametrize("name", few(SCENES_SYMMETRY, "elastic-statics"))
 def test_clamped_pinned_is_the_mirror_image_of_pinned_clamped(name: str) -> None:
     asked = SCENES_SYMMETRY[name]
     one = run(asked.replace({"ends.right": "pinned"}))

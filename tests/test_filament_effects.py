@@ -592,7 +592,6 @@ STIFF_LAWS = {
         ("newtonian", False),
         ("bingham", False),
         ("standard-linear", False),
-        ("maxwell", True),
     ),
 )
 def test_every_law_is_what_the_stretching_filament_becomes(law: str, moves: bool) -> None:

@@ -151,6 +151,7 @@ def test_the_curve_has_every_frame_of_the_run_and_a_film_that_cannot_show_the_ri
     assert short.times[-1] < 0.8 and short.axes.get_ylim()[0] > -300
 
 
+@pytest.mark.slow
 def test_a_gif_holds_every_picture_for_its_time(descent, summary, scene, make_run, make_scene, tmp_path):
     steps: list[str] = []
     path, note = write_film(film_order("ink.gif", 2.0), tmp_path, (descent, summary, scene), steps.append, width=640)
@@ -296,6 +297,7 @@ def test_every_scene_teaches_something_of_its_own_in_a_line(softcat: Softcat) ->
     assert [line.strip() for line in lines[1::2]] == lessons
 
 
+@pytest.mark.slow
 def test_what_a_lesson_says_is_what_the_run_shows_and_a_wrong_one_is_noticed() -> None:
     for name in ("continual-descent", "slime-slope", "cold-honey"):
         _, run = exhibit_of(name)

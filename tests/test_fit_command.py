@@ -109,6 +109,7 @@ def test_a_fit_without_profiles_leaves_no_picture_of_an_earlier_one(softcat: Sof
     assert found["parameters"]["viscosity"]["bounds"] == pytest.approx([5e3, 50e3])
 
 
+@pytest.mark.slow
 def test_a_fit_that_does_not_converge_is_not_trusted(
     softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -215,6 +216,7 @@ def _laws(*names: str) -> list[str]:
     return [word for name in names for word in ("--law", name)]
 
 
+@pytest.mark.slow
 def test_several_laws_are_ranked_and_the_best_is_the_fit(softcat: Softcat, tmp_path: Path) -> None:
     film, output = write_film(tmp_path / "film.csv"), tmp_path / "out"
     done = softcat("fit", str(film), *OF_LAWS, *_laws("newtonian", "bingham"), *QUICK, "-o", str(output))

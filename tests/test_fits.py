@@ -170,6 +170,7 @@ def two_fitted() -> sc.Fit:
     return sc.fit(sc.Measurements.of(*film(), std=5e-4), scene(), ["yield_stress", "viscosity"], starts=2)
 
 
+@pytest.mark.slow
 def test_a_fit_gives_the_pictures_of_its_files(two_fitted: sc.Fit, tmp_path: Path) -> None:
     written = {path.stem for path in write_fit(two_fitted, tmp_path) if path.suffix == ".png"}
     assert written == set(two_fitted.figures()) >= {"fit", "starts", "correlation"}

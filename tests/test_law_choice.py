@@ -29,6 +29,7 @@ from softcat_sym.fitting.model_selection import (
     widened,
 )
 from softcat_sym.scene.material import CONSTANTS
+from tests.marks import few
 
 
 def test_criteria_by_hand_with_known_noise() -> None:
@@ -272,6 +273,7 @@ def test_a_film_of_a_bingham_filament() -> None:
     assert best.aicc == pytest.approx(aic + 2 * 4 * 5 / 55, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_law_with_too_many_constants_for_the_film_is_not_ruled_out() -> None:
     """With five readings the criterion of three constants is infinite, whatever their squares."""
     scene, film = _fallen("newtonian", 0.001)
@@ -323,7 +325,7 @@ def _film_of(scene: sc.Scene) -> tuple[np.ndarray, np.ndarray]:
     return data.time.values[1:], data.midpoint.values[1:]
 
 
-@pytest.mark.parametrize(("wider", "narrower"), PAIRS)
+@pytest.mark.parametrize(("wider", "narrower"), few(PAIRS, *PAIRS[:2]))
 def test_the_wider_law_falls_as_the_one_inside(wider: str, narrower: str) -> None:
     """Two percent of the sag: negligible constants are a hundredth of what would matter, not nothing."""
     scene = _oil(narrower)

@@ -185,6 +185,7 @@ def test_compliance_is_timoshenkos() -> None:
     assert lagging(time, force, 0.0) is force
 
 
+@pytest.mark.slow
 def test_a_mass_on_a_viscoelastic_string_shears_it() -> None:
     """Beside the mass, where the string bends, its transverse force shears it; the check sees what shear makes."""
     scene = Scene.model_validate(
@@ -260,6 +261,7 @@ def strand(*, backend: str = "compiled", run: dict[str, Any] | None = None, **ma
     )
 
 
+@pytest.mark.slow
 def test_a_damped_strand_ends_early_at_its_static_sag() -> None:
     rests = float(simulate(strand(run={"until": "duration"})).data.midpoint[-1])
     for backend in ("interpreted", "compiled"):
@@ -298,6 +300,7 @@ def test_an_undamped_strand_runs_on_and_tells_its_mean_and_amplitude() -> None:
     assert full["amplitude"] == pytest.approx(abs(rests), rel=0.2)
 
 
+@pytest.mark.slow
 def test_a_creeping_strand_does_not_end_early_and_one_that_hardly_creeps_does() -> None:
     """In 20 s it flows by three times its elastic sag, but hardly at all in the time in which its ringing ends."""
     for backend in ("interpreted", "compiled"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
+import pytest
 
 import softcat_sym as sc
 from softcat_sym.discretization.casadi_printer import evaluate
@@ -57,6 +58,7 @@ def test_edge_of_rupture_is_refused_as_localised() -> None:
     assert sags[-1] > 10 * sags[0]
 
 
+@pytest.mark.slow
 def test_scenes_that_converge_are_not_called_localised() -> None:
     rows = []
     for name in ("no-yield", "arrested-overdamped", "continual-descent", "ink-bridge", "maxwell-slow", "maxwell-fast"):

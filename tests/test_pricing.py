@@ -113,6 +113,7 @@ def test_flow_put_in_brings_the_yield_stress() -> None:
     assert row.to_dict()["states_ratio"] > 1
 
 
+@pytest.mark.slow
 def test_sizes_are_those_of_the_equations(yielding: Pricing) -> None:
     found, cells, base = rows_of(yielding), yielding.cells, yielding.base
     assert cells == 4
@@ -128,6 +129,7 @@ def test_sizes_are_those_of_the_equations(yielding: Pricing) -> None:
     assert found["bending"].to_dict()["time_ratio"] == base.solve / bending.solve
 
 
+@pytest.mark.slow
 def test_an_effect_is_credited_with_its_own_share(honey: Pricing) -> None:
     row = rows_of(honey)["finite-stretch"]
     assert "shear" in row.also and row.variant is not None and row.reference is not None

@@ -113,6 +113,7 @@ def test_the_summary(saved: Path) -> None:
     assert dict(lopsided.data.sizes) == {"time": 13, "node": 13, "cell": 12}
 
 
+@pytest.mark.slow
 def test_what_a_list_leaves_out_and_what_was_converted_is_in_the_summary() -> None:
     published = choose_effects(scene_of(run={"effects": "paper"}))
     names = [name for name in published.names if name not in ("thinning", "large-rotation")]

@@ -323,6 +323,7 @@ def test_files_and_what_they_hold(softcat: Softcat, tmp_path: Path) -> None:
     assert "<script" in (output / "sliders.html").read_text()
 
 
+@pytest.mark.slow
 def test_a_picture_of_each_sort(softcat: Softcat, tmp_path: Path) -> None:
     cube = varied("groups.G=0.3:0.5", "groups.V=10:30", "filament.density=1000:2000 kg/m^3")
     for k, arguments in enumerate(
@@ -340,6 +341,7 @@ def test_a_picture_of_each_sort(softcat: Softcat, tmp_path: Path) -> None:
         assert {path.name for path in output.iterdir()} == FILES
 
 
+@pytest.mark.slow
 def test_how_a_sweep_without_answers_or_interrupted_ends(
     softcat: Softcat, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

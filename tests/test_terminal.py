@@ -113,6 +113,7 @@ class Timed(io.StringIO):
         return super().write(text)
 
 
+@pytest.mark.slow
 def test_no_stage_of_a_run_with_refinement_is_silent(monkeypatch):
     """Every stage is told by whoever does it, and the screen is renewed all the while, whatever holds the thread."""
     monkeypatch.setattr(progress, "_DELAY", 0.0)

@@ -137,6 +137,7 @@ def thick(folder: Path) -> TheoryEnd:
     return study(folder)
 
 
+@pytest.mark.slow
 def test_a_beam_theory_misses_what_shear_adds(thick: TheoryEnd) -> None:
     """Timoshenko's sag over that of a beam that does not shear is known in closed form."""
     assert [each.value for each in thick.measured] == [0.08, 0.1, 0.12]
@@ -160,6 +161,7 @@ def test_a_beam_theory_misses_what_shear_adds(thick: TheoryEnd) -> None:
     assert 1.6 < limit["order"] < 2.3
 
 
+@pytest.mark.slow
 def test_what_is_finished_is_not_run_again(thick: TheoryEnd, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def never(self: March) -> None:
         raise AssertionError("a finished run of the elements was run again")
@@ -170,6 +172,7 @@ def test_what_is_finished_is_not_run_again(thick: TheoryEnd, folder: Path, monke
         np.testing.assert_array_equal(each.theories["filament"].error, other.theories["filament"].error)
 
 
+@pytest.mark.slow
 def test_elements_that_fail_at_one_value_are_a_line(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     sound = comparing.run_elements
 

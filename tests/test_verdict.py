@@ -350,6 +350,7 @@ def test_inertia_left_out_of_a_beam_that_is_loaded_slowly_or_rings() -> None:
     assert min(measured_and_true(beam((), thickness, E, run=ringing), "inertia")) > 0.4
 
 
+@pytest.mark.slow
 def test_geometry_left_out_is_measured() -> None:
     for effect in ("finite-stretch", "thinning", "large-rotation"):
         for E in (100 * WEIGHT, 1000 * WEIGHT):
@@ -523,6 +524,7 @@ def test_two_repeats_are_worth_a_warning_and_a_third_is_no_success(monkeypatch: 
     assert (len(done.summary["repeats"]), len(done.summary["warnings"])) == (2, 1)
 
 
+@pytest.mark.slow
 def test_a_run_that_fails_is_repeated_with_what_it_lacks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without rotary inertia the angles of sheared sections are algebraic: a soft thread drawn down by a mass."""
     thread = Scene.model_validate(

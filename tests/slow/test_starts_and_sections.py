@@ -110,6 +110,7 @@ def test_an_initial_plastic_bend_is_a_natural_curvature(effects: tuple[str, ...]
     assert error < 2e-3
 
 
+@pytest.mark.slow
 def test_elastic_beam_of_every_section() -> None:
     """Sag rho g A L^4/(384 E' I) of a clamped beam, E' = E/(1 - nu^2) for a sheet."""
     for section in ["rectangle", "circle", "sheet"]:
