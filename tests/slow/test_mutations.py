@@ -15,8 +15,8 @@ from tests.common.table import show
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).parents[2]
-CLOSURES = "02_section_and_closures"
-# What stands in softcat_sym/physics, what a slip of the pen makes of it, the notebook that must notice.
+CLOSURES, BATH, SURFACE = "02_section_and_closures", "17_surroundings", "18_surface_tension"
+# What stands in softcat_sym/physics or effects, what a slip of the pen makes of it, the notebook that must notice.
 MUTATIONS = [
     ("x_X_before * y_X - y_X_before", "x_X_before * y_X + y_X_before", "01_balance"),
     ("axial_correction=-M * theta_X", "axial_correction=M * theta_X", CLOSURES),
@@ -31,7 +31,14 @@ MUTATIONS = [
     ),
     ("zeta_squared * stress_bending**2 / (2 * eta)", "zeta_squared * stress_bending**2 / eta", CLOSURES),
     ("sp.diff(closed.lever, s) * s_t * theta_X +", "-sp.diff(closed.lever, s) * s_t * theta_X +", CLOSURES),
-    ("2 * self.pressure * sp.sqrt(s)", "self.pressure * sp.sqrt(s)", "08_necking"),
+    ("self._tilt(one) ** 2 / (2 * s)", "self._tilt(one) ** 2 / s", SURFACE),
+    ("one.pull * self._shrunk() * s for", "one.pull * s for", SURFACE),
+    ("stored=-rho_b * A0 * g_t * y", "stored=rho_b * A0 * g_t * y", BATH),
+    ("across = 4 * sp.pi", "across = 8 * sp.pi", BATH),
+    ("sp.log(8 * L_0", "sp.log(4 * L_0", BATH),
+    ("sp.Rational(30, 7)", "sp.Rational(30, 8)", BATH),
+    ("(x_X * y_t - y_X * x_t) / s", "(x_X * y_t + y_X * x_t) / s", BATH),
+    ("kinetic=rho_b * A0 * _v_n**2 / 2", "kinetic=rho_b * A0 * _v_n**2", BATH),
     ("zeta_squared=sp.Rational(1, 3)", "zeta_squared=sp.Rational(1, 4)", CLOSURES),
     (
         "UNIFORM = Contraction(area=A0 / s, thickness=h0 / sp.sqrt(s)",
@@ -52,17 +59,64 @@ MUTATIONS = [
 ]
 
 
+# The same of softcat_sym/discretization, with the tests that must notice.
+OF_A_CELL = [
+    ("-b.area_node * turn, b.area_node * correction", "b.area_node * turn, b.area_node * correction", "test_beams"),
+    ("-(staged[1] - staged[0]) / b.length[0]", "(staged[1] - staged[0]) / b.length[0]", "test_beams"),
+    ("by_tangent = -ca.gradient(energy, tangent)", "by_tangent = ca.gradient(energy, tangent)", "test_surroundings"),
+    ("turned = ca.jtimes(momentum, tangent, turning)", "turned = 0 * momentum", "test_surroundings"),
+    ("xx * across - xy * along if way", "xx * across + xy * along if way", "test_surroundings"),
+    ("across -= self.mass * self.gravity", "across += self.mass * self.gravity", "test_surroundings"),
+    ("half = b.length[0] / 2 / area", "half = b.length[0] / area", "test_surroundings"),
+    ("-half * b.span * total[k]", "half * b.span * total[k]", "test_surroundings"),
+    ("-length * (along[1] + across[1])", "-length * along[1]", "test_registered_effects"),
+    ("two / 2 / area for one, two", "two / area for one, two", "test_registered_effects"),
+]
+
+
+def fails(folder: Path, old: str, new: str, tests: str) -> bool:
+    """Whether tests fail on a copy of the package in which `old` stands as `new`."""
+    shutil.rmtree(folder, ignore_errors=True)
+    for part in ("softcat_sym", "tests"):
+        shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
+    for part in ("pyproject.toml", "CONTRIBUTING.md"):
+        shutil.copy(ROOT / part, folder / part)
+    slip(folder, ("discretization",), old, new)
+    command = [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", f"tests/{tests}.py"]
+    environment = {**os.environ, "PYTHONPATH": str(folder)}
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode in (0, 1), done.stdout + done.stderr
+    return done.returncode == 1
+
+
+def test_a_slip_in_the_cell_makes_a_test_fail(tmp_path: Path) -> None:
+    rows = []
+    for old, new, tests in OF_A_CELL:
+        rows.append(
+            [f"`{old}`", f"`{new}`", tests, "noticed" if fails(tmp_path / "copy", old, new, tests) else "MISSED"]
+        )
+        print(*rows[-1], flush=True)
+    show("mutations of softcat_sym/discretization", ("from", "to", "tests", ""), rows)
+    assert all(row[-1] == "noticed" for row in rows)
+
+
 def notices(folder: Path, old: str, new: str, notebook: str) -> bool:
     """Whether the notebook fails on a copy of the package in which `old` stands as `new`."""
     shutil.rmtree(folder, ignore_errors=True)
     for part in ("softcat_sym", "derivations"):
         shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
-    files = [path for path in (folder / "softcat_sym" / "physics").rglob("*.py") if old in path.read_text("utf-8")]
-    assert files, f"no module of the physics holds {old}"
-    files[0].write_text(files[0].read_text("utf-8").replace(old, new), encoding="utf-8")
+    slip(folder, ("physics", "effects"), old, new)
     command, environment = [sys.executable, f"{notebook}.py"], {**os.environ, "PYTHONPATH": str(folder)}
     done = subprocess.run(command, cwd=folder / "derivations", env=environment, capture_output=True, check=False)
     return done.returncode != 0
+
+
+def slip(folder: Path, parts: tuple[str, ...], old: str, new: str) -> None:
+    """Let `old` stand as `new` in the first file that has it."""
+    paths = [path for part in parts for path in sorted((folder / "softcat_sym" / part).rglob("*.py"))]
+    files = [path for path in paths if old in path.read_text("utf-8")]
+    assert files, f"no module of {parts} holds {old}"
+    files[0].write_text(files[0].read_text("utf-8").replace(old, new), encoding="utf-8")
 
 
 def test_a_slip_in_the_equations_makes_a_notebook_fail(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@
 # ---
 
 # %% [markdown]
-# # 13. Surface tension
+# # 18. Surface tension
 #
 # Surface tension $\gamma$ pulls on a filament with whatever force changes its area. All follows from that area: the
 # axial force, what a sloping outline adds to it, why no moment appears, which threads bead and how fast.
