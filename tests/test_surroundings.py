@@ -129,8 +129,8 @@ def test_a_beam_rings_down_in_its_bath() -> None:
     assert decay == pytest.approx(1, abs=5e-3)
     assert frequency == pytest.approx(1, abs=5e-3)
     assert residual < 1e-4
-    slower = rings(0.0, 800.0, ("added-mass",), 16, "compiled")
-    assert slower[1] == pytest.approx(1, abs=5e-3)
+    slower = rings(0.005, 800.0, ("drag", "added-mass"), 16, "compiled")
+    assert slower[:2] == pytest.approx((1, 1), abs=5e-3)
 
 
 def test_energy_closes_however_a_strand_moves_in_its_bath() -> None:
@@ -149,7 +149,7 @@ def test_energy_closes_however_a_strand_moves_in_its_bath() -> None:
         assert run.data.midpoint.values.min() < -0.1 * L
         residuals.append(run.summary["energy_residual"])
         midpoints.append(run.data.midpoint.values)
-    assert max(residuals) < 1e-5, residuals
+    assert max(residuals) < 1e-6, residuals
     np.testing.assert_allclose(midpoints[0], midpoints[1], rtol=0, atol=1e-5 * L)
 
 

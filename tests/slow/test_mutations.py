@@ -69,8 +69,8 @@ OF_A_CELL = [
     ("across -= self.mass * self.gravity", "across += self.mass * self.gravity", "test_surroundings"),
     ("half = b.length[0] / 2 / area", "half = b.length[0] / area", "test_surroundings"),
     ("-half * b.span * total[k]", "half * b.span * total[k]", "test_surroundings"),
-    ("-length * (along[1] + across[1])", "-length * along[1]", "test_registered_effects"),
-    ("two / 2 / area for one, two", "two / area for one, two", "test_registered_effects"),
+    ("-length * (along[1] + across[1])", "-length * along[1]", "test_surroundings"),
+    ("two / 2 / area for one, two", "two / area for one, two", "test_surroundings"),
 ]
 
 
