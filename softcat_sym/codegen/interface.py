@@ -18,7 +18,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
 from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
 from softcat_sym.effects.choosing import Effects
-from softcat_sym.effects.surface_tension import initial_strain
+from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
 from softcat_sym.scene.material import Parameter, constant_in_c
 from softcat_sym.scene.scene import Scene, force_free_stretch

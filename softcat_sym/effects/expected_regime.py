@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from softcat_sym.effects import scaling_estimates as scales
+from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.surface_tension import initial_strain
 from softcat_sym.physics import regimes
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS

@@ -16,9 +16,9 @@ import numpy as np
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.first_stress import surface_note
 from softcat_sym.effects.free_vibration import damping_note, ringing
 from softcat_sym.effects.lists import terms_of
-from softcat_sym.effects.surface_tension import surface_note
 from softcat_sym.errors import SoftcatError
 from softcat_sym.physics.filament import Terms
 from softcat_sym.results.fields import (

@@ -12,8 +12,8 @@ import numpy as np
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
+from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.scaling_estimates import elastic_sag
-from softcat_sym.effects.surface_tension import initial_strain
 from softcat_sym.scene.scene import (
     Scene,
     chord_angle,
