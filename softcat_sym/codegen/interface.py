@@ -18,9 +18,10 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End, choose_grading, towards_middle
 from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
 from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
 from softcat_sym.scene.material import Parameter, constant_in_c
-from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.scene import Scene, force_free_stretch
 from softcat_sym.scene.units import si_unit
 
 MIN_CELLS = 4
@@ -252,7 +253,11 @@ def _heading(described: Description, command: str) -> str:
 def _lists(described: Description) -> dict[str, tuple[float, ...]]:
     """What a scene states along the filament."""
     initial, filament = described.scene.initial, described.scene.filament
-    return {"initial_mean": initial.P, "initial_bending": initial.C, "thickness": filament.profile}
+    return {
+        "initial_mean": initial_strain(described.scene),
+        "initial_bending": initial.C,
+        "thickness": filament.profile,
+    }
 
 
 def source_text(described: Description, name: str, command: str) -> str:
@@ -318,7 +323,7 @@ def _fields(described: Description, name: str) -> dict[str, str]:
         **{one: place(parameters, one) for one in _KNOWN},
         "motion": place(parameters, "motion_0_time"),
         "motion_rows": str(structure.body.supports.rows),
-        "stretch": number(scene.initial.stretch if scene.initial.relaxed else 1.0),
+        "stretch": number(force_free_stretch(scene)),
     }
     for key, values in _lists(described).items():
         fields |= {key: f"described_{key}" if values else "0", f"{key}_count": str(len(values))}

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from softcat_sym.effects import scaling_estimates as scales
+from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.forecast import hinge_pace, overshoot, rebound, ringing_share, shaken_share
 from softcat_sym.effects.law import is_solid
 from softcat_sym.effects.quasi_static import load_factor
@@ -114,7 +115,7 @@ def first_yield_under_load(scene: Scene, effects: Collection[str]) -> float:
     ringing = ringing_share(_first_frequency(scene), _ramp(scene, effects)) if "inertia" in effects else 0.0
     overshot = 1 + (float(scales.beam_of(scene).overshoot_bound) - 1) * ringing + shaken_share(scene)
     limit, modulus, initial = scales.yield_stress_of(scene) or 0.0, scales.instant_modulus(scene) or 0.0, scene.initial
-    there = max(map(abs, initial.P), default=0.0) + max(map(abs, initial.C), default=0.0)
+    there = max(map(abs, initial_strain(scene)), default=0.0) + max(map(abs, initial.C), default=0.0)
     there += 0.0 if initial.relaxed else abs(math.log(initial.stretch))
     # Tension helps a filament that is loaded slowly. One that swings is not relied on to have it when it bends most:
     # the paper's yields at G = 0.04, where the tension of its static sag would put first yield at 0.041.

@@ -38,10 +38,13 @@ def yield_stress_of(scene: Scene) -> float | None:
     return material.yield_stress if material.yield_stress is not None else material.threshold or None
 
 
-def surface_stress(scene: Scene) -> float:
-    """Gam [Pa]: axial force of surface tension over the area, gamma P/(2 A) of the undeformed section."""
-    filament = scene.filament
-    per_tension = _surface_stress(filament.section, filament.thickness, filament.width / filament.thickness)
+def surface_stress(scene: Scene, relative: float = 1.0) -> float:
+    """Gam [Pa]: axial force of surface tension over the area, gamma P/(2 A) of the undeformed section.
+
+    Where a profile has this relative thickness.
+    """
+    filament, thickness = scene.filament, scene.filament.thickness * relative
+    per_tension = _surface_stress(filament.section, thickness, filament.width / thickness)
     return scene.surroundings.surface_tension * per_tension
 
 

@@ -6,11 +6,16 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.scaling_estimates import instant_modulus, pull_of_surface, surface_stress, yield_stress_of
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.scaling_estimates import (
+    instant_modulus,
+    pull_of_surface,
+    static_modulus,
+    surface_stress,
+    yield_stress_of,
+)
 from softcat_sym.errors import Fault
 from softcat_sym.scene.scene import Scene
-
-_STARTS = "it acts at once, on a strand laid down without stress"
 
 _UNSTABLE = 2.0
 """Gam over E from which a stretched filament pulls less than an unstretched one, dQ/ds = A_0 (E - Gam/2): it would
@@ -25,19 +30,25 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene
-    meaning = f"share of the sag that the pull of the surface takes, C/(1+C), C = m 4 P gamma f/(q L^2) ({_STARTS})"
+    starts = "it acts at once" if scene.initial.surface == "fresh" else "it was always there"
+    meaning = f"share of the sag that the pull of the surface takes, C/(1+C), C = m 4 P gamma f/(q L^2) ({starts})"
     return Estimate(min(1.0, motion.capillary), meaning)
 
 
 def unstable_faults(scene: Scene) -> list[Fault]:
     """Refuse a surface tension that no elastic filament of this thickness withstands as a cylinder."""
-    modulus, pull = instant_modulus(scene), surface_stress(scene)
-    if modulus is None or scene.filament.section == "sheet" or pull <= _UNSTABLE * modulus:
+    modulus, pull = static_modulus(scene), surface_stress(scene)
+    # One that has shortened under its surface is thicker, and stable: dQ/ds = A_0 E (1 - log(s)/2)/s^2 where Q = 0.
+    stable = scene.filament.section == "sheet" or scene.initial.surface == "relaxed"
+    if modulus is None or not is_solid(scene) or stable or pull <= _UNSTABLE * modulus:
         return []
     most = scene.surroundings.surface_tension * _UNSTABLE * modulus / pull
     found = f"{scene.surroundings.surface_tension:.3g} N/m, at which the filament gathers into beads"
     return [Fault("surroundings.surface_tension", found, f"at most {most:.3g} N/m for this modulus and thickness")]
+
+
+def _indispensable(scene: Scene) -> str:
+    return "initial.surface is 'relaxed'" if scene.initial.surface == "relaxed" else ""
 
 
 def _warnings(scene: Scene, motion: Motion) -> list[str]:
@@ -59,6 +70,7 @@ SURFACE_TENSION = Effect(
     causes=("surface",),
     needs=("extensibility",),
     in_paper=False,
+    indispensable=_indispensable,
     faults=unstable_faults,
 )
 

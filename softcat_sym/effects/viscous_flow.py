@@ -13,6 +13,7 @@ from softcat_sym.scene.scene import Scene
 def _indispensable(scene: Scene) -> str:
     initial = scene.initial
     plastic = bool(initial.P) or bool(initial.C) or (initial.stretch != 1 and initial.relaxed)
+    plastic = plastic or initial.surface == "relaxed"
     return "the initial state is a plastic strain" if plastic else ""
 
 

@@ -437,7 +437,8 @@ class FrozenFilament:
         self.scale = time_scale(scene)
         parts = _assembled(scene, effects, self.all_free)
         self.graph = parts.graph
-        self._starts = Starts(parts, follow=all(one.path != "initial.stretch" for one in self.all_free))
+        stays = scene.initial.surface == "fresh" and all(one.path != "initial.stretch" for one in self.all_free)
+        self._starts = Starts(parts, follow=stays)
         self.integrator = self._made(parts, effects)
         idle = self._idle()
         if idle and not without_idle:

@@ -79,7 +79,7 @@ def answer_rows(summary: Summary, scene: Scene) -> Rows:
         rows.append(("settled", _settled(summary)))
     if _left_out_worth(summary) > summary.get("accuracy", float("inf")):
         rows.append(_left_out(summary))
-    rows += [("converted", str(text)) for text in summary.get("converted") or ()]
+    rows += [(key, str(text)) for key in ("converted", "assumed") for text in summary.get(key) or ()]
     return rows + [("warning", str(text)) for text in summary.get("warnings") or ()]
 
 

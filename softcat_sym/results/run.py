@@ -16,6 +16,7 @@ import numpy as np
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import Effects
+from softcat_sym.effects.first_stress import surface_note
 from softcat_sym.effects.free_vibration import damping_note, ringing
 from softcat_sym.effects.lists import terms_of
 from softcat_sym.errors import SoftcatError
@@ -323,6 +324,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "backend": "compiled" if prepared.backend.compiled else "interpreted",
         "backend_reason": prepared.backend.reason,
         "converted": [*scene.notes, *filter(None, [damping_note(scene)])],
+        "assumed": [surface_note(scene)] if effects.terms().surface_tension else [],
         "warnings": warnings,
         "wall_s": wall,
     }

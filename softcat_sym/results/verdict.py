@@ -238,6 +238,30 @@ def shortest_hinge_cell(scene: Scene, effects: Effects, nodes: Floats, yielded: 
     return min(short, default=None)
 
 
+_BEADED = 0.4
+"""Change of the logarithm of the stretch from cell to cell, a fifth of the radius, that shows a bead where it is."""
+
+
+def beads_over_single_cells(nodes: Floats, fields: Mapping[str, Floats]) -> str:
+    """What is wrong with beads, or an empty text: their fastest waves need cells shorter than the radius.
+
+    A wave that the cells cannot show grows slower than it should, so that a thread which stays smooth says nothing.
+    """
+    stretch = fields["stretch"]
+    long = np.diff(nodes) * stretch / (fields["thickness"] / 2)
+    uneven = np.abs(np.diff(np.log(np.maximum(stretch, 1e-300)), axis=1))
+    longer = np.where(uneven > _BEADED, np.minimum(long[:, 1:], long[:, :-1]), 0.0)
+    frame, at = np.unravel_index(int(np.argmax(longer)), longer.shape)
+    if not longer[frame, at] > 1:
+        return ""
+    found, cells = float(longer[frame, at]), (len(nodes) - 1) // 2
+    return (
+        f"the surface gathers the filament into beads over single cells: at X/L = {_place(nodes, int(at)):g} they are "
+        f"{found:.2g} radii long, and waves of the surface need less than one; take numerics.cells = "
+        f"{math.ceil(cells * found)} or more"
+    )
+
+
 def warnings_of(
     scene: Scene, effects: Effects, motion: Motion, nodes: Floats, fields: Mapping[str, Floats], residual: float
 ) -> list[str]:
@@ -250,6 +274,8 @@ def warnings_of(
             f"1/{1 / SHORTEST_CELL:.0f} a hinge may neck as the grid lets it; leave out numerics.grading or take fewer "
             "numerics.cells"
         )
+    if effects.terms().surface_tension and (beads := beads_over_single_cells(nodes, fields)):
+        warnings.append(beads)
     # Without thinning a section swells as it is drawn: the energy that this stores, no force gives back.
     swells = effects.terms().finite and not effects.terms().thins
     if swells and scene.run.closure == "material" and residual > scene.run.accuracy:

@@ -252,6 +252,9 @@ class Load(Part):
     """Frequency f of oscillating gravity, in cycles a second; given together with load.shake."""
 
 
+SurfaceAge = Literal["fresh", "relaxed"]
+
+
 class Initial(Part):
     """State at the first instant; dimensionless."""
 
@@ -265,6 +268,8 @@ class Initial(Part):
     """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
     C: Annotated[tuple[float, ...], Numbers()] = ()
     """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), likewise."""
+    surface: Annotated[SurfaceAge, Choice(SurfaceAge)] = "fresh"
+    """Whether surface tension acts at once on a filament without stress, or has shortened it before it was held."""
 
 
 class Surroundings(Part):

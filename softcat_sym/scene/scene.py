@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ModelWrapValidatorHandler, ValidationInfo, model_validator
 from pydantic_core import ValidationError
+from scipy.special import lambertw
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
@@ -47,12 +48,31 @@ def rest_length(scene: Scene) -> float:
     As given, or the distance over the initial stretch.
     """
     given = scene.filament.rest_length
-    return distance(scene) / scene.initial.stretch if given is None else given
+    return distance(scene) / (scene.initial.stretch * surface_stretch(scene)) if given is None else given
 
 
 def stress_free_length(scene: Scene) -> float:
-    """Return the length at which the filament starts without stress [m]: a relaxed initial stretch lengthens it."""
-    return rest_length(scene) * (scene.initial.stretch if scene.initial.relaxed else 1.0)
+    """Return the length at which the filament starts without axial force [m], longer by a relaxed initial stretch."""
+    return rest_length(scene) * force_free_stretch(scene)
+
+
+def force_free_stretch(scene: Scene) -> float:
+    """Return the stretch at which the filament starts without axial force."""
+    return (scene.initial.stretch if scene.initial.relaxed else 1.0) * surface_stretch(scene)
+
+
+def surface_stretch(scene: Scene) -> float:
+    """Return the stretch at which a solid balances a surface that was always there; 1 for one that acts at once.
+
+    E log(s)/s + Gam s^-1/2 = 0, of a sheet E/(1 - nu^2) log(s)/s + Gam = 0.
+    """
+    filament, material = scene.filament, scene.material
+    if scene.initial.surface == "fresh" or material.law not in SOLIDS or material.youngs_modulus is None:
+        return 1.0
+    pull = scene.surroundings.surface_tension / material.youngs_modulus
+    if filament.section == "sheet":
+        return math.exp(-lambertw(2 * pull / filament.thickness * (1 - material.poisson**2)).real)
+    return math.exp(-2 * lambertw(pull * (1 / filament.thickness + 1 / filament.width) / 2).real)
 
 
 def is_held(scene: Scene) -> bool:
@@ -103,7 +123,7 @@ _REFUSED_LATER = ("bingham", "herschel-bulkley")
 
 def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
-    checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state)
+    checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface)
     rules = (
         rule for check in (*checks, _of_newtonian, _of_small_deflection, _of_load_and_loss) for rule in check(scene)
     )
@@ -204,6 +224,27 @@ def _of_initial_state(scene: Scene) -> Iterator[Rule]:
         yield broken and law in (*SOLIDS, "newtonian"), f"initial.{name}", found, "leaving it out"
 
 
+def _of_surface(scene: Scene) -> Iterator[Rule]:
+    """A surface that was always there says by itself what stress the filament starts with."""
+    if scene.initial.surface == "fresh":
+        return
+    initial, filament, law, path = scene.initial, scene.filament, scene.material.law, "initial.surface"
+    relaxed, fresh = "'relaxed'", '"fresh"'
+    bare = scene.surroundings.surface_tension == 0
+    yield bare, path, f"{relaxed}, but there is no surface tension", f"{fresh}, or surroundings.surface_tension"
+    for key, given in (
+        ("initial.P", initial.P),
+        ("initial.stretch", initial.stretch != 1),
+        ("filament.rest_length", filament.rest_length is not None),
+    ):
+        yield given, path, f"{relaxed}, but {key} says too what stress there is", f"{fresh}, or no {key}"
+    flows = law not in SOLIDS and not scene.material.yield_stress and scene.material.threshold == 0
+    found = f"{relaxed}, but a filament of the law '{law}' never rests under its surface: it has no yield stress"
+    yield flows, path, found, fresh
+    found = f"{relaxed}, but an elastic filament with a profile has no one stretch at which its surface is balanced"
+    yield law in SOLIDS and filament.profile, path, found, f"{fresh}, or no filament.profile"
+
+
 def _of_newtonian(scene: Scene) -> Iterator[Rule]:
     if scene.material.law != "newtonian":
         return
@@ -220,7 +261,7 @@ def _of_newtonian(scene: Scene) -> Iterator[Rule]:
 _NOT_SMALL = {
     "filament": ("rest_length", "profile", "curvature"),
     "ends": ("drop", "left_angle", "right_angle", "motion"),
-    "initial": ("stretch", "P", "C"),
+    "initial": ("stretch", "P", "C", "surface"),
 }
 """Keys that the small-deflection model has at their defaults only."""
 

@@ -12,8 +12,18 @@ import numpy as np
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, RIGHT_ANGLE, SPAN
+from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.effects.scaling_estimates import elastic_sag
-from softcat_sym.scene.scene import Scene, chord_angle, distance, is_held, is_slack, rest_length, stress_free_length
+from softcat_sym.scene.scene import (
+    Scene,
+    chord_angle,
+    distance,
+    force_free_stretch,
+    is_held,
+    is_slack,
+    rest_length,
+    stress_free_length,
+)
 
 _ITERATIONS = 60
 _HALVINGS = 30
@@ -346,7 +356,7 @@ def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene:
     ends, filament = scene.ends, scene.filament
     length, along = rest_length(scene), chord_angle(scene)
     run, fall = filament.span / length, ends.drop / length
-    grown = scene.initial.stretch if scene.initial.relaxed else 1.0
+    grown = force_free_stretch(scene)
     middle, left, drop = 0.0, -run / 2, fall
     if "free" in (ends.left, ends.right):
         kind, angle = (ends.left, ends.left_angle) if ends.right == "free" else (ends.right, ends.right_angle)
@@ -359,13 +369,13 @@ def _with_positions(state: Floats, kinds: tuple[str, ...], where: Floats, scene:
 
 def _with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
     """The state with a share of the plastic strain that the scene starts from."""
-    initial, where = scene.initial, graph.x_where
+    where = graph.x_where
     # Given at equal distances from left to right; one value alone is that of the whole filament.
     mean, bending = (
         np.interp(where, np.linspace(-0.5, 0.5, len(values)), values) if values else np.zeros(len(where))
-        for values in (initial.P, initial.C)
+        for values in (initial_strain(scene), scene.initial.C)
     )
-    mean = mean + (math.log(initial.stretch) if initial.relaxed else 0.0)
+    mean = mean + math.log(force_free_stretch(scene))
     result = np.array(x, dtype=float)
     for n, kind in enumerate(graph.x_kinds):
         if kind in graph.profiles:

@@ -30,7 +30,8 @@ solved for by Newton's method in every right-hand side. Optional is the gradient
 JMPS 2016): ``n1`` gains ``-(b Lam_X)_X``, ``b = beta delta^2 T+/Lam^4``, ``T = s0/Lam``, with ``b Lam_X`` on the nodes
 between two cells, ``b`` their mean, and zero at both ends. Its power is ``sum b Lam_X Lam_Xt dX``. Optional is surface
 tension: its energy is ``2 surface s^(1/2)`` per unit ``X``, ``s = |z_X|``, ``surface`` = gamma P0/(2 A0 E), so that the
-force gains ``surface s^(-1/2)`` along ``z_X``. The section is a rectangle or, with its own weights, a circle.
+force gains ``surface s^(-1/2)`` along ``z_X``; of a circle also ``surface (delta/2)^2 s_X^2/(4 s^(9/2))`` at the inner
+nodes, ``s`` their mean. The section is a narrow rectangle or, with its own weights, a circle.
 """
 
 from __future__ import annotations
@@ -124,7 +125,7 @@ class Filament:
             self.mean = 0.5 * weight
         self.moment = self.mean * self.zeta
         self.square = self.moment * self.zeta
-        self.surface = surface
+        self.surface, self.sloping = surface, surface * delta**2 / 16 if circle else 0.0
         self.symmetric = bool(self.X[0] == 0.0)
         self.n, self.fibres = self.X.size, fibres
         self.mass = np.zeros(self.n)
@@ -220,6 +221,22 @@ class Filament:
                 return self.add_gradient(self.section(z_X, psi, state))
         raise FloatingPointError("the section angles do not settle: the filament is broken or the step too long")
 
+    def joints(self, s: Array) -> tuple[Array, Array]:
+        """Stretch and its slope at the inner nodes."""
+        return (self.dX[1:] * s[1:] + self.dX[:-1] * s[:-1]) / (2 * self.apart), np.diff(s) / self.apart
+
+    def pull(self, s: Array) -> Array:
+        """Derivative of the surface's energy by the stretch of each cell, over its length."""
+        at, D = self.joints(s)
+        by_slope = np.pad(2 * self.sloping * D * at**-4.5, 1)
+        by_stretch = np.pad(-4.5 * self.sloping * D**2 * at**-5.5, 1)
+        return self.surface * s**-0.5 - np.diff(by_slope) / self.dX + (by_stretch[1:] + by_stretch[:-1]) / 2
+
+    def surface_energy(self, s: Array) -> float:
+        """What the surface has gained since the start."""
+        at, D = self.joints(s)
+        return float(2 * self.surface * self.dX @ (s**0.5 - 1) + self.sloping * self.apart @ (D**2 * at**-4.5))
+
     def rhs(self, t: float, Y: Array) -> Array:
         """Time derivative of the state."""
         out = np.empty_like(Y)
@@ -227,7 +244,8 @@ class Filament:
         q = self.solve_angles(state)
         force = (q.n1 + 1j * q.n2) * np.exp(0.5j * (self.psi[1:] + self.psi[:-1]))
         z_X = (state.z[1:] - state.z[:-1]) / self.dX
-        force += self.surface * np.abs(z_X) ** -1.5 * z_X
+        if self.surface:
+            force += self.pull(np.abs(z_X)) * z_X / np.abs(z_X)
         rate.z[:] = state.v
         rate.v[1:-1] = (force[1:] - force[:-1]) / self.mass[1:-1] - 1j * self.gravity(t)
         rate.v[-1] = 0.0
@@ -250,7 +268,7 @@ class Filament:
         return {
             "kinetic": float(0.5 * self.mass @ np.abs(state.v) ** 2),
             "elastic": float(0.5 * self.dX @ (self.mean @ (q.fibres.sigma**2 + self.mu * q.fibres.y**2))),
-            "surface": float(2 * self.surface * self.dX @ (np.abs(np.diff(state.z) / self.dX) ** 0.5 - 1)),
+            "surface": self.surface_energy(np.abs(np.diff(state.z) / self.dX)),
             "dissipated": float(state.sums[1]),
             "gradient": self.gradient_work,
             "work": float(state.sums[0]),

@@ -1,0 +1,38 @@
+"""The stress that a filament starts with: given, or that of a surface which was always there."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.scaling_estimates import instant_modulus, surface_stress, yield_stress_of
+from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.section_response import PLANE_STRAIN, stiffness
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.scene import Scene, surface_stretch
+
+
+def initial_strain(scene: Scene) -> tuple[float, ...]:
+    """Mean plastic strain at t = 0, equally spaced along the filament: as given, or that of a relaxed surface.
+
+    With it the stress is -min(Gam, sigma_Y): the filament was free to shorten before it was held, as far as it yields.
+    """
+    limit, modulus = yield_stress_of(scene), instant_modulus(scene)
+    if scene.initial.surface == "fresh" or is_solid(scene) or limit is None or modulus is None:
+        return scene.initial.P
+    filament, shape = scene.filament, SECTIONS[scene.filament.section]
+    limit /= float(PLANE_STRAIN) if shape.plane_strain else 1.0
+    stiff = float(stiffness(shape, sp.Float(modulus)).subs(nu, scene.material.poisson))
+    pulls = [surface_stress(scene, relative) for relative in filament.profile or (1.0,)]
+    return tuple(min(pull, limit) / stiff for pull in pulls)
+
+
+def surface_note(scene: Scene) -> str:
+    """What was assumed of the time before t = 0."""
+    if scene.initial.surface == "fresh":
+        return "surface tension acts at once on a filament without stress (initial.surface = 'fresh')"
+    start = f"begins at the stretch {surface_stretch(scene):.6g} of its stress-free length"
+    if not is_solid(scene):
+        stress = min(surface_stress(scene), yield_stress_of(scene) or 0.0)
+        start = f"begins with the stress {-stress:.4g} Pa, the yield stress at most"
+    return f"surface tension was always there (initial.surface = 'relaxed'): the filament {start}"
