@@ -205,7 +205,7 @@ def test_what_surface_tension_holds_and_what_the_rules_say_that_ignore_it() -> N
     found = json.loads(json.dumps(shown.to_dict()))["surface_tension"]
     assert (found["pull"], found["span_without"]) == (hold.pull, None)
     names = [line.get_label() for line in shown.plot().axes[1].lines]
-    assert any(str(name).startswith("without surface") for name in names)
+    assert any(str(name).startswith("no surface tension") for name in names)
     assert surface_hold(at_rest("10 MPa", **coarse), "5 %", None, lambda _: (None, ""), Silence()) is None
 
 

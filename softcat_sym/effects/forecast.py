@@ -227,7 +227,7 @@ def _forecast(scene: Scene) -> Motion:
     history = free
     if scales.pull_of_surface(scene):
         history = quasi_static.History(
-            free.time, np.array([sag / (1 + _carried(scene, float(sag))) for sag in free.sag])
+            free.time, np.array([sag * _left_by_surface(scene, float(sag)) for sag in free.sag])
         )
     span, first = scene.filament.span, float(history.time[1])
     sag = max(float(np.max(history.sag)), _shaken_sag(scene), 1e-12)
@@ -267,21 +267,28 @@ def _speed(scene: Scene, history: quasi_static.History, rings: Ringing) -> float
     return min(max(growing, ringing_speed) * span, fallen)
 
 
-def _carried(scene: Scene, sag: float) -> float:
-    """C: weight that surface tension carries at a sag without it, over the rest of it; its share of the sag is C/(1+C).
+def _left_by_surface(scene: Scene, sag: float) -> float:
+    """Share x of a sag without surface tension that it leaves, with C = 8 Gam f/(rho g L) of that sag.
 
-    C = m 8 Gam f/(rho g L^2). Of a string m = 1/3 by its cubic law, of a beam 1; where the section yields 3 as long as
-    the beam carries on (Haythornthwaite 1957), and 1 where the membrane does.
+    Bending resists as x and stretching as x^3: (1 - r) x + r x^3 + C x = 1, r the share of tension. Where the section
+    yields C counts three times as long as the beam carries on (Haythornthwaite 1957), once where the membrane does.
     """
     weight = scales.weight_stress(scene) * quasi_static.load_factor(scene)
     if weight == 0 or not is_held(scene):
-        return 0.0
+        return 1.0
+    carried = 8 * scales.surface_stress(scene) / weight * sag
     number = scales.gravity_number_of(scene)
     if number is not None and number > scales.first_yield_gravity_number(scene):
-        power = 3.0 if sag < groups_of(scene).delta else 1.0
-    else:
-        power = 1 - 2 / 3 * tension_share(scene, sag)
-    return power * 8 * scales.surface_stress(scene) / weight * sag
+        return 1 / (1 + (3 if sag < groups_of(scene).delta else 1) * carried)
+    stretching, left = tension_share(scene, sag), 1.0
+    for _ in range(_NEWTON):
+        excess = (1 - stretching + carried) * left + stretching * left**3 - 1
+        left -= excess / (1 - stretching + carried + 3 * stretching * left**2)
+    return left
+
+
+_NEWTON = 30
+"""Steps to the root of a convex function from above."""
 
 
 def _capillary(scene: Scene, sag: float) -> float:
@@ -292,8 +299,7 @@ def _capillary(scene: Scene, sag: float) -> float:
         return min(1.0, 5 * _shortened(scene, scales.surface_stress(scene)))
     if scales.weight_stress(scene) == 0:
         return 1.0
-    carried = _carried(scene, sag)
-    return carried / (1 + carried)
+    return 1 - _left_by_surface(scene, sag)
 
 
 def _shortened(scene: Scene, pull: float) -> float:

@@ -63,6 +63,9 @@ def facts(card: Card) -> list[tuple[str, str]]:
         span, sag = card.span.span, card.span.sag
         sags = f"{length_unit(span).text(span)} sags {length_unit(sag).text(sag)} (limit {card.limit})"
         powers = ", ".join(f"{name}^{power:.2g}" for name, power in exponents(card)[:_STRONGEST])
+        if card.surface is not None and card.surface.span_added is not None:
+            added = length_unit(card.surface.span_added).text(card.surface.span_added)
+            sags += f", {added} of it by surface tension"
         rows[-1:] = [("longest span", sags), ("it grows as", powers or "nothing that is known here")]
     rows += _of_surface(card)
     modulus = card.scene.material.youngs_modulus
@@ -91,12 +94,7 @@ def _of_surface(card: Card) -> Iterator[tuple[str, str]]:
     if hold.sag_without is not None:
         bare = length_unit(abs(hold.sag_without)).text(hold.sag_without)
     yield "surface tension", f"pulls with {pull}{carried}; sag without it {bare}"
-    if hold.span_without is not None:
-        without = length_unit(hold.span_without).text(hold.span_without)
-        added = hold.span_added or 0.0
-        adds = f"; it adds {length_unit(abs(added)).text(added)}" if hold.span_added is not None else ""
-        yield "span without it", f"{without}{adds}"
-    elif hold.span_text != card.span_text:
+    if hold.span_text and hold.span_text != card.span_text:
         yield "span without it", f"none found: {hold.span_text}"
     if hold.rule_spans:
         names = {rule.key: rule.name for rule in card.rules}
@@ -259,9 +257,9 @@ def _draw_descent(axes: Axes, card: Card) -> None:
     if card.surface is not None and card.surface.sag_without is not None:
         depth = card.surface.sag_without
         if abs(depth) <= _DEEPEST * deepest:
-            axes.axhline(float(unit.of(depth)), color=style.BLUE, lw=0.9, linestyle=":", label="without surface")
+            axes.axhline(float(unit.of(depth)), color=style.BLUE, lw=0.9, linestyle=":", label="no surface tension")
         else:
-            axes.plot([], [], linestyle="none", label=f"without surface {percent(depth / float(sag[-1]) - 1)} ↓")
+            axes.plot([], [], linestyle="none", label=f"no surface tension {percent(depth / float(sag[-1]) - 1)} ↓")
     if card.descent is not None and card.descent.to_90 is not None:
         at = (float(clock.of(card.descent.to_90)), float(unit.of(0.9 * sag[-1])))
         axes.plot(*at, "o", color=style.BLUE, markersize=4, zorder=4, label="90 %")

@@ -18,7 +18,8 @@ import softcat_sym as sc
 from softcat_sym.design.critical_span import critical_span
 from softcat_sym.effects.expected_regime import expected_regime
 from softcat_sym.effects.forecast import forecast
-from softcat_sym.errors import SoftcatError
+from softcat_sym.simulate import recalled, without_estimate
+from softcat_sym.solvers.solution import Silence
 from tests.common.table import show
 
 pytestmark = pytest.mark.slow
@@ -68,7 +69,7 @@ SCENES: dict[str, tuple[sc.Scene, tuple[float, float]]] = {
     "thin honey": (strand("20 mm", "0.5 mm", 1400, "60 mN/m", liquid("10 Pa*s"), "0.1 s"), (12.6, 3.14)),
     "silicone-thread": (sc.load_scene("silicone-thread"), (29.27, 27.48)),
     "glass fibre": (strand("50 mm", "0.2 mm", 2500, "0.3 N/m", liquid("1 kPa*s"), "0.1 s"), (7.21, 2.45)),
-    "polymer melt": (strand("20 mm", "0.2 mm", 900, "28 mN/m", liquid("1 kPa*s"), "1 s"), (3.17, 1.35)),
+    "polymer melt": (strand("20 mm", "0.2 mm", 780, "28 mN/m", liquid("1 kPa*s"), "1 s"), (3.17, 1.35)),
 }  # fmt: skip
 KNOWN = ("ink-bridge", "glass fibre", "polymer melt", "thin honey")
 """Of which all numbers are those of the prototype, or matter little."""
@@ -77,7 +78,7 @@ KNOWN = ("ink-bridge", "glass fibre", "polymer melt", "thin honey")
 def solved(scene: sc.Scene) -> sc.Run:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        return sc.simulate(scene.replace({"numerics.estimate": False}))
+        return recalled(without_estimate(scene), Silence())
 
 
 def sag_of(run: sc.Run) -> float:
@@ -91,7 +92,7 @@ def shown(run: sc.Run) -> str:
 
 
 def test_sags_with_and_without_surface_tension() -> None:
-    rows = []
+    rows, runs = [], {}
     for name, (scene, prototype) in SCENES.items():
         bare, pulled = solved(scene.replace(BARE)), solved(scene)
         without, held = sag_of(bare), sag_of(pulled)
@@ -100,33 +101,35 @@ def test_sags_with_and_without_surface_tension() -> None:
         foretold = 1 - forecast(scene).capillary
         ours = (name, shown(bare), shown(pulled), f"{held / without:.3f}", f"{foretold:.3f}", *seconds, " ".join(own))
         rows.append((*ours, " -> ".join(f"{sag:g}" for sag in prototype), f"{prototype[1] / prototype[0]:.3f}"))
-        assert "surface-tension" in own, name
-        assert not held >= without, name
-        if name in KNOWN:
-            assert held == pytest.approx(prototype[1], rel=0.1), name
+        runs[name] = without, held, own
     header = ("scene", "without", "with", "ratio", "foretold", "s", "s with", "more effects", "prototype", "its ratio")
     show("Sag [mm]", header, rows)
+    for name, (without, held, own) in runs.items():
+        assert "surface-tension" in own and not held >= without, name
+        assert name not in KNOWN or held == pytest.approx(SCENES[name][1][1], rel=0.1), name
 
 
 SPANS = {
     3: ("1.8", "1.7"), 4: ("5.7", "5.3"), 5: ("166", "27"), 6: ("323", "111"), 8: ("688", "334"), 10: ("1141", "579"),
     14: ("necks", "1245"), 20: ("necks", "2765"),
 }  # fmt: skip
-"""Sag of the ink by the prototype [um], without and with."""
+"""Sag of the ink by the prototype [um], without and with; what falls through its necks is not run again."""
 
 
 def test_spans_of_the_ink() -> None:
     ink, rows, sags = sc.load_scene("ink-bridge"), [], []
     for span, prototype in SPANS.items():
         scene = ink.replace({"filament.span": f"{span} mm"})
-        bare, pulled = solved(scene.replace(BARE)), solved(scene)
-        sags.append(1e3 * sag_of(pulled))
-        um = [f"{1e3 * sag_of(run):.4g}" if run.outcome.is_success else run.outcome.name for run in (bare, pulled)]
-        seconds = [f"{run.summary['wall_s']['total']:.1f}" for run in (bare, pulled)]
-        rows.append((span, *um, *seconds, *prototype))
-        assert sags[-1] == pytest.approx(float(prototype[1]), rel=0.1), span
+        scenes = [scene.replace(BARE), scene] if prototype[0] != "necks" else [scene]
+        runs = [solved(one) for one in scenes]
+        sags.append(1e3 * sag_of(runs[-1]))
+        um = [f"{1e3 * sag_of(run):.4g}" if run.outcome.is_success else run.outcome.name for run in runs]
+        seconds = [f"{run.summary['wall_s']['total']:.1f}" for run in runs]
+        blank = [""] * (2 - len(runs))
+        rows.append((span, *blank, *um, *blank, *seconds, *prototype))
     show("Ink, sag [um]", ("span [mm]", "without", "with", "s", "s with", "prototype", "with"), rows)
     assert all(one < other for one, other in pairwise(sags))
+    assert sags == pytest.approx([float(held) for _, held in SPANS.values()], rel=0.1)
 
 
 def test_critical_spans_of_the_ink() -> None:
@@ -136,12 +139,7 @@ def test_critical_spans_of_the_ink() -> None:
     d, spans = ink.filament.thickness, {}
     for words, limit, prototype in (("d/4", d / 4, "4.7 -> 5.9"), ("d", d, "6.5 -> 8.4")):
         for scene in (ink.replace(BARE), ink):
-            try:
-                found = critical_span(scene, f"{limit!r} m", within=("3 mm", "20 mm"), exponents=False)
-            except SoftcatError as error:
-                spans[words, scene is ink] = math.nan
-                print(error)
-                continue
+            found = critical_span(scene, f"{limit!r} m", within=("3 mm", "20 mm"), exponents=False)
             spans[words, scene is ink] = 1e3 * found.span
         rows.append((f"sag < {words}", *(f"{spans[words, held]:.3g}" for held in (False, True)), prototype))
         assert spans[words, True] > 1.15 * spans[words, False], words
