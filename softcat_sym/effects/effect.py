@@ -235,8 +235,8 @@ class Effect:
     def densities(self) -> Densities:
         """Its own densities, with the numbers that a run is given for its constants."""
         given = tuple(Constant(constant_in_c(f"effects.{self.name}.{one.name}"), one.symbol) for one in self.constants)
-        parts = (sp.sympify(part) for part in (self.stored, self.dissipation, self.kinetic))
-        return Densities(self.name, *parts, constants=given)
+        stored, dissipation, kinetic = (sp.sympify(part) for part in (self.stored, self.dissipation, self.kinetic))
+        return Densities(self.name, stored, dissipation, kinetic, given)
 
     @property
     def adds_densities(self) -> bool:
