@@ -28,6 +28,7 @@ from softcat_sym.studies.phase_runs import (
     duration_at,
     place_at,
     refined,
+    refuse_scene,
     row_of,
     run_places,
 )
@@ -50,6 +51,15 @@ def test_papers_lines_and_the_exact_threshold() -> None:
     np.testing.assert_allclose(lines["arrest of a shallow catenary"].G, np.sqrt(2))
     np.testing.assert_allclose(lines["arrest of the exact catenary"].G, 2 * LAPLACE, rtol=1e-12)
     np.testing.assert_allclose(lines["sudden load, undamped beam"].G, lines["sudden load, undamped beam"].other)
+
+
+def test_what_the_groups_do_not_decide_is_refused() -> None:
+    around = {"surroundings.surface_tension": "30 mN/m", "surroundings.density": "1000 kg/m^3"}
+    for path, value in around.items():
+        with pytest.raises(SceneError) as caught:
+            refuse_scene(SCENE.replace({path: value, "run.effects": "auto"}))
+        assert [fault.path for fault in caught.value.faults] == [path]
+        refuse_scene(SCENE.replace({path: value, "run.effects": "paper"}))
 
 
 def test_tension_matters_for_thin_and_soft_filaments_only() -> None:

@@ -176,15 +176,13 @@ def _strand(scene: Scene, modulus: float) -> _Strand:
     ell, areas = length / _ELEMENTS, relative**section.area_power
     size = 2 * (_ELEMENTS + 1)
     bending, geometric, mass = (np.zeros((size, size)) for _ in range(3))
-    push, sinking = np.zeros(size), scene.filament.density * abs(1 - scales.buoyant_share(scene))
-    if sinking == 0 and scene.load.point_mass == 0:
-        sinking = scene.filament.density  # Nothing pushes it: as if its weight did
+    push = np.zeros(size)
     for n in range(_ELEMENTS):
         at = slice(2 * n, 2 * n + 4)
         bending[at, at] += stiff * area * areas[n] * gyration * relative[n] ** 2 / ell**3 * _bent(ell)
         geometric[at, at] += _pulled(ell) / (30 * ell)
         mass[at, at] += scene.filament.density * area * areas[n] * ell / 420 * _inert(ell)
-        push[at] += sinking * area * areas[n] * ell * np.array([1 / 2, ell / 12, 1 / 2, -ell / 12])
+        push[at] += scene.filament.density * area * areas[n] * ell * np.array([1 / 2, ell / 12, 1 / 2, -ell / 12])
     mass[_ELEMENTS, _ELEMENTS] += scene.load.point_mass
     push[_ELEMENTS] += scene.load.point_mass
     free = _free_places((scene.ends.left, scene.ends.right), size)
@@ -196,7 +194,7 @@ def _strand(scene: Scene, modulus: float) -> _Strand:
         geometric=geometric[cut],
         mass=mass[cut],
         push=push[free],
-        weight=scene.load.gravity * math.cos(chord_angle(scene)),
+        weight=scales.gravity_of(scene) * math.cos(chord_angle(scene)),
         axial=stiff * area * float(np.mean(1 / areas)) ** -1 / length if held else 0.0,
         strain=math.log(length / relaxed) if held else 0.0,
         length=length,

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from softcat_sym import store
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.effects.scaling_estimates import buoyant_share, pull_of_surface
 from softcat_sym.ensemble.ensemble import MemberRun, judged, study_of
 from softcat_sym.ensemble.executor import Executor, Lost, MembersProgress, Stop, counted
 from softcat_sym.ensemble.members import Member
@@ -106,6 +107,10 @@ def refuse_scene(scene: Scene) -> None:
         faults.append(Fault("ends", "a support moves or is lowered", "two level supports at rest"))
     if scene.load.point_mass > 0:
         faults.append(Fault("load.point_mass", "a weight at midspan is no part of the groups", "0"))
+    if pull_of_surface(scene) > 0:
+        faults.append(Fault("surroundings.surface_tension", "the pull of a surface is no part of the groups", "0"))
+    if buoyant_share(scene) > 0:
+        faults.append(Fault("surroundings.density", "what a bath carries is no part of the groups", "0"))
     if faults:
         raise SceneError(faults, "of a phase diagram")
 

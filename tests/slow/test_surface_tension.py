@@ -18,7 +18,7 @@ EFFECTS = (
 )
 SCENES = (
     *("ink-bridge", "cold-honey", "silicone-thread", "oobleck", "drawn-blob", "hot-glue-string"),
-    "polyethylene-melt",
+    *("polyethylene-melt", "toothpaste", "transient-gel", "thermoforming-sheet", "putty-arch"),
 )
 
 
@@ -75,5 +75,5 @@ def test_what_surface_tension_is_worth_in_the_bundled_scenes() -> None:
         # The forecast knows no supports that move.
         assert pulled.scene.ends.motion or taken / 2.5 < foretold < 2.5 * taken, name
         assert residual < max(1e-5, 2 * bare.summary["energy_residual"]), name
-        assert name != "ink-bridge" or 27.5e-3 < sags[1] < 28.2e-3
+        assert name != "ink-bridge" or 27.5e-3 < sags[1] < 28.4e-3
     show("Sag [mm]", ("scene", "without", "with", "taken", "foretold", "energy residual"), rows)
