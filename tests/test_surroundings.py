@@ -116,9 +116,7 @@ def test_a_beam_rings_down_in_its_bath() -> None:
         late = run.data.time.values > 0.3 * run.data.time.values[-1]
         time, sag = run.data.time.values[late], -run.data.midpoint.values[late]
 
-        def ringing(
-            t: np.ndarray, rest: float, swing: float, rate: float, frequency: float, phase: float
-        ) -> np.ndarray:
+        def ringing(t: np.ndarray, rest: float, swing: float, rate: float, frequency: float, phase: float) -> np.ndarray:
             return rest * (1 + swing * np.exp(-rate * t) * np.cos(frequency * t + phase))
 
         begin = (sag.mean(), 1.0, decay, math.sqrt(natural**2 - decay**2), math.pi)
