@@ -26,7 +26,7 @@
 # Throughout: $y, z$ across the filament; material lines stay at the same relative distance from the centreline, which
 # is the uniform contraction (2.9); slopes are small; a prime is $d/dx$ with $x$ the *current* axial position.
 #
-# Effect derived here: `necking-gradient` (`necking.NECKS`).
+# Effects derived here: `necking-gradient` (`necking.NECKS`).
 
 # %%
 import sympy as sp

@@ -16,7 +16,7 @@
 # Surface tension $\gamma$ pulls on a filament with whatever force changes its area. All follows from that area: the
 # axial force, what a sloping outline adds to it, why no moment appears, which threads bead and how fast.
 #
-# Effect derived here: `surface-tension` (`loads.SURFACES`).
+# Effects derived here: `surface-tension` (`loads.SURFACES`).
 
 # %%
 import sympy as sp

@@ -159,6 +159,9 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
         "gravity-shaking",
         "surface-tension",
         "solid-damping",
+        "buoyancy",
+        "drag",
+        "added-mass",
     }
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 

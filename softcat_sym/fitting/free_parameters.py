@@ -199,7 +199,7 @@ def _surface_tension(scene: Scene) -> Candidate:
 
 
 def _bath(scene: Scene, key: str, unit: str) -> Candidate:
-    plain = _positive(f"surroundings.{key}", unit, getattr(scene.surroundings, key))
+    plain = replace(_positive(f"surroundings.{key}", unit, getattr(scene.surroundings, key)), name=f"bath_{key}")
     in_force = {one.name for density in choose_effects(scene).terms().densities for one in density.constants}
     if plain.trouble or f"bath_{key}" in in_force:
         return plain

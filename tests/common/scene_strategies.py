@@ -19,7 +19,8 @@ ends                  clamped 50 %, pinned 25 %, one of each 12 %, one free 12 %
 ramp                  none 50 %, else log, 1 to 30 q, half the duration at the most
 in 1 of 8 each        a drop of -0.3 to 0.3 L; clamps turned by up to 30 deg; a motion of one or two rows by up to
                       0.15 L either way; a profile of 2 to 5 values from 0.7 to 1.3; a curvature of up to 1/L; a point
-                      mass of up to the filament's own; a surface tension that stretches it by up to a thousandth
+                      mass of up to the filament's own; a surface tension that stretches it by up to a thousandth; a
+                      bath of 0.1 to 1.5 of its density that drags by log 0.001 to 10 of its weight
 start                 as it is 60 %; slack by up to 30 %; drawn by up to 5 % (what flows up to 30 %, at ease); P of up
                       to 0.02, C of up to 0.1 h0/L
 effects               ``auto`` 60 %, ``paper`` 20 %, else a list with all that its members need; in 1 of 8 of ``paper``
@@ -150,6 +151,11 @@ def scenes(draw: st.DrawFn, quick: bool = False) -> Table:
     if draw(one_in(8)):
         tension = draw(even(0, 1e-3)) * numbers.modulus * at.stress * at.delta * at.span
         table["surroundings"] = {"surface_tension": f"{tension!r} N/m"}
+    if draw(one_in(8)):
+        # Viscous drag at the pace of free fall of up to ten times the weight.
+        bath = {"density": f"{draw(even(0.1, 1.5)) * at.density!r} kg/m^3"}
+        thick = draw(log(1e-3, 10)) * at.density * at.gravity * (at.delta * at.span) ** 2 / (at.span / at.time)
+        table["surroundings"] = table.get("surroundings", {}) | bath | {"viscosity": f"{thick!r} Pa*s"}
     if held and not small:
         draw(_starts(table, at, law))
     draw(_physics(table, law))
@@ -270,11 +276,12 @@ def _physics(draw: st.DrawFn, table: Table, law: str) -> None:
             for key in ("shake", "shake_frequency"):
                 table["load"].pop(key, None)
     elif how > 7:
-        table["run"]["effects"] = draw(_lists(law, set(table["load"]), "surroundings" in table))
+        held = set(table["load"]) | set(table.get("surroundings", {}))
+        table["run"]["effects"] = draw(_lists(law, held, table["filament"].get("section", "rectangle")))
 
 
 @st.composite
-def _lists(draw: st.DrawFn, law: str, load: set[str], surrounded: bool) -> list[str]:
+def _lists(draw: st.DrawFn, law: str, load: set[str], section: str) -> list[str]:
     """Any effects that law and scene may have, with all that they need; always bending, and what makes it flow."""
     flowing = law not in STIFF
     cannot = set() if flowing else {"viscous-flow", "fibres", "necking-gradient"}
@@ -288,8 +295,12 @@ def _lists(draw: st.DrawFn, law: str, load: set[str], surrounded: bool) -> list[
     cannot |= {"solid-damping"}
     if "shake" not in load:
         cannot |= {"gravity-shaking"}
-    if not surrounded:
+    if "surface_tension" not in load:
         cannot |= {"surface-tension"}
+    if "density" not in load:
+        cannot |= {"buoyancy"}
+    if "density" not in load or section == "sheet":
+        cannot |= {"drag", "added-mass"}
     allowed = [effect.name for effect in REGISTRY if effect.name not in cannot]
     needs = {effect.name: effect.needs for effect in REGISTRY}
     wanted = {name for name in allowed if draw(one_in(2))} | {"bending", "extensibility"}
