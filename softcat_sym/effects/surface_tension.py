@@ -57,7 +57,7 @@ def _warnings(scene: Scene, motion: Motion) -> list[str]:
 
 SURFACE_TENSION = Effect(
     name="surface-tension",
-    summary="axial force gamma P_0/2 s^-1/2 along the centreline (of a sheet 2 gamma D_0), energy gamma times the area",
+    summary="axial force gamma P_0/2 s^-1/2 (of a sheet 2 gamma D_0), and that of the outline's slope",
     source="Eggers & Dupont 1994",
     contribute=partial(replace, surface_tension=True),
     applies=_applies,
