@@ -1,7 +1,7 @@
-"""Drag: what surrounds the filament resists its motion, as a slender body or, faster, in cross-flow.
+"""Drag: what surrounds the filament resists its motion, as a slender body or, of a bath with inertia, in cross-flow.
 
 Both laws derive from a Rayleigh potential of the velocity along and across the tangent, so that their loss is exact in
-the energy audit.
+the energy audit. The second holds the first as its limit: no speed has to be foreseen, and a fit may move across it.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from dataclasses import replace
 import sympy as sp
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
-from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.scaling_estimates import weight_stress
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import Terms
@@ -44,32 +43,22 @@ Of a Reynolds number near 0.1 it passes into the slender body across too: Re^(-2
 
 _BATH = (Constant("bath_density", rho_b), Constant("bath_viscosity", mu_b))
 
+_FASTEST = 2e5
+"""Reynolds number up to which White's law holds."""
+
 
 def reynolds_number(scene: Scene, motion: Motion) -> float:
-    """Re = rho_b d U/mu_b of the largest speed of the midpoint, which no weight pulls beyond its terminal velocity."""
-    bath, d = scene.surroundings, _diameter(scene)
-    weight = weight_stress(scene) * undeformed_area(scene) / scene.filament.span
-    # Of White's law, without either of its two terms.
-    fast = math.sqrt(2 * weight / (bath.density * d))
-    slow = (weight / (5 * bath.density * d)) ** 0.75 * math.sqrt(bath.density * d / bath.viscosity)
-    return float(bath.density * d * min(motion.speed, fast, slow) / bath.viscosity)
+    """Re = rho_b d U/mu_b of the largest speed of the midpoint."""
+    bath = scene.surroundings
+    return bath.density * _diameter(scene) * motion.speed / bath.viscosity
 
 
 def _diameter(scene: Scene) -> float:
     return (scene.filament.thickness + scene.filament.width) / 2
 
 
-def is_cross_flow(scene: Scene) -> bool:
-    """Whether the forecast is too fast for a slender body without inertia of the bath: Re of 1 or more."""
-    return scene.surroundings.density > 0 and reynolds_number(scene, forecast(scene)) >= _SLOW
-
-
-_SLOW, _FAST = 1.0, 2e5
-"""Reynolds numbers between which White's law holds; below, the bath has no inertia."""
-
-
 def _adapted(scene: Scene, terms: Terms) -> Terms:
-    law = CROSS_FLOW if is_cross_flow(scene) else SLENDER
+    law = CROSS_FLOW if scene.surroundings.density > 0 else SLENDER
     return replace(terms, densities=(*terms.densities, Densities("drag", dissipation=law, constants=_BATH)))
 
 
@@ -78,12 +67,14 @@ def _applies(scene: Scene) -> bool:
 
 
 def resistance(scene: Scene, speed: float) -> float:
-    """Force per length of the law in force, across the filament at a speed [N/m]."""
+    """Force per length across the filament at a speed [N/m]."""
     bath, d = scene.surroundings, _diameter(scene)
-    if is_cross_flow(scene):
-        viscous = 10 * (bath.viscosity / (bath.density * d)) ** (2 / 3) * speed ** (4 / 3)
-        return float(bath.density * d / 2 * (speed**2 + viscous))
-    return 4 * math.pi * bath.viscosity / (math.log(4 * rest_length(scene) / d) - 0.5) * speed
+    slender = 4 * math.pi * bath.viscosity / (math.log(4 * rest_length(scene) / d) - 0.5)
+    if bath.density == 0 or speed == 0:
+        return slender * speed
+    slow = slender**3 / (125 * bath.density * d * bath.viscosity**2)
+    viscous = 10 * (bath.viscosity / (bath.density * d)) ** (2 / 3) * speed * (speed**2 + slow**2) ** (1 / 6)
+    return float(bath.density * d / 2 * (speed**2 + viscous))
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
@@ -96,29 +87,20 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     # It matters to the sag for as long as the fall goes on.
     fall = motion.sag * scene.filament.span / motion.speed if motion.speed > 0 else 0.0
     falling = min(1.0, fall / scene.run.duration)
-    law = "a cylinder in cross-flow (White)" if is_cross_flow(scene) else "a slender body (Cox)"
+    law = "a cylinder in cross-flow (White)" if scene.surroundings.density > 0 else "a slender body (Cox)"
     meaning = f"share of the weight that the bath resists by, as of {law}, or ringing that it takes away"
     return Estimate(min(1.0, max(taken * falling, lost)), meaning, "zeta U/q, or swings (1 - exp(-zeta T/(2 m)))")
 
 
 def _warnings(scene: Scene, motion: Motion) -> list[str]:
-    if not _applies(scene) or scene.surroundings.density == 0:
+    if not _applies(scene) or (number := reynolds_number(scene, motion)) < _FASTEST:
         return []
-    number, cross = reynolds_number(scene, motion), is_cross_flow(scene)
-    if not cross and number > _SLOW:
-        return [f"the bath is taken to have no inertia, but the Reynolds number reaches {number:.2g}"]
-    if cross and not _SLOW / _MARGIN < number < _FAST:
-        return [f"the drag is that of cross-flow at Reynolds numbers of 1 to 2e5, but the largest is {number:.2g}"]
-    return []
-
-
-_MARGIN = 3.0
-"""By how much less than one Re may come out: the forecast has one digit."""
+    return [f"the drag is that of cross-flow up to Reynolds numbers of 2e5, but the largest is {number:.2g}"]
 
 
 DRAG = Effect(
     name="drag",
-    summary="resistance of a slender body, beyond Re = 1 of a cylinder in cross-flow",
+    summary="resistance of a slender body, in a bath that has a density of a cylinder in cross-flow",
     source="Cox 1970; White 1991",
     adapt=_adapted,
     applies=_applies,
