@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -87,3 +88,25 @@ def test_terminal_velocities() -> None:
         rows.append(["across", backend, speed, exact, speed / exact - 1])
         assert speed == pytest.approx(exact, rel=1e-6)
     show("terminal velocity [m/s]", ("direction", "backend", "found", "exact", "difference"), rows)
+
+
+def test_a_fit_reads_the_bath_off_a_film(tmp_path: Path) -> None:
+    """Density and viscosity of the bath, from a ringing strand with half a percent of noise."""
+    truth = {"bath_viscosity": 0.02, "bath_density": 900.0}
+    scene = strand(
+        {"viscosity": "20 mPa*s", "density": "900 kg/m^3"},
+        material={"law": "kelvin-voigt", "youngs_modulus": "1 MPa", "viscosity": "500 Pa*s"},
+        run={"duration": "3 s", "frames": 81, "accuracy": 1e-3},
+    )
+    run = sc.simulate(scene)
+    noise = np.random.default_rng(3).normal(0, 5e-3 * run.summary["midpoint_largest_m"], 81)
+    film = np.column_stack([run.data.time, run.data.midpoint + noise])
+    np.savetxt(tmp_path / "film.csv", film, delimiter=",", header="time_s,midpoint_m", comments="")
+    guess = scene.replace({"surroundings.viscosity": "60 mPa*s", "surroundings.density": "850 kg/m^3"})
+    fit = sc.fit(
+        tmp_path / "film.csv", guess, ["surroundings.viscosity", "surroundings.density"], profiles=False, starts=1
+    )
+    rows = [[name, fit.parameters[name].value, fit.parameters[name].std, exact] for name, exact in truth.items()]
+    show("fit of a bath", ("constant", "found", "error bar", "truth"), rows)
+    for name, found, error, exact in rows:
+        assert abs(found - exact) < 3 * error < 0.06 * exact, name
