@@ -270,7 +270,8 @@ def shapes_figure(
     drawn swollen, for the beads of a thin thread to be seen.
     """
     thickness = radius * scene.filament.thickness
-    data = {**data, "thickness": style.drawn_radius(radius) * array(data, "thickness")}
+    names = (*data, *getattr(data, "coords", ()))  # Of a Dataset the former are without its coordinates
+    data = {str(one): data[one] for one in names} | {"thickness": style.drawn_radius(radius) * array(data, "thickness")}
     sheet = Sheet.of(data, summary, scene, name)
     shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))
     stretch = vertical_stretch(largest_sag(shapes), thickness, scene.filament.span)
