@@ -455,6 +455,11 @@ def test_scenes_that_the_elements_do_not_know_are_refused() -> None:
         assert [fault.path for fault in refusal.value.faults] == paths
 
 
+def test_a_surface_that_would_fold_the_edges_is_refused() -> None:
+    with pytest.raises(SceneError, match=r"surroundings\.surface_tension: pulls with .* of Young's modulus"):
+        run_elements(UNYIELDING.replace({"surroundings.surface_tension": "10 kN/m"}), COARSE)
+
+
 def test_step_factors_beyond_the_stable_step_are_refused() -> None:
     for factor in [0.0, -1.0, 1.5, float("nan")]:
         with pytest.raises(SoftcatError, match="step_factor"):

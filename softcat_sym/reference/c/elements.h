@@ -28,7 +28,7 @@ struct softcat_strip {
     double face_inertia;       /* sum of mass Y^2 */
     /* physics */
     const double *material; /* as softcat_point wants it */
-    double pull;            /* of the surface in the undeformed filament, gamma (1/h0 + 1/D0) h0; 0: no surface tension */
+    double pull;            /* of the undeformed surface, gamma (1/h0 + 1/D0) h0; 0: no surface tension */
     double gravity;
     double ramp; /* duration of the quintic step from 0 to gravity; 0: at once */
     /* stretch of time that is being marched: start + step taken, taken <= steps */
