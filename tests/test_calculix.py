@@ -163,6 +163,8 @@ def test_a_title_is_one_line_and_no_keyword() -> None:
 def test_refusals() -> None:
     with pytest.raises(SceneError, match="filament\\.section"):
         calculix_deck(sc.load_scene("ink-bridge"), MESH)
+    with pytest.raises(SceneError, match=r"surroundings\.surface_tension: .*CalculiX does not know"):
+        calculix_deck(SCENE.replace({"surroundings.surface_tension": "0.07 N/m"}), MESH)
     for step in (0.0, -1.0, float("nan"), float("inf")):
         with pytest.raises(SoftcatError, match="positive number"):
             calculix_deck(SCENE, MESH, step=step)

@@ -19,6 +19,7 @@ from softcat_sym.reference.element_loop import (
     NODES,
     POINTS,
     Clamp,
+    ElementLoop,
     Mesh,
     Strip,
     element_sources,
@@ -122,10 +123,12 @@ def test_free_fall_while_gravity_grows_is_second_order_in_the_step() -> None:
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
 
 
-@pytest.mark.parametrize(("along", "through"), [(1, 2), (4, 2)])
-def test_a_free_mesh_has_three_modes_without_energy_and_stays_below_the_bound(along: int, through: int) -> None:
-    """Two elements are enough to be rid of the one spurious mode of the reduced integration."""
-    loop = free_loop(Mesh(along, through), THICKNESS)
+PULL = 0.3
+"""Of the surface over E."""
+
+
+def stiffness_of(loop: ElementLoop) -> Floats:
+    """Derivatives of the internal forces by the displacements where an unheld strip is at rest."""
     count, tiny = loop.displacement.size, 1e-6
     stiffness = np.empty((count, count))
     for k in range(count):
@@ -135,6 +138,76 @@ def test_a_free_mesh_has_three_modes_without_energy_and_stays_below_the_bound(al
             loop.displacement.flat[k] = sign * tiny
             sides.append(internal_force(loop).ravel())
         stiffness[:, k] = (sides[0] - sides[1]) / (2 * tiny)
+    return stiffness
+
+
+def test_the_surface_pulls_a_stretched_bar_with_its_closed_form() -> None:
+    """Energy 2 Gam h0 L/2 (s^1/2 - 1), s the stretch F e_X of both edges; force Gam h0 s^-1/2 along them."""
+    bare, pulled = (free_loop(PATCH, THICKNESS, pull=pull) for pull in (0.0, PULL))
+    for loop in (bare, pulled):
+        loop.displacement[...] = deformed(loop.strip, GRADIENT)
+    force = internal_force(pulled) - internal_force(bare)
+    fibre = GRADIENT[:, 0]
+    stretch = float(np.linalg.norm(fibre))
+    axial = PULL * THICKNESS / math.sqrt(stretch) * fibre / stretch
+    X, Y = pulled.strip.position.T
+    assert force[X == 0.5].sum(axis=0) == pytest.approx(axial, rel=1e-12)
+    assert force[X == 0].sum(axis=0) == pytest.approx(-axial, rel=1e-12)
+    assert force[(X > 0) & (X < 0.5)] == pytest.approx(0, abs=1e-15)
+    assert force[abs(Y) < THICKNESS / 2] == pytest.approx(0, abs=1e-15)
+    assert pulled.surface_energy == pytest.approx(PULL * THICKNESS * (math.sqrt(stretch) - 1), rel=1e-12)
+    assert bare.surface_energy == 0
+
+
+def test_bending_costs_the_surface_nothing() -> None:
+    """Pappus: an edge gains what the other loses; the forces are nonetheless the energy's slopes everywhere."""
+    loop = free_loop(Mesh(40, 2), THICKNESS, pull=PULL)
+    X, Y = loop.strip.position.T
+    angle, radius = X / 0.6, 0.6 - Y
+    loop.displacement[...] = np.stack([radius * np.sin(angle) - X, 0.6 - radius * np.cos(angle) - Y], axis=1)
+    loop.evaluate(0.0, 0.0)
+    assert loop.elastic_energy > 1e-4
+    assert abs(loop.surface_energy) < 1e-9
+
+
+def test_the_force_of_the_surface_is_the_slope_of_its_energy() -> None:
+    bare, pulled = (free_loop(PATCH, THICKNESS, pull=pull) for pull in (0.0, PULL))
+    random = np.random.default_rng(3)
+    place = deformed(pulled.strip, GRADIENT) + 0.004 * random.standard_normal(pulled.displacement.shape)
+    bare.displacement[...] = pulled.displacement[...] = place
+    force = internal_force(pulled) - internal_force(bare)
+    for _ in range(5):
+        direction = random.standard_normal(place.shape)
+        energies = []
+        for sign in (1, -1):
+            pulled.displacement[...] = place + sign * 1e-6 * direction
+            pulled.evaluate(0.0, 0.0)
+            energies.append(pulled.surface_energy)
+        assert (energies[0] - energies[1]) / 2e-6 == pytest.approx(np.sum(force * direction), rel=1e-7)
+
+
+@pytest.mark.parametrize("tension", [4.4, 18.0])
+def test_a_strip_held_up_by_its_surface_sags_as_a_beam_in_tension(tension: float) -> None:
+    """EI (1 + F/K) psi'' - F psi = q x, w' = (K psi - q x)/(K + F): Timoshenko's beam, pulled with F along w'."""
+    thickness, inertia = 0.03, 0.03**3 / 12
+    shear, axial = REISSNER * thickness / (2 * (1 + POISSON)), tension * inertia
+    loop = free_loop(Mesh(24, 2, grading=4.0), thickness, pull=axial / thickness)
+    supports = half_span_supports(loop.strip, Clamp.FIXED)
+    free = ~supports.held.ravel()
+    weight = np.stack([np.zeros_like(loop.strip.mass), -loop.strip.mass], axis=1).ravel()
+    sag = np.zeros(weight.size)
+    sag[free] = np.linalg.solve(stiffness_of(loop)[np.ix_(free, free)], weight[free])
+    k = math.sqrt(axial / (inertia * (1 + axial / shear)))
+    turned = thickness / axial * (1 / 8 - math.tanh(k / 4) / (2 * k))
+    exact = (shear * turned + thickness / 8) / (shear + axial)
+    assert -sag.reshape(-1, 2)[loop.strip.centreline[0], 1] == pytest.approx(exact, rel=5e-3)
+
+
+@pytest.mark.parametrize(("along", "through"), [(1, 2), (4, 2)])
+def test_a_free_mesh_has_three_modes_without_energy_and_stays_below_the_bound(along: int, through: int) -> None:
+    """Two elements are enough to be rid of the one spurious mode of the reduced integration."""
+    loop = free_loop(Mesh(along, through), THICKNESS)
+    stiffness = stiffness_of(loop)
     scale = np.repeat(loop.strip.mass, 2) ** -0.5
     squares = np.linalg.eigvalsh(stiffness * np.outer(scale, scale))
     bound = largest_frequency(loop.strip.size, POISSON)
@@ -269,6 +342,21 @@ def test_energies_are_of_the_whole_filament(descent: ElementRun) -> None:
     assert np.all(np.diff(descent.energy_dissipated) >= 0)
 
 
+def test_the_energy_of_the_surface_is_its_tension_times_what_it_grows_by() -> None:
+    filament = STIFF.filament
+    # It pulls with 0.8 of the yield stress.
+    gamma = 0.8 * (STIFF.material.yield_stress or 0.0) / (1 / filament.thickness + 1 / filament.width)
+    run = run_elements(STIFF.replace({"surroundings.surface_tension": f"{gamma!r} N/m"}), COARSE)
+    bare = run_elements(STIFF, COARSE)
+    assert run.energy_error < 1e-4
+    assert drop(run) / drop(bare) < 0.95
+    assert 0 == run.energy_surface[0] < run.energy_surface[1]
+    assert np.all(bare.energy_surface == 0)
+    stretch = np.hypot(np.diff(run.x[-1]), np.diff(run.y[-1])) / np.diff(run.X)
+    grown = 2 * np.sum((np.sqrt(stretch) - 1) * np.diff(run.X)) * 2 * (filament.thickness + filament.width)
+    assert run.energy_surface[-1] == pytest.approx(gamma * grown, rel=0.02)
+
+
 def test_what_is_recorded(descent: ElementRun) -> None:
     assert descent.time == pytest.approx(np.linspace(0, YIELDING.run.duration, 6))
     assert descent.time[-1] / descent.elastic_time == pytest.approx(15.0)
@@ -358,11 +446,18 @@ def test_scenes_that_the_elements_do_not_know_are_refused() -> None:
     for name, changes, paths in (
         ("maxwell-slow", {"model": "small-deflection"}, ["model"]),
         ("continual-descent", {"ends.left": "pinned", "ends.right": "pinned"}, ["ends.left", "ends.right"]),
-        ("ink-bridge", {"surroundings.surface_tension": None, "load.ramp": None}, ["filament.section"]),
+        ("ink-bridge", {"load.ramp": None}, ["filament.section"]),
+        ("continual-descent", {"surroundings.density": "1000 kg/m^3"}, ["surroundings.density"]),
+        ("continual-descent", {"surroundings.viscosity": "1 Pa*s"}, ["surroundings.viscosity"]),
     ):
         with pytest.raises(SceneError) as refusal:
             run_elements(sc.load_scene(name, changes), COARSE)
         assert [fault.path for fault in refusal.value.faults] == paths
+
+
+def test_a_surface_that_would_fold_the_edges_is_refused() -> None:
+    with pytest.raises(SceneError, match=r"surroundings\.surface_tension: pulls with .* of Young's modulus"):
+        run_elements(UNYIELDING.replace({"surroundings.surface_tension": "10 kN/m"}), COARSE)
 
 
 def test_step_factors_beyond_the_stable_step_are_refused() -> None:

@@ -178,7 +178,8 @@ def compare(
 ) -> None:
     """Compare a filament with finite elements.
 
-    DIR gets compare.json, pictures and tables.
+    DIR gets compare.json, pictures and tables. The elements know surface tension, but no density or viscosity of the
+    surroundings; CalculiX knows none of the three.
     Where the scene's effects are auto, the published theory stands beside them in both closures. The elements keep
     their state in DIR/elements.npz: after Ctrl-C the same command goes on from there. Where meshio is installed, meshes
     and fields go to DIR/vtk for ParaView. With --engine calculix a solver that is not ours takes the elements'

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from softcat_sym.errors import SoftcatError
+from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import Clamp, Floats, Indices, Mesh, Strip, problem_of
 from softcat_sym.reference.elements import Progress
 from softcat_sym.scene.scene import Scene, elastic_time
@@ -105,6 +105,9 @@ def calculix_deck(scene: Scene, mesh: Mesh | None = None, *, clamp: Clamp = Clam
     if not 0 < step < np.inf:
         raise SoftcatError(f"CalculiX increments of {step} L sqrt(rho/E): take a positive number, such as {STEP}")
     problem = problem_of(scene)
+    if problem.pull:
+        found = f"{scene.surroundings.surface_tension:g} N/m, which the deck of CalculiX does not know"
+        raise SceneError([Fault("surroundings.surface_tension", found, "0 N/m, or our own elements")])
     strip = Strip(mesh if mesh is not None else Mesh(), problem.thickness)
     layers = _Layers(strip, _MM * scene.filament.span, _MM * scene.filament.width / 2)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)

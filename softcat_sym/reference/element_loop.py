@@ -34,7 +34,8 @@ _ONLY: dict[str, object] = {
     **dict.fromkeys(("filament.profile", "ends.motion", "initial.P", "initial.C"), ()),
     **dict.fromkeys(("ends.left", "ends.right"), "clamped"),
     **dict.fromkeys(("filament.curvature", "ends.drop", "ends.left_angle", "ends.right_angle"), 0.0),
-    **dict.fromkeys(("material.loss_tangent", "load.point_mass", "load.shake", "surroundings.surface_tension"), 0.0),
+    **dict.fromkeys(("material.loss_tangent", "load.point_mass", "load.shake"), 0.0),
+    **dict.fromkeys(("surroundings.density", "surroundings.viscosity"), 0.0),
     "material.solid_viscosity": None,
     "run.until": "duration",
     "initial.stretch": 1.0,
@@ -51,6 +52,7 @@ class Problem:
     material: tuple[tuple[str, float], ...]  # Constants of the law over E and the elastic time
     poisson: float  # Poisson's ratio
     gravity: float  # rho g L/E
+    pull: float  # Of the surface in the undeformed filament, gamma (1/h0 + 1/D0)/E
     ramp: float  # Over the elastic time
     duration: float
     frames: int  # Evenly spaced output times, the first at 0
@@ -75,15 +77,16 @@ def problem_of(scene: Scene) -> Problem:
         faults.append(Fault("material.law", f"'{scene.material.law}' has no finite elements", ", ".join(LAWS)))
     if faults or scene.material.youngs_modulus is None:
         raise SceneError(faults)
-    modulus, time = scene.material.youngs_modulus, elastic_time(scene)
+    modulus, time, filament = scene.material.youngs_modulus, elastic_time(scene), scene.filament
     scales = {"youngs_modulus": modulus, "poisson": 1.0, "viscosity": modulus * time, "yield_stress": modulus}
     constants = ((name, getattr(scene.material, name), scale) for name, scale in scales.items())
     return Problem(
         law=scene.material.law,
-        thickness=scene.filament.thickness / scene.filament.span,
+        thickness=filament.thickness / filament.span,
         material=tuple((name, value / scale) for name, value, scale in constants if value is not None),
         poisson=scene.material.poisson,
-        gravity=scene.filament.density * scene.load.gravity * scene.filament.span / modulus,
+        gravity=filament.density * scene.load.gravity * filament.span / modulus,
+        pull=scene.surroundings.surface_tension * (1 / filament.thickness + 1 / filament.width) / modulus,
         ramp=scene.load.ramp / time,
         duration=scene.run.duration / time,
         frames=scene.run.frames,
@@ -217,6 +220,9 @@ class Strip:
         i, k = (a.ravel() for a in np.mgrid[:along, :through])
         x, y = (NODES.astype(int) + 1).T
         self.corner: Indices = np.ascontiguousarray(lattice[2 * i[:, None] + x, 2 * k[:, None] + y])
+        # Nodes of the lower and the upper edge of each column of elements: ends, middle; shape (along, 2, 3)
+        lower, upper = self.corner[::through, [0, 1, 4]], self.corner[through - 1 :: through, [3, 2, 6]]
+        self.edge: Indices = np.ascontiguousarray(np.stack([lower, upper], axis=1))
         # Edge lengths of each element; shape (elements, 2)
         lengths = np.repeat(np.diff(edges), through)
         self.size: Floats = np.stack([lengths, np.full_like(lengths, thickness / through)], axis=1)
@@ -332,20 +338,22 @@ def element_sources(code: PointCode) -> dict[str, str]:
 
 
 _ARRAYS = ("displacement", "velocity", "acceleration", "point", "rate")
-_SCALARS = ("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy")
+_SCALARS = ("start", "step", "steps", "taken", "gravity_work", "plastic_work", "elastic_energy", "surface_energy")
 _TYPES: dict[str, Any] = {
     **dict.fromkeys(("elements", "nodes"), ctypes.c_long),
     "p_corner": _INTEGERS,
     **dict.fromkeys(("p_size", "p_gradient", "p_mass", "p_mobility"), _DOUBLES),
+    "columns": ctypes.c_long,
+    "p_edge": _INTEGERS,
     "face": ctypes.c_long,
     "p_face_node": _INTEGERS,
     "p_face_height": _DOUBLES,
     "face_inertia": ctypes.c_double,
     "p_material": _DOUBLES,
-    **dict.fromkeys(("full_gravity", "ramp", "start", "step"), ctypes.c_double),
+    **dict.fromkeys(("pull", "full_gravity", "ramp", "start", "step"), ctypes.c_double),
     **dict.fromkeys(("steps", "taken"), ctypes.c_long),
     **dict.fromkeys(("p_displacement", "p_velocity", "p_acceleration", "p_point"), _DOUBLES),
-    **dict.fromkeys(("gravity_work", "plastic_work", "elastic_energy"), ctypes.c_double),
+    **dict.fromkeys(("gravity_work", "plastic_work", "elastic_energy", "surface_energy"), ctypes.c_double),
     "p_rate": _DOUBLES,
 }
 """``struct softcat_strip`` of elements.h in its order; ``p_`` stands before what points at an array."""
@@ -355,7 +363,8 @@ class ElementLoop(ctypes.Structure):
     """A strip in motion. Span, Young's modulus and density are 1; energies are for unit width.
 
     What C counts it holds itself: `step`, `steps` and `taken` of the present stretch of time, the works of gravity and
-    of the flow since the beginning, and the elastic energy at the end of a stretch, or when last evaluated.
+    of the flow since the beginning, and the energies, elastic and of the surface, at the end of a stretch, or when last
+    evaluated.
     """
 
     _fields_ = tuple(_TYPES.items())
@@ -368,13 +377,21 @@ class ElementLoop(ctypes.Structure):
         material: Mapping[str, float],
         *,
         gravity: float = 0.0,
+        pull: float = 0.0,
         ramp: float = 0.0,
     ) -> None:
         height = np.ascontiguousarray(strip.position[supports.face, 1])
         elements, nodes = len(strip.corner), len(strip.position)
         inertia = float(strip.mass[supports.face] @ height**2)
         super().__init__(
-            elements=elements, nodes=nodes, face=len(height), face_inertia=inertia, full_gravity=gravity, ramp=ramp
+            elements=elements,
+            nodes=nodes,
+            columns=strip.mesh.along,
+            face=len(height),
+            face_inertia=inertia,
+            pull=pull * strip.thickness,
+            full_gravity=gravity,
+            ramp=ramp,
         )
         functions = ("softcat_gravity", "softcat_evaluate", "softcat_march")
         self._library = load(compile_library(element_sources(code), units=["elements.c"]), *functions)
@@ -391,6 +408,7 @@ class ElementLoop(ctypes.Structure):
         # What C points at is kept alive here.
         self._constant: dict[str, npt.NDArray[Any]] = {
             "corner": strip.corner,
+            "edge": strip.edge,
             "size": strip.size,
             "gradient": shape_gradients(POINTS),
             "mass": strip.mass,

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from softcat_sym.errors import SoftcatError
+from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.reference.element_loop import (
     POINT_STATE,
     POINTS,
@@ -38,7 +38,7 @@ from softcat_sym.scene.scene import Scene, elastic_time
 
 # Fields kept, evenly spaced; the last output time is always among them.
 _FIELDS = 21
-ENERGIES = ("kinetic", "elastic", "dissipated", "gravity_work", "potential")
+ENERGIES = ("kinetic", "elastic", "surface", "dissipated", "gravity_work", "potential")
 
 
 class Records:
@@ -70,6 +70,7 @@ class Records:
             "steps": steps,
             "kinetic": loop.kinetic_energy,
             "elastic": loop.elastic_energy,
+            "surface": loop.surface_energy,
             "dissipated": loop.plastic_work,
             "gravity_work": loop.gravity_work,
             "potential": loop.gravity(loop.time) * (strip.mass @ loop.displacement[:, 1]),
@@ -99,10 +100,11 @@ class ElementRun:
     # gravity does.
     energy_kinetic: Floats
     energy_elastic: Floats
+    energy_surface: Floats  # Surface tension times what the lateral surface has grown by
     energy_potential: Floats
     energy_dissipated: Floats
     work_external: Floats
-    energy_residual: Floats  # shape (frames,); Kinetic + elastic + potential + dissipated - external work
+    energy_residual: Floats  # shape (frames,); Kinetic + elastic + surface + potential + dissipated - external work
     work: float  # Largest magnitude of the work of gravity: what the residual is to be compared with
     rate_time: Floats  # shape (fields,); Output times at which a rate field is kept, the last one included
     # shape (fields, elements, 4); Equivalent tensile plastic rate [1/s] at the Gauss points; the plastic shear rate
@@ -129,6 +131,7 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
     span, kept, scale = scene.filament.span, records.arrays, elastic_time(scene)
     time = np.linspace(0.0, scene.run.duration, scene.run.frames)
     # Two halves, as wide as the filament.
+    held = kept["kinetic"] + kept["elastic"] + kept["surface"] + kept["dissipated"]
     joule = 2 * (scene.material.youngs_modulus or 0.0) * span**2 * scene.filament.width
     energy = {name: joule * kept[name] for name in ENERGIES}
     return ElementRun(
@@ -139,9 +142,9 @@ def run_of(scene: Scene, strip: Strip, clamp: Clamp, records: Records, *, dofs: 
         x=span * kept["centreline"][..., 0],
         y=span * kept["centreline"][..., 1],
         **{name: kept[name] for name in ("thinning", "clamp_strain", "clamp_strain_largest", "flow")},
-        **{f"energy_{name}": energy[name] for name in ("kinetic", "elastic", "potential", "dissipated")},
+        **{f"energy_{name}": energy[name] for name in ("kinetic", "elastic", "surface", "potential", "dissipated")},
         work_external=joule * (kept["gravity_work"] + kept["potential"]),
-        energy_residual=joule * (kept["kinetic"] + kept["elastic"] + kept["dissipated"] - kept["gravity_work"]),
+        energy_residual=joule * (held - kept["gravity_work"]),
         work=float(np.abs(energy["gravity_work"]).max()),
         rate_time=time[records.frame_of_field],
         rate=kept["rate"] / scale,
@@ -197,6 +200,10 @@ _CHUNK = 200_000
 
 # A run whose energies do not add up to this, relative to the work of gravity, is not an answer. A sound one is at 1e-5.
 _UNBALANCED = 1e-3
+
+# Most of (surface pull over E) times (thickness over the shortest element). The pull falls as an edge stretches, which
+# waves along it shorter than about that pull times the thickness do not bear: runs failed from 0.75 on.
+_FOLDS = 0.5
 
 
 class March:
@@ -267,7 +274,8 @@ class March:
     def _audit(self) -> None:
         """Refuse a state whose energies do not add up: steps too long for what the strip has become."""
         loop = self._loop
-        residual = loop.kinetic_energy + loop.elastic_energy + loop.plastic_work - loop.gravity_work
+        held = loop.kinetic_energy + loop.elastic_energy + loop.surface_energy + loop.plastic_work
+        residual = held - loop.gravity_work
         self._work = max(self._work, abs(loop.gravity_work))
         # Written so that NaN is refused too.
         if not abs(residual) <= _UNBALANCED * self._work:
@@ -303,7 +311,9 @@ def run_elements(
     Parameters
     ----------
     scene : Scene
-        A rectangular filament between two clamps; elastic, Maxwell or Bingham. Its width only scales energies.
+        A rectangular filament between two clamps; elastic, Maxwell or Bingham. Its width scales energies, and decides
+        with the thickness how much surface tension pulls: the section is taken to shrink alike in both, as the
+        filament's is.
     mesh : Mesh, optional
         64 x 4 equal elements unless given.
     clamp : Clamp
@@ -324,7 +334,8 @@ def run_elements(
     Raises
     ------
     SceneError
-        If the scene holds what the elements do not know; every such key is named.
+        If the scene holds what the elements do not know; every such key is named. Also if the surface pulls too hard
+        for so fine a mesh.
     SoftcatError
         If an element is turned inside out, the energies do not add up, there is no compiler, or the checkpoint is of
         another problem.
@@ -335,9 +346,16 @@ def run_elements(
         raise SoftcatError(f"no folder {checkpoint.parent} for the checkpoint {checkpoint.name}; make it first")
     problem, began = problem_of(scene), time.perf_counter()
     strip, code = Strip(mesh if mesh is not None else Mesh(), problem.thickness), point_code(problem.law)
+    if problem.pull * problem.thickness > _FOLDS * strip.size[:, 0].min():
+        found = f"pulls with {problem.pull:.2g} of Young's modulus, which folds the edges of elements this short"
+        raise SceneError(
+            [Fault("surroundings.surface_tension", found, "a smaller one, or fewer elements along the span")]
+        )
     supports = half_span_supports(strip, clamp)
     key = fingerprint(problem, strip.mesh, clamp, step_factor, element_sources(code))
-    loop = ElementLoop(strip, supports, code, dict(problem.material), gravity=problem.gravity, ramp=problem.ramp)
+    loop = ElementLoop(
+        strip, supports, code, dict(problem.material), gravity=problem.gravity, pull=problem.pull, ramp=problem.ramp
+    )
     march, second = March(problem, loop, step_factor), elastic_time(scene)
     if checkpoint is not None and (state := read_checkpoint(checkpoint, key)) is not None:
         march.restore(state)

@@ -87,7 +87,9 @@ def film_elements(
     frames = np.unique(np.round(np.array(instants) / problem.duration * (problem.frames - 1)).astype(int))
     key = fingerprint(problem, mesh, Clamp.THINNING, 1.0, {**element_sources(code), "frames": str(frames.tolist())})
     supports = half_span_supports(strip, Clamp.THINNING)
-    loop = ElementLoop(strip, supports, code, dict(problem.material), gravity=problem.gravity, ramp=problem.ramp)
+    loop = ElementLoop(
+        strip, supports, code, dict(problem.material), gravity=problem.gravity, pull=problem.pull, ramp=problem.ramp
+    )
     camera = _Camera(March(problem, loop, 1.0), loop, frames)
     path = folder / f"elements-{name}-{hashlib.sha256(key.encode()).hexdigest()[:8]}.npz"
     wall = camera.finish(path, key, progress, elastic_time(scene))

@@ -28,11 +28,11 @@ def unheld(strip: Strip) -> Supports:
 
 
 def free_loop(
-    mesh: Mesh, thickness: float, law: str = "elastic", gravity: float = 0.0, ramp: float = 0.0
+    mesh: Mesh, thickness: float, law: str = "elastic", gravity: float = 0.0, pull: float = 0.0, ramp: float = 0.0
 ) -> ElementLoop:
     strip = Strip(mesh, thickness)
     material = ELASTIC if law == "elastic" else BINGHAM
-    return ElementLoop(strip, unheld(strip), code_of(law), material, gravity=gravity, ramp=ramp)
+    return ElementLoop(strip, unheld(strip), code_of(law), material, gravity=gravity, pull=pull, ramp=ramp)
 
 
 def clamped_loop(mesh: Mesh, thickness: float, gravity: float, poisson: float) -> ElementLoop:

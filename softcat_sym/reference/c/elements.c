@@ -1,5 +1,6 @@
 #include "elements.h"
 
+#include <math.h>
 #include <string.h>
 
 /* In this translation unit, so that the compiler can inline it. */
@@ -9,6 +10,7 @@
 #define NODES SOFTCAT_NODES
 #define POINTS SOFTCAT_POINTS
 #define STATE SOFTCAT_POINT_STATE
+#define EDGE 3 /* nodes of an edge */
 
 double softcat_gravity(const struct softcat_strip *strip, double time)
 {
@@ -92,11 +94,50 @@ static inline long internal_forces(struct softcat_strip *strip, double step, int
     return 0;
 }
 
-/* From forces to accelerations: gravity, supports, and the face that thins uniformly. */
+/* Minus the forces of the surface, onto those that stress leaves.
+ *
+ * Of sections that shrink alike in height and depth, as the filament's do, the outline is s^-1/2 of what it was, and
+ * the lateral surface of a filament, however bent, is the outline times the length of its centreline (Pappus). So the
+ * energy gamma (area) is 2 pull s^1/2 per undeformed length and depth, both edges and both faces counted: s is the mean
+ * stretch of the two edges at the same X. With it goes the axial force pull s^-1/2, half of it along either edge.
+ */
+static void surface_forces(struct softcat_strip *strip)
+{
+    const double root = sqrt(1.0 / 3.0), slope[2][EDGE] = {{-root - 0.5, 0.5 - root, 2.0 * root},
+                                                           {root - 0.5, 0.5 + root, -2.0 * root}};
+    const long through = strip->elements / strip->columns;
+    double energy = 0.0;
+    for (long c = 0; c < strip->columns; ++c) {
+        const int *edge = strip->edge + c * 2 * EDGE;
+        const double length = strip->size[2 * c * through];
+        for (int p = 0; p < 2; ++p) {
+            double tangent[2][2], stretch[2];
+            for (int side = 0; side < 2; ++side) {
+                double *t = tangent[side];
+                t[0] = 0.5 * length, t[1] = 0.0;
+                for (int a = 0; a < EDGE; ++a)
+                    for (int i = 0; i < 2; ++i)
+                        t[i] += slope[p][a] * strip->displacement[2 * edge[side * EDGE + a] + i];
+                stretch[side] = sqrt(t[0] * t[0] + t[1] * t[1]) / (0.5 * length);
+            }
+            const double shrunk = sqrt(0.5 * (stretch[0] + stretch[1]));
+            energy += strip->pull * length * (shrunk - 1.0);
+            for (int side = 0; side < 2; ++side)
+                for (int a = 0; a < EDGE; ++a)
+                    for (int i = 0; i < 2; ++i)
+                        strip->acceleration[2 * edge[side * EDGE + a] + i] -=
+                            strip->pull / (length * shrunk * stretch[side]) * slope[p][a] * tangent[side][i];
+        }
+    }
+    strip->surface_energy = energy;
+}
+
+/* From forces to accelerations: surface, gravity, supports, and the face that thins uniformly. */
 static void accelerate(struct softcat_strip *strip, double gravity)
 {
     double *restrict acceleration = strip->acceleration;
     double moment = 0.0;
+    if (strip->pull > 0.0) surface_forces(strip);
     for (long k = 0; k < strip->face; ++k)
         moment += strip->face_height[k] * acceleration[2 * strip->face_node[k] + 1];
     for (long i = 0; i < strip->nodes; ++i) {

@@ -19,6 +19,8 @@ struct softcat_strip {
     const double *gradient; /* (2, NODES, POINTS) derivatives of the shape functions on the square of edge 2 */
     const double *mass;     /* (nodes) lumped */
     const double *mobility; /* (nodes, 2) 1/mass, 0 where held */
+    long columns;           /* elements along the half span */
+    const int *edge;        /* (columns, 2, 3) nodes of the lower and of the upper edge: ends, middle */
     /* clamped face that may thin: it moves as u_y = (lambda - 1) Y, one degree of freedom; none where face is 0 */
     long face;
     const int *face_node;      /* (face) */
@@ -26,6 +28,7 @@ struct softcat_strip {
     double face_inertia;       /* sum of mass Y^2 */
     /* physics */
     const double *material; /* as softcat_point wants it */
+    double pull;            /* of the undeformed surface, gamma (1/h0 + 1/D0) h0; 0: no surface tension */
     double gravity;
     double ramp; /* duration of the quintic step from 0 to gravity; 0: at once */
     /* stretch of time that is being marched: start + step taken, taken <= steps */
@@ -42,6 +45,7 @@ struct softcat_strip {
     double plastic_work;  /* dissipated since the beginning */
     /* measured at the last step of a stretch, and by softcat_evaluate */
     double elastic_energy;
+    double surface_energy; /* of the surface, less that at the beginning */
     double *rate; /* (elements, POINTS) equivalent tensile plastic rate */
 };
 
