@@ -111,6 +111,7 @@ def test_the_published_filament_keeps_or_dissipates_its_energy() -> None:
     assert imbalance(build(printed), printed) > 1e-4, "which is why energy is judged with the material closure only"
 
 
+@pytest.mark.slow
 def test_the_filament_that_shears_keeps_or_dissipates_its_energy() -> None:
     for law, section, grid, variant, numerics in [
         *(("bingham", "rectangle", grid, "everything", {"fibres": 4}) for grid in GRIDS),
@@ -317,6 +318,7 @@ def elastic_sag(scene: Scene, cells: int, *, resolve: bool, shear: bool) -> floa
     return -float(z[row])
 
 
+@pytest.mark.slow
 def test_rigid_in_shear_it_is_the_filament_of_the_paper() -> None:
     """Two discretisations of one theory: their difference falls with the square of the cells."""
     for section in ("rectangle", "circle"):

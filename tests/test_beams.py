@@ -112,6 +112,7 @@ def test_midpoint_and_energies_agree(G: float, V: float, beta: float | None, tol
         np.testing.assert_allclose(steepened, expected.energies["gradient"], rtol=0.03, atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["compiled", "interpreted"])
 def test_the_pull_of_the_surface_agrees(backend: str) -> None:
     """Gam half the yield stress, on an overdamped arrest; its energy too."""
@@ -146,6 +147,7 @@ def imbalance(done: Run) -> float:
     return float(np.ptp(balance) / max(np.max(np.abs(data[name].values)) for name in (*stored, "work_external")))
 
 
+@pytest.mark.slow
 def test_energy_closes_with_the_tolerance_in_the_material_closure() -> None:
     for asked in LAWS.values():
         tolerances = (1e-3, 1e-4, 1e-5)
@@ -163,6 +165,7 @@ def test_energy_does_not_close_in_the_printed_closure(law: str) -> None:
     assert tight == pytest.approx(loose, rel=0.02)
 
 
+@pytest.mark.slow
 def test_dissipation_never_decreases() -> None:
     for closure in ["material", "printed"]:
         for law in ["maxwell", "bingham", "bingham-bdf"]:

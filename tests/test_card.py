@@ -298,6 +298,7 @@ BAD: list[tuple[tuple[str, ...], str]] = [
 ]
 
 
+@pytest.mark.slow
 def test_bad_input_is_one_clear_error_and_nothing_is_written(softcat: Softcat, tmp_path: Path) -> None:
     curves = {"CURVE": CURVE, "BROKEN": "shear_rate_1_s,stress\n1,two\n"}
     for name, text in curves.items():

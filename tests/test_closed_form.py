@@ -61,6 +61,7 @@ def test_without_the_third_law_the_decay_gives_the_viscosity() -> None:
     assert "not late enough" in found.refused["(2.22)"]
 
 
+@pytest.mark.slow
 def test_errors_are_those_of_many_readings() -> None:
     tau, sag, errors = 0.35, 0.02, (0.01, 0.02, 0.01, 0.02)
     at = np.array([ringing_at(tau), 1 / (2 * tau), sag, B])

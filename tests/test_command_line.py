@@ -279,6 +279,7 @@ def test_an_answer_not_to_be_trusted_exits_1_is_stamped_and_still_writes(softcat
     assert summary["advice"] == sc.Outcome.localised.value
 
 
+@pytest.mark.slow
 def test_an_interrupted_run_writes_nothing(tmp_path: Path) -> None:
     output = tmp_path / "out"
     hard = sets("numerics.cells=1000", "numerics.rtol=1e-10")

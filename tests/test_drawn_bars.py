@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
+import pytest
 
 from tests.common import materials
 from tests.common.rheology import GEOMETRY, flow_of, scene, solved
@@ -127,6 +128,7 @@ def cycled(law: str, gravity: float, more: tuple[str, ...] = (), **asked: Any) -
     return solved(scene(material, filament, effects=effects, ends={"motion": CYCLE}, load=load, run=run, **asked))
 
 
+@pytest.mark.slow
 def test_straight_bar_through_loading_reversal_and_reloading() -> None:
     """Without gravity: tension and dissipation against the uniaxial solution, too."""
     path, area, rows = materials.Drawing(tuple((float(t), 1 + x) for t, x, _ in CYCLE)), 0.1**2, []

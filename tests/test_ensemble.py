@@ -268,6 +268,7 @@ def test_members_are_single_runs_to_the_last_bit_whatever_the_workers() -> None:
     assert listener.updates[-1][2] == 0.0 < listener.updates[0][2]
 
 
+@pytest.mark.slow
 def test_other_grids_starts_laws_and_durations_in_one_table() -> None:
     changes = {"numerics.cells": 6, "run.frames": 6, "run.duration": "0.2 s", "numerics.estimate": False}
     scene = sc.load_scene("slack-taffy", changes)

@@ -37,6 +37,7 @@ def test_a_film_without_noise_gives_back_its_formula() -> None:
     assert found.prefactor.value == pytest.approx(TRUE_B, rel=0.02)
 
 
+@pytest.mark.slow
 def test_noise_on_a_smooth_descent_is_no_oscillation() -> None:
     alarms = sum(read(*film(80, 0.01, seed, rings=False)).ringing is not None for seed in range(200))
     # One in a thousand is promised; three or more of 200 would have a chance of 1e-3.
@@ -86,6 +87,7 @@ def slow_maxwell() -> sc.Run:
     return sc.simulate(sc.load_scene("maxwell-slow", changes))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("noise", [0.01, 0.03])
 def test_the_ringing_of_the_slow_maxwell_scene_is_found_under_noise(noise: float) -> None:
     run = slow_maxwell()

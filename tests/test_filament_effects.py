@@ -493,6 +493,7 @@ def stiff_beam(ends: tuple[str, str] = ("clamped", "clamped"), section: str = "r
     return scene(thickness=THICKNESS_STIFF, section=section, ends=ends, **given)
 
 
+@pytest.mark.slow
 def test_static_sag_is_of_second_order_in_the_cells() -> None:
     for section in ["rectangle", "circle"]:
         for ends in list(CONSTANT):

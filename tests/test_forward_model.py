@@ -129,6 +129,7 @@ def test_only_the_camera_is_free(backend: str) -> None:
     assert np.isfinite(derivatives).all()
 
 
+@pytest.mark.slow
 def test_solvers_agree() -> None:
     scene = _scene("continual-descent")
     models = [_model(scene, "viscosity", "yield_stress", backend=backend, rtol=1e-8) for backend in BACKENDS]
@@ -244,6 +245,7 @@ def test_ctrl_c_is_heard(backend: str) -> None:
     assert time.perf_counter() - begun < 10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["continual-descent", "slime-slope"])
 def test_shapes(name: str) -> None:
     """Against the nodes of a run, whether half or all of it is computed, and against neighbouring values."""

@@ -287,6 +287,7 @@ def test_a_law_with_too_many_constants_for_the_film_is_not_ruled_out() -> None:
     assert found.sentence == f"cannot tell: too few readings to weigh {both} against each other"
 
 
+@pytest.mark.slow
 def test_a_robust_comparison_does_not_follow_outliers() -> None:
     scene, film = _fallen("newtonian", 0.01, outliers=6)
     robust = fit_laws(film, scene, ["newtonian", "kelvin-voigt"], starts=0, loss=Loss("cauchy", 2.0))

@@ -283,6 +283,7 @@ def test_a_damped_strand_ends_early_at_its_static_sag() -> None:
     assert estimated.summary["time_final_s"] == pytest.approx(estimated.summary["settled_s"])
 
 
+@pytest.mark.slow
 def test_an_undamped_strand_runs_on_and_tells_its_mean_and_amplitude() -> None:
     dense, sparse = (
         simulate(strand(loss_tangent=0.0, run={"duration": "0.8 s", "frames": frames})).summary

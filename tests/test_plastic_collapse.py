@@ -111,6 +111,7 @@ def judge(theories: Iterable[tuple[Theory, float]]) -> list[float]:
     return loads
 
 
+@pytest.mark.slow
 def test_sheared_fibres_collapse_at_sixteen_plastic_moments() -> None:
     """The grid's share of the error is known and goes with 1/N; what is left without it is that of the fibres."""
     sheared = (*QUASI_STATIC, "shear", "fibres")

@@ -49,7 +49,8 @@ def yielding() -> Pricing:
 
 @pytest.fixture(scope="module")
 def honey() -> Pricing:
-    return price_effects(sc.load_scene("cold-honey", [*QUICK, "run.duration=0.05 s"]), name="cold-honey")
+    scene, only = sc.load_scene("cold-honey", [*QUICK, "run.duration=0.05 s"]), ("inertia", "finite-stretch", "shear")
+    return price_effects(scene, name="cold-honey", only=(*only, "rotary-inertia", "yielding"))
 
 
 def test_without_bending_the_beam_is_the_string_and_without_stretching_the_linear_beam() -> None:

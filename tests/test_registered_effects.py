@@ -85,6 +85,7 @@ def test_it_is_in_force_everywhere(tmp_path):
     assert any(row["name"] == "elastic_foundation_stiffness" and row["unit"] == "Pa" for row in manifest["parameters"])
 
 
+@pytest.mark.slow
 def test_a_fit_reads_its_stiffness_off_a_film(tmp_path):
     """A film of a damped beam on springs, with noise: the truth lies within the error bars."""
     table = {"elastic-foundation": {"stiffness": "3 kPa"}}

@@ -86,6 +86,7 @@ def of_order(section: str, order: int, projection: int) -> tuple[float, float]:
     return errors(followed(section, order_rule(SECTIONS[section], order, projection)), truth(section))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("section", few(["rectangle", "circle"], "circle"))
 def test_error_falls_with_the_order(section: str) -> None:
     rows, worst = [], {}

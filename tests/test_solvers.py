@@ -510,6 +510,7 @@ def test_a_failed_compilation_is_an_error_with_the_compilers_words(
     assert not list(nothing_compiled_yet.rglob("*.c"))
 
 
+@pytest.mark.slow
 def test_a_strand_of_which_a_part_stays_elastic_rings_on_and_is_not_expected_to_fall() -> None:
     """Chocolate: it yields a little at first, at its clamps only, and then rings by less than a tenth of its sag.
 

@@ -121,6 +121,7 @@ def rings(viscosity: float, density: float, effects: tuple[str, ...], cells: int
     return found[2] / decay if decay else found[2] / natural, found[3] / expected, run.summary["energy_residual"]
 
 
+@pytest.mark.slow
 def test_a_beam_rings_down_in_its_bath() -> None:
     decay, frequency, residual = rings(0.005, 0.0, ("extensibility", "drag"), 16, "compiled")
     assert decay == pytest.approx(1, abs=5e-3)

@@ -259,6 +259,7 @@ def test_failures_and_runs_that_are_no_answer_are_rows(tmp_path: Path, monkeypat
     assert dict(done.counts.outcomes) == {"solved": 1, "refused": 1, "failed": 1}
 
 
+@pytest.mark.slow
 def test_an_interrupted_sweep_resumes_where_it_was(
     tmp_path: Path, results_of_studies: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -252,7 +252,7 @@ for V in (1e-3, 1e-6):
 case("viscosity: kelvin-voigt, V = 1e-6", beam, "kelvin-voigt", E=BEAM, V=1e-6, T=1)
 creeping = follows(lambda t: -t / (32 * 0.03**2 * 1e8))
 slow: dict[str, Any] = {"T": 5, "effects": ("bending", "viscous-stress")}
-case("viscosity: kelvin-voigt, V = 1e8", creeping, "kelvin-voigt", E=SOFT, V=1e8, fast=True, **slow)
+case("viscosity: kelvin-voigt, V = 1e8", creeping, "kelvin-voigt", E=SOFT, V=1e8, **slow)
 
 for r in (1e-9, 1e-6):
     fluid = moves_like("newtonian", V=1e3, T=10, last=True)
@@ -289,7 +289,7 @@ ramped: dict[str, Any] = {"E": SOFT, "V": 30, "T": 4, "ramp": 2}
 # First yield at the clamps is at G = 2 delta of a beam; a cable of this softness yields at some 0.1, whole at 0.2.
 for what, G in (("first fibre", 0.06), ("hinges", 0.15), ("throughout", 0.3), ("no arrest", 2**0.5)):
     near = moves_like("bingham", G=G * 1.0001, accuracy=YIELDING, **ramped)
-    case(f"thresholds: {what}, G = {G:g}", near, "bingham", G=G, fast=what == "no arrest", **ramped, **YIELDS)
+    case(f"thresholds: {what}, G = {G:g}", near, "bingham", G=G, **ramped, **YIELDS)
 refused: dict[str, Any] = {"refusals": ("SceneError",), "says": "yield_stress"}
 case("yield stress: 0", None, "bingham", material={"yield_stress": 0.0}, **refused, **ramped, **YIELDS)
 flowing = moves_like("maxwell", last=True, accuracy=YIELDING, **ramped)

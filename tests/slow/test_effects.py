@@ -371,6 +371,7 @@ def pair(effect: Effect) -> tuple[Graph, Graph]:
     return graph_of(effect.example, with_it), graph_of(effect.example, without_it)
 
 
+@pytest.mark.slow
 def test_an_absent_effect_leaves_nothing() -> None:
     for effect in REGISTRY:
         present, absent = pair(effect)
