@@ -59,6 +59,14 @@ def test_edge_of_rupture_is_refused_as_localised() -> None:
 
 
 @pytest.mark.slow
+def test_a_torn_filament_is_followed_no_further() -> None:
+    run = sc.simulate(sc.load_scene("edge-of-rupture", {"numerics.cells": 20, "numerics.estimate": False}))
+    largest = run.data.stretch.values.max(axis=1)
+    assert run.outcome is sc.Outcome.localised and "drawn to 1000 times its length" in run.summary["message"]
+    assert largest[-1] > 1000 > largest[-2] and run.summary["steps"] < 20_000  # 130 000 to the bitter end
+
+
+@pytest.mark.slow
 def test_scenes_that_converge_are_not_called_localised() -> None:
     rows = []
     for name in ("no-yield", "arrested-overdamped", "continual-descent", "ink-bridge", "maxwell-slow", "maxwell-fast"):

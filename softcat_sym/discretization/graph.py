@@ -204,6 +204,11 @@ class Graph:
         return ca.Function("observables", inputs, tidy(*outputs.values()), names, list(outputs))
 
     @cached_property
+    def stretch(self) -> ca.Function:
+        """(t, x, z, p) to the stretch of the cells."""
+        return ca.Function("stretch", [self.t, self.x, self.z, self.p], [self.raw.observables["stretch"]])
+
+    @cached_property
     def _mapped(self) -> dict[int, ca.Function]:
         """`observables` for several times at once, by their number: filaments of one ensemble share it."""
         return {}

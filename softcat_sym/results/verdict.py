@@ -16,7 +16,7 @@ from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.results.fields import energies_of, is_loss, min_energy
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.outcome import THREAD, Outcome
 from softcat_sym.solvers.solution import Solution
 
 
@@ -86,9 +86,6 @@ _SMOOTH = 0.3
 """Of the neighbours' strain: what a cell much longer than a neck may exceed them by without one."""
 
 _RUPTURED = 10.0  # strain beyond which only a thread is left: its number means nothing
-
-THREAD = 1000.0
-"""Stretch beyond which only a thread is left of a fluid: a thirtieth of the thickness, and nothing of the theory."""
 
 STRONGEST = math.e
 """Stretch at which a bar of true strain is strongest, A0 E log(s)/s: an elastic solid drawn further runs away."""

@@ -21,7 +21,7 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.initial_state import Start
-from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.outcome import THREAD, Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Flagged, Progress, Solution, watched
 
@@ -302,15 +302,31 @@ class CompiledIntegration:
             max_step=(self.settings.max_step or 0.0) / scale,
         )
         room = model.room(run, status)
-        self._watched(run, room, scale, progress)
+
+        def torn(frame: int) -> bool:
+            """Whether only a thread is left: what becomes of it may take a million steps, and means nothing."""
+            if frame < 1:
+                return False
+            x, z = sites.vectors(room.states[frame : frame + 1])
+            return bool(np.any(np.asarray(self.graph.stretch(times[frame], x, z, p)) > THREAD))
+
+        self._watched(run, room, lambda: torn(_reached(times, status)), scale, progress)
         refuse(status.code, model.message(status.code))
-        frames = max(1, int(np.count_nonzero(times <= status.reached)))
+        frames = _reached(times, status) + 1
+        ruptured = torn(frames - 1)
+        while torn(frames - 2):
+            frames -= 1
         x, z = sites.vectors(room.states[:frames])
         x[:, 0], z[:, 0] = start.x, start.z
         quad = np.zeros((len(self.graph.program.powers), frames))
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
-        if status.code != SOLVED:
+        if ruptured:
+            outcome = Outcome.ruptured
+            message = (
+                f"stopped after t = {times[frames - 1] * scale:.6g} s: a cell is drawn to {THREAD:g} times its length"
+            )
+        elif status.code != SOLVED:
             outcome, worst = _OUTCOMES[status.code], ""
             if status.worst_slot >= 0:
                 name, site = model.model.slots[status.worst_slot].name, status.worst_site
@@ -318,7 +334,7 @@ class CompiledIntegration:
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
         return Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
 
-    def _watched(self, run: RunInput, room: Answer, scale: float, progress: Progress) -> None:
+    def _watched(self, run: RunInput, room: Answer, torn: Callable[[], bool], scale: float, progress: Progress) -> None:
         """Integrate in a thread, so that Ctrl-C is heard and progress shown meanwhile; a flagged one needs none."""
         status, integrate = room.status, self.filament.model.integrate
 
@@ -336,10 +352,16 @@ class CompiledIntegration:
             try:
                 while not wait([answer], _LOOK).done:
                     report()
+                    stop.value = int(torn())
             finally:
                 stop.value = 1
         report()
         answer.result()
+
+
+def _reached(times: Floats, status: Status) -> int:
+    """The last frame that was reached."""
+    return max(1, int(np.count_nonzero(times <= status.reached))) - 1
 
 
 def compile_filament(graph: Graph, structure: Structure) -> CompiledFilament:

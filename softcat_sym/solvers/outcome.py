@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from enum import Enum
 
+THREAD = 1000.0
+"""Stretch beyond which only a thread is left of a fluid: a thirtieth of the thickness, and nothing of the theory."""
+
 
 class Outcome(Enum):
     """End of a run; ``Outcome.x.name`` goes into the summary, ``Outcome.x.value`` tells the user what to do."""
