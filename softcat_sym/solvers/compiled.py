@@ -21,9 +21,9 @@ from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.errors import SoftcatError
 from softcat_sym.solvers.initial_state import Start
-from softcat_sym.solvers.outcome import THREAD, Outcome
+from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import Flagged, Progress, Solution, watched
+from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched
 
 Doubles = ct.POINTER(ct.c_double)
 Integers = ct.POINTER(ct.c_int)
@@ -303,36 +303,30 @@ class CompiledIntegration:
         )
         room = model.room(run, status)
 
-        def torn(frame: int) -> bool:
-            """Whether only a thread is left: what becomes of it may take a million steps, and means nothing."""
-            if frame < 1:
-                return False
+        def torn() -> bool:
+            frame = _reached(times, status)
             x, z = sites.vectors(room.states[frame : frame + 1])
-            return bool(np.any(np.asarray(self.graph.stretch(times[frame], x, z, p)) > THREAD))
+            return frame > 0 and is_torn(self.graph, times[frame], x, z, p)
 
-        self._watched(run, room, lambda: torn(_reached(times, status)), scale, progress)
+        self._watched(run, room, torn, scale, progress)
         refuse(status.code, model.message(status.code))
         frames = _reached(times, status) + 1
-        ruptured = torn(frames - 1)
-        while torn(frames - 2):
-            frames -= 1
         x, z = sites.vectors(room.states[:frames])
         x[:, 0], z[:, 0] = start.x, start.z
         quad = np.zeros((len(self.graph.program.powers), frames))
         quad[: room.work.shape[1], 1:] = room.work[1:frames].T
         outcome, message = Outcome.solved, ""
-        if ruptured:
-            outcome = Outcome.ruptured
-            message = (
-                f"stopped after t = {times[frames - 1] * scale:.6g} s: a cell is drawn to {THREAD:g} times its length"
-            )
-        elif status.code != SOLVED:
+        if status.code not in (SOLVED, STOPPED):
             outcome, worst = _OUTCOMES[status.code], ""
             if status.worst_slot >= 0:
                 name, site = model.model.slots[status.worst_slot].name, status.worst_site
                 worst = f"; worst: {name}[{site}] at X/L = {self.graph.grid.nodes[site]:.4g}"
             message = f"stopped after t = {status.reached * scale:.6g} s{worst}; {model.message(status.code)}"
-        return Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
+        found = Solution(times[:frames], x, z, quad, outcome, message, int(status.steps))
+        found = found.to_rupture(self.graph, p, scale)
+        if status.code == STOPPED and found.outcome is Outcome.solved:
+            raise KeyboardInterrupt
+        return found
 
     def _watched(self, run: RunInput, room: Answer, torn: Callable[[], bool], scale: float, progress: Progress) -> None:
         """Integrate in a thread, so that Ctrl-C is heard and progress shown meanwhile; a flagged one needs none."""

@@ -20,7 +20,7 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.solvers.initial_state import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
-from softcat_sym.solvers.solution import Progress, Solution, watched
+from softcat_sym.solvers.solution import Progress, Solution, is_torn, watched
 
 # Runs on every machine of this kind, and no number changes: no -march=native, no -ffast-math, no fused operations.
 PORTABLE: tuple[str, ...] = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off")
@@ -224,12 +224,14 @@ class Integration:
                 reached += len(part.time)
                 spent = len(part.time) * interval * scale
                 progress.update(min(reached, last) * interval * scale, spent / part.steps if part.steps else None)
+                if is_torn(self._graph, part.time[-1], part.x[:, -1], part.z[:, -1], p):
+                    break
             elif integrator.intervals > 1:
                 integrator = self._single  # frame by frame to where it fails, so that the part that is sound is used
             else:
                 outcome, message = self._broken(parts[-1], part, reached * interval, p, scale)
                 return replace(self._whole(parts, interval), outcome=outcome, message=message)
-        return self._whole(parts, interval)
+        return self._whole(parts, interval).to_rupture(self._graph, p, scale)
 
     def _whole(self, parts: list[Solution], interval: float) -> Solution:
         """All parts; the last chunk may go beyond the end."""

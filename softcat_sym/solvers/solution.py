@@ -12,9 +12,10 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.interrupts import interrupts_go_to
-from softcat_sym.solvers.outcome import Outcome
+from softcat_sym.solvers.outcome import THREAD, Outcome
 
 
 class Progress(Protocol):
@@ -69,6 +70,11 @@ def counting(progress: Progress, stage: str) -> Callable[[int, int], None]:
     return lambda done, total: progress.reach(done / total, f"{done + 1} of {total}")
 
 
+def is_torn(graph: Graph, time: float, x: Floats, z: Floats, p: Floats) -> bool:
+    """Whether only a thread is left somewhere: what becomes of it may take a million steps, and means nothing."""
+    return bool(np.any(np.asarray(graph.stretch(time, x, z, p)) > THREAD))
+
+
 @dataclass(frozen=True)
 class Solution:
     """States at the output times that were reached, in columns."""
@@ -98,6 +104,21 @@ class Solution:
         """The same at every so many of its times, which become those of `time`."""
         x, z, quad = (part[:, ::stride] for part in (self.x, self.z, self.quad))
         return replace(self, time=time[: x.shape[1]], x=x, z=z, quad=quad)
+
+    def to_rupture(self, graph: Graph, p: Floats, scale: float) -> Solution:
+        """The same up to the first frame in which only a thread is left somewhere, if the last one is such."""
+
+        def torn(frame: int) -> bool:
+            return frame > 0 and is_torn(graph, self.time[frame], self.x[:, frame], self.z[:, frame], p)
+
+        frames = len(self.time)
+        if not torn(frames - 1):
+            return self
+        while torn(frames - 2):
+            frames -= 1
+        time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
+        message = f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {THREAD:g} times its length"
+        return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.ruptured, message=message)
 
 
 class Interrupts:
