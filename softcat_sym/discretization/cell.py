@@ -123,6 +123,9 @@ class Builder:
         self.values: dict[Any, Any] = {symbols.A0: 1.0, **{row.symbol: self.named[row.name] for row in rows}}
         self.scale, self.span, self.density = self.named[TIME_SCALE], self.values[symbols.L_0], self.values[symbols.rho]
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
+        for clock in equations.terms.clocks:
+            given = {**self.values, symbols.t: self.time * self.scale}
+            self.values |= {symbol: printed(value, given) for symbol, value in clock.replaces}
         self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
         self.slots: dict[str, Slot] = {}
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))

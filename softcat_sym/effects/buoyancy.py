@@ -27,9 +27,11 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del motion
-    share = min(1.0, scene.surroundings.density / scene.filament.density)
-    return Estimate(share, "share of the weight that what surrounds the filament carries", "rho_b/rho")
+    share = scene.surroundings.density / scene.filament.density
+    # The pull that weight makes sets the pace of a ringing string; a beam's pace knows no weight.
+    change = share * motion.sag / motion.scale * (1 + motion.tension_share * motion.swings)
+    meaning = "share of the weight that what surrounds the filament carries, times what a string's ringing makes of it"
+    return Estimate(min(1.0, change), meaning, "rho_b/rho (1 + phase of the ringing)")
 
 
 BUOYANCY = Effect(
@@ -40,7 +42,7 @@ BUOYANCY = Effect(
     applies=_applies,
     without_it="surroundings.density is zero",
     estimate=_estimate,
-    observable="share of the weight that is carried, which no motion changes",
+    observable="share of the weight that is carried, times the phase of the ringing seen",
     example="embedded-strand",
     derivation="17_surroundings",
     in_paper=False,

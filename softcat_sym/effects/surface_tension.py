@@ -32,7 +32,7 @@ def _applies(scene: Scene) -> bool:
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     starts = "it acts at once" if scene.initial.surface == "fresh" else "it was always there"
     meaning = f"share of the sag that the pull of the surface takes, C/(1+C), C = m 4 P gamma f/(q L^2) ({starts})"
-    return Estimate(min(1.0, motion.capillary), meaning)
+    return Estimate(motion.amplified(motion.capillary), meaning)
 
 
 def unstable_faults(scene: Scene) -> list[Fault]:

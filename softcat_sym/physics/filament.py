@@ -14,6 +14,7 @@ import sympy as sp
 
 from softcat_sym.physics import closures as closure
 from softcat_sym.physics import kinematics, sections
+from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.kinematics import InternalForce, internal_force
 from softcat_sym.physics.laws import ELASTIC, Constant, Law
@@ -48,6 +49,7 @@ class Terms:
     necking_gradient: bool = False  # Whether a neck's slope stiffens it
     surface_tension: bool = False  # Whether the energy of the surface pulls the filament together
     densities: tuple[Densities, ...] = ()  # Energies and Rayleigh potentials of place and tangent that effects add
+    clocks: tuple[Clock, ...] = field(default=(), repr=False)  # What changes the constants of the material
     gravity: sp.Expr = g  # Gravity and its rate where it does not shake
     gravity_rate: sp.Expr = sp.S.Zero
     # Not in its representation, from which a structure has its name: one that does not shake keeps it.
@@ -123,8 +125,9 @@ class FilamentEquations:
 
     @property
     def constants(self) -> tuple[Constant, ...]:
-        """What the law asks the scene for, and what the densities of effects do."""
-        return (*self.law.constants, *(one for group in self.terms.densities for one in group.constants))
+        """What the law asks the scene for, and what the densities and clocks of effects do."""
+        groups = (*self.terms.densities, *self.terms.clocks)
+        return (*self.law.constants, *(one for group in groups for one in group.constants))
 
     @property
     def conserves_energy(self) -> bool:

@@ -1,0 +1,29 @@
+"""Clocks of a material: constants of its law that change while the filament hangs, and the states they follow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from softcat_sym.physics.laws import Constant
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """What an effect makes of constants of the material.
+
+    Attributes
+    ----------
+    name : str
+        Of its effect.
+    replaces : tuple of (symbol, expression)
+        Constants of the law, and what stands for them: an expression in ``t`` [s], in the clock's own constants and in
+        the constants themselves as the scene states them.
+    constants : tuple of Constant
+        Its own.
+    """
+
+    name: str
+    replaces: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    constants: tuple[Constant, ...] = ()
