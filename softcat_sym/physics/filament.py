@@ -49,7 +49,7 @@ class Terms:
     necking_gradient: bool = False  # Whether a neck's slope stiffens it
     surface_tension: bool = False  # Whether the energy of the surface pulls the filament together
     densities: tuple[Densities, ...] = ()  # Energies and Rayleigh potentials of place and tangent that effects add
-    clocks: tuple[Clock, ...] = field(default=(), repr=False)  # What changes the constants of the material
+    clocks: tuple[Clock, ...] = ()  # What changes the constants of the material
     gravity: sp.Expr = g  # Gravity and its rate where it does not shake
     gravity_rate: sp.Expr = sp.S.Zero
     # Not in its representation, from which a structure has its name: one that does not shake keeps it.
