@@ -149,6 +149,16 @@ def test_what_makes_a_rule_fail() -> None:
     assert [each["cause"] for each in cable.blames] == [WORDS["bending"]]
 
 
+@pytest.mark.slow
+def test_a_bath_that_resists_is_blamed_for_what_it_slows_down() -> None:
+    """Without its drag the viscous string is as the rule has it."""
+    thread = filament({"law": "newtonian", "viscosity": "1 MPa*s"}, thickness="0.05 mm", **{"run.duration": "5 s"})
+    slowed = blame(run_of(thread.replace({"surroundings.viscosity": "10 Pa*s"})), "viscous-string")
+    assert slowed.error is not None and slowed.error > 0.2
+    assert slowed.bare == pytest.approx(0, abs=0.03)
+    assert [each["cause"] for each in slowed.blames] == [WORDS["bath"]]
+
+
 def test_no_rule_is_applied_to_what_it_was_not_made_for() -> None:
     scene = filament(ELASTIC)
     assert unusual(scene) == ""

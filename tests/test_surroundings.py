@@ -168,13 +168,14 @@ def test_auto_takes_them_in_where_they_matter() -> None:
     [
         ({"density": "-1 kg/m^3"}, "surroundings.density"),
         ({"density": "1 m"}, "surroundings.density"),
+        ({"density": "1e9 kg/m^3"}, "surroundings.density"),
         ({"viscosity": "-1 Pa*s"}, "surroundings.viscosity"),
         ({"viscocity": "1 Pa*s"}, "viscosity"),
     ],
 )
 def test_bad_baths_are_one_clear_error(bath: dict[str, str], words: str) -> None:
     with pytest.raises(sc.SceneError, match=words):
-        strand(bath)
+        choose_effects(strand(bath))
 
 
 def test_what_cannot_be_had_says_why() -> None:

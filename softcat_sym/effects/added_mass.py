@@ -62,4 +62,5 @@ ADDED_MASS = Effect(
     derivation="17_surroundings",
     needs=("inertia",),
     in_paper=False,
+    causes=("bath",),
 )

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.errors import Fault
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.laws import Constant
@@ -22,6 +23,10 @@ def _contribute(terms: Terms) -> Terms:
     return replace(terms, densities=(*terms.densities, BUOYANT))
 
 
+_MAX_DENSITY = 22_600.0
+"""That of osmium [kg/m^3]: what is beyond is a slip in the unit."""
+
+
 def _applies(scene: Scene) -> bool:
     return scene.surroundings.density > 0
 
@@ -32,6 +37,13 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     change = share * motion.sag / motion.scale * (1 + motion.tension_share * motion.swings)
     meaning = "share of the weight that what surrounds the filament carries, times what a string's ringing makes of it"
     return Estimate(min(1.0, change), meaning, "rho_b/rho (1 + phase of the ringing)")
+
+
+def _faults(scene: Scene) -> list[Fault]:
+    density = scene.surroundings.density
+    if density <= _MAX_DENSITY:
+        return []
+    return [Fault("surroundings.density", f"{density:.3g} kg/m^3", f"at most {_MAX_DENSITY:g} kg/m^3 (osmium)")]
 
 
 BUOYANCY = Effect(
@@ -45,5 +57,6 @@ BUOYANCY = Effect(
     observable="share of the weight that is carried, times the phase of the ringing seen",
     example="embedded-strand",
     derivation="17_surroundings",
+    faults=_faults,
     in_paper=False,
 )

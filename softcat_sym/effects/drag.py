@@ -111,4 +111,5 @@ DRAG = Effect(
     derivation="17_surroundings",
     in_paper=False,
     warnings=_warnings,
+    causes=("bath",),
 )

@@ -298,13 +298,13 @@ _pinned = partial(_elastic, partial(_beam, regimes.PINNED))
 _clamped = partial(_elastic, partial(_beam, regimes.CLAMPED))
 _cable = partial(_elastic, lambda scene: closed_forms.elastic_string_sag())
 
-_BENT = ("ends", "flow", "stretching", "shear", "inertia", "surface")
-_TAUT = ("flow", "bending", "slopes", "inertia", "surface")
-_HUNG = ("bending", "elasticity", "inertia")
-_CREEPS = ("yield stress", "stretching", "elasticity", "shear", "inertia", "surface")
-_DRAWN = ("yield stress", "bending", "slopes", "surface")
-_CARRIED = ("bending", "slopes", "inertia")
-_YIELDS = ("flow", "stretching", "shear", "inertia", "surface")
+_BENT = ("ends", "flow", "stretching", "shear", "inertia", "surface", "bath")
+_TAUT = ("flow", "bending", "slopes", "inertia", "surface", "bath")
+_HUNG = ("bending", "elasticity", "inertia", "bath")
+_CREEPS = ("yield stress", "stretching", "elasticity", "shear", "inertia", "surface", "bath")
+_DRAWN = ("yield stress", "bending", "slopes", "surface", "bath")
+_CARRIED = ("bending", "slopes", "inertia", "bath")
+_YIELDS = ("flow", "stretching", "shear", "inertia", "surface", "bath")
 _STOPS, _STOPS_EXACT = partial(_stopping, False), partial(_stopping, True)
 _PULLS, _PULLS_EXACT = partial(_catenary, False), partial(_catenary, True)
 
@@ -346,7 +346,7 @@ _NEEDS = {"shear": "stretching"}
 # Effects that go, by cause; stiffness and ends are changed instead.
 _CAUSES = (
     *("flow", "yield stress", "stretching", "bending", "shear", "inertia", "surface", "slopes"),
-    *("elasticity", "ends"),
+    *("bath", "elasticity", "ends"),
 )
 LEAVING_OUT: Mapping[str, tuple[str, ...]] = {
     cause: tuple(effect.name for effect in REGISTRY if cause in effect.causes) for cause in _CAUSES
@@ -355,6 +355,7 @@ WORDS: Mapping[str, str] = {name: name for name in LEAVING_OUT} | {
     "stretching": "tension",
     "surface": "surface tension",
     "slopes": "finite strain and slope",
+    "bath": "drag of the bath",
     "ends": "hold of the ends",
 }
 
