@@ -6,12 +6,17 @@ import warnings
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from softcat_sym.effects.choosing import Effects
+    from softcat_sym.progress import Clock
     from softcat_sym.results.run import Run
     from softcat_sym.scene.reading import SceneLike
     from softcat_sym.scene.scene import Scene
     from softcat_sym.solvers.solution import Progress
 
 _REPEATS = 2
+
+_BREAKS, _BORNE = 6, 1e-4
+"""Runs in which the instant of a break is sought, and how close to one its load is to be."""
 
 
 def simulate(scene: SceneLike, progress: Progress | None = None) -> Run:
@@ -72,7 +77,9 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
     from softcat_sym.effects.choosing import choose_effects
     from softcat_sym.error_control.control import as_accurate_as_asked, frames_of_first
     from softcat_sym.progress import Clock
+    from softcat_sym.results.breaking import break_at_end
     from softcat_sym.single_run import rest_of, run_once
+    from softcat_sym.solvers.outcome import Outcome
 
     clock, shown, repeats = Clock(), dict[str, str](), list[str]()
     while True:
@@ -82,16 +89,46 @@ def _with_all_that_matters(scene: Scene, progress: Progress) -> Run:
             clock.lap("estimate")
             until = scene if ends is None else scene.replace({"run.duration": f"{ends!r} s"})
         run = run_once(until, until, effects, clock, progress, frames_of_first(until, effects))
+        breaks = run.outcome is Outcome.broken
+        if breaks:
+            run = _up_to_its_break(run, effects, clock, progress)
         last = len(repeats) == _REPEATS or not run.missing_effect
         if last and scene.numerics.estimate:
             run = as_accurate_as_asked(run, effects, clock, progress)
         # A refined run may show more.
         if not run.missing_effect or len(repeats) == _REPEATS:
-            return run.repeated(repeats).settled(scene, ends)
+            answer = run.repeated(repeats).settled(scene, ends)
+            return answer.broken(scene, *break_at_end(scene, answer.fields)) if breaks else answer
         clock.set_aside()
         progress.stage(f"again, with {', '.join(run.missing_effect)}")
         shown |= run.missing_effect
         repeats.append("; ".join(f"{name}: {why}" for name, why in run.missing_effect.items()))
+
+
+def _up_to_its_break(run: Run, effects: Effects, clock: Clock, progress: Progress) -> Run:
+    """Follow a filament that breaks again, with its frames spaced evenly up to then.
+
+    The instant is interpolated between frames, and found anew among closer ones until the load there is what it bears.
+    """
+    from softcat_sym.error_control.control import frames_of_first
+    from softcat_sym.results.breaking import break_at_end, break_frame, first_break, refuse_broken, unbreakable
+    from softcat_sym.single_run import run_once
+
+    scene, end = run.scene, first_break(run.scene, run.fields)
+    if end is None or break_frame(scene, run.fields) == 0:
+        refuse_broken(scene)
+    for _ in range(_BREAKS):
+        clock.set_aside()
+        progress.stage("again, up to its break")
+        brief = unbreakable(scene).replace({"run.duration": f"{end.time_s!r} s"})
+        run = run_once(brief, brief, effects, clock, progress, frames_of_first(brief, effects))
+        if not run.outcome.is_success:
+            break
+        last, load = break_at_end(scene, run.fields)
+        if abs(load - 1) <= _BORNE:
+            break
+        end = first_break(scene, run.fields) or last
+    return run
 
 
 def identity_of(scene: Scene) -> tuple[str, list[str], list[str]]:

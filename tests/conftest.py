@@ -11,12 +11,15 @@ import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
 from softcat_sym import progress, store
 from softcat_sym.codegen.compiler import find_compiler
+
+if TYPE_CHECKING:
+    from tests.common.in_process import Softcat
 
 PROMISED = "SOFTCAT_TESTS_NEED_A_COMPILER"
 """Set where a missing compiler is a fault of the machine, as in continuous integration."""
@@ -40,6 +43,14 @@ def results_of_studies(request: pytest.FixtureRequest, tmp_path_factory: pytest.
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(store, "folder", lambda: folder)
         yield folder
+
+
+@pytest.fixture
+def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
+    """The command line, as a user meets it."""
+    from tests.common.in_process import Softcat
+
+    return Softcat(monkeypatch, capsys)
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -226,11 +226,6 @@ INK = (*BODY, "--law", "bingham", "--youngs-modulus", "1 MPa", "--viscosity", "1
 CURVE = "shear_rate_1_s,shear_stress_Pa\n" + "".join(f"{rate},{200 + 10 * rate}\n" for rate in (0.1, 1, 3, 10, 30, 100))
 
 
-@pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
 @pytest.mark.slow
 def test_flags_make_a_page(softcat: Softcat, tmp_path: Path) -> None:
     done = softcat("card", *OIL, "--sag", "0.1 mm", *sets("numerics.cells=10"), "-o", str(tmp_path))

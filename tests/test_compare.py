@@ -67,11 +67,6 @@ def comparison() -> Comparison:
     return compare(YIELDING, COARSE)
 
 
-@pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
 def test_discrepancy_of_known_curves() -> None:
     time = np.linspace(0, 7, 71)
     elements = -2 * time / 7

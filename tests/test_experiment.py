@@ -349,11 +349,6 @@ FILM = ("--free", "viscosity", "--noise", "10 um", "--duration", "0.2:0.8 s", "-
 FILES = {"experiment.json", "scene.toml", "experiment.csv", "experiment.png"}
 
 
-@pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
 def test_files_and_what_is_said(softcat: Softcat, tmp_path: Path) -> None:
     (tmp_path / "critical_span.png").write_bytes(b"of an earlier design")
     done = softcat("experiment", *SCENE, *FILM, "-o", str(tmp_path))

@@ -177,11 +177,6 @@ SCENE = "arrested-overdamped"
 QUICK = sets("numerics.cells=10", "run.frames=21", "numerics.estimate=false", "numerics.backend=interpreted")
 
 
-@pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
 def test_what_is_written_together_is_there_together_or_not_at_all(tmp_path: Path) -> None:
     old, new = tmp_path / "old", tmp_path / "new"
     old.write_bytes(b"old")

@@ -25,11 +25,6 @@ FREE = ("--free", "yield_stress", "--free", "viscosity")
 SCENE = ("--scene", "continual-descent", *sets(*CHEAP))
 
 
-@pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
 class Page(HTMLParser):
     """Tags that are not closed, and what the page would load from elsewhere."""
 

@@ -265,11 +265,6 @@ def test_laws_on_a_bound_and_data_that_determine_little() -> None:
 
 
 @pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
-@pytest.fixture
 def paste(tmp_path: Path) -> Path:
     return write_csv(tmp_path / "paste.csv", curve_of(12.0, 3.4, 0.43, noise=0.02, seed=6))
 

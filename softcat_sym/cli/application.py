@@ -143,7 +143,7 @@ def scene_and_directory(
 
 def judge(outcome: Outcome, message: str, *, quiet: bool) -> None:
     """Exit with 1 if the answer is not to be trusted."""
-    if outcome.is_success:
+    if outcome.is_answer:
         return
     if quiet:
         print_error(f"{outcome.name}: {message}; {outcome.value}")

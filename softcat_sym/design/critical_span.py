@@ -31,6 +31,7 @@ from softcat_sym.fitting.least_squares import Floats
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import NotAQuantity, shown
 from softcat_sym.simulate import identity_of, simulated, without_estimate
+from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Silence
 
 
@@ -345,6 +346,7 @@ class CriticalSpan:
     scan: tuple[tuple[float, float], ...]  # Span and sag [m]; infinite where the run has no answer
     effects: tuple[str, ...]  # In force at the critical span
     notes: tuple[str, ...]  # What to know beside the numbers
+    breaks: bool = False  # Whether a longer one breaks before it sags so much
 
     def to_dict(self) -> dict[str, Any]:
         """What JSON holds of it, in SI; the gradient is of logarithms."""
@@ -355,6 +357,7 @@ class CriticalSpan:
             "crossings_m": [list(pair) for pair in self.crossings],
             "effects": list(self.effects),
             "notes": list(self.notes),
+            "breaks": self.breaks,
             "text": list(self.text),
         }
 
@@ -366,6 +369,9 @@ class CriticalSpan:
     @property
     def text(self) -> tuple[str, ...]:
         """Plain sentences."""
+        if self.breaks:
+            head = f"A span of {length_text(self.span)} sags {length_text(self.sag)}; a longer one breaks."
+            return (head, *self.notes)
         strongest = sorted(self.gradient.items(), key=lambda pair: -abs(pair[1]))
         listed = ", ".join(f"{path.rpartition('.')[2]}^{power:.3g}" for path, power in strongest if abs(power) > 5e-3)
         head = f"The sag reaches {length_text(self.sag)} at a span of {length_text(self.span)}."
@@ -448,6 +454,11 @@ def _closed_in(
         return float(np.clip(allowed.excess(math.exp(x), run(math.exp(x)).value), -_CLEAR, _CLEAR))
 
     near = brentq(left, math.log(spans[first]), math.log(spans[first + 1]), xtol=_COARSE, rtol=_COARSE)
+    margin = 2 * _COARSE * (1 + abs(near))  # What the root finder leaves open
+    shorter, longer = (run(math.exp(near + way * margin)) for way in (-1, 1))
+    if longer.note == Outcome.broken.name and math.isfinite(shorter.value):
+        root = Root(math.exp(near - margin), shorter.value, {}, ())
+        return _critical(root, found, spans, scanned, shorter.effects, (), breaks=True)
     if not abs(left(near)) < _JUMP:
         found_text = f"the sag jumps past the limit at a span of {length_text(math.exp(near))}"
         raise SoftcatError(f"{found_text}: the filament ruptures, or has no answer, before it sags so much")
@@ -456,6 +467,19 @@ def _closed_in(
     if paths:
         frozen = FrozenSag(with_span(scene, root.span), effects, paths, at_end=at_end)
         root = polished(frozen, allowed, root.span)
+    return _critical(root, found, spans, scanned, effects, paths)
+
+
+def _critical(
+    root: Root,
+    found: tuple[int, ...],
+    spans: list[float],
+    scanned: list[Sag],
+    effects: tuple[str, ...],
+    paths: tuple[str, ...],
+    *,
+    breaks: bool = False,
+) -> CriticalSpan:
     notes = root.notes
     if len(found) > 1:
         notes = (*notes, f"The sag crosses the limit {len(found)} times within the scan; this is the smallest span.")
@@ -467,6 +491,7 @@ def _closed_in(
         scan=tuple((span, one.value) for span, one in zip(spans, scanned, strict=True)),
         effects=effects,
         notes=notes,
+        breaks=breaks,
     )
 
 

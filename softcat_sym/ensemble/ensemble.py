@@ -32,6 +32,7 @@ from softcat_sym.ensemble.members import (
 )
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.progress import Display
+from softcat_sym.results.breaking import breakable
 from softcat_sym.results.fields import (
     energy_residual,
     midpoint_heights,
@@ -215,8 +216,8 @@ def _record(member: Member, workshop: Workshop, stop: Stop) -> Record:
     begun, scene = time.perf_counter(), member.scene
     prepared, solution = workshop.run(member, stop)
     ends = solution
-    # Without velocities the work against the necking gradient is summed over frames.
-    if prepared.graph.has_velocities:
+    # Without velocities the work against the necking gradient is summed over frames; a break is sought in all of them.
+    if prepared.graph.has_velocities and not breakable(scene):
         x, z, quad = (part[:, [0, -1]] for part in (solution.x, solution.z, solution.quad))
         ends = replace(solution, time=solution.time[[0, -1]], x=x, z=z, quad=quad)
     run = judged(member, prepared, ends)

@@ -25,6 +25,7 @@ from softcat_sym.plotting.section import Section, outline, quads_outside, sectio
 from softcat_sym.plotting.style import headed, png, printable, shown_part
 from softcat_sym.plotting.terminal import text_table
 from softcat_sym.plotting.units import REGIMES, length_unit, significant, stress_unit, time_unit
+from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.studies.card_rules import percent, smay_modulus_needed, unusual
 
 if TYPE_CHECKING:
@@ -42,6 +43,8 @@ _INCOMPRESSIBLE = 3.0
 def verdict(card: Card) -> tuple[bool, str]:
     """Whether the card may be trusted, and one sentence that stands on top of it."""
     outcome = card.run.outcome
+    if outcome is Outcome.broken:
+        return True, f"It breaks: {card.summary['message'].removeprefix('it breaks ')}."
     if not outcome.is_success:
         reasons = "; ".join(filter(None, [str(card.summary.get("message") or ""), outcome.value]))
         return False, f"Not to be trusted: {outcome.name}; {reasons}"
@@ -62,11 +65,15 @@ def facts(card: Card) -> list[tuple[str, str]]:
     if card.span is not None:
         span, sag = card.span.span, card.span.sag
         sags = f"{length_unit(span).text(span)} sags {length_unit(sag).text(sag)} (limit {card.limit})"
+        sags += ", and a longer one breaks" if card.span.breaks else ""
         powers = ", ".join(f"{name}^{power:.2g}" for name, power in exponents(card)[:_STRONGEST])
         if card.surface is not None and card.surface.span_added is not None:
             added = length_unit(card.surface.span_added).text(card.surface.span_added)
             sags += f", {added} of it by surface tension"
-        rows[-1:] = [("longest span", sags), ("it grows as", powers or "nothing that is known here")]
+        rows[-1:] = [
+            ("longest span", sags),
+            *([] if card.span.breaks else [("it grows as", powers or "nothing that is known here")]),
+        ]
     rows += _of_surface(card)
     modulus = card.scene.material.youngs_modulus
     if modulus is not None and not unusual(card.scene):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from softcat_sym.plotting.units import error_percent, length_unit, regime_words, significant, time_unit
 from softcat_sym.progress import Display
+from softcat_sym.solvers.outcome import ANSWERS
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -61,21 +62,23 @@ Rows = list[tuple[str, str]]
 def headline(summary: Summary, scene: Scene) -> str:
     """The title, behind a stamp if the answer is refused."""
     title = scene.title or "Filament"
-    return title if summary["outcome"] == "solved" else f"{REFUSED} ({summary['outcome']}): {title}"
+    return title if summary["outcome"] in ANSWERS else f"{REFUSED} ({summary['outcome']}): {title}"
 
 
 def answer_rows(summary: Summary, scene: Scene) -> Rows:
     """What is asked of a run, in words."""
-    refused = summary["outcome"] != "solved"
+    refused = summary["outcome"] not in ANSWERS
     rows: Rows = [("outcome", str(summary["outcome"]))]
     if refused:
         rows = [("because", str(summary["message"]))] if summary.get("message") else []
         rows.append(("advice", str(summary.get("advice") or "none")))
+    if summary.get("broken"):
+        rows.append(("breaks", str(summary["message"])))
     if summary.get("midpoint_final_m") is not None:
         rows.append(_place(summary, scene, refused=refused))
     if summary.get("regime"):
         rows.append(("regime", regime_words(str(summary["regime"]))))
-    if "settled_s" in summary and not refused:
+    if "settled_s" in summary and not refused and not summary.get("broken"):
         rows.append(("settled", _settled(summary)))
     if _left_out_worth(summary) > summary.get("accuracy", float("inf")):
         rows.append(_left_out(summary))
@@ -124,7 +127,7 @@ def print_summary(
     from rich.text import Text
 
     out = console or Console()
-    out.print(Text(headline(summary, scene), style="bold" if summary["outcome"] == "solved" else "bold red"))
+    out.print(Text(headline(summary, scene), style="bold" if summary["outcome"] in ANSWERS else "bold red"))
     rows = answer_rows(summary, scene)
     if verbose:
         rows = [row for row in rows if row[0] != "left out"] + detail_rows(summary)

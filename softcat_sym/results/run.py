@@ -7,7 +7,7 @@ import io
 import json
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -21,6 +21,7 @@ from softcat_sym.effects.free_vibration import damping_note, ringing
 from softcat_sym.effects.lists import terms_of
 from softcat_sym.errors import SoftcatError
 from softcat_sym.physics.filament import Terms
+from softcat_sym.results.breaking import Break, break_frame
 from softcat_sym.results.fields import (
     COORDINATES,
     energy_residual,
@@ -175,6 +176,14 @@ class Run:
         """The same run as the answer to a scene that asked to stop when nothing moves any more, and when that was."""
         return replace(self, scene=scene, summary=self.summary | {"settled_s": time})
 
+    def broken(self, scene: Scene, end: Break, load: float) -> Run:
+        """The same run as the answer to a scene that says what its material bears: at the end that is its load."""
+        changed = {"broken": asdict(end), "midpoint_settled_m": None, "midpoint_settled_why": "it breaks"}
+        outcome, message = Outcome.broken, end.text
+        if abs(load - 1) > scene.run.accuracy:
+            outcome, message = Outcome.inaccurate, f"{end.text}, but bears {load:.3g} of its limit then"
+        return replace(self._judged_anew(changed, outcome, message), scene=scene)
+
     def plot(self, what: str = "midpoint", radius: float = 1.0) -> Figure:
         """Draw one picture of the run.
 
@@ -273,10 +282,14 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     carried = residual if prepared.integration is not None else 0.0
     audited = carried if prepared.graph.conserves_energy else 0.0
     outcome, message = verdict(scene, effects, solution, fields, places[0], audited)
+    # The run ends there: what follows is no filament.
     if outcome is Outcome.ruptured:
-        # The run ends there: what follows is no filament.
         sound = max(1, rupture_frame(scene, fields["stretch"]) or 0)
-        time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
+    elif outcome is Outcome.broken:
+        sound = 1 + (break_frame(scene, {**fields, "X_node": places[0], "X_cell": places[1]}) or 0)
+    else:
+        sound = len(time)
+    time, fields = time[:sound], {name: values[:sound] for name, values in fields.items()}
     midpoint = fields["y"][:, fields["y"].shape[1] // 2]
     largest = float(np.max(np.abs(midpoint)))
     rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
@@ -307,6 +320,7 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "midpoint_settled_why": why,
         "time_final_s": float(time[-1]),
         "settled_s": None,
+        "broken": None,
         "error_estimate": None,
         "resolution": None,
         "refinements": [],

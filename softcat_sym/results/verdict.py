@@ -13,6 +13,7 @@ from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Estimate, Motion
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import neck_length
+from softcat_sym.results.breaking import breakable, first_break
 from softcat_sym.results.fields import energies_of, is_loss, min_energy
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
@@ -39,6 +40,8 @@ def missing_effect(scene: Scene, effects: Effects, measured: dict[str, Estimate]
     if scene.run.effects != "auto" or scene.run.closure == "printed" or scene.model == "small-deflection":
         return {}
     omitted = [decision.effect for decision in effects.decisions if decision.effect.name in measured]
+    if outcome is Outcome.broken:
+        return {}  # It is run again up to there, which shows more.
     if outcome is Outcome.localised:
         return {e.name: "without it a neck has no width" for e in omitted if e.cures == outcome.name}
     if not outcome.is_success and outcome is not Outcome.energy_drift:
@@ -287,11 +290,14 @@ def warnings_of(
 def verdict(
     scene: Scene, effects: Effects, solution: Solution, fields: Mapping[str, Floats], nodes: Floats, residual: float
 ) -> tuple[Outcome, str]:
-    """Decide: a neck that the grid decides, a rupture, a failed integration, an energy balance that stays open."""
+    """Decide: a break, a neck that the grid decides, a rupture, a failed integration, an open energy balance."""
     if solution.outcome is Outcome.no_equilibrium and not solution.steps:
         # Nothing was found to begin from: what the frame holds is no state of the filament.
         return solution.outcome, solution.message
     terms, time, stretch = effects.terms(), solution.time * time_scale(scene), fields["stretch"]
+    places = {"time": time, "X_node": nodes, "X_cell": (nodes[1:] + nodes[:-1]) / 2}
+    if breakable(scene) and (end := first_break(scene, {**fields, **places})) is not None:
+        return Outcome.broken, end.text
     # Without a yield stress a neck only grows with the strain itself: one is drawn out where the filament is.
     neck = neck_length(scene) if terms.necking_gradient and terms.yields else None
     # An elastic filament is as uneven as its load: only flow gathers strain.

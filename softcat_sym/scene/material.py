@@ -403,6 +403,10 @@ class Material(Part):
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
     solid_viscosity: Annotated[float | None, Quantity("viscosity", "1.2 Pa*s")] = None
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
+    breaking_strain: Annotated[float | None, Number(above=0)] = None
+    """True (Hencky) tensile strain at which a fibre breaks; the run ends there."""
+    breaking_stress: Annotated[float | None, Quantity("stress", "20 kPa")] = None
+    """True tensile stress at which a fibre breaks; the run ends there."""
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
     flow: Annotated[str, Text()] = Field(default="", validate_default=True)

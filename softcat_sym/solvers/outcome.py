@@ -12,6 +12,10 @@ class Outcome(Enum):
     """End of a run; ``Outcome.x.name`` goes into the summary, ``Outcome.x.value`` tells the user what to do."""
 
     solved = "the whole run was integrated; no check refuses the answer"
+    broken = (
+        "a fibre has reached what the material bears, and the filament breaks: the answer holds up to then; for a span "
+        "that lasts, shorten it, thicken the filament, or take a material that bears more"
+    )
     localised = (
         "strain gathers in one cell and the answer changes with the grid: without the effect necking-gradient nothing "
         "stops a neck, and with it the filament is near rupture; do not trust the sag: take the effect in, or lower "
@@ -53,3 +57,12 @@ class Outcome(Enum):
     def is_success(self) -> bool:
         """Whether the answer may be used."""
         return self is Outcome.solved
+
+    @property
+    def is_answer(self) -> bool:
+        """Whether it is what the filament does, as far as it goes: one that breaks is no failed run."""
+        return self in (Outcome.solved, Outcome.broken)
+
+
+ANSWERS = tuple(outcome.name for outcome in Outcome if outcome.is_answer)
+"""Names of the outcomes whose answer may be used."""

@@ -215,6 +215,7 @@ class Card:
                 "limit": self.limit,
                 "span_m": None if span is None else span.span,
                 "sag_m": None if span is None else span.sag,
+                "breaks": span is not None and span.breaks,
                 "exponents": {} if span is None else dict(span.gradient),
                 "notes": [self.span_text] if span is None else list(span.notes),
             },

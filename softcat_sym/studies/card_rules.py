@@ -30,6 +30,7 @@ from softcat_sym.physics import closed_forms, regimes
 from softcat_sym.physics.laws import K, n
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
+from softcat_sym.results.breaking import unbreakable
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, turned_back
 from softcat_sym.results.run import Run
 from softcat_sym.scene.scene import Scene, undeformed_area
@@ -394,7 +395,7 @@ class Variants:
         gone = {effect for cause in causes for effect in LEAVING_OUT[cause]} & self._names
         for effect in tuple(gone):
             gone |= set(dependants(effect, self._names))
-        effects, scene = set(self._names) - gone, self._run.scene
+        effects, scene = set(self._names) - gone, unbreakable(self._run.scene)
         changes: dict[str, object] = {}
         if self._run.terms.bending and not terms_of(scene, effects).bending:
             effects, slowly = string_of(scene, effects)

@@ -57,11 +57,6 @@ pytestmark = pytest.mark.slow
 READABLE = 0.02
 
 
-@pytest.fixture
-def softcat(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Softcat:
-    return Softcat(monkeypatch, capsys)
-
-
 @cache
 def filmed(name: str) -> FilmedScene:
     folder = cache_folder() / "elements"
