@@ -126,8 +126,8 @@ class FilamentEquations:
     @property
     def constants(self) -> tuple[Constant, ...]:
         """What the law asks the scene for, and what the densities and clocks of effects do."""
-        groups = (*self.terms.densities, *self.terms.clocks)
-        return (*self.law.constants, *(one for group in groups for one in group.constants))
+        of_densities = (one for density in self.terms.densities for one in density.constants)
+        return (*self.law.constants, *of_densities, *(one for clock in self.terms.clocks for one in clock.constants))
 
     @property
     def conserves_energy(self) -> bool:
