@@ -1,6 +1,6 @@
 """Curing: constants of the material are tables or formulas of time, as of an ink that dries or a concrete that sets.
 
-A modulus that grows does so by springs that are without stress when they join, sigma_t = E(t) eps_t (Bazant 1977): what
+A modulus that grows does so by springs that are without stress when they join, sigma_t = E(t) eps_t (transient networks; Castonguay et al. 2025): what
 hangs is not pulled up by it. One that falls loses springs with the stress they carry, sigma = E(t) eps.
 """
 
@@ -61,7 +61,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
 CURING = Effect(
     name="curing",
     summary="constants of the material that are tables or formulas of time",
-    source="Bazant 1977",
+    source="Castonguay et al. 2025",
     adapt=_adapted,
     applies=_applies,
     without_it="no constant of the material is a table or a formula of time",
