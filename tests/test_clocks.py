@@ -20,6 +20,8 @@ from softcat_sym.physics.histories import varying
 from softcat_sym.physics.symbols import t
 from softcat_sym.scene.history import History, Timed, TimedNumber, table_history
 from softcat_sym.scene.units import in_si
+from softcat_sym.studies.compare import compare
+
 BACKENDS = ("interpreted", "compiled")
 
 STRESS = Timed("stress", "9 kPa")
@@ -37,7 +39,8 @@ FORMULAS = (
 def scene(material: Mapping[str, Any], **tables: Mapping[str, Any]) -> sc.Scene:
     """A thin bar without weight, its effects and numerics as they are given."""
     given: dict[str, Any] = {"filament": BAR, "load": {"gravity": 0.0}, "run": {"duration": 1.0, "frames": 11}}
-    for name, table in {"numerics": {"estimate": False, "cells": 6}, **tables}.items():
+    given["numerics"] = {"estimate": False, "cells": 6}
+    for name, table in tables.items():
         given[name] = {**given.get(name, {}), **table}
     return sc.Scene.from_dict({**given, "material": material})
 
@@ -111,7 +114,12 @@ def test_a_scene_with_histories_comes_back_from_its_file() -> None:
     modes = [{"youngs_modulus": {"0 s": "1 kPa", "9 s": "2 kPa"}, "viscosity": "1 kPa*s + 1 kPa*t"}]
     one = scene({"law": "multimode-maxwell", "modes": modes, "natural_strain": "-0.02*t/(t + 1 s)"})
     assert sc.Scene.model_validate(tomllib.loads(one.to_toml())) == one
-    sheared = {"law": "bingham", "storage_modulus": "1 kPa + 1 Pa/s*t", "shear_viscosity": TABLE, "shear_yield_stress": 9.0}
+    sheared = {
+        "law": "bingham",
+        "storage_modulus": "1 kPa + 1 Pa/s*t",
+        "shear_viscosity": TABLE,
+        "shear_yield_stress": 9.0,
+    }
     with pytest.raises(sc.SceneError, match=r"shear_viscosity\.0 s"):
         scene(sheared)
     other = scene({**sheared, "shear_viscosity": "2 Pa*s", "shear_yield_stress": TABLE})
@@ -121,9 +129,9 @@ def test_a_scene_with_histories_comes_back_from_its_file() -> None:
 
 def pulled(modulus: Any, backend: str, **numerics: Any) -> sc.Run:
     """A bar whose right end is drawn away by 10 % within a second."""
-    names = ["extensibility", "finite-stretch", "thinning", "curing"]
+    names = ["bending", "extensibility", "finite-stretch", "thinning", "curing"]
     run = {"effects": names, "accuracy": 1e-5}
-    ends = {"left": "pinned", "right": "pinned", "motion": [[0.0, 0.0, 0.0], [1.0, 0.02, 0.0]]}
+    ends = {"motion": [[0.0, 0.0, 0.0], [1.0, 0.02, 0.0]]}
     material = {"law": "elastic", "youngs_modulus": modulus}
     return sc.simulate(scene(material, ends=ends, run=run, numerics={"backend": backend, **numerics}))
 
@@ -142,18 +150,40 @@ def test_springs_that_join_are_without_stress_and_those_that_break_let_go(backen
     assert run.summary["energy_residual"] < 1e-3
 
 
-@pytest.mark.parametrize("backend", BACKENDS)
 @pytest.mark.parametrize("theory", [["bending"], ["bending", "shear"]], ids=str)
-def test_a_held_strand_that_shrinks_tightens(backend: str, theory: list[str]) -> None:
+def test_a_held_strand_that_shrinks_tightens(theory: list[str]) -> None:
     names = ["extensibility", "finite-stretch", "thinning", "large-rotation", "natural-strain", *theory]
     material = {"law": "elastic", "youngs_modulus": 1e6, "natural_strain": "-0.05*t/1 s"}
-    run = sc.simulate(scene(material, run={"effects": names}, numerics={"backend": backend}))
-    # Of a section that has shrunk by 5 % both ways, and is stretched by as much along: its volume is kept in that.
+    run = sc.simulate(scene(material, run={"effects": names}, numerics={"backend": "interpreted"}))
+    # Of a section that has shrunk in all directions, so that the filament has the volume exp(-0.15) of the beginning.
     wanted = 4e-6 * math.exp(-0.15) * 1e6 * 0.05
     assert run.data["tension"].values[-1] == pytest.approx(np.full(12, wanted), rel=1e-6)
-    stored = wanted * 0.05 / 2 * 0.2
-    assert float(run.data["energy_elastic"][-1]) == pytest.approx(stored, rel=1e-6)
+    assert float(run.data["energy_elastic"][-1]) == pytest.approx(wanted * 0.05 / 2 * 0.2, rel=1e-6)
     assert run.summary["energy_residual"] < 1e-6
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_what_resists_does_not_feel_the_strain_without_stress(backend: str) -> None:
+    names = ["bending", "extensibility", "finite-stretch", "thinning", "viscous-stress", "natural-strain"]
+    material = {"law": "kelvin-voigt", "youngs_modulus": 1e6, "viscosity": 1e5, "natural_strain": "-0.05*t/1 s"}
+    run = sc.simulate(scene(material, run={"effects": names, "accuracy": 1e-4}, numerics={"backend": backend}))
+    wanted = 4e-6 * math.exp(-0.15) * (1e6 * 0.05 + 1e5 * 0.05)
+    assert run.data["tension"].values[-1] == pytest.approx(np.full(12, wanted), rel=1e-5)
+    assert run.summary["energy_residual"] < 1e-4
+
+
+@pytest.mark.parametrize("theory", [["bending"], ["bending", "shear"]], ids=str)
+def test_a_cable_that_has_shrunk_is_a_smaller_one_of_the_same_mass(theory: list[str]) -> None:
+    names = ["extensibility", "finite-stretch", "thinning", "large-rotation", *theory]
+    shrunk, kept = math.exp(-0.03), {"load": {"gravity": 9.81}, "numerics": {"backend": "interpreted"}}
+    drying = {"law": "elastic", "youngs_modulus": 1e5, "natural_strain": "-0.03*t/1 s"}
+    slack = {"rest_length": 0.22, "thickness": 0.002, "width": 0.003, "density": 1000.0}
+    one = sc.simulate(scene(drying, filament=slack, run={"effects": [*names, "natural-strain"]}, **kept))
+    smaller = {name: value * shrunk for name, value in slack.items()} | {"density": 1000.0 / shrunk**3}
+    other = sc.simulate(scene({**drying, "natural_strain": 0.0}, filament=smaller, run={"effects": names}, **kept))
+    assert one.data["y"].values[-1] == pytest.approx(other.data["y"].values[-1], rel=1e-6, abs=1e-9)
+    assert one.data["tension"].values[-1] == pytest.approx(other.data["tension"].values[-1], rel=1e-6)
+    assert one.data["thickness"].values[-1] == pytest.approx(other.data["thickness"].values[-1], rel=1e-6)
 
 
 @pytest.mark.parametrize(("section", "factor"), [("rectangle", 1.0), ("circle", 1.0), ("sheet", 1.45)])
@@ -165,7 +195,7 @@ def test_a_free_strand_whose_top_shrinks_curls_without_stress(theory: list[str],
     given = {"filament": filament, "ends": {"right": "free"}, "run": {"effects": names}}
     run = sc.simulate(scene(material, **given, numerics={"backend": "interpreted"}))
     # Its curvature is the difference over the thickness; of a sheet 1 + nu times as much, since it cannot curl across.
-    assert run.data["curvature"].values[-1] == pytest.approx(np.full(12, factor * 0.02 / 0.002), rel=1e-6)
+    assert run.data["curvature"].values[-1, :-1] == pytest.approx(np.full(11, factor * 0.02 / 0.002), rel=1e-6)
     assert np.abs(run.data["stress_bending"].values[-1]).max() < 1e-3
     assert float(run.data["y"][-1, -1]) > 0.1
 
@@ -205,7 +235,7 @@ def hanging(law: str, backend: str, **changes: Any) -> sc.Run:
     return sc.simulate(given)
 
 
-@pytest.mark.parametrize("law", HANGING)
+@pytest.mark.parametrize("law", [pytest.param("bingham", marks=pytest.mark.slow), "kelvin-voigt"])
 def test_both_backends_agree_and_the_audit_closes(law: str) -> None:
     one, other = (hanging(law, backend, **CHANGES[law]) for backend in ("interpreted", "compiled"))
     assert "curing" in one.summary["effects"]
@@ -221,7 +251,9 @@ def test_a_constant_history_is_a_constant() -> None:
     names = choose_effects(scene(HANGING["bingham"], load={"gravity": 9.81})).names
     plain, named = (
         sc.simulate(
-            scene({**HANGING["bingham"], "yield_stress": limit}, load={"gravity": 9.81}, run={"effects": [*names, *more]})
+            scene(
+                {**HANGING["bingham"], "yield_stress": limit}, load={"gravity": 9.81}, run={"effects": [*names, *more]}
+            )
         )
         for limit, more in ((4e3, ()), ("4 kPa + 0 Pa/s*t", ("curing",)))
     )
@@ -230,7 +262,9 @@ def test_a_constant_history_is_a_constant() -> None:
 
 def test_auto_takes_a_change_in_where_it_matters() -> None:
     def chosen(limit: str) -> sc.Scene:
-        return scene({**HANGING["bingham"], "yield_stress": limit}, filament={"thickness": 0.006}, load={"gravity": 9.81})
+        return scene(
+            {**HANGING["bingham"], "yield_stress": limit}, filament={"thickness": 0.006}, load={"gravity": 9.81}
+        )
 
     assert "curing" in choose_effects(chosen("1 kPa + 3 kPa/s*t")).names
     slow = choose_effects(chosen("1 kPa + 0.001 Pa/s*t"))
@@ -243,11 +277,11 @@ def test_auto_takes_a_change_in_where_it_matters() -> None:
 def test_what_changes_is_written_out() -> None:
     told = sc.explain(scene({**HANGING["bingham"], **CHANGES["bingham"]}, load={"gravity": 9.81}))
     text = {one.name: one.text for one in told.equations}
-    assert text["curing: Young's modulus"] == "E = youngs_modulus_0*(1 + t/youngs_modulus_1)"
+    assert text["curing: Young's modulus"] == "E = youngs_modulus_0*(t/youngs_modulus_1 + 1)"
     assert "g_E" in next(text[name] for name in text if name.startswith("axial flow"))
 
 
 def test_finite_elements_refuse_what_changes() -> None:
     material = {**HANGING["bingham"], "yield_stress": "4 kPa + 1 Pa/s*t"}
     with pytest.raises(sc.SceneError, match="changes in time, has no finite elements"):
-        sc.compare(scene(material, load={"gravity": 9.81}))
+        compare(scene(material, load={"gravity": 9.81}))
