@@ -39,6 +39,7 @@ from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
+from softcat_sym.physics.section_response import shrunk
 
 Values = Mapping[Any, Any]
 Pair = tuple[ca.SX, ca.SX]
@@ -126,6 +127,10 @@ class Builder:
         for clock in equations.terms.clocks:
             given = {**self.values, symbols.t: self.time * self.scale}
             self.values |= {symbol: printed(value, given) for symbol, value in clock.replaces}
+        terms, self.thinned, shrunk_area = equations.terms, ca.SX(1), ca.SX(1)
+        if terms.shrinks:
+            # Of the section that has shrunk, as of one that was thinner from the beginning; its mass stays.
+            shrunk_area, self.thinned = (printed(factor, self.values) for factor in shrunk(equations.shape))
         self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
         self.slots: dict[str, Slot] = {}
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))
@@ -136,6 +141,9 @@ class Builder:
         self.relative = self.place("h_cell")[0] if varies else ca.SX(1)
         self.area_cell = self.place("h_cell")[0] ** power if varies else ca.SX(1)
         self.area_node = self.place("h_node")[0] ** power if varies else ca.SX(1)
+        if terms.shrinks:
+            self.h_cell, self.h_node = self.h_cell * self.thinned, self.h_node * self.thinned
+            self.area_cell, self.area_node = self.area_cell * shrunk_area, self.area_node * shrunk_area
 
     def place(self, name: str) -> Neighbours:
         """A number of each site: a length, a mass, a relative thickness."""
@@ -185,6 +193,15 @@ class Builder:
             return value
         self.leaves.totals.add(name)
         return self.stage(name, CELLS, value)[0]
+
+    def aged(self, one: Field) -> Field:
+        """Rate of an energy at strains and plastic states that are held [1/s]: what clocks do to it."""
+        ends = {at: self.rate(value) for at, value in one.ends.items()}
+        return Field(f"{one.name}_aged", one.where, self.rate(one.value), ends)
+
+    def rate(self, value: ca.SX) -> ca.SX:
+        """Rate of an expression [1/s] by what stands in it of the time itself."""
+        return ca.SX(ca.jtimes(value, self.time, ca.SX(1)) / self.scale)
 
     def unknown(self, slot: Slot, first: Any = 0, last: Any = 0, name: str = "") -> Neighbours:
         """An unknown, with what its ends hold it at."""
@@ -252,6 +269,7 @@ class Mechanics:
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
+    ageing: list[Field] = field(default_factory=list)  # What clocks do to stored energies at strains that are held
     level: bool = False  # Whether motion sees a level, unstretched centreline: of small deflections
 
 

@@ -38,6 +38,9 @@ from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
 
+WORK_OF_AGEING = "work_ageing"
+"""What the energy stored at a held strain gains as constants of the material change, and what shrinking does."""
+
 
 def build(
     equations: FilamentEquations, model: str, ends: tuple[End, End], body: Body, rule: Sampling | None
@@ -224,6 +227,11 @@ def _powers(
         for name, fields in outer.dissipation.items()
     }
     groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
+    if b.equations.terms.clocks:
+        groups[WORK_OF_AGEING] = [
+            Field(f"power_ageing_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
+            for k, one in enumerate(of.ageing)
+        ]
     return {
         name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
         for name, fields in groups.items()

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from softcat_sym.discretization.filament import energy_scale
+from softcat_sym.discretization.filament import WORK_OF_AGEING, energy_scale
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.scaling_estimates import instant_modulus
@@ -57,6 +57,9 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "energy_dissipated": Variable(_FRAME, "J", "plastic work since t = 0", True),
     "energy_gradient": Variable(_FRAME, "J", "work against the necking gradient since t = 0", True),
     "work_external": Variable(_FRAME, "J", "work of the changing load since t = 0", True),
+    WORK_OF_AGEING: Variable(
+        _FRAME, "J", "what a changing material gives to the energy stored at a strain that is held, since t = 0", True
+    ),
     "midpoint": Variable(_FRAME, "m", "height of the midpoint X = 0, negative down"),
 }
 
@@ -130,7 +133,7 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     plastic, load, gradient, *lost = solution.quad * unit
     observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]
     for name, loss in zip(list(graph.program.powers)[_OWN_POWERS:], lost, strict=True):
-        observed[f"{_LOST}{name}"] = loss[:, None]
+        observed[name if name.startswith(_WORK) else f"{_LOST}{name}"] = loss[:, None]
     against_gradient = gradient
     if not graph.has_velocities:
         # Positions that are algebraic have no velocity that a quadrature could use: the work is summed over frames.

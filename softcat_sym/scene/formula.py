@@ -44,7 +44,12 @@ class Formula:
     @property
     def names(self) -> frozenset[str]:
         """Names besides sigma and pi."""
-        return _names(self.tree) - {STRESS_NAME}
+        return self.all_names - {STRESS_NAME}
+
+    @property
+    def all_names(self) -> frozenset[str]:
+        """Names besides pi."""
+        return _names(self.tree)
 
     def fold(
         self, number: Callable[[float], T], name: Callable[[str], T], operation: Callable[[str, tuple[T, ...]], T]
@@ -61,7 +66,10 @@ class Formula:
 
     def value(self, sigma: float, parameters: Mapping[str, float]) -> float:
         """Evaluate in plain floats."""
-        known = {**parameters, STRESS_NAME: sigma}
+        return self.value_of({**parameters, STRESS_NAME: sigma})
+
+    def value_of(self, known: Mapping[str, float]) -> float:
+        """Evaluate in plain floats, every name given."""
         return self.fold(float, known.__getitem__, _compute)
 
 
@@ -174,6 +182,11 @@ def check_units(formula: Formula, of: Mapping[str, Dimension], values: Mapping[s
         raise refusal(f"{formula.text!r} is {_words(found)}", "a strain rate, 1/s; check the units of the parameters")
 
 
+def dimension_of(formula: Formula, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Sized:
+    """Dimension of a formula of names of these dimensions; what has no value among `values` varies."""
+    return _dimension(formula.tree, of, values)
+
+
 def _dimension(node: ast.expr, of: Mapping[str, Dimension], values: Mapping[str, float]) -> Sized:
     head, operands = _operation(node)
     if not operands:
@@ -213,8 +226,8 @@ def _power(node: ast.expr, exponent: ast.expr, base: Sized, power: Sized, values
         raise refusal(f"the exponent {_piece(exponent)} is {_words(power)}", "a pure number")
     if _is_pure(base):
         return base
-    if STRESS_NAME in _names(exponent):
-        found = f"{_piece(node)}: the exponent depends on sigma, but the base is {_words(base)}"
+    if varying := sorted(_names(exponent) - set(values)):
+        found = f"{_piece(node)}: the exponent depends on {varying[0]}, but the base is {_words(base)}"
         raise refusal(found, "a base without a unit")
     return _times(base, Formula("", exponent).value(0.0, values))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -79,7 +80,7 @@ def _value(text: str) -> object:
 
 _IDLE_AT_ZERO = {
     "load": ("shake", "shake_frequency"),
-    "material": ("loss_tangent",),
+    "material": ("loss_tangent", "natural_strain", "natural_strain_difference"),
     "surroundings": ("density", "viscosity"),
 }
 """Keys that say nothing where they are zero."""
@@ -140,5 +141,10 @@ def toml_value(value: object) -> str:
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(toml_value(item) for item in value)}]"
     if isinstance(value, dict):
-        return f"{{{', '.join(f'{key} = {toml_value(item)}' for key, item in value.items())}}}"
+        return f"{{{', '.join(f'{_toml_key(key)} = {toml_value(item)}' for key, item in value.items())}}}"
     return repr(value)
+
+
+def _toml_key(key: str) -> str:
+    """Write a key: bare where TOML takes it so, else as text."""
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else toml_value(key)

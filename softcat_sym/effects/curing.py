@@ -1,0 +1,74 @@
+"""Curing: constants of the material are tables or formulas of time, as of an ink that dries or a concrete that sets.
+
+A modulus that grows does so by springs that are without stress when they join, sigma_t = E(t) eps_t, as the strands of
+a transient network (Castonguay et al. 2025): what hangs is not pulled up by it. One that falls loses springs with the
+stress that they carry, sigma = E(t) eps.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import sympy as sp
+
+from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.law import law_in
+from softcat_sym.effects.quasi_static import followed_sag
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.clocks import Clock
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.histories import varying
+from softcat_sym.physics.laws import Constant, growth_of
+from softcat_sym.scene.scene import Scene
+
+_SHARED = (Constant("youngs_modulus", sy.E), Constant("viscosity", sy.eta), Constant("yield_stress", sy.sigma_Y))
+"""Constants that several laws have; a law with others of these names has them among its own."""
+
+
+def clock_of(scene: Scene) -> Clock:
+    """What the histories of a scene's material are in symbols."""
+    law, replaces, constants, grows = law_in(scene), list[tuple[sp.Symbol, sp.Expr]](), list[Constant](), []
+    symbols = {one.name: one.symbol for one in (*_SHARED, *law.constants)}
+    moduli = {branch.modulus for branch in law.branches}
+    for name, history in scene.material.histories().items():
+        symbol, found = symbols[name], varying(history, name)
+        replaces.append((symbol, found.value))
+        constants += found.constants
+        if symbol in moduli:
+            growth = growth_of(symbol)
+            replaces.append((growth, sp.Max(found.rate, 0) / found.value))
+            grows.append((symbol, growth))
+    return Clock("curing", tuple(replaces), tuple(constants), tuple(grows))
+
+
+def _adapted(scene: Scene, terms: Terms) -> Terms:
+    return replace(terms, clocks=(*terms.clocks, clock_of(scene)))
+
+
+def _applies(scene: Scene) -> bool:
+    return bool(scene.material.histories())
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    meaning = "largest change of the sag by constants that stay as they are at the beginning"
+    if not scene.material.histories():
+        return Estimate(0.0, meaning)
+    changing, constant = (followed_sag(one)[1] for one in (scene, scene.at(0.0)))
+    change = float(np.max(np.abs(changing - constant)) / max(np.max(changing), np.max(constant), 1e-300))
+    return Estimate(motion.amplified(change), meaning)
+
+
+CURING = Effect(
+    name="curing",
+    summary="constants of the material that are tables or formulas of time",
+    source="Castonguay et al. 2025",
+    adapt=_adapted,
+    applies=_applies,
+    without_it="no constant of the material is a table or a formula of time",
+    estimate=_estimate,
+    observable="the same, of the sag and the ringing that a run shows",
+    example="solvent-cast-strand",
+    derivation="21_curing",
+    in_paper=False,
+)
