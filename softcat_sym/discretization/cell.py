@@ -36,9 +36,13 @@ from softcat_sym.discretization.stencil import (
 from softcat_sym.discretization.supports import Body, Held, held
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
+
+WARMING = "warming"
+"""The state of nodes that is their temperature over that at the start, less one."""
 
 Values = Mapping[Any, Any]
 Pair = tuple[ca.SX, ca.SX]
@@ -123,11 +127,14 @@ class Builder:
         self.values: dict[Any, Any] = {symbols.A0: 1.0, **{row.symbol: self.named[row.name] for row in rows}}
         self.scale, self.span, self.density = self.named[TIME_SCALE], self.values[symbols.L_0], self.values[symbols.rho]
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
-        for clock in equations.terms.clocks:
-            given = {**self.values, symbols.t: self.time * self.scale}
-            self.values |= {symbol: printed(value, given) for symbol, value in clock.replaces}
-        self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
         self.slots: dict[str, Slot] = {}
+        self.rates: dict[str, Field] = {}  # Of states that are neither place nor velocity nor plastic, in time scales
+        # Temperature of the nodes over that at the start, less one.
+        heat = equations.terms.heat
+        self.warming = self.unknown(Slot(WARMING, "node", (False, False), True, "", section=False)) if heat else Same()
+        self.values_node = self._at("node", NODES, self.kelvin(self.warming[0]))
+        self.values = self._at("cell", CELLS, self.kelvin(mean_of_nodes(self.warming)))
+        self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))
         power, h = equations.shape.area_power, self.values[symbols.h0]
         varies = body.profile.nodes is not None
@@ -136,6 +143,22 @@ class Builder:
         self.relative = self.place("h_cell")[0] if varies else ca.SX(1)
         self.area_cell = self.place("h_cell")[0] ** power if varies else ca.SX(1)
         self.area_node = self.place("h_node")[0] ** power if varies else ca.SX(1)
+
+    def kelvin(self, warming: ca.SX) -> ca.SX:
+        """Temperature of a filament that has one, else nothing."""
+        return (1 + warming) * self.values[initial] if self.equations.terms.heat else ca.SX(0)
+
+    def _at(self, name: str, where: Where, kelvin: ca.SX) -> dict[Any, Any]:
+        """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""
+        heat = self.equations.terms.heat
+        found = {**self.values, temperature: kelvin} if heat else dict(self.values)
+        for clock in self.equations.terms.clocks:
+            given = {**found, symbols.t: self.time * self.scale}
+            changed = {symbol: printed(value, given) for symbol, value in clock.replaces}
+            if heat:
+                changed = {one: self.stage(f"{one}_of_a_{name}", where, value)[0] for one, value in changed.items()}
+            found |= changed
+        return found
 
     def place(self, name: str) -> Neighbours:
         """A number of each site: a length, a mass, a relative thickness."""
@@ -330,7 +353,7 @@ def neck_force(b: Builder, stretch: Neighbours, tension: Neighbours) -> tuple[Ne
 
 def _of_a_joint(b: Builder, stretch: Neighbours) -> dict[Any, Any]:
     """The stretch at an inner node and its change along the filament, with the section there."""
-    values = {**b.values, symbols.s: b.averaged(stretch)(-1, 0), symbols.h0: b.h_node}
+    values = {**b.values_node, symbols.s: b.averaged(stretch)(-1, 0), symbols.h0: b.h_node}
     return values | {s_slope: (stretch[0] - stretch[-1]) / b.node[0] / b.span}
 
 

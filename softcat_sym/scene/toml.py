@@ -128,6 +128,8 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
         return value == 0
     if part.table_name == "run" and name == "until":
         return value == "duration"
+    if part.table_name == "temperature":
+        return value == type(part).model_fields[name].default
     return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
 
 
