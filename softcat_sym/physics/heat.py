@@ -40,7 +40,7 @@ T_V = _kelvin("T_V", "T_V", "temperature of infinite viscosity", "Fulcher 1925")
 C_1 = enter("C_1", "C_1", ONE, "first constant of Williams, Landel and Ferry", "Williams et al. 1955", positive=True)
 C_2 = _kelvin("C_2", "C_2", "second constant of Williams, Landel and Ferry", "Williams et al. 1955")
 B_A = _kelvin("B_A", "B_A", "activation energy over the gas constant", "Arrhenius 1889")
-heat = enter("D_h", r"\mathcal{D}", _POWER, "plastic and viscous power per unit material length", "THEORY 4")
+heat_source = enter("D_h", r"\mathcal{D}", _POWER, "plastic and viscous power per unit material length", "THEORY 4")
 viscosity_factor = enter("a_T", "a_T", ONE, "viscosity over the stated one", "Ferry 1980")
 modulus_factor = enter("m_T", "m_T", ONE, "modulus over the stated one", "Ferry 1980")
 stored = enter("W_e", "W", (1, 1, -2), "elastic energy per unit material length", "THEORY 4")
@@ -171,7 +171,7 @@ def lateral_area(shape: Section, *, thins: bool) -> sp.Expr:
 
 _T = enter_field("temperature", r"\vartheta", ONE, "temperature of a section, in kelvin", "Incropera 2007")(X, t)
 _s = enter_field("stretch_of_heat", "s", ONE, "stretch of the centreline", "2.5")(X, t)
-_D = enter_field("heat_source", r"\mathcal{D}", _POWER, "plastic and viscous power per unit X", "THEORY 4")(X, t)
+_D = enter_field("heat_made", r"\mathcal{D}", _POWER, "plastic and viscous power per unit X", "THEORY 4")(X, t)
 HEAT_EQUATIONS: tuple[Equation, ...] = (
     Equation(
         "heat of a round filament",
