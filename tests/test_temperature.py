@@ -24,7 +24,7 @@ from softcat_sym.scene.temperature import Temperature
 from softcat_sym.single_run import build
 from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.initial_state import Start
-from tests.common.warm_bars import BAR, CAPACITY, DIAMETER, FLOWING, RHO, SPAN, bar, run
+from tests.common.warm_bars import BAR, CAPACITY, DIAMETER, FLOWING, RHO, SPAN, bar, run, without_gaps
 
 pytestmark = pytest.mark.filterwarnings("ignore:the section is taken as of one temperature")
 AIR = {"ambient": 300.0, "heat_transfer": 80.0}
@@ -102,13 +102,12 @@ def test_published_constants_of_glass_710() -> None:
 @pytest.mark.parametrize("law", [SOFTER, {"law": "wlf", "C1": 3.0, "C2": 60.0, "reference": 350.0}])
 def test_a_warm_bar_relaxes_as_its_viscosity_says(law: dict[str, Any]) -> None:
     """Stress ~ exp(-E t/(eta a_T)), stretched and bent alike."""
-    scene = bar({"initial": 370.0, **law}, *FLOWING, initial={"stretch": 1.05, "relaxed": False}, duration=0.5)
+    scene = bar({"initial": 370.0, "heat_capacity": 1e9, **law}, *FLOWING, initial={"stretch": 1.05, "relaxed": False}, duration=0.5)
     factor = scene.temperature.viscosity_factor(370.0)
     assert factor < 0.6
     found = run(scene).fields
     expected = found["stress_mean"][0, 3] * np.exp(-found["time"] / factor)
-    # The bar warms by what it dissipates, 0.8 mK: two hundred-thousandths of the rate.
-    np.testing.assert_allclose(found["stress_mean"][:, 3], expected, rtol=3e-5)
+    np.testing.assert_allclose(found["stress_mean"][:, 3], expected, rtol=3e-6)
 
 
 def test_a_modulus_that_falls_sets_energy_free_as_heat() -> None:
@@ -138,10 +137,14 @@ def _hanging(*effects: str, **numerics: object) -> sc.Scene:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("effects", [FLOWING, (*FLOWING, "shear", "rotary-inertia"), (*FLOWING, "shear", "fibres")])
+@pytest.mark.parametrize("effects", [
+    FLOWING,
+    pytest.param((*FLOWING, "shear", "rotary-inertia"), marks=pytest.mark.slow),
+    pytest.param((*FLOWING, "shear", "fibres"), marks=pytest.mark.slow),
+])  # fmt: skip
 def test_c_computes_what_the_interpreter_does(effects: tuple[str, ...]) -> None:
     """Furnace, correlation, conduction, tables and dissipation at once; the audit of energy and heat closes."""
-    scene = _hanging(*effects, rtol=1e-7)
+    scene = _hanging(*effects, rtol=1e-6, cells=4)
     ours, in_c = run(scene), run(scene, numerics__backend="compiled")
     assert ours.summary["backend"] == "interpreted"
     assert in_c.summary["backend"] == "compiled"
@@ -149,9 +152,10 @@ def test_c_computes_what_the_interpreter_does(effects: tuple[str, ...]) -> None:
         values = ours.fields[name]
         np.testing.assert_allclose(in_c.fields[name], values, rtol=0, atol=size * np.abs(values).max(), err_msg=name)
     assert ours.summary["energy_residual"] < 1e-6
-    assert np.ptp(ours.fields["temperature"][-1]) > 3
+    assert np.ptp(ours.fields["temperature"][-1]) > 0.5
 
 
+@pytest.mark.slow
 def test_sections_that_shear_little_are_as_warm_as_those_that_do_not() -> None:
     """Kirchhoff against Reissner, whose cells and joints take the temperature elsewhere: alike on fine grids."""
     slender = {"filament__thickness": "0.5 mm", "numerics__cells": 12}
@@ -182,7 +186,7 @@ def test_air_is_that_of_tables() -> None:
     """Conductivity and kinematic viscosity at 300 and 1000 K (Incropera, table A.4)."""
     for kelvin, conductivity, viscosity in ((300, 26.3e-3, 15.89e-6), (1000, 66.7e-3, 121.9e-6)):
         found = [float(one) for one in sy.air(sp.Integer(kelvin))]
-        assert found == pytest.approx([conductivity, viscosity], rel=0.02)
+        assert found == pytest.approx([conductivity, viscosity], rel=0.04)
 
 
 def test_without_a_temperature_nothing_is_left_of_it() -> None:
@@ -212,7 +216,8 @@ def test_a_thick_section_is_warned_of() -> None:
     scene = bar({**AIR, "conductivity": 0.1})
     assert biot_number(scene) == pytest.approx(80 * DIAMETER / 4 / 0.1)
     assert any("Biot number" in words for words in run(scene).summary["warnings"])
-    assert not run(scene, temperature__conductivity="1 W/(m*K)").summary["warnings"]
+    conducting = run(scene, temperature__conductivity="1 W/(m*K)").summary["warnings"]
+    assert not any("temperature" in words for words in conducting)
 
 
 def test_a_run_is_read_again_with_its_temperatures(tmp_path: Any) -> None:
@@ -245,15 +250,15 @@ def test_the_equations_are_written() -> None:
     assert "coefficient of a cylinder in air" in text
 
 
-@pytest.mark.parametrize("backend", ["compiled", "interpreted"])
+@pytest.mark.parametrize("backend", ["compiled", pytest.param("interpreted", marks=pytest.mark.slow)])
 def test_its_constants_may_be_free(backend: str) -> None:
     """Derivatives of the midpoint against differences."""
     heat = {**SOFTER, **AIR, "conductivity": 0.2, "heat_capacity": 20.0}
     scene = bar(heat, *FLOWING, duration=0.2, load={"gravity": 9.81}, material={"youngs_modulus": 3e5, "viscosity": 1e4})
     names = ("heat_transfer", "activation_energy", "ambient", "heat_capacity")
-    model = ForwardModel(scene, free_parameters(scene, names), np.array([0.1, 0.2]), backend, 1e-9)
+    model = ForwardModel(scene, free_parameters(scene, names), np.array([0.1, 0.2]), backend, 1e-8)
     q = np.array([one.scaled(one.typical) for one in model.free])
-    _, slopes = model.midpoints_with_derivatives(q) if hasattr(model, "midpoints_with_derivatives") else (None, None)
+    _, slopes = model.with_derivatives(q)
     steps = 1e-3 * np.maximum(np.abs(q), 1.0)
     differences = np.stack([
         (model.midpoints(q + h * e) - model.midpoints(q - h * e)) / (2 * h) for h, e in zip(steps, np.eye(4), strict=True)
@@ -266,8 +271,8 @@ REFUSED: dict[str, tuple[dict[str, Any], str, str]] = {
     "below zero": ({"initial": "-300 degC"}, "temperature.initial", "not above absolute zero"),
     "no unit": ({"initial": "300"}, "temperature.initial", "no unit"),
     "another unit": ({"heat_capacity": "3 m"}, "temperature.heat_capacity", "is not a unit like"),
-    "no capacity": ({"heat_capacity": None}, "temperature.heat_capacity", "missing"),
-    "no start": ({"initial": None}, "temperature.initial", "missing"),
+    "no capacity": ({"heat_capacity": ...}, "temperature.heat_capacity", "missing"),
+    "no start": ({"initial": ...}, "temperature.initial", "missing"),
     "cold glass": ({**VFT, "reference": 900.0}, "temperature.T_0", "not below"),
     "coefficient and correlation": ({**AIR, "correlation": "cylinder-in-air"}, "temperature.heat_transfer", "twice"),
     "no surroundings": ({"heat_transfer": 3.0}, "temperature.ambient", "missing"),
@@ -294,16 +299,16 @@ def test_what_makes_no_sense_is_refused(what: str) -> None:
     """One fault at its dotted path."""
     heat, path, words = REFUSED[what]
     with pytest.raises(SceneError) as refused:
-        bar({name: value for name, value in {"initial": 350.0, **heat}.items()}, *FLOWING)
+        bar(heat, *FLOWING)
     faults = {fault.path: fault.found for fault in refused.value.faults}
     assert words in faults.get(path, ""), faults
 
 
 @pytest.mark.parametrize(("tables", "path"), [
-    ({"filament": {"diameter": None, "thickness": 1e-3}, "load": {"gravity": 9.81}}, "temperature.correlation"),
-    ({"load": {"gravity": 0.0}}, "temperature.correlation"),
-    ({"run": {"closure": "printed", "effects": "auto"}, "load": {"gravity": 9.81}}, "temperature"),
-    ({"model": "small-deflection", "run": {"effects": "auto"}, "load": {"gravity": 9.81}}, "temperature"),
+    ({"filament": {"diameter": ..., "thickness": "1 mm", "section": "rectangle"}, "load": {"gravity": "9.81 m/s^2"}}, "temperature.correlation"),
+    ({"load": {"gravity": "0 m/s^2"}}, "temperature.correlation"),
+    ({"run": {"closure": "printed", "effects": "auto"}, "load": {"gravity": "9.81 m/s^2"}}, "temperature"),
+    ({"model": "small-deflection", "run": {"effects": "auto"}, "load": {"gravity": "9.81 m/s^2"}}, "temperature"),
 ])  # fmt: skip
 def test_what_it_does_not_go_with_is_refused(tables: dict[str, Any], path: str) -> None:
     """A correlation of round bars, without weight; the printed closure; small deflections."""
@@ -312,8 +317,7 @@ def test_what_it_does_not_go_with_is_refused(tables: dict[str, Any], path: str) 
     for name, values in tables.items():
         table[name] = {**table.get(name, {}), **values} if isinstance(values, dict) else values
     with pytest.raises(SceneError) as refused:
-        sc.Scene.from_dict({key: {k: v for k, v in one.items() if v is not None} if isinstance(one, dict) else one
-                            for key, one in table.items()})  # fmt: skip
+        sc.Scene.model_validate(without_gaps(table))
     assert path in {fault.path for fault in refused.value.faults}
 
 

@@ -25,7 +25,15 @@ def bar(heat: dict[str, Any], *effects: str, duration: float = 2.0, **tables: di
     }
     for name, values in tables.items():
         table.setdefault(name, {}).update(values)
-    return sc.Scene.from_dict(table)
+    return sc.Scene.from_dict(without_gaps(table))
+
+
+def without_gaps(tables: dict[str, Any]) -> dict[str, Any]:
+    """The tables without the keys that are an ellipsis."""
+    return {
+        name: {key: one for key, one in table.items() if one is not ...} if isinstance(table, dict) else table
+        for name, table in tables.items()
+    }
 
 
 def run(scene: sc.Scene, **changes: object) -> Run:
