@@ -33,7 +33,7 @@ def test_no_exchange_and_immediate_exchange() -> None:
     rows, orders = [], {}
     for limit, known, coefficients in (
         ("h to 0: adiabatic", adiabatic, (4.0, 1.0, 0.25)),
-        ("h to infinity: without temperature", plain, (3e3, 1.2e4, 4.8e4)),
+        ("h to infinity: without temperature", plain, (3e4, 1.2e5, 4.8e5)),
     ):
         errors = []
         for h in coefficients:
