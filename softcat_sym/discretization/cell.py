@@ -40,6 +40,7 @@ from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
+from softcat_sym.physics.section_response import shrunk
 
 WARMING = "warming"
 """The state of nodes that is their temperature over that at the start, less one."""
@@ -129,11 +130,16 @@ class Builder:
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
         self.slots: dict[str, Slot] = {}
         self.rates: dict[str, Field] = {}  # Of states that are neither place nor velocity nor plastic, in time scales
+        terms, given = equations.terms, self.values
         # Temperature of the nodes over that at the start, less one.
-        heat = equations.terms.heat
-        self.warming = self.unknown(Slot(WARMING, "node", (False, False), True, "", section=False)) if heat else Same()
-        self.values_node = self._at("node", NODES, self.kelvin(self.warming[0]))
-        self.values = self._at("cell", CELLS, self.kelvin(mean_of_nodes(self.warming)))
+        warm = Slot(WARMING, "node", (False, False), True, "", section=False)
+        self.warming = self.unknown(warm) if terms.heat else Same()
+        self.values = self._changed(given, "cell", CELLS, mean_of_nodes(self.warming))
+        self.values_node = self._changed(given, "node", NODES, self.warming[0]) if terms.heat else self.values
+        self.thinned, shrunk_area = ca.SX(1), ca.SX(1)
+        if terms.shrinks:
+            # Of the section that has shrunk, as of one that was thinner from the beginning; its mass stays.
+            shrunk_area, self.thinned = (printed(factor, self.values) for factor in shrunk(equations.shape))
         self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))
         power, h = equations.shape.area_power, self.values[symbols.h0]
@@ -143,21 +149,26 @@ class Builder:
         self.relative = self.place("h_cell")[0] if varies else ca.SX(1)
         self.area_cell = self.place("h_cell")[0] ** power if varies else ca.SX(1)
         self.area_node = self.place("h_node")[0] ** power if varies else ca.SX(1)
+        if terms.shrinks:
+            self.h_cell, self.h_node = self.h_cell * self.thinned, self.h_node * self.thinned
+            self.area_cell, self.area_node = self.area_cell * shrunk_area, self.area_node * shrunk_area
 
     def kelvin(self, warming: ca.SX) -> ca.SX:
-        """Temperature of a filament that has one, else nothing."""
-        return (1 + warming) * self.values[initial] if self.equations.terms.heat else ca.SX(0)
+        """Temperature of a filament that has one."""
+        return (1 + warming) * self.values[initial]
 
-    def _at(self, name: str, where: Where, kelvin: ca.SX) -> dict[Any, Any]:
+    def _changed(self, given: Values, name: str, where: Where, warming: ca.SX) -> dict[Any, Any]:
         """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""
-        heat = self.equations.terms.heat
-        found = {**self.values, temperature: kelvin} if heat else dict(self.values)
+        found, heat = dict(given), self.equations.terms.heat
         for clock in self.equations.terms.clocks:
-            given = {**found, symbols.t: self.time * self.scale}
-            changed = {symbol: printed(value, given) for symbol, value in clock.replaces}
-            if heat:
-                changed = {one: self.stage(f"{one}_of_a_{name}", where, value)[0] for one, value in changed.items()}
-            found |= changed
+            now = {**found, symbols.t: self.time * self.scale}
+            found |= {symbol: printed(value, now) for symbol, value in clock.replaces}
+        if heat is not None:
+            found[temperature] = self.kelvin(warming)
+            for symbol, factor in heat.factors:
+                # Once for all fibres and derivatives.
+                share = self.stage(f"{symbol}_of_a_{name}", where, printed(factor, found))[0]
+                found[symbol] = found[symbol] * share
         return found
 
     def place(self, name: str) -> Neighbours:
@@ -208,6 +219,15 @@ class Builder:
             return value
         self.leaves.totals.add(name)
         return self.stage(name, CELLS, value)[0]
+
+    def aged(self, one: Field) -> Field:
+        """Rate of an energy at strains and plastic states that are held [1/s]: what clocks do to it."""
+        ends = {at: self.rate(value) for at, value in one.ends.items()}
+        return Field(f"{one.name}_aged", one.where, self.rate(one.value), ends)
+
+    def rate(self, value: ca.SX) -> ca.SX:
+        """Rate of an expression [1/s] by what stands in it of the time itself."""
+        return ca.SX(ca.jtimes(value, self.time, ca.SX(1)) / self.scale)
 
     def unknown(self, slot: Slot, first: Any = 0, last: Any = 0, name: str = "") -> Neighbours:
         """An unknown, with what its ends hold it at."""
@@ -275,6 +295,7 @@ class Mechanics:
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
+    ageing: list[Field] = field(default_factory=list)  # What clocks do to stored energies at strains that are held
     level: bool = False  # Whether motion sees a level, unstretched centreline: of small deflections
 
 

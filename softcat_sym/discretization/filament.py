@@ -40,6 +40,10 @@ from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
 
 
+WORK_OF_AGEING = "work_ageing"
+"""What the energy stored at a strain that is held gains as constants of the material change, and what shrinking does."""
+
+
 def build(
     equations: FilamentEquations, model: str, ends: tuple[End, End], body: Body, rule: Sampling | None
 ) -> Program:
@@ -230,6 +234,11 @@ def _powers(
     groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
     groups |= {"energy_softening": softened} if softened else {}
     groups |= {HEAT_LOST: heat.lost} if heat.lost else {}
+    if b.equations.terms.clocks:
+        groups[WORK_OF_AGEING] = [
+            Field(f"power_ageing_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})
+            for k, one in enumerate(of.ageing)
+        ]
     return {
         name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
         for name, fields in groups.items()

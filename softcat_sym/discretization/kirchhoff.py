@@ -52,6 +52,7 @@ class Section:
     plastic: dict[str, ca.SX] = field(default_factory=dict)  # Rates of the plastic states [1/s]
     stored: list[Field] = field(default_factory=list)  # Energies of cells and joints
     dissipation: list[Field] = field(default_factory=list)
+    ageing: list[Field] = field(default_factory=list)  # Work of a natural strain on the viscous stress
     stress: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))  # sigma_0 and sigma_1
     fraction: ca.SX | None = None  # Share that yields, and the largest plastic rate
     speed: ca.SX | None = None
@@ -97,6 +98,18 @@ def linear_section(b: Builder, at: Strains, *, whole: bool = False) -> Section:
         over_cell, over_node = b.length[0] * b.area_cell, b.node[0] * b.area_node
         if isinstance(part, ViscousResponse):
             lost = [2 * printed(part.stretching, cell), 2 * printed(part.bending, node)]
+            if b.equations.terms.shrinks:
+                mean, more = (
+                    b.values[rate] * derivatives(of, (rate,), given)[0]
+                    for of, rate, given in (
+                        (part.stretching, symbols.n_0_t, cell),
+                        (part.bending, symbols.n_1_t, node),
+                    )
+                )
+                found.ageing += [
+                    Field("shrinking", CELLS, over_cell * mean),
+                    b.joint_field("curling", over_node * more),
+                ]
         else:
             found.stored += [
                 Field("stretching", CELLS, over_cell * printed(part.stretching, cell)),
@@ -188,6 +201,7 @@ def kirchhoff(b: Builder) -> Mechanics:
         shown,
         double_force=double_force,
         moved=(moved[0], moved[1]),
+        ageing=_aged(b, section, surface),
         level=not terms.stretches,
     )
 
@@ -214,14 +228,32 @@ def small_deflection(b: Builder) -> Mechanics:
     shown = _shown(b, section, s, transverse, mean_of_nodes(turning) / s)
     shown |= {"relative_thickness": ca.SX(1), **({"axial_force": section.tension + pull} if surface else {})}
     energies = {"elastic": section.stored, "surface": surface}
-    return Mechanics(x, y, u, v, same, force, section.plastic, energies, section.dissipation, shown, level=True)
+    return Mechanics(
+        x,
+        y,
+        u,
+        v,
+        same,
+        force,
+        section.plastic,
+        energies,
+        section.dissipation,
+        shown,
+        ageing=_aged(b, section, surface),
+        level=True,
+    )
+
+
+def _aged(b: Builder, section: Section, surface: list[Field]) -> list[Field]:
+    """What clocks do to stored energies at strains that are held, and to what resists."""
+    return [*map(b.aged, (*section.stored, *surface)), *section.ageing] if b.equations.terms.clocks else []
 
 
 def _shown(b: Builder, section: Section, s: ca.SX, transverse: ca.SX, curvature: ca.SX) -> dict[str, ca.SX]:
     thickness = b.equations.response.thickness / symbols.h0
     return {
         "shear_force": transverse / s,
-        "relative_thickness": printed(thickness, {**b.values, symbols.s: s}) * b.relative,
+        "relative_thickness": printed(thickness, {**b.values, symbols.s: s}) * b.relative * b.thinned,
         "tension": section.tension,
         "moment": (section.moment[0] + section.moment[1]) / 2,
         "curvature": curvature,

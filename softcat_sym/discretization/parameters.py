@@ -12,7 +12,7 @@ from softcat_sym.physics.heat import PREFIX
 from softcat_sym.physics.loads import surface_tension
 from softcat_sym.physics.necking import aspect
 from softcat_sym.scene.history import History, named_numbers
-from softcat_sym.scene.material import constant_in_c
+from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 
 REST_LENGTH = "rest_length"
@@ -58,6 +58,12 @@ def time_scale(scene: Scene) -> float:
     return elastic_time(scene) or scene.run.duration
 
 
+def _histories(material: Material) -> dict[str, float]:
+    """Numbers that the histories of a material are computed from."""
+    changing = {**material.histories(), **material.natural_strains()}
+    return {key: value for name, one in changing.items() for key, value in named_numbers(name, one).items()}
+
+
 def parameter_values(scene: Scene) -> dict[str, float]:
     """Values of every parameter that a graph of this scene may ask for, in SI units."""
     filament, ends = scene.filament, scene.ends
@@ -90,6 +96,7 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "solid_viscosity": solid_viscosity(scene),
         **_of_temperature(scene),
         **scene.material.values(),
+        **_histories(scene.material),
         **{constant_in_c(path): one.value for path, one in scene.named_constants().items()},
         **path,
     }

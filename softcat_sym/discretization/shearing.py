@@ -49,6 +49,7 @@ class Fibres:
     shear: ca.SX = field(default_factory=ca.SX)
     energy: ca.SX = field(default_factory=ca.SX)
     dissipation: ca.SX = field(default_factory=ca.SX)
+    ageing: ca.SX = field(default_factory=ca.SX)  # Rate of the energy at a strain that is held, and work of shrinking
     plastic: dict[str, ca.SX] = field(default_factory=dict)  # Rates of the plastic states [1/s]
     shown: dict[str, ca.SX] = field(default_factory=dict)
 
@@ -115,7 +116,7 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
 
     shown = {
         **section,
-        "relative_thickness": printed(resolved.relative_thickness, values) * b.relative,
+        "relative_thickness": printed(resolved.relative_thickness, values) * b.relative * b.thinned,
         "curvature": strains[2] / strains[0],
         "shear": strains[1] / strains[0],
         **fibres.shown,
@@ -138,7 +139,16 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
         double_force,
         fibres.profiles,
         moved=(moved[0], moved[1]),
+        ageing=_aged(b, volume, fibres, surface),
     )
+
+
+def _aged(b: Builder, volume: ca.SX, fibres: Fibres, surface: list[Field]) -> list[Field]:
+    """What clocks do to the energies; that of the fibres may be a sum, which says nothing of the time."""
+    if not b.equations.terms.clocks:
+        return []
+    of_fibres = b.rate(volume) * fibres.energy + volume * fibres.ageing
+    return [Field("fibres_aged", CELLS, of_fibres), *map(b.aged, surface)]
 
 
 def angles(b: Builder) -> tuple[Neighbours, Neighbours]:
@@ -183,6 +193,8 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
 
     found.axial, found.axial_zeta, found.shear = mean("axial"), mean("axial", linear=True), mean("shear")
     found.energy, found.dissipation = mean("energy"), mean("dissipation")
+    if b.equations.terms.clocks:
+        found.ageing = mean("ageing")
     found.shown = _shown_fibres(rule, fibres) if isinstance(rule, SectionRule) else {}
     return found
 
@@ -238,6 +250,7 @@ class _Fibre:
         self.resolved, self.values = resolved, values
         self.strain = (printed(resolved.cell.axial_strain, values), printed(resolved.cell.shear_strain, values))
         self.axial = self.shear = self.energy = self.dissipation = self.speed = self.yields = ca.SX(0)
+        self.ageing, self.rate = ca.SX(0), b.rate
         self.rates: list[Pair] = []
         self.drives: list[Pair] = []  # What the rates of the plastic state are conjugate to
         self.flows = False
@@ -252,9 +265,11 @@ class _Fibre:
         for symbol, stress in zip((symbols.sigma, reissner.tau_f), spring.stress, strict=True):
             values[symbol] = printed(stress, values)
         values[reissner.tau_d] = printed(spring.driving, values)
-        conjugate = printed(spring.conjugate, values)
+        values[reissner.sigma_c] = conjugate = printed(spring.conjugate, values)
         self.axial, self.shear = self.axial + conjugate, self.shear + values[reissner.tau_f]
-        self.energy += printed(spring.stored, values)
+        stored = printed(spring.stored, values)
+        self.energy += stored
+        self.ageing += self.rate(stored)
         self.drives.append((conjugate, values[reissner.tau_d]))
         if branch.flow is None:
             self.rates.append((ca.SX(0), ca.SX(0)))
@@ -288,6 +303,7 @@ class _Fibre:
         values = {**self.values, **rates, reissner.gamma: self.strain[1]}
         sigma, tau = derivatives(viscous.rayleigh, tuple(rates), values)
         self.axial, self.shear = self.axial + sigma, self.shear + tau
+        self.ageing -= sigma * printed(viscous.natural_rate, values)
         self.dissipation += 2 * printed(viscous.rayleigh, values)
         if not self.moduli:
             self.speed, self.yields = ca.fabs(rates[reissner.eps_t]), ca.SX(1)

@@ -9,6 +9,7 @@ from importlib.metadata import entry_points
 from softcat_sym.effects.added_mass import ADDED_MASS
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.buoyancy import BUOYANCY
+from softcat_sym.effects.curing import CURING
 from softcat_sym.effects.drag import DRAG
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, never
 from softcat_sym.effects.extensibility import EXTENSIBILITY
@@ -18,6 +19,7 @@ from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
 from softcat_sym.effects.large_rotation import LARGE_ROTATION
+from softcat_sym.effects.natural_strain import NATURAL_STRAIN
 from softcat_sym.effects.necking_gradient import NECKING_GRADIENT
 from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.shear import SHEAR
@@ -52,6 +54,8 @@ REGISTRY: list[Effect] = [
     DRAG,
     ADDED_MASS,
     TEMPERATURE,
+    CURING,
+    NATURAL_STRAIN,
 ]
 
 ENTRY_POINTS = "softcat_sym.effects"

@@ -15,7 +15,6 @@ from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.law import law_in
 from softcat_sym.effects.scaling_estimates import gravity_of
 from softcat_sym.physics import heat as sy
-from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.heat import CORRELATIONS, PREFIX, Heat
 from softcat_sym.physics.histories import varying
@@ -33,14 +32,13 @@ def _applies(scene: Scene) -> bool:
 
 
 def _adapted(scene: Scene, terms: Terms) -> Terms:
-    heat = _heat_of(scene)
-    law, factors = law_in(scene), dict[sp.Symbol, sp.Expr]()
+    heat, law = _heat_of(scene), law_in(scene)
+    factors = dict[sp.Symbol, sp.Expr]()
     if heat.viscosity != 1:
         factors |= dict.fromkeys(_named(law, "viscosity", eta), heat.viscosity)
     if heat.softens:
         factors |= dict.fromkeys((*_named(law, "youngs_modulus", E), *_named(law, "second_modulus")), heat.modulus)
-    clock = Clock("temperature", tuple((symbol, symbol * factor) for symbol, factor in factors.items()))
-    return replace(terms, heat=heat, clocks=(*terms.clocks, clock))
+    return replace(terms, heat=replace(heat, factors=tuple(factors.items())))
 
 
 def _named(law: Law, name: str, *shared: sp.Symbol) -> tuple[sp.Symbol, ...]:

@@ -207,7 +207,7 @@ def _of_temperature(scene: Scene) -> Iterator[Candidate]:
     in_force = choose_effects(scene).terms().heat is not None
     for name, kind in kinds_of(type(heat)).items():
         value, path = getattr(heat, name), f"temperature.{name}"
-        if value is None or not isinstance(kind, (Quantity, Number)) or (name == "expansion" and value == 0):
+        if value is None or not isinstance(kind, (Quantity, Number)):
             continue
         unit = _unit(kind)
         if is_history(value):

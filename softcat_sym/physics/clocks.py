@@ -22,8 +22,11 @@ class Clock:
         the constants themselves as the scene states them.
     constants : tuple of Constant
         Its own.
+    grows : tuple of (symbol, symbol)
+        Moduli of the law that springs without stress join, and what stands for the rate of that over the modulus.
     """
 
     name: str
     replaces: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
     constants: tuple[Constant, ...] = ()
+    grows: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()

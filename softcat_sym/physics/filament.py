@@ -52,6 +52,7 @@ class Terms:
     densities: tuple[Densities, ...] = ()  # Energies and Rayleigh potentials of place and tangent that effects add
     clocks: tuple[Clock, ...] = ()  # What changes the constants of the material
     heat: Heat | None = None  # What the temperature of the filament follows, if it has one
+    shrinks: bool = False  # Whether the material is without stress at another strain as time goes on
     gravity: sp.Expr = g  # Gravity and its rate where it does not shake
     gravity_rate: sp.Expr = sp.S.Zero
     # Not in its representation, from which a structure has its name: one that does not shake keeps it.
@@ -81,7 +82,12 @@ class Terms:
     @property
     def integrates(self) -> bool:
         """Whether the filament is carried through time, rather than from equilibrium to equilibrium."""
-        return self.inertia or self.flows or self.resists or self.heat is not None
+        return self.inertia or self.flows or self.resists or self.grows or self.heat is not None
+
+    @property
+    def grows(self) -> bool:
+        """Whether springs without stress join those that there are, so that every branch remembers its strain."""
+        return any(clock.grows for clock in self.clocks)
 
     @property
     def drags(self) -> bool:
@@ -105,7 +111,11 @@ class Terms:
 
     def law_in_force(self) -> Law:
         """The law with the flow rules and the viscous stress that the effects have left."""
-        branches = tuple(branch.in_force(flows=self.flows, yields=self.yields) for branch in self.law.branches)
+        growth = {modulus: rate for clock in self.clocks for modulus, rate in clock.grows}
+        branches = tuple(
+            replace(branch.in_force(flows=self.flows, yields=self.yields), growth=growth.get(branch.modulus))
+            for branch in self.law.branches
+        )
         own = self.law.viscosity if self.viscous else None
         return replace(self.law, branches=branches, viscosity=eta_s if self.damped and own is None else own)
 
@@ -149,9 +159,17 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     law = terms.law_in_force()
     closed = closure.CLOSURES[closure_name](terms.strain, contraction)
     outline = Shape(
-        shape, contraction, terms.strain, bends=terms.bending, stretches=terms.stretches, curved=terms.curved
+        shape,
+        contraction,
+        terms.strain,
+        bends=terms.bending,
+        stretches=terms.stretches,
+        curved=terms.curved,
+        shrinks=terms.shrinks,
     )
-    resolved = resolve(shape, law, shear=terms.shear, curved=terms.curved) if terms.shear or terms.resolved else None
+    resolved = None
+    if terms.shear or terms.resolved:
+        resolved = resolve(shape, law, shear=terms.shear, curved=terms.curved, shrinks=terms.shrinks)
     return FilamentEquations(
         terms=terms,
         shape=shape,

@@ -136,6 +136,8 @@ class Heat:
         Modulus over the stated one, likewise.
     conducts, partial : bool
         Whether heat is conducted along the filament, and whether a part of it only is in the furnace.
+    factors : tuple of (symbol, expression)
+        Constants of the law that change, and the one of the two by which.
     numbers : tuple of Constant
         Of the tables of the surroundings and of the modulus.
     """
@@ -146,6 +148,7 @@ class Heat:
     modulus: sp.Expr = sp.S.One
     conducts: bool = False
     partial: bool = False
+    factors: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
     numbers: tuple[Constant, ...] = ()
 
     @property

@@ -406,15 +406,13 @@ def _temperature(equations: FilamentEquations) -> Iterator[Stated]:
     law = equations.terms.heat
     if law is None:
         return
-    for symbol, value in (one for clock in equations.terms.clocks for one in clock.replaces):
-        # What stands for a constant of the law is that constant times a factor of the temperature.
-        if value.has(heat.temperature):
-            row = sy.entry(symbol)
-            given = sy.enter(
-                f"{symbol.name}_stated", f"{row.latex}_{{r}}", row.dimension, f"{row.meaning}, as stated", "Ferry 1980"
-            )
-            factor = heat.viscosity_factor if value / symbol == law.viscosity else heat.modulus_factor
-            yield stated(f"{row.meaning}, at its temperature", symbol, given * factor, "Ferry 1980")
+    for symbol, value in law.factors:
+        row = sy.entry(symbol)
+        given = sy.enter(
+            f"{symbol.name}_stated", f"{row.latex}_{{r}}", row.dimension, f"{row.meaning}, as stated", "Ferry 1980"
+        )
+        factor = heat.viscosity_factor if value == law.viscosity else heat.modulus_factor
+        yield stated(f"{row.meaning}, at its temperature", symbol, given * factor, "Ferry 1980")
     if law.viscosity != 1:
         yield stated("viscosity over the stated one", heat.viscosity_factor, law.viscosity, "Fulcher 1925; Ferry 1980")
     gained = heat.heat_source

@@ -78,11 +78,20 @@ class Branch:
         Without a yield stress; None for a spring alone.
     flow_beyond_yield : Flow or None
         With the yield stress; None if the law has none.
+    growth : sympy.Expr or None
+        Rate at which the modulus grows by springs that are without stress when they join, over the modulus [1/s]; None
+        of a modulus that stays.
     """
 
     modulus: sp.Expr = E
     flow: Flow | None = None
     flow_beyond_yield: Flow | None = None
+    growth: sp.Expr | None = None
+
+    @property
+    def has_state(self) -> bool:
+        """Whether its spring has a plastic strain: of flow, or of springs that joined it later."""
+        return self.flow is not None or self.growth is not None
 
     def in_force(self, *, flows: bool, yields: bool) -> Branch:
         """The branch with the one flow rule that is in force, or none."""
@@ -131,6 +140,13 @@ class Law:
 
 
 ELASTIC = Law("elastic")
+
+
+def growth_of(modulus: sp.Symbol) -> sp.Symbol:
+    """Rate at which a modulus grows, over it; zero while it falls."""
+    name = f"g_{modulus.name}"
+    return enter(name, name, RATE, f"growth of {modulus.name} over it, by springs without stress", "Bazant 1977")
+
 
 plastic_rate = enter("eps_p_t", r"\epsilon^p_t", RATE, "plastic strain rate of a fibre", "2.7")
 

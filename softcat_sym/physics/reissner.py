@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import sympy as sp
 
@@ -11,7 +11,7 @@ from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
 from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.kinematics import mass_per_length
 from softcat_sym.physics.laws import Branch, Law, bingham_rate
-from softcat_sym.physics.section_response import PLANE_STRAIN, resistance, stiffness
+from softcat_sym.physics.section_response import PLANE_STRAIN, natural_strains, resistance, stiffness
 from softcat_sym.physics.sections import RECTANGLE as RECTANGULAR
 from softcat_sym.physics.sections import UNIFORM, Contraction, Section
 from softcat_sym.physics.symbols import (
@@ -229,6 +229,27 @@ def axial_flow(rate: sp.Expr, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY)
     return replace(both, equivalent=sp.sqrt(share) * sp.Abs(sigma), shear_rate=sp.Integer(0))
 
 
+STILL = FibreFlow(*(sp.Integer(0) for _ in fields(FibreFlow)))
+"""A fibre that does not flow."""
+
+
+def growing(flow: FibreFlow | None, growth: sp.Expr, carry: sp.Expr = CARRY, *, shear: bool = True) -> FibreFlow:
+    """What flows, and what springs without stress that join the others at this rate, over the modulus, add to it.
+
+    Elastic strains fade at this rate, so that the stresses E eps_e and mu gamma_e of strains that are held stay as they
+    are; the plastic stretch carries the plastic shear with it.
+    """
+    still = flow or STILL
+    axial = growth * eps_e
+    across = growth * gamma_e * sp.exp(carry * eps_e) - carry * gamma_p * axial if shear else sp.Integer(0)
+    return replace(
+        still,
+        axial_rate=still.axial_rate + axial,
+        shear_rate=still.shear_rate + across,
+        dissipation=still.dissipation + sigma_c * axial + tau_d * across,
+    )
+
+
 def strain_rates(of: ShearingCell) -> tuple[sp.Expr, sp.Expr]:
     """Rates of the axial and the shear strain of a fibre, of (Lam, Gam, k) and their rates."""
     moving = ((Lam, Lam_t), (Gam, Gam_t), (k, k_t))
@@ -335,6 +356,7 @@ class ViscousFibre:
     stress: tuple[sp.Expr, sp.Expr]  # Conjugate to the strains, of gamma and the rates of (eps, gamma)
     rayleigh: sp.Expr  # Half the power, of the shear strain and the rates of the strains (eps, gamma)
     strain_rates: tuple[sp.Expr, sp.Expr]  # These rates, of (Lam, Gam, k) and theirs
+    natural_rate: sp.Expr  # Rate of the strain without stress, beyond which the axial one is counted
 
 
 @dataclass(frozen=True, slots=True)
@@ -356,18 +378,22 @@ class ResolvedSection:
         return any(branch.flow is not None for branch in self.branches)
 
 
-def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False) -> ResolvedSection:
-    """Assemble the chain for a section that shrinks as its shape does."""
+def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False, shrinks: bool = False) -> ResolvedSection:
+    """Assemble the chain for a section that shrinks as its shape does; where its material `shrinks`, so besides."""
     correction = SHEAR_CORRECTION[shape.name] * (1 if shear else RIGIDITY)
     cell = shearing_cell(shape.contraction).corrected(correction)
     relaxed = -h0 * kappa_0 / 2 * zeta if curved else sp.Integer(0)
+    natural, natural_rate = (
+        (mean + more * zeta if shrinks else sp.Integer(0))
+        for mean, more in (natural_strains(shape), natural_strains(shape, rates=True))
+    )
     return ResolvedSection(
         shears=shear,
         strains=director_strains(),
         strain_rates=director_rates(),
         cell=cell,
-        branches=tuple(_branch(shape, cell, branch, relaxed, shear=shear) for branch in law.branches),
-        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, shear=shear),
+        branches=tuple(_branch(shape, cell, branch, relaxed + natural, shear=shear) for branch in law.branches),
+        viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, natural_rate, shear=shear),
         relative_thickness=(cell.thickness / h0).subs(s, Lam),
         rotary_inertia=rotary_inertia(shape),
     )
@@ -379,15 +405,21 @@ def _branch(shape: Section, cell: ShearingCell, branch: Branch, relaxed: sp.Expr
     if branch.flow is not None:
         share = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One
         flow = (fibre_flow if shear else axial_flow)(branch.flow.rate, share, cell.carry)
+    if branch.growth is not None:
+        flow = growing(flow, branch.growth, cell.carry, shear=shear)
     return FibreBranch(fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear), flow)
 
 
-def _viscous(shape: Section, cell: ShearingCell, viscosity: sp.Expr, *, shear: bool) -> ViscousFibre:
+def _viscous(
+    shape: Section, cell: ShearingCell, viscosity: sp.Expr, natural_rate: sp.Expr, *, shear: bool
+) -> ViscousFibre:
     # Shear viscosity eta/3 (Trouton) on the shear rate of the whole deformation, which the stretch carries as well.
     sheared = gamma_t + cell.carry * gamma * eps_t if shear else gamma_t
     rayleigh = resistance(shape, viscosity) * eps_t**2 / 2 + viscosity * sheared**2 / 6
+    axial_rate, shear_rate = strain_rates(cell)
     return ViscousFibre(
         stress=(sp.diff(rayleigh, eps_t), sp.diff(rayleigh, gamma_t)),
         rayleigh=rayleigh,
-        strain_rates=strain_rates(cell),
+        strain_rates=(axial_rate - natural_rate, shear_rate),
+        natural_rate=natural_rate,
     )

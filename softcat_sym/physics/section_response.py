@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -11,7 +11,24 @@ from softcat_sym.physics.closures import ClosedSection
 from softcat_sym.physics.kinematics import StrainMeasure
 from softcat_sym.physics.laws import Branch, Law
 from softcat_sym.physics.sections import Contraction, Section, SectionMeans, of_bending_alone, scaled
-from softcat_sym.physics.symbols import M, T, a_0, a_1, h0, kappa_0, s, s_t, sigma_0, sigma_1, theta_X, theta_Xt
+from softcat_sym.physics.symbols import (
+    M,
+    T,
+    a_0,
+    a_1,
+    h0,
+    kappa_0,
+    n_0,
+    n_0_t,
+    n_1,
+    n_1_t,
+    s,
+    s_t,
+    sigma_0,
+    sigma_1,
+    theta_X,
+    theta_Xt,
+)
 
 PLANE_STRAIN = sp.sqrt(3) / 2
 """Equivalent stress over axial stress in a section too wide to change its width (von Mises, incompressible flow)."""
@@ -88,6 +105,7 @@ class Shape:
     bends: bool
     stretches: bool
     curved: bool
+    shrinks: bool = False  # Whether it is without stress at another strain as time goes on
 
     @property
     def axial_strain(self) -> sp.Expr:
@@ -99,10 +117,33 @@ class Shape:
         """sigma_0, or nothing in a beam that does not stretch: only the part sigma_1 zeta is left of its stress."""
         return sigma_0 if self.stretches else sp.Integer(0)
 
+    def natural_strains(self, *, rates: bool = False) -> tuple[sp.Expr, sp.Expr]:
+        """Natural strain, its mean and what the top has more, or their rates; nothing where there is none."""
+        mean, more = natural_strains(self.section, rates=rates) if self.shrinks else (sp.Integer(0), sp.Integer(0))
+        return mean if self.stretches else sp.Integer(0), more
+
     @property
     def weight(self) -> sp.Expr:
         """Power of the stress is T s_t - M theta_X,t = weight <sigma eps_t>: A_0 when the section thins."""
         return sp.powsimp(self.contraction.area / sp.diff(self.strain.strain, s))
+
+
+def natural_strains(shape: Section, *, rates: bool = False) -> tuple[sp.Expr, sp.Expr]:
+    """Natural strain of the section: its mean, and what the top has more; or their rates.
+
+    A width that is held flat and may become smaller as a whole bends by 1 + nu times as much: what shrinks in it pulls
+    across, too.
+    """
+    mean, more = (n_0_t, n_1_t) if rates else (n_0, n_1)
+    return mean, more * (1 + nu) if shape.plane_strain else more
+
+
+def shrunk(shape: Section) -> tuple[sp.Expr, sp.Expr]:
+    """Factors on area and thickness of a section that has shrunk alike in all directions, its stretch left aside.
+
+    A filament of the volume exp(3 n_0) that is held at the stretch s has the area exp(3 n_0)/s.
+    """
+    return sp.exp(3 * n_0), sp.exp(2 * n_0 if shape.plane_strain else 3 * n_0 / 2)
 
 
 def respond(shape: Shape, closed: ClosedSection, law: Law) -> SectionResponse:
@@ -137,18 +178,20 @@ def resistance(shape: Section, viscosity: sp.Expr) -> sp.Expr:
 def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchResponse:
     zero = sp.Integer(0)
     bends = sp.Integer(1) if shape.bends else zero
-    means = None
+    modulus, means = stiffness(shape.section, branch.modulus), None
     if branch.flow is not None:
         means = branch.flow.means(shape.section)
         means = scaled(means, PLANE_STRAIN) if shape.section.plane_strain else means
         means = means if shape.stretches else of_bending_alone(means)
-    modulus = stiffness(shape.section, branch.modulus)
+    if branch.growth is not None:
+        means = _growing(means, branch.growth / modulus, shape)
     bending = closed.lever * theta_X - (h0 * kappa_0 / 2 if shape.curved else zero)
+    natural = shape.natural_strains()
     plastic_mean = closed.recall_mean * a_0 if means and shape.stretches else zero
     plastic_bending = closed.recall_bending * a_1 if means else zero
     weight, bending_weight = shape.weight, bends * shape.weight * shape.section.zeta_squared
-    stress_mean = modulus * (shape.axial_strain - plastic_mean)
-    stress_bending = -bends * modulus * (bending + plastic_bending)
+    stress_mean = modulus * (shape.axial_strain - plastic_mean - natural[0])
+    stress_bending = -bends * modulus * (bending + plastic_bending + natural[1])
     return BranchResponse(
         stress_mean=stress_mean,
         stress_bending=stress_bending,
@@ -166,11 +209,27 @@ def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchRespon
     )
 
 
+def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: Shape) -> SectionMeans:
+    """What flows, and what springs without stress that join the others add: the stress over E, times the growth.
+
+    With a_t = sigma g/E and g = E_t/E the stress E (eps - a) of a strain that is held stays as it is, sigma_t = E eps_t.
+    """
+    zero = sp.Integer(0)
+    flowing = means or SectionMeans(rate=zero, bending_rate=zero, yielded_fraction=zero, largest_rate=zero)
+    return replace(
+        flowing,
+        rate=flowing.rate + shape.mean_stress * compliance,
+        bending_rate=flowing.bending_rate + sigma_1 * compliance,
+    )
+
+
 def _viscous(shape: Shape, closed: ClosedSection, viscosity: sp.Expr) -> ViscousResponse:
     eta = resistance(shape.section, viscosity)
     bends = sp.Integer(1) if shape.bends else sp.Integer(0)
     turning = sp.diff(closed.lever, s) * s_t * theta_X + closed.lever * theta_Xt
-    stress_mean, stress_bending = eta * sp.diff(shape.axial_strain, s) * s_t, -bends * eta * turning
+    natural = shape.natural_strains(rates=True)
+    stress_mean = eta * (sp.diff(shape.axial_strain, s) * s_t - natural[0])
+    stress_bending = -bends * eta * (turning + natural[1])
     return ViscousResponse(
         stress_mean=stress_mean,
         stress_bending=stress_bending,

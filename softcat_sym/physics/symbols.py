@@ -74,6 +74,14 @@ s = enter("s", "s_X", ONE, "stretch of the centreline", "2.5", positive=True)
 theta = enter("theta", r"\theta", ONE, "tangent angle from the horizontal", "2.5")
 theta_X = enter("theta_X", r"\theta_X", PER_LENGTH, "turning per unit material length", "2.5")
 
+# strain at which the material is without stress: a mean, what the top has more, and their rates
+n_0 = enter("n_0", r"\epsilon^n_0", ONE, "natural strain, a mean over the thickness", "Timoshenko 1925")
+n_1 = enter("n_1z", r"\epsilon^n_1", ONE, "natural strain at the top less the mean", "Timoshenko 1925")
+n_0_t = enter("n_0_t", r"\dot\epsilon^n_0", RATE, "rate of the mean natural strain", "Timoshenko 1925")
+n_1_t = enter(
+    "n_1z_t", r"\dot\epsilon^n_1", RATE, "rate of the natural strain at the top less the mean", "Timoshenko 1925"
+)
+
 # rates of the kinematics, for what depends on them
 x_t = enter("x_t", "x_t", (0, 1, -1), "horizontal velocity of the centreline", "2.1")
 y_t = enter("y_t", "y_t", (0, 1, -1), "vertical velocity of the centreline", "2.1")

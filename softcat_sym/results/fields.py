@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from softcat_sym.discretization.filament import energy_scale
+from softcat_sym.discretization.filament import WORK_OF_AGEING, energy_scale
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.heat import heat_unit
@@ -62,6 +62,9 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "heat_stored": Variable(_FRAME, "J", "heat that the filament holds more than at t = 0", True),
     "heat_lost": Variable(_FRAME, "J", "heat given to the surroundings since t = 0", True),
     "work_external": Variable(_FRAME, "J", "work of the changing load since t = 0", True),
+    WORK_OF_AGEING: Variable(
+        _FRAME, "J", "what a changing material gives to the energy stored at a strain that is held, since t = 0", True
+    ),
     "midpoint": Variable(_FRAME, "m", "height of the midpoint X = 0, negative down"),
 }
 

@@ -13,7 +13,7 @@ from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.effect import Estimate, Motion
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import neck_length
-from softcat_sym.results.fields import energies_of, is_loss, min_energy
+from softcat_sym.results.fields import audit_of, energies_of, is_loss, min_energy
 from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.solvers.outcome import THREAD, Outcome
@@ -191,7 +191,8 @@ def gained_energy(fields: Mapping[str, Floats], least: float) -> str:
     held = fields["energy_kinetic"] + fields["energy_elastic"]
     inner = ("energy_kinetic", "energy_elastic", "energy_gradient")
     stored = np.sum([fields[name] for name in energies_of(fields) if name not in inner and not is_loss(name)], axis=0)
-    given = held[0] + stored[0] - stored + fields["work_external"]
+    works = np.sum([fields[name] for name, sign in audit_of(fields).items() if sign < 0], axis=0)
+    given = held[0] + stored[0] - stored + works
     noise = _NOISE * np.max(held) + least
     excess = held - (1 + _GAIN) * np.maximum(np.maximum.accumulate(given), 0.0) - noise
     frame = int(np.argmax(excess))

@@ -313,7 +313,7 @@ def _value(part: type[Part], table: Table, key: str, default: float = math.nan) 
 def _read(kind: Kind, value: object, default: float) -> float:
     try:
         return float(kind.read(value))
-    except PydanticCustomError:
+    except (PydanticCustomError, ValidationError):
         return default
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from keyword import iskeyword
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, ValidatorFunctionWrapHandler, field_validator, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic_core import PydanticCustomError, ValidationError
 
 from softcat_sym.scene.formula import (
     FORMULA_CONSTANTS,
@@ -21,6 +21,7 @@ from softcat_sym.scene.formula import (
     parse_formula,
     threshold,
 )
+from softcat_sym.scene.history import History, Timed, TimedNumber, value_at
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
     SI,
@@ -33,6 +34,7 @@ from softcat_sym.scene.units import (
     Quantity,
     Text,
     consistency_unit,
+    each_refusal,
     refusal,
     refusals,
     same_dimension,
@@ -53,7 +55,7 @@ RESERVED = frozenset(
     )
 )
 
-_MODE = {"youngs_modulus": Quantity("stress", "1 MPa"), "viscosity": Quantity("viscosity", "2 kPa*s")}
+_MODE = {"youngs_modulus": Timed("stress", "1 MPa"), "viscosity": Timed("viscosity", "2 kPa*s")}
 _MOST = 50
 Refused = tuple[tuple[str, ...], PydanticCustomError]
 
@@ -106,8 +108,8 @@ class Modes(Kind):
                 if name not in item:
                     raise kind.refuse("missing")
                 read[name] = kind.read(item[name])
-            except PydanticCustomError as error:
-                faults.append(((number, name), error))
+            except (PydanticCustomError, ValidationError) as error:
+                faults += [((number, name, *steps), one) for steps, one in each_refusal(error)]
         return Mode(**read)
 
     def write(self, value: tuple[Mode, ...]) -> object:
@@ -300,16 +302,16 @@ _LISTS = {"modes": "multimode-maxwell", "flow": "custom", "parameters": "custom"
 OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency", "consistency")
 """Keys whose unit may depend on the law and its index."""
 
-_STRESS, _VISCOSITY = Quantity("stress", "9.32 kPa"), Quantity("viscosity", "13.84 kPa*s")
+_STRESS, _VISCOSITY = Timed("stress", "9.32 kPa"), Timed("viscosity", "13.84 kPa*s")
 
 
-def kind_of_constant(name: str, law: str | None, index: float) -> Quantity:
+def kind_of_constant(name: str, law: str | None, index: float) -> Timed:
     """Return how a constant is read and written: a consistency has a unit of its own."""
     if name not in OF_THE_INDEX:
         return _STRESS
     if name in ("shear_consistency", "consistency") or (name == "viscosity" and law in INDEXED):
         unit = consistency_unit(index)
-        return Quantity("consistency", f"120 {unit}", unit=unit)
+        return Timed("consistency", f"120 {unit}", unit=unit)
     return _VISCOSITY
 
 
@@ -397,7 +399,7 @@ class Material(Part):
     """Yield stress as a rheometer measures it, sqrt(3) times as much in tension; instead of yield_stress."""
     yield_stress: Stress = Field(default=None, validate_default=True)
     """Tensile stress below which nothing flows, sY."""
-    loss_modulus: Stress = Field(default=None, exclude=True, repr=False)
+    loss_modulus: Annotated[float | None, Quantity("stress", "1 kPa")] = Field(default=None, exclude=True, repr=False)
     """G'' below yield, beside storage_modulus: loss_tangent is their ratio."""
     loss_tangent: Annotated[float, Number(above=0, closed=True)] = Field(default=0.0, validate_default=True)
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
@@ -405,6 +407,11 @@ class Material(Part):
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
+    natural_strain: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
+    """Strain at which the material is without stress, a mean over the thickness: negative where it shrinks as it dries
+    or cures; a history that starts from 0."""
+    natural_strain_difference: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
+    """That strain at the top less that at the bottom: negative where the top shrinks more; likewise."""
     flow: Annotated[str, Text()] = Field(default="", validate_default=True)
     """Rate of strain phi(sigma) of a custom law, of the stress sigma and of material.parameters."""
     parameters: Annotated[tuple[Parameter, ...], Parameters()] = Field(default=(), validate_default=True)
@@ -446,8 +453,9 @@ class Material(Part):
         elif given:
             # NaN never escapes: without a sound ratio there is a fault, and with a fault there is no material.
             factor = given[0].factor(info.data.get("index", 1.0), info.data.get("poisson", math.nan))
-            result = factor * info.data.get(given[0].shear, math.nan)
-            if result == math.inf:
+            datum = info.data.get(given[0].shear, math.nan)
+            result = datum.scaled(factor) if isinstance(datum, History) else factor * datum
+            if float(result) == math.inf:
                 raise refusal(f"{factor:g} times {given[0].shear} is not finite", "a smaller value")
         check_against_law(name, law, result, kind_of_constant(name, law, info.data.get("index", 1.0)).accepted)
         return result
@@ -478,6 +486,16 @@ class Material(Part):
             others = ", ".join(other for other in CONSTANTS if other not in why)
             raise refusal(f"given, but the law '{law}' {why[law]}", f"leaving it out, or one of the laws {others}")
         return loss
+
+    @field_validator("natural_strain", "natural_strain_difference", mode="wrap")
+    @classmethod
+    def _none_at_the_start(cls, value: Any, handler: ValidatorFunctionWrapHandler) -> float:
+        strain: float = handler(value)
+        if float(strain) != 0:
+            found = f"{float(strain):g} at t = 0, at which the material is without stress as it stands"
+            constant = "filament.rest_length or filament.curvature for what never changes"
+            raise refusal(found, f'a history from 0, such as "-0.05*(1 - exp(-t/60 s))"; {constant}')
+        return strain
 
     @field_validator("modes", "flow", "parameters", mode="wrap")
     @classmethod
@@ -536,6 +554,45 @@ class Material(Part):
             found["yield_stress"] = self.threshold
         return found
 
+    def histories(self) -> dict[str, History]:
+        """Return the constants of the law that change in time, by the names of `values`."""
+        return {name: value for name, value in self.values().items() if isinstance(value, History)}
+
+    def natural_strains(self) -> dict[str, History]:
+        """Return the strains without stress that change in time, by their keys."""
+        given = {name: getattr(self, name) for name in ("natural_strain", "natural_strain_difference")}
+        return {name: value for name, value in given.items() if isinstance(value, History)}
+
+    @property
+    def changes(self) -> bool:
+        """Whether anything about it changes in time."""
+        return bool(self.natural_strains()) or bool(self.histories())
+
+    def faults_of_histories(self, duration: float) -> Iterator[tuple[str, str, str]]:
+        """List what histories are at some time of a run, and what this constant must not be: path, found, accepted."""
+        kinds = self.kinds()
+        given = [
+            (name, getattr(self, name), kind) for name, kind in kinds.items() if isinstance(kind, (Timed, TimedNumber))
+        ]
+        given += [
+            (f"modes.{number}.{name}", getattr(mode, name), kind)
+            for number, mode in enumerate(self.modes, start=1)
+            for name, kind in _MODE.items()
+        ]
+        for path, value, kind in given:
+            if isinstance(value, History) and (found := value.refused(kind.constant, duration)):
+                yield f"{self.table_name}.{path}", found, f"{kind.constant.accepted}, at every time of the run"
+
+    def at(self, time: float) -> Material:
+        """Return the material as it is at a time [s], and stays: of constants only."""
+        names = (*_CONSTANTS, *(rule.shear for rule in FROM_SHEAR))
+        given = {name: value for name in names if isinstance(value := getattr(self, name), History)}
+        update: dict[str, Any] = {name: value_at(value, time) for name, value in given.items()}
+        update["modes"] = tuple(
+            Mode(value_at(mode.youngs_modulus, time), value_at(mode.viscosity, time)) for mode in self.modes
+        )
+        return self.model_copy(update={**update, "natural_strain": 0.0, "natural_strain_difference": 0.0})
+
     @property
     def notes(self) -> tuple[str, ...]:
         """What was converted from shear data, in words and numbers."""
@@ -546,6 +603,7 @@ class Material(Part):
                 continue
             unit = (kind_of_constant(rule.constant, self.law, self.index).unit or "Pa s").replace("*", " ")
             words = rule.words.replace("n+1", f"{self.index:g}+1").replace("poisson", f"{self.poisson:g}")
+            words += " at the start, and so at all times" if isinstance(shear, History) else ""
             if rule.constant == "youngs_modulus":
                 notes.append(f"storage modulus {shear:.6g} Pa = Young's modulus {tensile:.6g} Pa, {words}")
             else:

@@ -129,7 +129,8 @@ def faults_between_parts(scene: Scene) -> list[Fault]:
     rules = (
         rule for check in (*checks, _of_newtonian, _of_small_deflection, _of_load_and_loss) for rule in check(scene)
     )
-    return [Fault(*words) for broken, *words in rules if broken]
+    of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
+    return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
 
 
 def refuse_settled(scene: Scene, why: str) -> None:
@@ -390,6 +391,10 @@ class Scene(Part):
             if isinstance(part, Part):
                 table[name] = part.given()
         return table
+
+    def at(self, time: float) -> Scene:
+        """The same scene of a material that is at all times as it is at this one [s]."""
+        return self.model_copy(update={"material": self.material.at(time)}) if self.material.changes else self
 
     def without_numerics(self) -> Scene:
         """The same scene at the program's own resolution: what does not depend on it is computed once."""

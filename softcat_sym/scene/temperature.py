@@ -221,8 +221,6 @@ class Temperature(Part):
     """Instead of the coefficient, that of natural convection around a cylinder in air (Churchill & Chu 1975)."""
     conductivity: Annotated[float | None, Thermal("thermal conductivity", "W/(m*K)", "1.2 W/(m*K)")] = None
     """Thermal conductivity: along the filament, and for the Biot number; without it nothing is conducted."""
-    expansion: Annotated[float, Thermal("coefficient of expansion", "1/K", "9e-6 1/K", "any")] = 0.0
-    """Coefficient of linear thermal expansion, from the initial temperature."""
     law: Annotated[Softened, Choice(Softened)] = "constant"
     """Law of the viscosity."""
     reference: Annotated[float | None, AbsoluteTemperature("150 degC")] = None

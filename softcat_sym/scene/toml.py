@@ -80,7 +80,7 @@ def _value(text: str) -> object:
 
 _IDLE_AT_ZERO = {
     "load": ("shake", "shake_frequency"),
-    "material": ("loss_tangent",),
+    "material": ("loss_tangent", "natural_strain", "natural_strain_difference"),
     "surroundings": ("density", "viscosity"),
 }
 """Keys that say nothing where they are zero."""

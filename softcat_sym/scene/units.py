@@ -299,6 +299,18 @@ def refusals(title: str, faults: Iterable[tuple[tuple[str, ...], PydanticCustomE
     return ValidationError.from_exception_data(title, details)
 
 
+def each_refusal(
+    error: PydanticCustomError | ValidationError,
+) -> list[tuple[tuple[str, ...], PydanticCustomError]]:
+    """List the refusals that an error hands through, each with its place below the field."""
+    if isinstance(error, PydanticCustomError):
+        return [((), error)]
+    return [
+        (tuple(map(str, one["loc"])), refusal(str(one["ctx"]["found"]), str(one["ctx"]["accepted"])))
+        for one in error.errors()
+    ]
+
+
 class Kind(ABC):
     """How one sort of value is read, described and written; stands in ``Annotated[float, kind]``."""
 

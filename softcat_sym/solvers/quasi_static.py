@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.filament import WORK_OF_AGEING
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.physics.symbols import Expr, Symbol
@@ -71,7 +72,10 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
     """
     path = _Path(graph, p, float(times[0]), z0)
     power = ca.Function("power", [graph.t, graph.x, graph.z, graph.p], [graph.quad])
-    shapes, work, outcome, message = [z0], [0.0], Outcome.solved, ""
+    shapes, outcome, message = [z0], Outcome.solved, ""
+    # What is worked from outside: by the load, and by a material that shrinks.
+    works = np.array([name in ("load", WORK_OF_AGEING) for name in graph.program.powers])
+    work = [np.zeros(len(works))]
     for before, time in itertools.pairwise(times.tolist()):
         instants = [before + share * (time - before) for share in (*_GAUSS, 1.0)]
         passed: list[Floats] = []
@@ -81,13 +85,14 @@ def march(graph: Graph, z0: Floats, p: Floats, times: Floats, scale: float, prog
             outcome, message = Outcome.no_equilibrium, f"no equilibrium at t = {instants[len(passed)] * scale:.6g} s"
             break
         powers = [power(instant, [], z, p) for instant, z in zip(instants[:-1], passed[:-1], strict=True)]
-        load = sum(float(np.asarray(found).ravel()[1]) for found in powers)
-        work.append(work[-1] + (time - before) * load / len(_GAUSS))
+        done = sum(np.where(works, np.asarray(found, dtype=float).ravel(), 0.0) for found in powers)
+        work.append(work[-1] + (time - before) * done / len(_GAUSS))
         shapes.append(path.last)
         progress.update(time * scale, None)
     frames = len(shapes)
-    quad = np.array([work if name == "load" else np.zeros(frames) for name in graph.program.powers])
-    return Solution(times[:frames], np.zeros((0, frames)), np.array(shapes).T, quad, outcome, message, frames - 1)
+    return Solution(
+        times[:frames], np.zeros((0, frames)), np.array(shapes).T, np.array(work).T, outcome, message, frames - 1
+    )
 
 
 class _Path:

@@ -1,0 +1,71 @@
+"""Curing: constants of the material are tables or formulas of time, as of an ink that dries or a concrete that sets.
+
+A modulus that grows does so by springs that are without stress when they join, sigma_t = E(t) eps_t (Bazant 1977): what
+hangs is not pulled up by it. One that falls loses springs with the stress they carry, sigma = E(t) eps.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.law import law_in
+from softcat_sym.effects.quasi_static import quasi_static_history
+from softcat_sym.physics import symbols as sy
+from softcat_sym.physics.clocks import Clock
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.histories import varying
+from softcat_sym.physics.laws import Constant, growth_of
+from softcat_sym.scene.scene import Scene
+
+_SHARED = (Constant("youngs_modulus", sy.E), Constant("viscosity", sy.eta), Constant("yield_stress", sy.sigma_Y))
+"""Constants that several laws have; a law with others of these names has them among its own."""
+
+
+def clock_of(scene: Scene) -> Clock:
+    """What the histories of a scene's material are in symbols."""
+    law, replaces, constants, grows = law_in(scene), list[tuple[sp.Symbol, sp.Expr]](), list[Constant](), []
+    symbols = {one.name: one.symbol for one in (*_SHARED, *law.constants)}
+    moduli = {branch.modulus for branch in law.branches}
+    for name, history in scene.material.histories().items():
+        symbol, found = symbols[name], varying(history, name)
+        replaces.append((symbol, found.value))
+        constants += found.constants
+        if symbol in moduli:
+            growth = growth_of(symbol)
+            replaces.append((growth, sp.Max(found.rate, 0) / found.value))
+            grows.append((symbol, growth))
+    return Clock("curing", tuple(replaces), tuple(constants), tuple(grows))
+
+
+def _adapted(scene: Scene, terms: Terms) -> Terms:
+    return replace(terms, clocks=(*terms.clocks, clock_of(scene)))
+
+
+def _applies(scene: Scene) -> bool:
+    return bool(scene.material.histories())
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    end = scene.run.duration
+    sags = [float(quasi_static_history(scene.at(time)).sag[-1]) for time in (0.0, end / 2, end)]
+    change = max(sags) - min(sags)
+    value = change / max(*sags, motion.scale)
+    return Estimate(min(1.0, value), "change of the sag by constants of the end instead of the beginning")
+
+
+CURING = Effect(
+    name="curing",
+    summary="constants of the material that are tables or formulas of time",
+    source="Bazant 1977",
+    adapt=_adapted,
+    applies=_applies,
+    without_it="no constant of the material is a table or a formula of time",
+    estimate=_estimate,
+    observable="change of the sag foreseen by constants of the end instead of the beginning",
+    example="solvent-cast-strand",
+    derivation="21_curing",
+    in_paper=False,
+)
