@@ -38,9 +38,9 @@ from softcat_sym.physics.symbols import A0, X, h0, rho, s, t
 #
 # A slice of the drawn filament, $\mathrm d\ell = s\,\mathrm dX$ long, of area $A = A_0/s$ and perimeter
 # $P = P_0/\sqrt s$, holds $\rho c_p A\,\mathrm d\ell\,\vartheta$, gains what it dissipates, loses
-# $h_T P\,\mathrm d\ell\,(\vartheta - \vartheta_a)$ through its surface, and conducts $-k A\,\partial\vartheta/\partial\ell$.
-# We divide by $\mathrm dX$: the mass of a unit of rest length stays, the surface grows as $\sqrt s$, and heat is
-# conducted as by $k A_0/s^2$.
+# $h_T P\,\mathrm d\ell\,(\vartheta - \vartheta_a)$ through its surface, and conducts
+# $-k A\,\partial\vartheta/\partial\ell$. We divide by $\mathrm dX$: the mass of a unit of rest length stays, the
+# surface grows as $\sqrt s$, and heat is conducted as by $k A_0/s^2$.
 
 # %%
 T, stretch = (sp.Function(name, positive=True)(X, t) for name in ("theta", "s"))
@@ -75,8 +75,8 @@ assert set(expected) == set(SURFACES)
 # The stored energy is $W = m(\vartheta)\,w$, with $w$ of the strains and the plastic state. Of its rate the part
 # $w\,m'\vartheta_t$ is no work of the stress. If the balance of heat has $-W (m'/m)\,\vartheta_t$ beside what is
 # dissipated, the sum of stored energy and heat changes by the power of the stress and by what passes the surface, and
-# by nothing else: the first law. (The stress is taken as the derivative of $W$ at constant temperature; that a stretched
-# spring also cools as it is stretched, by $\vartheta\,\partial_\vartheta\sigma\,\varepsilon_t$, is left out.)
+# by nothing else: the first law. (The stress is the derivative of $W$ at constant temperature; that a spring also cools
+# as it is stretched, by $\vartheta\,\partial_\vartheta\sigma\,\varepsilon_t$, is left out.)
 
 # %%
 strain, plastic, kelvin = (sp.Function(name)(t) for name in ("eps", "a", "theta"))

@@ -22,8 +22,8 @@ from softcat_sym.results.run import open_run
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.temperature import Temperature
 from softcat_sym.single_run import build
-from softcat_sym.solvers.solution import Silence
 from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.solution import Silence
 from tests.common.warm_bars import BAR, CAPACITY, DIAMETER, FLOWING, RHO, SPAN, bar, run, without_gaps
 
 pytestmark = pytest.mark.filterwarnings("ignore:the section is taken as of one temperature")
@@ -63,7 +63,9 @@ def _mode(cells: int, mode: int) -> float:
     x = prepared.start.x.copy()
     warm = [k for k, kind in enumerate(graph.x_kinds) if kind == "warming"]
     x[warm] = 1e-3 * np.cos(mode * np.pi * (graph.x_where[warm] + (0 if graph.grid.is_half else 0.5)))
-    solution = prepared.integration.run(Start(x, prepared.start.z), prepared.p, prepared.times[-1], prepared.scale, Silence())
+    solution = prepared.integration.run(
+        Start(x, prepared.start.z), prepared.p, prepared.times[-1], prepared.scale, Silence()
+    )
     return float(-np.log(solution.x[warm[0], -1] / x[warm[0]]) / 0.4)
 
 
@@ -102,7 +104,12 @@ def test_published_constants_of_glass_710() -> None:
 @pytest.mark.parametrize("law", [SOFTER, {"law": "wlf", "C1": 3.0, "C2": 60.0, "reference": 350.0}])
 def test_a_warm_bar_relaxes_as_its_viscosity_says(law: dict[str, Any]) -> None:
     """Stress ~ exp(-E t/(eta a_T)), stretched and bent alike."""
-    scene = bar({"initial": 370.0, "heat_capacity": 1e9, **law}, *FLOWING, initial={"stretch": 1.05, "relaxed": False}, duration=0.5)
+    scene = bar(
+        {"initial": 370.0, "heat_capacity": 1e9, **law},
+        *FLOWING,
+        initial={"stretch": 1.05, "relaxed": False},
+        duration=0.5,
+    )
     factor = scene.temperature.viscosity_factor(370.0)
     assert factor < 0.6
     found = run(scene).fields
@@ -113,7 +120,9 @@ def test_a_warm_bar_relaxes_as_its_viscosity_says(law: dict[str, Any]) -> None:
 def test_a_modulus_that_falls_sets_energy_free_as_heat() -> None:
     """A stretched elastic bar that warms: W = m(T) W_0, and what it loses is found again in the audit."""
     table = {"350 K": 1.0, "400 K": 0.5}
-    scene = bar({"ambient": 400.0, "heat_transfer": 500.0, "modulus": table}, initial={"stretch": 1.2, "relaxed": False})
+    scene = bar(
+        {"ambient": 400.0, "heat_transfer": 500.0, "modulus": table}, initial={"stretch": 1.2, "relaxed": False}
+    )
     found = run(scene)
     T, fields = found.fields["temperature"][:, 5], found.fields
     whole = 1e6 * math.log(1.2) ** 2 / 2 * math.pi * DIAMETER**2 / 4 * SPAN / 1.2
@@ -254,15 +263,17 @@ def test_the_equations_are_written() -> None:
 def test_its_constants_may_be_free(backend: str) -> None:
     """Derivatives of the midpoint against differences."""
     heat = {**SOFTER, **AIR, "conductivity": 0.2, "heat_capacity": 20.0}
-    scene = bar(heat, *FLOWING, duration=0.2, load={"gravity": 9.81}, material={"youngs_modulus": 3e5, "viscosity": 1e4})
+    scene = bar(
+        heat, *FLOWING, duration=0.2, load={"gravity": 9.81}, material={"youngs_modulus": 3e5, "viscosity": 1e4}
+    )
     names = ("heat_transfer", "activation_energy", "ambient", "heat_capacity")
     model = ForwardModel(scene, free_parameters(scene, names), np.array([0.1, 0.2]), backend, 1e-8)
     q = np.array([one.scaled(one.typical) for one in model.free])
     _, slopes = model.with_derivatives(q)
     steps = 1e-3 * np.maximum(np.abs(q), 1.0)
-    differences = np.stack([
-        (model.midpoints(q + h * e) - model.midpoints(q - h * e)) / (2 * h) for h, e in zip(steps, np.eye(4), strict=True)
-    ], axis=1)  # fmt: skip
+    shifts = [h * e for h, e in zip(steps, np.eye(4), strict=True)]
+    pairs = [(model.midpoints(q + one) - model.midpoints(q - one)) / (2 * one.max()) for one in shifts]
+    differences = np.stack(pairs, axis=1)
     assert np.all(np.abs(differences[-1]) > 0)
     np.testing.assert_allclose(slopes, differences, rtol=2e-4, atol=1e-4 * np.abs(differences).max())
 
@@ -281,7 +292,7 @@ REFUSED: dict[str, tuple[dict[str, Any], str, str]] = {
     "no size": ({**VFT, "initial": 900.0}, "temperature.A", "nothing says"),
     "constant of another law": ({"C1": 3.0}, "temperature.C1", "law of the viscosity is 'constant'"),
     "no constant": ({"law": "arrhenius", "reference": 300.0}, "temperature.activation_energy", "needs it"),
-    "cold polymer": ({"law": "wlf", "C1": 17.0, "C2": 51.6, "reference": 420.0}, "temperature.C2", "below the reference"),
+    "cold polymer": ({"law": "wlf", "C1": 17.0, "C2": 51.6, "reference": 420.0}, "temperature.C2", "below the ref"),
     "furnace beyond the end": (
         {**AIR, "heated": ["0 m", "1 m"], "outside": 300.0}, "temperature.heated", "is 0.05 m long"),
     "furnace backwards": ({**AIR, "heated": ["2 cm", "1 cm"], "outside": 300.0}, "temperature.heated", "not below"),
@@ -305,7 +316,7 @@ def test_what_makes_no_sense_is_refused(what: str) -> None:
 
 
 @pytest.mark.parametrize(("tables", "path"), [
-    ({"filament": {"diameter": ..., "thickness": "1 mm", "section": "rectangle"}, "load": {"gravity": "9.81 m/s^2"}}, "temperature.correlation"),
+    ({"filament": {"diameter": ..., "thickness": "1 mm", "section": "rectangle"}}, "temperature.correlation"),
     ({"load": {"gravity": "0 m/s^2"}}, "temperature.correlation"),
     ({"run": {"closure": "printed", "effects": "auto"}, "load": {"gravity": "9.81 m/s^2"}}, "temperature"),
     ({"model": "small-deflection", "run": {"effects": "auto"}, "load": {"gravity": "9.81 m/s^2"}}, "temperature"),

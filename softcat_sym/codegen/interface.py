@@ -22,7 +22,9 @@ from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
 from softcat_sym.physics.heat import PREFIX
 from softcat_sym.scene.material import Parameter, constant_in_c
+from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
+from softcat_sym.scene.temperature import Temperature
 from softcat_sym.scene.units import Quantity, si_unit
 
 MIN_CELLS = 4
@@ -166,7 +168,12 @@ def _bound(scene: Scene, name: str) -> str:
         return "poisson"
     own = _named_by_user(scene)
     free = ("curvature", "drop", "left_angle", "right_angle")
-    if name in own or name in free or name.startswith(PREFIX) or (name.startswith("motion_") and not name.endswith("_time")):
+    if (
+        name in own
+        or name in free
+        or name.startswith(PREFIX)
+        or (name.startswith("motion_") and not name.endswith("_time"))
+    ):
         return "any"
     zero = {"gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale"}
     zero |= {"surface_tension", "bath_density", "bath_viscosity"}

@@ -155,7 +155,7 @@ class Builder:
 
     def kelvin(self, warming: ca.SX) -> ca.SX:
         """Temperature of a filament that has one."""
-        return (1 + warming) * self.values[initial]
+        return ca.SX((1 + warming) * self.values[initial])
 
     def _changed(self, given: Values, name: str, where: Where, warming: ca.SX) -> dict[Any, Any]:
         """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""

@@ -39,7 +39,6 @@ from softcat_sym.discretization.supports import POINT_MASS, Body
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
 
-
 WORK_OF_AGEING = "work_ageing"
 """What the energy stored at a strain that is held gains as constants of the material change, and what shrinking does."""
 

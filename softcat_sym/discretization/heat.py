@@ -49,7 +49,7 @@ def heating(b: Builder, of: Mechanics) -> Heating:
 
     def rate(before: int | None, behind: int | None) -> ca.SX:
         gained = made(before, behind) - lost[0] + conducted(before, behind)
-        return gained / (start * (capacity + softened(before, behind))) * b.scale
+        return ca.SX(gained / (start * (capacity + softened(before, behind))) * b.scale)
 
     # Read again where the modulus gives elastic energy back.
     name = f"f_{WARMING}"

@@ -19,7 +19,7 @@ from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.heat import CORRELATIONS, PREFIX, Heat
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.laws import Constant, Law
-from softcat_sym.physics.symbols import E, eta, t
+from softcat_sym.physics.symbols import E, eta, g, h0, s, t
 from softcat_sym.scene.history import History
 from softcat_sym.scene.scene import Scene
 
@@ -77,7 +77,7 @@ def transfer_coefficient(scene: Scene) -> float:
     if stated.correlation not in CORRELATIONS:
         return stated.heat_transfer or 0.0
     low, high = stated.extremes(scene.run.duration)
-    given = {sy.temperature: low, sy.around: high, sy.s: 1.0, sy.h0: filament.thickness, sy.g: scene.load.gravity}
+    given = {sy.temperature: low, sy.around: high, s: 1.0, h0: filament.thickness, g: scene.load.gravity}
     return float(CORRELATIONS[stated.correlation]().subs(given))
 
 

@@ -17,8 +17,8 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene.material import CONSTANTS, FROM_SHEAR, INDEXED, Material, kind_of_constant, tensile_name
 from softcat_sym.scene.history import is_history
+from softcat_sym.scene.material import CONSTANTS, FROM_SHEAR, INDEXED, Material, kind_of_constant, tensile_name
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.temperature import Temperature
@@ -216,7 +216,9 @@ def _of_temperature(scene: Scene) -> Iterator[Candidate]:
         elif name in _KELVIN:
             # Beyond these a law of the viscosity has no value.
             limits = (low, heat.extremes(scene.run.duration)[0] * (1 - 1e-9)) if name == "T_0" else (low, math.inf)
-            one = Candidate(name, path, unit, value, 1.0, False, (value / 1.5, min(1.5 * value, limits[1])), limits, path)
+            one = Candidate(
+                name, path, unit, value, 1.0, False, (value / 1.5, min(1.5 * value, limits[1])), limits, path
+            )
         elif value > 0 and name != "A":
             one = _positive(path, unit, value)
         else:

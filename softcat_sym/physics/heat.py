@@ -14,9 +14,10 @@ from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import ONE, A0, X, enter, enter_field, g, h0, rho, s, t
+from softcat_sym.physics.symbols import A0, ONE, X, enter, enter_field, g, h0, rho, s, t
 
-temperature = enter("theta_K", r"\vartheta", ONE, "temperature of a section, in kelvin", "Incropera 2007", positive=True)
+_SOURCE = "Incropera 2007"
+temperature = enter("theta_K", r"\vartheta", ONE, "temperature of a section, in kelvin", _SOURCE, positive=True)
 _FLUX, _CAPACITY, _CONDUCTIVITY, _POWER = (1, 0, -3), (0, 2, -2), (1, 1, -3), (1, 1, -3)
 
 
@@ -24,14 +25,14 @@ def _kelvin(name: str, latex: str, meaning: str, source: str) -> sp.Symbol:
     return enter(name, latex, ONE, meaning, source, positive=True)
 
 
-initial = _kelvin("theta_i", r"\vartheta_i", "temperature at the start, in kelvin", "Incropera 2007")
-ambient = _kelvin("theta_a", r"\vartheta_a", "temperature of the surroundings, in kelvin", "Incropera 2007")
-outside = _kelvin("theta_o", r"\vartheta_o", "temperature around what is not in the furnace", "Incropera 2007")
-around = _kelvin("theta_s", r"\vartheta_s", "temperature around a place of the filament", "Incropera 2007")
+initial = _kelvin("theta_i", r"\vartheta_i", "temperature at the start, in kelvin", _SOURCE)
+ambient = _kelvin("theta_a", r"\vartheta_a", "temperature of the surroundings, in kelvin", _SOURCE)
+outside = _kelvin("theta_o", r"\vartheta_o", "temperature around what is not in the furnace", _SOURCE)
+around = _kelvin("theta_s", r"\vartheta_s", "temperature around a place of the filament", _SOURCE)
 reference = _kelvin("theta_r", r"\vartheta_r", "temperature of the stated viscosity", "Ferry 1980")
-heat_capacity = enter("c_p", "c_p", _CAPACITY, "specific heat capacity", "Incropera 2007", positive=True)
-transfer = enter("h_T", "h_T", _FLUX, "heat transfer coefficient", "Incropera 2007", positive=True)
-conductivity = enter("k_T", "k_T", _CONDUCTIVITY, "thermal conductivity", "Incropera 2007", positive=True)
+heat_capacity = enter("c_p", "c_p", _CAPACITY, "specific heat capacity", _SOURCE, positive=True)
+transfer = enter("h_T", "h_T", _FLUX, "heat transfer coefficient", _SOURCE, positive=True)
+conductivity = enter("k_T", "k_T", _CONDUCTIVITY, "thermal conductivity", _SOURCE, positive=True)
 begin = enter("X_1", "X_1", (0, 1, 0), "where the furnace begins, from the left end", "ASTM C338")
 end = enter("X_2", "X_2", (0, 1, 0), "where the furnace ends, from the left end", "ASTM C338")
 A_V = enter("A_V", "A_V", ONE, "log10 of the viscosity at infinite temperature", "Fulcher 1925")
@@ -112,7 +113,9 @@ def cylinder_in_air() -> sp.Expr:
     # Ra = g |dT| d^3 Pr/(T nu^2), its sixth root.
     diameter = h0 / sp.sqrt(s)
     root = (g * diameter**3 * _PRANDTL / (film * nu**2)) ** sp.Rational(1, 6) * apart ** sp.Rational(1, 12)
-    slope = sp.Float("0.387", 17) / (1 + (sp.Rational(559, 1000) / _PRANDTL) ** sp.Rational(9, 16)) ** sp.Rational(8, 27)
+    slope = sp.Float("0.387", 17) / (1 + (sp.Rational(559, 1000) / _PRANDTL) ** sp.Rational(9, 16)) ** sp.Rational(
+        8, 27
+    )
     nusselt = (sp.Rational(3, 5) + slope * root) ** 2
     return nusselt * conducts / diameter
 
@@ -154,7 +157,7 @@ class Heat:
     @property
     def softens(self) -> bool:
         """Whether the moduli change with the temperature."""
-        return self.modulus != 1
+        return bool(self.modulus != 1)
 
     @property
     def constants(self) -> tuple[Constant, ...]:
@@ -172,15 +175,16 @@ def lateral_area(shape: Section, *, thins: bool) -> sp.Expr:
     return whole if thins else whole.subs(s, 1)
 
 
-_T = enter_field("temperature", r"\vartheta", ONE, "temperature of a section, in kelvin", "Incropera 2007")(X, t)
+_T = enter_field("temperature", r"\vartheta", ONE, "temperature of a section, in kelvin", _SOURCE)(X, t)
 _s = enter_field("stretch_of_heat", "s", ONE, "stretch of the centreline", "2.5")(X, t)
 _D = enter_field("heat_made", r"\mathcal{D}", _POWER, "plastic and viscous power per unit X", "THEORY 4")(X, t)
 HEAT_EQUATIONS: tuple[Equation, ...] = (
     Equation(
         "heat of a round filament",
         rho * heat_capacity * A0 * sp.Derivative(_T, t),
-        _D - transfer * 4 * A0 / h0 * sp.sqrt(_s) * (_T - ambient)
+        _D
+        - transfer * 4 * A0 / h0 * sp.sqrt(_s) * (_T - ambient)
         + sp.Derivative(conductivity * A0 / _s**2 * sp.Derivative(_T, X), X),
-        "Incropera 2007",
+        _SOURCE,
     ),
 )

@@ -58,7 +58,7 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "energy_potential": Variable(_FRAME, "J", "potential energy of the weight, 0 when straight", True),
     "energy_dissipated": Variable(_FRAME, "J", "plastic work since t = 0", True),
     "energy_gradient": Variable(_FRAME, "J", "work against the necking gradient since t = 0", True),
-    "energy_softening": Variable(_FRAME, "J", "elastic energy that a changing modulus turned into heat since t = 0", True),
+    "energy_softening": Variable(_FRAME, "J", "elastic energy turned into heat by a falling modulus since t = 0", True),
     "heat_stored": Variable(_FRAME, "J", "heat that the filament holds more than at t = 0", True),
     "heat_lost": Variable(_FRAME, "J", "heat given to the surroundings since t = 0", True),
     "work_external": Variable(_FRAME, "J", "work of the changing load since t = 0", True),
@@ -209,8 +209,8 @@ def heat_residual(fields: Mapping[str, Floats]) -> float:
     """Heat that is held and given away, less what was made of energy: largest over the run, over the largest of all."""
     if "heat_stored" not in fields:
         return 0.0
-    kept = {name: np.asarray(fields[name]) for name in ("heat_stored", "heat_lost")}
-    made = {name: np.asarray(fields[name]) for name in _MADE if name in fields}
-    imbalance = sum(kept.values()) - sum(made.values())
-    scale = max(float(np.abs(value).max()) for value in (*kept.values(), *made.values()))
+    signs = dict.fromkeys(("heat_stored", "heat_lost"), 1.0) | dict.fromkeys(_MADE, -1.0)
+    values = {name: sign * np.asarray(fields[name], dtype=float) for name, sign in signs.items() if name in fields}
+    imbalance = np.sum(list(values.values()), axis=0)
+    scale = max(float(np.abs(value).max()) for value in values.values())
     return float(np.max(np.abs(imbalance - imbalance[0]))) / scale if scale > 0 else 0.0

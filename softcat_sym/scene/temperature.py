@@ -99,7 +99,7 @@ class Thermal(Quantity):
     def __init__(self, what: str, unit: str, example: str, sign: str = "positive") -> None:
         super().__init__(what, example, sign, unit)
 
-    def si(self, value: object) -> float:
+    def measured(self, value: object) -> float:
         if isinstance(value, SI):
             return float(value)
         number, unit = split_quantity(value)
@@ -226,7 +226,7 @@ class Temperature(Part):
     reference: Annotated[float | None, AbsoluteTemperature("150 degC")] = None
     """Temperature at which the material has the viscosity that [material] states."""
     A: Annotated[float | None, Number()] = None
-    """VFT: log10 of the viscosity at infinite temperature, over that which [material] states, which is its unit then."""
+    """VFT: log10 of the viscosity at infinite temperature; in units of the one that [material] states."""
     B: Annotated[float | None, Thermal("difference of temperature", "K", "4236.1 K")] = None
     """VFT: log10 eta = A + B/(T - T_0)."""
     T_0: Annotated[float | None, AbsoluteTemperature("265.5 degC")] = None
@@ -364,8 +364,9 @@ def _of_the_extremes(scene: Scene, heat: Temperature) -> Iterator[Rule]:
     low, high = heat.extremes(scene.run.duration)
     if heat.law == "vft" and heat.T_0 is not None:
         for name, kelvin in (("reference", heat.reference), ("coldest temperature", low)):
-            found = f"{heat.T_0:g} K, not below the {name} {kelvin:g} K: the viscosity would be infinite" if kelvin else ""
-            yield kelvin is not None and kelvin <= heat.T_0, "temperature.T_0", found, f"a temperature below {kelvin} K"
+            if kelvin is not None:
+                found = f"{heat.T_0:g} K, not below the {name} {kelvin:g} K: the viscosity would be infinite"
+                yield kelvin <= heat.T_0, "temperature.T_0", found, f"a temperature below {kelvin:g} K"
     if heat.law == "wlf" and heat.C2 is not None and heat.reference is not None:
         found = f"{heat.C2:g} K, but the coldest temperature is {heat.reference - low:g} K below the reference"
         broken = heat.C2 + low - heat.reference <= 0

@@ -347,13 +347,13 @@ class Quantity(Kind):
         what = dimension if sign == "any" else f"{sign} {dimension}"
         self.accepted = f'{_article(what)} with its unit, such as "{example}"'
 
-    def si(self, value: object) -> float:
+    def measured(self, value: object) -> float:
         """Return the value in its SI unit; raises `NotAQuantity`."""
         return to_si(value, self.dimension, self.unit)
 
     def read(self, value: object) -> float:
         try:
-            si = self.si(value)
+            si = self.measured(value)
         except NotAQuantity as found:
             raise self.refuse(str(found)) from None
         if si < 0 and self.sign != "any":

@@ -24,7 +24,7 @@ ZERO = 273.15
 
 
 class Glass(NamedTuple):
-    """log10 eta/dPa s = A + B/(T - T_0) in Celsius; published softening point; about its density and surface tension."""
+    """log10 eta/dPa s = A + B/(T - T_0) in Celsius; published softening point; about its density, surface."""
 
     A: float
     B: float

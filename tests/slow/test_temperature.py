@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ def _stress(scene: sc.Scene) -> float:
 
 
 def _orders(errors: list[float], factor: float) -> list[float]:
-    return [float(np.log(a / b) / np.log(factor)) for a, b in zip(errors, errors[1:], strict=False)]
+    return [float(np.log(a / b) / np.log(factor)) for a, b in pairwise(errors)]
 
 
 def test_no_exchange_and_immediate_exchange() -> None:
