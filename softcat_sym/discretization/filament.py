@@ -40,7 +40,7 @@ from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
 
 WORK_OF_AGEING = "work_ageing"
-"""What the energy stored at a strain that is held gains as constants of the material change, and what shrinking does."""
+"""What the energy stored at a held strain gains as constants of the material change, and what shrinking does."""
 
 
 def build(

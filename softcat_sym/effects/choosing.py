@@ -259,10 +259,15 @@ def bare(scene: Scene) -> Terms:
     return Terms(law=law_in(scene), curved=scene.filament.curvature != 0, stretches=stretches)
 
 
+def estimated(effect: Effect, scene: Scene) -> Estimate:
+    """How much an effect should matter; of a material that changes the most of its beginning, middle and end."""
+    return max((effect.estimate(one, forecast(one)) for one in scene.stages()), key=lambda estimate: estimate.value)
+
+
 def _decision(effect: Effect, scene: Scene, reasons: Mapping[str, str]) -> Decision:
     if not effect.applies(scene):
         return Decision(effect, False, None, f"cannot be had: {why_not(effect, scene)}")
-    estimate = effect.estimate(scene, forecast(scene))
+    estimate = estimated(effect, scene)
     if effect.name in reasons:
         return Decision(effect, True, estimate, reasons[effect.name])
     return Decision(effect, False, estimate, _why_not(effect, scene, estimate))
@@ -310,7 +315,7 @@ def _called_for(scene: Scene, among: Iterable[Effect] = REGISTRY) -> dict[str, s
         needed = effect.indispensable(scene)
         if needed:
             reasons[effect.name] = needed
-        elif not effect.saved(scene) and effect.estimate(scene, forecast(scene)).value > SHARE * scene.run.accuracy:
+        elif not effect.saved(scene) and estimated(effect, scene).value > SHARE * scene.run.accuracy:
             reasons[effect.name] = BY_ESTIMATE
     return reasons
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import sympy as sp
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
@@ -49,11 +50,12 @@ def _applies(scene: Scene) -> bool:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    end = scene.run.duration
-    sags = [float(quasi_static_history(scene.at(time)).sag[-1]) for time in (0.0, end / 2, end)]
-    change = max(sags) - min(sags)
-    value = change / max(*sags, motion.scale)
-    return Estimate(min(1.0, value), "change of the sag by constants of the end instead of the beginning")
+    meaning = "largest change of the sag by constants that stay as they are at the beginning"
+    if not scene.material.histories():
+        return Estimate(0.0, meaning)
+    changing, constant = (quasi_static_history(one).sag for one in (scene, scene.at(0.0)))
+    change = float(np.max(np.abs(changing - constant)) / max(np.max(changing), np.max(constant), 1e-300))
+    return Estimate(motion.amplified(change), meaning)
 
 
 CURING = Effect(
@@ -64,7 +66,7 @@ CURING = Effect(
     applies=_applies,
     without_it="no constant of the material is a table or a formula of time",
     estimate=_estimate,
-    observable="change of the sag foreseen by constants of the end instead of the beginning",
+    observable="the same, of the sag and the ringing that a run shows",
     example="solvent-cast-strand",
     derivation="21_curing",
     in_paper=False,

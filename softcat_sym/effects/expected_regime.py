@@ -83,7 +83,10 @@ def expected_regime(scene: Scene, effects: Collection[str]) -> ExpectedRegime:
     A filament that yields (G above first yield) descends for ever above the exact threshold of (3.12). Below it, it
     stops: underdamped where it springs back by more than :data:`TURNS_BACK`, otherwise overdamped; unless the hinges
     at its clamps still creep when the run ends (:data:`HINGES_CREEP`).
+
+    A material that changes counts as it is when the run ends: it says whether what hangs then is held.
     """
+    scene = scene.at(scene.run.duration)
     gravity_number = worst_gravity_number(scene)
     if is_solid(scene):
         return ExpectedRegime("elastic", "the law is a solid's: it swings about, or creeps to, its elastic sag")

@@ -5,36 +5,35 @@ It is the same along and across the filament, so that the section shrinks, too; 
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import sympy as sp
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
+from softcat_sym.effects.scaling_estimates import instant_modulus, weight_stress
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.filament import Terms
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.laws import Constant
-from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.history import extremes_of
+from softcat_sym.scene.scene import Scene, groups_of, is_held
 
 # Of the strain at the top less that at the bottom the top has half, beyond the mean.
 _STRAINS = (("natural_strain", sy.n_0, sy.n_0_t, 1), ("natural_strain_difference", sy.n_1, sy.n_1_t, sp.Rational(1, 2)))
 
 
 def _clock(scene: Scene) -> Clock:
-    histories, replaces, constants = (
-        scene.material.natural_strains(),
-        list[tuple[sp.Symbol, sp.Expr]](),
-        list[Constant](),
-    )
+    histories = scene.material.natural_strains()
+    replaces, constants = list[tuple[sp.Symbol, sp.Expr]](), list[Constant]()
     for name, strain, rate, share in _STRAINS:
-        found = varying(histories[name], name) if name in histories else None
-        replaces += (
-            [(strain, found.value * share), (rate, found.rate * share)]
-            if found
-            else [(strain, sp.S.Zero), (rate, sp.S.Zero)]
-        )
-        constants += found.constants if found else ()
+        if name in histories:
+            found = varying(histories[name], name)
+            replaces += [(strain, share * found.value), (rate, share * found.rate)]
+            constants += found.constants
+        else:
+            replaces += [(strain, sp.S.Zero), (rate, sp.S.Zero)]
     return Clock("natural-strain", tuple(replaces), tuple(constants))
 
 
@@ -46,9 +45,27 @@ def _applies(scene: Scene) -> bool:
     return bool(scene.material.natural_strains())
 
 
+def largest_strains(scene: Scene) -> tuple[float, float]:
+    """Largest size of the mean natural strain and of its difference over the thickness, during the run."""
+    material, duration = scene.material, scene.run.duration
+    mean, more = (
+        max(map(abs, extremes_of(strain, duration)))
+        for strain in (material.natural_strain, material.natural_strain_difference)
+    )
+    return mean, more
+
+
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
-    del scene, motion
-    return Estimate(1.0, "TODO")
+    mean, more = largest_strains(scene)
+    meaning = "share of the sag that shrinking takes or curling adds"
+    # A tension E n, of a cable that shrinks, against what carries the load: rho g L/(8 H) of the sag.
+    weight, modulus = weight_stress(scene), instant_modulus(scene) or 0.0
+    tightened = 8 * modulus * mean * motion.sag / weight if weight > 0 else math.inf
+    # Its curvature n/h bends a filament with an end that may turn by n L^2/(8 h) or more; clamps take it up.
+    turns = {scene.ends.left, scene.ends.right} != {"clamped"}
+    curled = more / groups_of(scene).delta / (2 if "free" in (scene.ends.left, scene.ends.right) else 8) * turns
+    value = max(tightened / (1 + tightened) if mean and is_held(scene) else mean, curled / motion.scale)
+    return Estimate(min(1.0, value), meaning, "C/(1 + C), C = 8 E n f/(q L/A), or n L/(8 h)")
 
 
 NATURAL_STRAIN = Effect(
@@ -59,7 +76,7 @@ NATURAL_STRAIN = Effect(
     applies=_applies,
     without_it="the scene states no material.natural_strain",
     estimate=_estimate,
-    observable="TODO",
+    observable="pull of the natural strain over that of the weight at the sag, or the curl of one that is free",
     example="solvent-cast-strand",
     derivation="21_curing",
     in_paper=False,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -58,8 +59,39 @@ def quasi_static_history(scene: Scene) -> History:
     run, ramp = scene.run, scene.load.ramp
     time = np.linspace(0.0, run.duration, min(run.frames, _MAX_TIMES))
     share = smooth_step(time / ramp) if ramp > 0 else np.ones_like(time)
-    sag = np.array([_sag(scene, float(t), float(r)) for t, r in zip(time, share, strict=True)])
+    if scene.material.histories():
+        sag = _ageing_sag(scene, time, share)
+    else:
+        sag = np.array([_sag(scene, float(t), float(r)) for t, r in zip(time, share, strict=True)])
     return History(time, np.minimum(sag, _CANTILEVER_SAG) if not is_held(scene) else sag)
+
+
+_LOOKS = 40
+"""Times of a run at which a material that changes is looked at."""
+
+
+def _ageing_sag(scene: Scene, time: Floats, share: Floats) -> Floats:
+    """Sag of a material that changes: what it is at a time decides how fast the sag of that time grows.
+
+    Springs that join it do not lift it, so that its elastic sag is that of the least modulus up to then.
+    """
+    looks = np.linspace(0.0, scene.run.duration, _LOOKS + 1)
+    elastic = flown = 0.0
+    sags = [start_sag(scene)]
+    for before, now in pairwise(looks.tolist()):
+        stage, elapsed = scene.at((before + now) / 2), now - before
+        weight = scales.weight_stress(stage) * load_factor(stage) * float(np.interp(now, time, share))
+        if weight > 0 and is_solid(stage):
+            lasting = elastic_sag_under(stage, weight, scales.static_modulus(stage))
+            reached = -math.expm1(-elapsed / retardation(stage)) if retardation(stage) else 1.0
+            elastic += max(0.0, lasting - elastic) * reached
+        elif weight > 0:
+            elastic = max(elastic, elastic_sag_under(stage, weight, scales.instant_modulus(stage)))
+            flown += flow_sag(stage, weight, elastic + flown, elapsed)
+        sags.append(max(elastic + flown, sags[0]))
+    if scene.load.ramp == 0 and not (is_solid(scene) and retardation(scene)):
+        sags[0] = max(sags[0], _sag(scene, 0.0, 1.0))
+    return np.interp(time, looks, sags)
 
 
 def _sag(scene: Scene, time: float, share: float) -> float:

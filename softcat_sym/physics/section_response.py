@@ -210,9 +210,9 @@ def _branch(shape: Shape, closed: ClosedSection, branch: Branch) -> BranchRespon
 
 
 def _growing(means: SectionMeans | None, compliance: sp.Expr, shape: Shape) -> SectionMeans:
-    """What flows, and what springs without stress that join the others add: the stress over E, times the growth.
+    """What flows, and what springs without stress that join the others add: the stress over E, times the growth g.
 
-    With a_t = sigma g/E and g = E_t/E the stress E (eps - a) of a strain that is held stays as it is, sigma_t = E eps_t.
+    With a_t = sigma g/E, g = E_t/E, the stress E (eps - a) of a strain that is held stays as it is: sigma_t = E eps_t.
     """
     zero = sp.Integer(0)
     flowing = means or SectionMeans(rate=zero, bending_rate=zero, yielded_fraction=zero, largest_rate=zero)

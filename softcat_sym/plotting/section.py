@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import nice_floor
+from softcat_sym.scene.history import values_at
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
@@ -97,7 +98,7 @@ def outline(section: Section) -> Floats:
     return np.concatenate([section.at(-1.0), section.at(1.0)[::-1]])
 
 
-def elastic_core(mean: Floats, bending: Floats, yield_stress: float) -> tuple[Floats, Floats]:
+def elastic_core(mean: Floats, bending: Floats, yield_stress: float | Floats) -> tuple[Floats, Floats]:
     """Limits in zeta between which ``|mean + bending * zeta| <= yield_stress``."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         limits = np.stack([(-yield_stress - mean) / bending, (yield_stress - mean) / bending])
@@ -143,7 +144,8 @@ def yielding_of(data: Fields, scene: Scene) -> Yielding:
     if "core_low" in data:
         low, high = array(data, "core_low"), array(data, "core_high")
     else:
-        low, high = elastic_core(array(data, "stress_mean"), array(data, "stress_bending"), limit)
+        limits = values_at(limit, array(data, "time"))[:, None]
+        low, high = elastic_core(array(data, "stress_mean"), array(data, "stress_bending"), limits)
     slowest = slowest_flow(data, scene)
     # Means over a twentieth of the run before and after each frame, less where it begins and ends.
     total = np.concatenate([np.zeros((1, *rate.shape[1:])), np.cumsum(rate, axis=0)])

@@ -73,6 +73,10 @@ def problem_of(scene: Scene) -> Problem:
         for path, value in found.items()
         if value != only[path]
     ]
+    faults += [
+        Fault(f"material.{name}", f"{value!r}, which changes in time, has no finite elements", "a constant")
+        for name, value in (*scene.material.histories().items(), *scene.material.natural_strains().items())
+    ]
     if scene.material.law not in LAWS:
         faults.append(Fault("material.law", f"'{scene.material.law}' has no finite elements", ", ".join(LAWS)))
     if faults or scene.material.youngs_modulus is None:

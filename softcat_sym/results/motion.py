@@ -34,6 +34,7 @@ from softcat_sym.effects.scaling_estimates import (
 )
 from softcat_sym.physics.loads import SURFACES
 from softcat_sym.results.fields import midpoint_heights
+from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
 from softcat_sym.solvers.initial_state import Start
 from softcat_sym.solvers.run import Prepared
@@ -107,7 +108,8 @@ def observed_motion(
     relaxed = lost / (lost + stored) if lost > 0 and not effects.terms().damped else 0.0
     limit, overstress = yield_stress_of(scene), np.inf
     if limit is not None and "stress_mean" in fields:
-        overstress = float(np.max(np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"]))) / limit
+        stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])
+        overstress = float(np.max(np.max(stress, axis=1) / values_at(limit, time)))
     shared = tension_share(scene, sag)
     # Shear follows the transverse force, behind a viscous stress with its retardation time.
     lag = retardation(scene) if effects.terms().viscous else 0.0
@@ -343,7 +345,8 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
     if not (effects.terms().flows or effects.terms().viscous):
         limit = yield_stress_of(scene)
         stress = np.abs(fields["stress_mean"]) + np.abs(fields["stress_bending"])
-        return "no-yield" if limit is not None and float(np.max(stress)) < limit else "elastic"
+        first = None if limit is None else extremes_of(limit, scene.run.duration)[0]
+        return "no-yield" if first is not None and float(np.max(stress)) < first else "elastic"
     if not effects.terms().yields:
         return "viscous"
     # What has yielded between two frames has dissipated; but so has a loss below yield.
@@ -358,7 +361,8 @@ def regime_of(scene: Scene, effects: Effects, fields: Mapping[str, Floats], midp
 
 
 def is_arrested(scene: Scene, plastic_rate: Floats) -> bool:
-    """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`."""
+    """Whether flow has died out: see :data:`ARREST_RATE` and :data:`ARREST_TIME`; by the material of the end."""
+    scene = scene.at(scene.run.duration)
     material, yield_stress, viscosity = scene.material, yield_stress_of(scene), effective_viscosity(scene)
     if not yield_stress or not viscosity:
         return False

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import re
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
+import numpy.typing as npt
 from pydantic_core import PydanticCustomError
 
 from softcat_sym.scene.formula import ACCEPTED, FUNCTIONS, Formula, dimension_of, parse_formula
@@ -224,6 +226,16 @@ def is_history(value: object) -> bool:
 def value_at(value: float, time: float) -> float:
     """Value of a constant at a time [s], whether it changes or not."""
     return value.at(time) if isinstance(value, History) else value
+
+
+def values_at(value: float, times: Iterable[float]) -> npt.NDArray[np.float64]:
+    """Values of a constant at several times [s]."""
+    return np.array([value_at(value, float(time)) for time in times])
+
+
+def extremes_of(value: float, duration: float) -> tuple[float, float]:
+    """Smallest and largest value of a constant during a run [s]."""
+    return value.extremes(duration) if isinstance(value, History) else (value, value)
 
 
 def named_numbers(name: str, history: History) -> dict[str, float]:

@@ -396,6 +396,15 @@ class Scene(Part):
         """The same scene of a material that is at all times as it is at this one [s]."""
         return self.model_copy(update={"material": self.material.at(time)}) if self.material.changes else self
 
+    def stages(self) -> tuple[Scene, ...]:
+        """Return the scene, and those of materials that stay as this one is halfway through the run and at its end.
+
+        Nothing but the scene where the material does not change.
+        """
+        if not self.material.changes:
+            return (self,)
+        return self, *(self.at(share * self.run.duration) for share in (0.5, 1.0))
+
     def without_numerics(self) -> Scene:
         """The same scene at the program's own resolution: what does not depend on it is computed once."""
         return self.model_copy(update={"numerics": Numerics()})

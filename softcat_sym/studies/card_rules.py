@@ -32,6 +32,7 @@ from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import E, L, eta, g, h0, rho, t
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, turned_back
 from softcat_sym.results.run import Run
+from softcat_sym.scene.history import values_at
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress
@@ -130,6 +131,8 @@ def certificate_of(run: Run, descent: Descent) -> dict[str, Any]:
     begin = min(len(sag) - 1, int((1 - ARREST_TIME) * (len(sag) - 1)))
     drift = float(np.ptp(sag[begin:]) / abs(descent.final)) if descent.final else 0.0
     keys = ("arrested", "gravity_number", "first_yield", "threshold", "stress", "yielding", "rate")
+    # What it is at the end says whether it has stopped.
+    scene = scene.at(scene.run.duration)
     limit = yield_stress_of(scene)
     if limit is None:
         stops = "it never stops" if run.terms.flows else "only elasticity stops it"
@@ -157,12 +160,14 @@ def largest_fibre_stress(run: Run, frame: int | None = None) -> float:
     yield stress and what flow adds to it, sigma_Y + K rate^n.
     """
     data, material = run.data.isel(time=slice(None) if frame is None else [frame]), run.scene.material
+    time = data["time"].values
     linear = np.abs(data["stress_mean"].values) + np.abs(data["stress_bending"].values)
     limit = yield_stress_of(run.scene)
     if limit is None or material.viscosity is None or not run.terms.yields:
         return float(np.max(linear))
-    flowing = limit + material.viscosity * data["plastic_rate"].values ** material.index
-    return float(np.max(np.where(data["yielded_fraction"].values > 0, flowing, np.minimum(linear, limit))))
+    limits, consistency = (values_at(one, time)[:, None] for one in (limit, material.viscosity))
+    flowing = limits + consistency * data["plastic_rate"].values ** material.index
+    return float(np.max(np.where(data["yielded_fraction"].values > 0, flowing, np.minimum(linear, limits))))
 
 
 def support_pull(run: Run) -> float:
@@ -323,9 +328,14 @@ RULES: tuple[RuleOfTheField, ...] = (
 """In the order of the card."""
 
 
+def _changing(scene: Scene, field: RuleOfTheField) -> str:
+    """Why a rule does not apply to a material that changes; empty of a pull, which no constant is asked for."""
+    return "the material changes in time" if scene.material.changes and field.quantity != SUPPORT else ""
+
+
 def applied_to(run: Run, field: RuleOfTheField) -> Rule:
     """Lay a rule beside a run."""
-    predicted = unusual(run.scene) or field.predict(run.scene, run)
+    predicted = unusual(run.scene) or _changing(run.scene, field) or field.predict(run.scene, run)
     value, text = (None, f"does not apply: {predicted}") if isinstance(predicted, str) else (predicted, "")
     unit = "m" if field.quantity == SAG else "Pa"
     return Rule(
