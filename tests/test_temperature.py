@@ -131,10 +131,29 @@ def test_a_modulus_that_falls_sets_energy_free_as_heat() -> None:
     assert found.summary["energy_residual"] < 1e-7
 
 
+def test_a_bar_between_clamps_is_pulled_as_it_cools() -> None:
+    """sigma = -E alpha (T - T_i); the energy is found again in the audit, the heat of it in the temperature."""
+    heat = {"ambient": 300.0, "heat_transfer": 500.0, "expansion": 1e-4, "heat_capacity": 1.0}
+    scene = bar(heat, duration=0.5, material={"youngs_modulus": 1e7})
+    found = run(scene)
+    fields, strain = found.fields, 1e-4 * (found.fields["temperature"][:, 5] - 350)
+    np.testing.assert_allclose(fields["stress_mean"][1:, 5], -1e7 * strain[1:], rtol=1e-8)
+    whole = 1e7 * strain**2 / 2 * np.exp(3 * strain) * math.pi * DIAMETER**2 / 4 * SPAN
+    np.testing.assert_allclose(fields["energy_elastic"], whole, rtol=0, atol=1e-7 * whole[-1])
+    np.testing.assert_allclose(-fields["energy_softening"], whole, rtol=0, atol=1e-6 * whole[-1])
+    assert found.summary["energy_residual"] < 1e-6
+    sheared = run(scene.replace({"run.effects": [*BAR, "shear"]}))
+    np.testing.assert_allclose(sheared.fields["energy_softening"], fields["energy_softening"], rtol=1e-6)
+    in_c = run(scene, numerics__backend="compiled")
+    np.testing.assert_allclose(
+        in_c.fields["energy_softening"], fields["energy_softening"], rtol=0, atol=1e-6 * whole[-1]
+    )
+
+
 EVERYTHING = {
     **SOFTER, "ambient": {"0 s": "350 K", "0.05 s": "300 K", "0.2 s": "330 K"}, "heated": ["5 mm", "30 mm"],
     "outside": 310.0, "correlation": "cylinder-in-air", "conductivity": 5.0, "heat_capacity": 20.0,
-    "modulus": {"300 K": 1.5, "330 K": 1.2, "360 K": 0.9},
+    "modulus": {"300 K": 1.5, "330 K": 1.2, "360 K": 0.9}, "expansion": 2e-4,
 }  # fmt: skip
 
 
@@ -301,6 +320,7 @@ REFUSED: dict[str, tuple[dict[str, Any], str, str]] = {
     "row of the table": ({"modulus": {"300 K": -1.0, "350 K": 1.0}}, "temperature.modulus.300 K", "out of range"),
     "short table": ({"modulus": {"300 K": 1.0}}, "temperature.modulus", "a table of 1"),
     "time of the table": ({**AIR, "ambient": {"0 K": "3 K", "1 s": "4 K"}}, "temperature.ambient.0 K", "time"),
+    "rate of a strain": ({"expansion": 1e-5}, "temperature.expansion", "viscous stress"),
     "unknown": ({"heat": 3.0}, "temperature.heat", "unknown key"),
 }  # fmt: skip
 
@@ -310,7 +330,8 @@ def test_what_makes_no_sense_is_refused(what: str) -> None:
     """One fault at its dotted path."""
     heat, path, words = REFUSED[what]
     with pytest.raises(SceneError) as refused:
-        bar(heat, *FLOWING)
+        loss = {"material": {"loss_tangent": 0.1}} if what == "rate of a strain" else {}
+        bar(heat, *FLOWING, **loss)
     faults = {fault.path: fault.found for fault in refused.value.faults}
     assert words in faults.get(path, ""), faults
 

@@ -130,16 +130,18 @@ class Builder:
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
         self.slots: dict[str, Slot] = {}
         self.rates: dict[str, Field] = {}  # Of states that are neither place nor velocity nor plastic, in time scales
+        self.thermal: list[Pair] = []  # What follows from the temperature of cells and nodes, and its slope [1/K]
         terms, given = equations.terms, self.values
         # Temperature of the nodes over that at the start, less one.
         warm = Slot(WARMING, "node", (False, False), True, "", section=False)
         self.warming = self.unknown(warm) if terms.heat else Same()
         self.values = self._changed(given, "cell", CELLS, mean_of_nodes(self.warming))
         self.values_node = self._changed(given, "node", NODES, self.warming[0]) if terms.heat else self.values
-        self.thinned, shrunk_area = ca.SX(1), ca.SX(1)
+        self.thinned, shrunk_area, node_thinned, node_area = (ca.SX(1),) * 4
         if terms.shrinks:
             # Of the section that has shrunk, as of one that was thinner from the beginning; its mass stays.
             shrunk_area, self.thinned = (printed(factor, self.values) for factor in shrunk(equations.shape))
+            node_area, node_thinned = (printed(factor, self.values_node) for factor in shrunk(equations.shape))
         self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))
         power, h = equations.shape.area_power, self.values[symbols.h0]
@@ -150,8 +152,8 @@ class Builder:
         self.area_cell = self.place("h_cell")[0] ** power if varies else ca.SX(1)
         self.area_node = self.place("h_node")[0] ** power if varies else ca.SX(1)
         if terms.shrinks:
-            self.h_cell, self.h_node = self.h_cell * self.thinned, self.h_node * self.thinned
-            self.area_cell, self.area_node = self.area_cell * shrunk_area, self.area_node * shrunk_area
+            self.h_cell, self.h_node = self.h_cell * self.thinned, self.h_node * node_thinned
+            self.area_cell, self.area_node = self.area_cell * shrunk_area, self.area_node * node_area
 
     def kelvin(self, warming: ca.SX) -> ca.SX:
         """Temperature of a filament that has one."""
@@ -166,10 +168,18 @@ class Builder:
         if heat is not None:
             found[temperature] = self.kelvin(warming)
             for symbol, factor in heat.factors:
-                # Once for all fibres and derivatives.
-                share = self.stage(f"{symbol}_of_a_{name}", where, printed(factor, found))[0]
-                found[symbol] = found[symbol] * share
+                found[symbol] = found[symbol] * self._thermal(f"{symbol}_of_a_{name}", where, factor, found)
+            if heat.expands:
+                strains = dict.fromkeys((symbols.n_0, symbols.n_1, symbols.n_0_t, symbols.n_1_t), ca.SX(0))
+                found = strains | found
+                found[symbols.n_0] += self._thermal(f"expansion_of_a_{name}", where, heat.strain, found)
         return found
+
+    def _thermal(self, name: str, where: Where, value: Any, given: Values) -> ca.SX:
+        """What follows from the temperature of a site, computed once for all fibres and derivatives."""
+        staged = self.stage(name, where, printed(value, given))[0]
+        self.thermal.append((staged, printed(value.diff(temperature), given)))
+        return staged
 
     def place(self, name: str) -> Neighbours:
         """A number of each site: a length, a mass, a relative thickness."""
@@ -224,6 +234,15 @@ class Builder:
         """Rate of an energy at strains and plastic states that are held [1/s]: what clocks do to it."""
         ends = {at: self.rate(value) for at, value in one.ends.items()}
         return Field(f"{one.name}_aged", one.where, self.rate(one.value), ends)
+
+    def softened(self, one: Field) -> Field:
+        """What an energy gains by a kelvin at strains and plastic states that are held [1/K]."""
+        ends = {at: self.by_temperature(value) for at, value in one.ends.items()}
+        return Field(f"{one.name}_softened", one.where, self.by_temperature(one.value), ends)
+
+    def by_temperature(self, value: ca.SX) -> ca.SX:
+        """Derivative of an expression by the temperature of its cell or node [1/K]."""
+        return sum((ca.jtimes(value, one, ca.SX(1)) * slope for one, slope in self.thermal), ca.SX(0))
 
     def rate(self, value: ca.SX) -> ca.SX:
         """Rate of an expression [1/s] by what stands in it of the time itself."""
@@ -295,6 +314,7 @@ class Mechanics:
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
+    softening: list[Field] = field(default_factory=list)  # What stored energies gain by a kelvin, likewise [1/K]
     ageing: list[Field] = field(default_factory=list)  # What clocks do to stored energies at strains that are held
     level: bool = False  # Whether motion sees a level, unstretched centreline: of small deflections
 

@@ -45,7 +45,8 @@ def heating(b: Builder, of: Mechanics) -> Heating:
     capacity = mass * b.density * b.values[sy.heat_capacity]
     made, lost = _shared(b, "heat_made", of.dissipation), _lost(b, of, heat)
     conducted = _conducted(b, of, heat)
-    softened = _softened(b, of, heat)
+    # Energy that a kelvin more takes from around a node: less where the modulus falls, or where what is pulled expands.
+    softened = _shared(b, "softening_of", of.softening if heat.stiffens else [])
 
     def rate(before: int | None, behind: int | None) -> ca.SX:
         gained = made(before, behind) - lost[0] + conducted(before, behind)
@@ -58,7 +59,7 @@ def heating(b: Builder, of: Mechanics) -> Heating:
     unit = b.density * b.values[sy.heat_capacity] * start
     if heat.coefficient != 0:
         found.lost = [Field("power_heat_lost", NODES, lost[0] * b.scale / unit)]
-    if heat.softens:
+    if heat.stiffens:
         weight, warming = b.nodes("softened", softened), b.rates[WARMING].value
         found.softening = [Field("power_softening", NODES, -weight[0] * warming * start / b.scale)]
     found.shown = {
@@ -136,15 +137,3 @@ def _conducted(b: Builder, of: Mechanics, heat: Heat) -> Sided:
         return ahead if before is None else ahead - flux[before]
 
     return build
-
-
-def _softened(b: Builder, of: Mechanics, heat: Heat) -> Sided:
-    """Elastic energy that a kelvin more takes from around a node, W m'/m, negative where the modulus falls."""
-    if not heat.softens:
-        return lambda *_: ca.SX(0)
-    slope = heat.modulus.diff(sy.temperature) / heat.modulus
-    stored = []
-    for one in of.energies["elastic"]:
-        values = b.values if _is_of_cells(one) else b.values_node
-        stored.append(Field(one.name, one.where, one.value * printed(slope, values), one.ends))
-    return _shared(b, "softening_of", stored)

@@ -202,6 +202,7 @@ def kirchhoff(b: Builder) -> Mechanics:
         double_force=double_force,
         moved=(moved[0], moved[1]),
         ageing=_aged(b, section, surface),
+        softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
         level=not terms.stretches,
     )
 
@@ -240,6 +241,7 @@ def small_deflection(b: Builder) -> Mechanics:
         section.dissipation,
         shown,
         ageing=_aged(b, section, surface),
+        softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
         level=True,
     )
 

@@ -13,6 +13,7 @@ import sympy as sp
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
 from softcat_sym.effects.law import law_in
+from softcat_sym.effects.natural_strain import shrinking
 from softcat_sym.effects.scaling_estimates import gravity_of
 from softcat_sym.physics import heat as sy
 from softcat_sym.physics.filament import Terms
@@ -38,7 +39,8 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
         factors |= dict.fromkeys(_named(law, "viscosity", eta), heat.viscosity)
     if heat.softens:
         factors |= dict.fromkeys((*_named(law, "youngs_modulus", E), *_named(law, "second_modulus")), heat.modulus)
-    return replace(terms, heat=replace(heat, factors=tuple(factors.items())))
+    heat = replace(heat, factors=tuple(factors.items()))
+    return replace(terms, heat=heat, shrinks=terms.shrinks or heat.expands)
 
 
 def _named(law: Law, name: str, *shared: sp.Symbol) -> tuple[sp.Symbol, ...]:
@@ -66,6 +68,7 @@ def _heat_of(scene: Scene) -> Heat:
         viscosity=sy.shift(stated.law, by_reference=stated.reference is not None),
         modulus=modulus,
         conducts=stated.conductivity is not None,
+        expands=stated.expansion != 0,
         partial=bool(stated.heated),
         numbers=tuple(numbers),
     )
@@ -120,7 +123,11 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
         flow, spring = stated.viscosity_factor(kelvin), stated.modulus_factor(kelvin)
         for factor, share in ((flow, motion.relaxed), (spring, 1.0)):
             change = max(change, share * (1 - min(factor, 1 / factor)) if factor > 0 else share)
-    meaning = "change of the viscosity where flow takes the stress away, or of the modulus"
+    expands = abs(stated.expansion) * max(
+        abs(one - (stated.initial or 0.0)) for one in coldest_and_hottest(scene, motion)
+    )
+    change = max(change, shrinking(scene, motion, expands))
+    meaning = "change of the viscosity where flow takes the stress away, of the modulus, or pull of the contraction"
     return Estimate(motion.amplified(change), meaning, "relaxed (1 - min(a_T, 1/a_T)), 1 - min(m_T, 1/m_T)")
 
 

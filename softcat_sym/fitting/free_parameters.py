@@ -219,7 +219,7 @@ def _of_temperature(scene: Scene) -> Iterator[Candidate]:
             one = Candidate(
                 name, path, unit, value, 1.0, False, (value / 1.5, min(1.5 * value, limits[1])), limits, path
             )
-        elif value > 0 and name != "A":
+        elif value >= 0 and name != "A":
             one = _positive(path, unit, value)
         else:
             size = abs(value) or 1.0

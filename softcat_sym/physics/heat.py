@@ -41,6 +41,7 @@ T_V = _kelvin("T_V", "T_V", "temperature of infinite viscosity", "Fulcher 1925")
 C_1 = enter("C_1", "C_1", ONE, "first constant of Williams, Landel and Ferry", "Williams et al. 1955", positive=True)
 C_2 = _kelvin("C_2", "C_2", "second constant of Williams, Landel and Ferry", "Williams et al. 1955")
 B_A = _kelvin("B_A", "B_A", "activation energy over the gas constant", "Arrhenius 1889")
+alpha_T = enter("alpha_T", r"\alpha_T", ONE, "coefficient of linear thermal expansion", "Timoshenko 1925")
 heat_source = enter("D_h", r"\mathcal{D}", _POWER, "plastic and viscous power per unit material length", "THEORY 4")
 viscosity_factor = enter("a_T", "a_T", ONE, "viscosity over the stated one", "Ferry 1980")
 modulus_factor = enter("m_T", "m_T", ONE, "modulus over the stated one", "Ferry 1980")
@@ -62,6 +63,7 @@ _OF_C = {
     "C1": C_1,
     "C2": C_2,
     "activation_temperature": B_A,
+    "expansion": alpha_T,
 }
 PREFIX = "temperature_"
 """Of the names of these numbers in a run."""
@@ -137,8 +139,8 @@ class Heat:
         Viscosity over the stated one, of the temperature.
     modulus : sympy.Expr
         Modulus over the stated one, likewise.
-    conducts, partial : bool
-        Whether heat is conducted along the filament, and whether a part of it only is in the furnace.
+    conducts, expands, partial : bool
+        Whether heat is conducted along the filament, whether it expands, and whether a part only is in the furnace.
     factors : tuple of (symbol, expression)
         Constants of the law that change, and the one of the two by which.
     numbers : tuple of Constant
@@ -150,6 +152,7 @@ class Heat:
     viscosity: sp.Expr = sp.S.One
     modulus: sp.Expr = sp.S.One
     conducts: bool = False
+    expands: bool = False
     partial: bool = False
     factors: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
     numbers: tuple[Constant, ...] = ()
@@ -158,6 +161,16 @@ class Heat:
     def softens(self) -> bool:
         """Whether the moduli change with the temperature."""
         return bool(self.modulus != 1)
+
+    @property
+    def stiffens(self) -> bool:
+        """Whether the stored energy depends on the temperature."""
+        return self.softens or self.expands
+
+    @property
+    def strain(self) -> sp.Expr:
+        """Natural strain of the expansion."""
+        return alpha_T * (temperature - initial)
 
     @property
     def constants(self) -> tuple[Constant, ...]:

@@ -416,8 +416,10 @@ def _temperature(equations: FilamentEquations) -> Iterator[Stated]:
     if law.viscosity != 1:
         yield stated("viscosity over the stated one", heat.viscosity_factor, law.viscosity, "Fulcher 1925; Ferry 1980")
     gained = heat.heat_source
-    if law.softens:
-        gained -= heat.stored / heat.modulus_factor * Rate(heat.modulus_factor, sy.t, 1)
+    if law.stiffens:
+        gained -= Rate(heat.stored, heat.temperature, 1) * Rate(heat.temperature, sy.t, 1)
+    if law.expands:
+        yield stated("natural strain", sy.n_0, law.strain, "Timoshenko 1925")
     around = heat.around if law.partial else heat.ambient
     if law.coefficient != 0:
         gained -= heat.transfer * sy.A0 * equations.exchange * (heat.temperature - around)

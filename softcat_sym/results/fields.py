@@ -58,7 +58,9 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "energy_potential": Variable(_FRAME, "J", "potential energy of the weight, 0 when straight", True),
     "energy_dissipated": Variable(_FRAME, "J", "plastic work since t = 0", True),
     "energy_gradient": Variable(_FRAME, "J", "work against the necking gradient since t = 0", True),
-    "energy_softening": Variable(_FRAME, "J", "elastic energy turned into heat by a falling modulus since t = 0", True),
+    "energy_softening": Variable(
+        _FRAME, "J", "stored energy turned into heat, by softening and expansion, since t = 0", True
+    ),
     "heat_stored": Variable(_FRAME, "J", "heat that the filament holds more than at t = 0", True),
     "heat_lost": Variable(_FRAME, "J", "heat given to the surroundings since t = 0", True),
     "work_external": Variable(_FRAME, "J", "work of the changing load since t = 0", True),

@@ -221,6 +221,8 @@ class Temperature(Part):
     """Instead of the coefficient, that of natural convection around a cylinder in air (Churchill & Chu 1975)."""
     conductivity: Annotated[float | None, Thermal("thermal conductivity", "W/(m*K)", "1.2 W/(m*K)")] = None
     """Thermal conductivity: along the filament, and for the Biot number; without it nothing is conducted."""
+    expansion: Annotated[float, Thermal("coefficient of expansion", "1/K", "9e-6 1/K", "any")] = 0.0
+    """Coefficient of linear thermal expansion, from the initial temperature: a natural strain."""
     law: Annotated[Softened, Choice(Softened)] = "constant"
     """Law of the viscosity."""
     reference: Annotated[float | None, AbsoluteTemperature("150 degC")] = None
@@ -355,6 +357,10 @@ def _of_the_law(scene: Scene, heat: Temperature) -> Iterator[Rule]:
     fixed = law != "constant" and material not in (*VISCOUS, *VISCOUS_TOO)
     found = f"'{law}', but the material's law '{material}' states no viscosity"
     yield fixed, "temperature.law", found, f"constant, or one of the laws {', '.join((*VISCOUS, *VISCOUS_TOO))}"
+    viscous = material in ("newtonian", "kelvin-voigt") or scene.material.has_loss
+    found = f"given, but the law '{material}' has a viscous stress, which the rate of the expansion would need"
+    path, accepted = "temperature.expansion", "leaving it out, or a law without a viscous stress or a loss below yield"
+    yield heat.expansion and viscous, path, found, accepted
     stiff = heat.modulus is not None and material == "newtonian"
     yield stiff, "temperature.modulus", "given, but a newtonian fluid has no modulus", "leaving it out"
 

@@ -85,7 +85,7 @@ def scene(glass: Glass, **changes: object) -> sc.Scene:
 
 
 def reached(asked: sc.Scene, softens: float) -> tuple[float, float, float]:
-    """Temperatures of furnace and fibre [C] at 1 mm/min; how fast it is in a furnace of another temperature [mm/min]."""
+    """Temperatures of furnace and fibre [C] at 1 mm/min; its speed [mm/min] where the furnace has another."""
     found = sc.simulate(asked)
     assert found.outcome.is_success, found.summary["message"]
     time, length = found.fields["time"], -found.fields["y"][:, -1]
