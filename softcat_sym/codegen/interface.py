@@ -20,9 +20,12 @@ from softcat_sym.discretization.parameters import CATALOGUE, parameter_values
 from softcat_sym.effects.choosing import Effects
 from softcat_sym.effects.first_stress import initial_strain
 from softcat_sym.errors import PrintingError
+from softcat_sym.physics.heat import PREFIX
 from softcat_sym.scene.material import Parameter, constant_in_c
+from softcat_sym.scene.parts import kinds_of
 from softcat_sym.scene.scene import Scene, force_free_stretch
-from softcat_sym.scene.units import si_unit
+from softcat_sym.scene.temperature import Temperature
+from softcat_sym.scene.units import Quantity, si_unit
 
 MIN_CELLS = 4
 """Per half span: with fewer, the two ends see each other."""
@@ -146,6 +149,10 @@ def _unit(scene: Scene, name: str, names: tuple[str, ...]) -> str:
     known = {one.name: one.unit for one in CATALOGUE} | _UNITS
     if name in known:
         return known[name]
+    if name.startswith(PREFIX):
+        kind = kinds_of(Temperature).get(name.removeprefix(PREFIX))
+        kelvin = "K" if name.startswith(f"{PREFIX}activation") else "m" if name.startswith(f"{PREFIX}heated") else "1"
+        return (kind.unit if isinstance(kind, Quantity) else "") or kelvin
     own = _named_by_user(scene)
     if name in own:
         return str(si_unit(own[name].dimension)).replace(" ", "") or "1"
@@ -161,7 +168,12 @@ def _bound(scene: Scene, name: str) -> str:
         return "poisson"
     own = _named_by_user(scene)
     free = ("curvature", "drop", "left_angle", "right_angle")
-    if name in own or name in free or (name.startswith("motion_") and not name.endswith("_time")):
+    if (
+        name in own
+        or name in free
+        or name.startswith(PREFIX)
+        or (name.startswith("motion_") and not name.endswith("_time"))
+    ):
         return "any"
     zero = {"gravity", "ramp", "shake", "shake_frequency", "point_mass_per_area", "time_scale"}
     zero |= {"surface_tension", "bath_density", "bath_viscosity"}

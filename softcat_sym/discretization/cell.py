@@ -36,10 +36,14 @@ from softcat_sym.discretization.stencil import (
 from softcat_sym.discretization.supports import Body, Held, held
 from softcat_sym.physics import symbols
 from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
 from softcat_sym.physics.necking import aspect, s_slope
 from softcat_sym.physics.section_response import shrunk
+
+WARMING = "warming"
+"""The state of nodes that is their temperature over that at the start, less one."""
 
 Values = Mapping[Any, Any]
 Pair = tuple[ca.SX, ca.SX]
@@ -124,15 +128,21 @@ class Builder:
         self.values: dict[Any, Any] = {symbols.A0: 1.0, **{row.symbol: self.named[row.name] for row in rows}}
         self.scale, self.span, self.density = self.named[TIME_SCALE], self.values[symbols.L_0], self.values[symbols.rho]
         self.time = self.leaves.symbol(Leaf(TIME, "t"))
-        for clock in equations.terms.clocks:
-            given = {**self.values, symbols.t: self.time * self.scale}
-            self.values |= {symbol: printed(value, given) for symbol, value in clock.replaces}
-        terms, self.thinned, shrunk_area = equations.terms, ca.SX(1), ca.SX(1)
+        self.slots: dict[str, Slot] = {}
+        self.rates: dict[str, Field] = {}  # Of states that are neither place nor velocity nor plastic, in time scales
+        self.thermal: list[Pair] = []  # What follows from the temperature of cells and nodes, and its slope [1/K]
+        terms, given = equations.terms, self.values
+        # Temperature of the nodes over that at the start, less one.
+        warm = Slot(WARMING, "node", (False, False), True, "", section=False)
+        self.warming = self.unknown(warm) if terms.heat else Same()
+        self.values = self._changed(given, "cell", CELLS, mean_of_nodes(self.warming))
+        self.values_node = self._changed(given, "node", NODES, self.warming[0]) if terms.heat else self.values
+        self.thinned, shrunk_area, node_thinned, node_area = (ca.SX(1),) * 4
         if terms.shrinks:
             # Of the section that has shrunk, as of one that was thinner from the beginning; its mass stays.
             shrunk_area, self.thinned = (printed(factor, self.values) for factor in shrunk(equations.shape))
+            node_area, node_thinned = (printed(factor, self.values_node) for factor in shrunk(equations.shape))
         self.supports: Held = held(body.supports, self.named, self.span, self.time * self.scale)
-        self.slots: dict[str, Slot] = {}
         self.X, self.length, self.node = (self.place(name) for name in ("X", "cell", "node"))
         power, h = equations.shape.area_power, self.values[symbols.h0]
         varies = body.profile.nodes is not None
@@ -142,8 +152,34 @@ class Builder:
         self.area_cell = self.place("h_cell")[0] ** power if varies else ca.SX(1)
         self.area_node = self.place("h_node")[0] ** power if varies else ca.SX(1)
         if terms.shrinks:
-            self.h_cell, self.h_node = self.h_cell * self.thinned, self.h_node * self.thinned
-            self.area_cell, self.area_node = self.area_cell * shrunk_area, self.area_node * shrunk_area
+            self.h_cell, self.h_node = self.h_cell * self.thinned, self.h_node * node_thinned
+            self.area_cell, self.area_node = self.area_cell * shrunk_area, self.area_node * node_area
+
+    def kelvin(self, warming: ca.SX) -> ca.SX:
+        """Temperature of a filament that has one."""
+        return ca.SX((1 + warming) * self.values[initial])
+
+    def _changed(self, given: Values, name: str, where: Where, warming: ca.SX) -> dict[Any, Any]:
+        """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""
+        found, heat = dict(given), self.equations.terms.heat
+        for clock in self.equations.terms.clocks:
+            now = {**found, symbols.t: self.time * self.scale}
+            found |= {symbol: printed(value, now) for symbol, value in clock.replaces}
+        if heat is not None:
+            found[temperature] = self.kelvin(warming)
+            for symbol, factor in heat.factors:
+                found[symbol] = found[symbol] * self._thermal(f"{symbol}_of_a_{name}", where, factor, found)
+            if heat.expands:
+                strains = dict.fromkeys((symbols.n_0, symbols.n_1, symbols.n_0_t, symbols.n_1_t), ca.SX(0))
+                found = strains | found
+                found[symbols.n_0] += self._thermal(f"expansion_of_a_{name}", where, heat.strain, found)
+        return found
+
+    def _thermal(self, name: str, where: Where, value: Any, given: Values) -> ca.SX:
+        """What follows from the temperature of a site, computed once for all fibres and derivatives."""
+        staged = self.stage(name, where, printed(value, given))[0]
+        self.thermal.append((staged, printed(value.diff(temperature), given)))
+        return staged
 
     def place(self, name: str) -> Neighbours:
         """A number of each site: a length, a mass, a relative thickness."""
@@ -198,6 +234,15 @@ class Builder:
         """Rate of an energy at strains and plastic states that are held [1/s]: what clocks do to it."""
         ends = {at: self.rate(value) for at, value in one.ends.items()}
         return Field(f"{one.name}_aged", one.where, self.rate(one.value), ends)
+
+    def softened(self, one: Field) -> Field:
+        """What an energy gains by a kelvin at strains and plastic states that are held [1/K]."""
+        ends = {at: self.by_temperature(value) for at, value in one.ends.items()}
+        return Field(f"{one.name}_softened", one.where, self.by_temperature(one.value), ends)
+
+    def by_temperature(self, value: ca.SX) -> ca.SX:
+        """Derivative of an expression by the temperature of its cell or node [1/K]."""
+        return sum((ca.jtimes(value, one, ca.SX(1)) * slope for one, slope in self.thermal), ca.SX(0))
 
     def rate(self, value: ca.SX) -> ca.SX:
         """Rate of an expression [1/s] by what stands in it of the time itself."""
@@ -269,6 +314,7 @@ class Mechanics:
     double_force: Neighbours | None = None  # Conjugate of the change of the stretch at inner nodes [Pa]
     profiles: dict[str, tuple[float, float]] = field(default_factory=dict)
     moved: tuple[Neighbours, Neighbours] | None = None  # Velocities with those of supports that move
+    softening: list[Field] = field(default_factory=list)  # What stored energies gain by a kelvin, likewise [1/K]
     ageing: list[Field] = field(default_factory=list)  # What clocks do to stored energies at strains that are held
     level: bool = False  # Whether motion sees a level, unstretched centreline: of small deflections
 
@@ -348,7 +394,7 @@ def neck_force(b: Builder, stretch: Neighbours, tension: Neighbours) -> tuple[Ne
 
 def _of_a_joint(b: Builder, stretch: Neighbours) -> dict[Any, Any]:
     """The stretch at an inner node and its change along the filament, with the section there."""
-    values = {**b.values, symbols.s: b.averaged(stretch)(-1, 0), symbols.h0: b.h_node}
+    values = {**b.values_node, symbols.s: b.averaged(stretch)(-1, 0), symbols.h0: b.h_node}
     return values | {s_slope: (stretch[0] - stretch[-1]) / b.node[0] / b.span}
 
 

@@ -17,6 +17,7 @@ from softcat_sym.discretization.cell import (
     printed,
 )
 from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.heat import HEAT_LOST, Heating, heating
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
 from softcat_sym.discretization.parameters import AREA, CATALOGUE, TIME_SCALE
@@ -68,7 +69,7 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
     if b.equations.resolved is not None:
         rotary = printed(b.equations.resolved.rotary_inertia, b.values)
 
-    outer = outer_forces(b, of)
+    outer, heat = outer_forces(b, of), heating(b, of)
     of.energies |= outer.energies
     fixed = per_mass, gravity * unit, rotary
     massive = _Massive(of.force, outer, mass * b.density * span, gravity, unit) if outer.adds_mass else None
@@ -77,8 +78,8 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
         massive.rate(slot, b.slots) if massive and slot.name in ("u", "v") else _rate(b, of, outer, slot, fixed)
         for slot in slots
     )
-    powers = _powers(b, of, outer, mass, gravity, gravity_rate)
-    shown = _observables(b, of, outer, mass, gravity, rotary)
+    powers = _powers(b, of, outer, heat, mass, gravity, gravity_rate)
+    shown = _observables(b, of, outer, mass, gravity, rotary) | heat.shown
     everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
     everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
     used = {
@@ -114,6 +115,8 @@ def _rate(b: Builder, of: Mechanics, outer: Outer, slot: Slot, fixed: tuple[ca.S
     name = f"f_{slot.name}"
     if slot.rate:
         return Field(name, slot.where, Neighbours(b.leaves, UNKNOWN, slot.rate)[0])
+    if slot.name in b.rates:
+        return b.rates[slot.name]
     if slot.name in of.plastic:
         return Field(name, slot.where, of.plastic[slot.name] * b.scale)
     if slot.name in ("psi", "omega"):
@@ -192,7 +195,7 @@ def place_names(body: Body) -> tuple[str, ...]:
 
 
 def _powers(
-    b: Builder, of: Mechanics, outer: Outer, mass: ca.SX, gravity: ca.SX, gravity_rate: ca.SX
+    b: Builder, of: Mechanics, outer: Outer, heat: Heating, mass: ca.SX, gravity: ca.SX, gravity_rate: ca.SX
 ) -> dict[str, tuple[Field, ...]]:
     """Plastic power, power of the changing load, of the gradient and of what effects dissipate, site by site.
 
@@ -226,7 +229,10 @@ def _powers(
         name: [Field(one.name, one.where, one.value * scale) for one in fields]
         for name, fields in outer.dissipation.items()
     }
+    softened = [Field(one.name, one.where, one.value * scale, one.ends) for one in heat.softening]
     groups = {"plastic": plastic, "load": load, "gradient": gradient, **lost}
+    groups |= {"energy_softening": softened} if softened else {}
+    groups |= {HEAT_LOST: heat.lost} if heat.lost else {}
     if b.equations.terms.clocks:
         groups[WORK_OF_AGEING] = [
             Field(f"power_ageing_{k}", one.where, one.value * scale, {at: v * scale for at, v in one.ends.items()})

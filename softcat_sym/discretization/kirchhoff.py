@@ -70,7 +70,7 @@ def linear_section(b: Builder, at: Strains, *, whole: bool = False) -> Section:
         flows = isinstance(part, BranchResponse) and part.means is not None
         a_0, a_1 = _states(b, j, whole=whole) if flows else (Same(), Same())
         cell = {**b.values, symbols.s: at.s[0], symbols.s_t: at.s_t[0], symbols.a_0: a_0[0], symbols.h0: b.h_cell}
-        node = {**b.values, symbols.s: at.s_node[0], symbols.s_t: at.s_node_t[0], symbols.h0: b.h_node}
+        node = {**b.values_node, symbols.s: at.s_node[0], symbols.s_t: at.s_node_t[0], symbols.h0: b.h_node}
         node |= {symbols.theta_X: at.turning[0], symbols.theta_Xt: at.turning_t[0], symbols.a_1: a_1[0]}
         sigma_0, sigma_1 = printed(part.stress_mean, cell), printed(part.stress_bending, node)
         if b.equations.conserves_energy:
@@ -202,6 +202,7 @@ def kirchhoff(b: Builder) -> Mechanics:
         double_force=double_force,
         moved=(moved[0], moved[1]),
         ageing=_aged(b, section, surface),
+        softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
         level=not terms.stretches,
     )
 
@@ -240,6 +241,7 @@ def small_deflection(b: Builder) -> Mechanics:
         section.dissipation,
         shown,
         ageing=_aged(b, section, surface),
+        softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
         level=True,
     )
 

@@ -8,9 +8,10 @@ from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, POINT_MASS, RI
 from softcat_sym.effects.free_vibration import solid_viscosity
 from softcat_sym.physics import symbols
 from softcat_sym.physics.bulk import nu
+from softcat_sym.physics.heat import PREFIX
 from softcat_sym.physics.loads import surface_tension
 from softcat_sym.physics.necking import aspect
-from softcat_sym.scene.history import named_numbers
+from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 
@@ -93,8 +94,23 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         TIME_SCALE: time_scale(scene),
         "poisson": scene.material.poisson,
         "solid_viscosity": solid_viscosity(scene),
+        **_of_temperature(scene),
         **scene.material.values(),
         **_histories(scene.material),
         **{constant_in_c(path): one.value for path, one in scene.named_constants().items()},
         **path,
     }
+
+
+def _of_temperature(scene: Scene) -> dict[str, float]:
+    """Numbers of a filament with a temperature, by their names; none of one without."""
+    heat = scene.temperature
+    if not heat.present:
+        return {}
+    begin, end = heat.heated or (0.0, 0.0)
+    values: dict[str, object] = {name: getattr(heat, name) for name in type(heat).model_fields}
+    values |= {"heated_begin": begin, "heated_end": end, "activation_temperature": heat.activation_temperature}
+    found = {f"{PREFIX}{name}": float(value) for name, value in values.items() if isinstance(value, (int, float))}
+    for name, value in values.items():
+        found |= named_numbers(f"{PREFIX}{name}", value) if isinstance(value, History) else {}
+    return found

@@ -50,6 +50,7 @@ class Fibres:
     energy: ca.SX = field(default_factory=ca.SX)
     dissipation: ca.SX = field(default_factory=ca.SX)
     ageing: ca.SX = field(default_factory=ca.SX)  # Rate of the energy at a strain that is held, and work of shrinking
+    softening: ca.SX = field(default_factory=ca.SX)  # What a kelvin adds to the energy at a strain that is held [1/K]
     plastic: dict[str, ca.SX] = field(default_factory=dict)  # Rates of the plastic states [1/s]
     shown: dict[str, ca.SX] = field(default_factory=dict)
 
@@ -140,6 +141,7 @@ def shearing(b: Builder, rule: Sampling) -> Mechanics:
         fibres.profiles,
         moved=(moved[0], moved[1]),
         ageing=_aged(b, volume, fibres, surface),
+        softening=_softened(b, volume, fibres, surface),
     )
 
 
@@ -149,6 +151,14 @@ def _aged(b: Builder, volume: ca.SX, fibres: Fibres, surface: list[Field]) -> li
         return []
     of_fibres = b.rate(volume) * fibres.energy + volume * fibres.ageing
     return [Field("fibres_aged", CELLS, of_fibres), *map(b.aged, surface)]
+
+
+def _softened(b: Builder, volume: ca.SX, fibres: Fibres, surface: list[Field]) -> list[Field]:
+    """What a kelvin adds to the energies."""
+    if not b.thermal:
+        return []
+    of_fibres = b.by_temperature(volume) * fibres.energy + volume * fibres.softening
+    return [Field("fibres_softened", CELLS, of_fibres), *map(b.softened, surface)]
 
 
 def angles(b: Builder) -> tuple[Neighbours, Neighbours]:
@@ -195,6 +205,8 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
     found.energy, found.dissipation = mean("energy"), mean("dissipation")
     if b.equations.terms.clocks:
         found.ageing = mean("ageing")
+    if b.thermal:
+        found.softening = mean("softening")
     found.shown = _shown_fibres(rule, fibres) if isinstance(rule, SectionRule) else {}
     return found
 
@@ -251,6 +263,7 @@ class _Fibre:
         self.strain = (printed(resolved.cell.axial_strain, values), printed(resolved.cell.shear_strain, values))
         self.axial = self.shear = self.energy = self.dissipation = self.speed = self.yields = ca.SX(0)
         self.ageing, self.rate = ca.SX(0), b.rate
+        self.softening, self.by_temperature = ca.SX(0), b.by_temperature
         self.rates: list[Pair] = []
         self.drives: list[Pair] = []  # What the rates of the plastic state are conjugate to
         self.flows = False
@@ -270,6 +283,7 @@ class _Fibre:
         stored = printed(spring.stored, values)
         self.energy += stored
         self.ageing += self.rate(stored)
+        self.softening += self.by_temperature(stored)
         self.drives.append((conjugate, values[reissner.tau_d]))
         if branch.flow is None:
             self.rates.append((ca.SX(0), ca.SX(0)))

@@ -55,16 +55,23 @@ def largest_strains(scene: Scene) -> tuple[float, float]:
     return mean, more
 
 
+def shrinking(scene: Scene, motion: Motion, strain: float) -> float:
+    """Share of the sag that a mean natural strain takes or adds."""
+    if strain == 0 or not is_held(scene):
+        return strain
+    # A tension E n, of a cable that shrinks, against what carries the load: rho g L/(8 H) of the sag.
+    weight, modulus = weight_stress(scene), instant_modulus(scene) or 0.0
+    tightened = 8 * modulus * strain * motion.sag / weight if weight > 0 else math.inf
+    return tightened / (1 + tightened) if tightened < math.inf else 1.0
+
+
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     mean, more = largest_strains(scene)
     meaning = "share of the sag that shrinking takes or curling adds"
-    # A tension E n, of a cable that shrinks, against what carries the load: rho g L/(8 H) of the sag.
-    weight, modulus = weight_stress(scene), instant_modulus(scene) or 0.0
-    tightened = 8 * modulus * mean * motion.sag / weight if weight > 0 else math.inf
     # Its curvature n/h bends a filament with an end that may turn by n L^2/(8 h) or more; clamps take it up.
     turns = {scene.ends.left, scene.ends.right} != {"clamped"}
     curled = more / groups_of(scene).delta / (2 if "free" in (scene.ends.left, scene.ends.right) else 8) * turns
-    value = max(tightened / (1 + tightened) if mean and is_held(scene) else mean, curled / motion.scale)
+    value = max(shrinking(scene, motion, mean), curled / motion.scale)
     return Estimate(min(1.0, value), meaning, "C/(1 + C), C = 8 E n f/(q L/A), or n L/(8 h)")
 
 

@@ -114,7 +114,7 @@ def retardation(scene: Scene) -> float:
     if material.viscosity is None or material.youngs_modulus is None or not is_solid(scene):
         return 0.0
     compliance = 1 / material.youngs_modulus + (1 / material.second_modulus if material.second_modulus else 0.0)
-    return material.viscosity * compliance
+    return material.viscosity * scales.hot_viscosity_factor(scene) * compliance
 
 
 def start_sag(scene: Scene) -> float:

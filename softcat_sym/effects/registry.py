@@ -25,6 +25,7 @@ from softcat_sym.effects.rotary_inertia import ROTARY_INERTIA
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.solid_damping import SOLID_DAMPING
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
+from softcat_sym.effects.temperature import TEMPERATURE
 from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
@@ -52,6 +53,7 @@ REGISTRY: list[Effect] = [
     BUOYANCY,
     DRAG,
     ADDED_MASS,
+    TEMPERATURE,
     CURING,
     NATURAL_STRAIN,
 ]

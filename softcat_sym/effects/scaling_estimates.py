@@ -132,14 +132,22 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
     """
     material = scene.material
     if material.modes:
-        return sum(mode.viscosity for mode in material.modes)
+        return hot_viscosity_factor(scene) * sum(mode.viscosity for mode in material.modes)
     if material.law == "custom" and material.formula is not None:
         values = {parameter.name: parameter.value for parameter in material.parameters}
         rate = material.formula.value(material.threshold + stress, values)
         return stress / rate if rate > 0 and math.isfinite(rate) else 0.0
     if material.viscosity is None:
         return None
-    return float(material.viscosity ** (1 / material.index) * stress ** (1 - 1 / material.index))
+    consistency = material.viscosity * hot_viscosity_factor(scene)
+    return float(consistency ** (1 / material.index) * stress ** (1 - 1 / material.index))
+
+
+def hot_viscosity_factor(scene: Scene) -> float:
+    """Viscosity at the highest temperature of the scene over that which the material states."""
+    heat, asked = scene.temperature, scene.run.effects
+    listed = asked == "auto" if isinstance(asked, str) else "temperature" in asked
+    return heat.viscosity_factor(heat.extremes(scene.run.duration)[1]) if heat.present and listed else 1.0
 
 
 def viscous_number(scene: Scene) -> float | None:

@@ -17,13 +17,16 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.history import is_history
 from softcat_sym.scene.material import CONSTANTS, FROM_SHEAR, INDEXED, Material, kind_of_constant, tensile_name
-from softcat_sym.scene.parts import Filament, Part
+from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
+from softcat_sym.scene.temperature import Temperature
 from softcat_sym.scene.units import (
     SI_UNITS,
     Kind,
     NotAQuantity,
+    Number,
     Quantity,
     did_you_mean,
     refusal,
@@ -69,6 +72,9 @@ class Candidate:
                 raise refusal(f"{shown(value)} is not finite", "a finite number")
             return number
         accepted = f"a number in {self.unit}, or text with a unit" if self.unit else "a number without a unit"
+        if self.path.startswith("temperature."):
+            # Their units hold kelvin and mole.
+            return float(kinds_of(Temperature)[self.name].read(value))
         try:
             if self.unit.count("^") and self.path.startswith("material."):
                 # A consistency, whose dimension has no name.
@@ -83,7 +89,8 @@ class Candidate:
 
 def candidates(scene: Scene) -> tuple[Candidate, ...]:
     """List every number of a scene, and of its measurement, that may be free."""
-    return (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_measurement(scene))
+    of_scene = (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_temperature(scene))
+    return (*of_scene, *_of_measurement(scene))
 
 
 def _positive(
@@ -188,6 +195,39 @@ def _of_surroundings(scene: Scene) -> Iterator[Candidate]:
             yield Candidate(**{**vars(plain), "trouble": found, "remedy": "clamps at different angles in the scene"})
         else:
             yield plain
+
+
+_KELVIN = ("initial", "ambient", "outside", "reference", "T_0")
+
+
+def _of_temperature(scene: Scene) -> Iterator[Candidate]:
+    heat, low = scene.temperature, 0.0
+    if not heat.present:
+        return
+    in_force = choose_effects(scene).terms().heat is not None
+    for name, kind in kinds_of(type(heat)).items():
+        value, path = getattr(heat, name), f"temperature.{name}"
+        if value is None or not isinstance(kind, (Quantity, Number)):
+            continue
+        unit = _unit(kind)
+        if is_history(value):
+            found, remedy = "a table of times in the scene, no number", f"one temperature as {path}"
+            one = Candidate(name, path, unit, float(value), 1.0, True, (0, 0), (0, math.inf), "", found, remedy)
+        elif name in _KELVIN:
+            # Beyond these a law of the viscosity has no value.
+            limits = (low, heat.extremes(scene.run.duration)[0] * (1 - 1e-9)) if name == "T_0" else (low, math.inf)
+            one = Candidate(
+                name, path, unit, value, 1.0, False, (value / 1.5, min(1.5 * value, limits[1])), limits, path
+            )
+        elif value >= 0 and name != "A":
+            one = _positive(path, unit, value)
+        else:
+            size = abs(value) or 1.0
+            one = _signed(path, unit, value, size, (-_ANY_SIGN * size, _ANY_SIGN * size))
+        if not one.trouble and not in_force:
+            found, remedy = "no effect in force depends on it", "temperature in run.effects"
+            one = replace(one, trouble=found, remedy=remedy)
+        yield one
 
 
 def _surface_tension(scene: Scene) -> Candidate:

@@ -16,6 +16,7 @@ from softcat_sym.physics import closures as closure
 from softcat_sym.physics import kinematics, sections
 from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.densities import Densities
+from softcat_sym.physics.heat import Heat, lateral_area
 from softcat_sym.physics.kinematics import InternalForce, internal_force
 from softcat_sym.physics.laws import ELASTIC, Constant, Law
 from softcat_sym.physics.loads import SURFACES, Surface
@@ -50,6 +51,7 @@ class Terms:
     surface_tension: bool = False  # Whether the energy of the surface pulls the filament together
     densities: tuple[Densities, ...] = ()  # Energies and Rayleigh potentials of place and tangent that effects add
     clocks: tuple[Clock, ...] = ()  # What changes the constants of the material
+    heat: Heat | None = None  # What the temperature of the filament follows, if it has one
     shrinks: bool = False  # Whether the material is without stress at another strain as time goes on
     gravity: sp.Expr = g  # Gravity and its rate where it does not shake
     gravity_rate: sp.Expr = sp.S.Zero
@@ -80,7 +82,7 @@ class Terms:
     @property
     def integrates(self) -> bool:
         """Whether the filament is carried through time, rather than from equilibrium to equilibrium."""
-        return self.inertia or self.flows or self.resists or self.grows
+        return self.inertia or self.flows or self.resists or self.grows or self.heat is not None
 
     @property
     def grows(self) -> bool:
@@ -132,12 +134,15 @@ class FilamentEquations:
     neck: Neck | None  # The gradient term, if in force
     surface: Surface | None  # Surface tension, if in force
     force: InternalForce  # Q t + N n of a filament that does not shear
+    exchange: sp.Expr  # Lateral area over volume of the undeformed section, of the stretch
 
     @property
     def constants(self) -> tuple[Constant, ...]:
         """What the law asks the scene for, and what the densities and clocks of effects do."""
         of_densities = (one for density in self.terms.densities for one in density.constants)
-        return (*self.law.constants, *of_densities, *(one for clock in self.terms.clocks for one in clock.constants))
+        of_clocks = (one for clock in self.terms.clocks for one in clock.constants)
+        of_heat = () if self.terms.heat is None else self.terms.heat.constants
+        return (*self.law.constants, *of_densities, *of_clocks, *of_heat)
 
     @property
     def conserves_energy(self) -> bool:
@@ -175,6 +180,7 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
         neck=NECKS[shape.name] if terms.necking_gradient else None,
         surface=SURFACES[shape.name] if terms.surface_tension else None,
         force=internal_force(terms.centreline, bending=terms.bending, stretches=terms.stretches),
+        exchange=lateral_area(shape, thins=terms.thins),
     )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from softcat_sym.physics import reissner
+from softcat_sym.physics import heat, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.closures import CLOSURES, A, h
@@ -315,7 +315,8 @@ def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -
         section = (*_uniform_stretch(equations), *_section(equations, reduced=True))
     else:
         section = (*_kinematics(equations), *_strain(equations), *_section(equations))
-    return (*section, *_histories(equations), *_balance(equations, reduced=reduced), *_gravity(equations))
+    clocks = (*_histories(equations), *_temperature(equations))
+    return (*section, *clocks, *_balance(equations, reduced=reduced), *_gravity(equations))
 
 
 A0_t = sy.enter(
@@ -429,6 +430,43 @@ def _gravity(equations: FilamentEquations) -> Iterator[Stated]:
     yield stated(f"gravity, {' and '.join(how)}", sy.g_t, load, "; ".join(source))
     for share in shares:
         yield stated("time of switching on", progress, share, "section 3")
+
+
+def _temperature(equations: FilamentEquations) -> Iterator[Stated]:
+    """The balance of heat of a filament that has a temperature, and what the temperature makes of the material."""
+    law = equations.terms.heat
+    if law is None:
+        return
+    for symbol, value in law.factors:
+        row = sy.entry(symbol)
+        given = sy.enter(
+            f"{symbol.name}_stated", f"{row.latex}_{{r}}", row.dimension, f"{row.meaning}, as stated", "Ferry 1980"
+        )
+        factor = heat.viscosity_factor if value == law.viscosity else heat.modulus_factor
+        yield stated(f"{row.meaning}, at its temperature", symbol, given * factor, "Ferry 1980")
+    if law.viscosity != 1:
+        yield stated("viscosity over the stated one", heat.viscosity_factor, law.viscosity, "Fulcher 1925; Ferry 1980")
+    gained = heat.heat_source
+    if law.stiffens:
+        gained -= Rate(heat.stored, heat.temperature, 1) * Rate(heat.temperature, sy.t, 1)
+    if law.expands:
+        yield stated("natural strain", sy.n_0, law.strain, "Timoshenko 1925")
+    around = heat.around if law.partial else heat.ambient
+    if law.coefficient != 0:
+        gained -= heat.transfer * sy.A0 * equations.exchange * (heat.temperature - around)
+    if law.conducts:
+        through = heat.conductivity * equations.response.area / sy.s * Rate(heat.temperature, sy.X, 1)
+        gained += Rate(through, sy.X, 1)
+    held = sy.rho * heat.heat_capacity * sy.A0 * Rate(heat.temperature, sy.t, 1)
+    yield stated("balance of heat", held, gained, "Incropera 2007")
+    if law.partial:
+        place = sy.X + sy.L_0 / 2
+        within = sp.Piecewise((heat.ambient, (place >= heat.begin) & (place <= heat.end)), (heat.outside, True))
+        yield stated("temperature around a place", heat.around, within, "ASTM C338")
+    if law.coefficient not in (0, heat.transfer):
+        coefficient = law.coefficient if equations.terms.thins else law.thick().coefficient
+        shown = coefficient.subs(heat.around, around).evalf(4)
+        yield stated("coefficient of a cylinder in air", heat.transfer, shown, "Churchill & Chu 1975")
 
 
 def _changes(equations: FilamentEquations) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 from softcat_sym.discretization.filament import WORK_OF_AGEING, energy_scale
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.heat import heat_unit
 from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
@@ -34,6 +35,7 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "X_cell": Variable(("cell",), "m", "material coordinate of cells"),
     "x": Variable(_NODE, "m", "horizontal position of the centreline, 0 at midspan"),
     "y": Variable(_NODE, "m", "height of the centreline above the left support"),
+    "temperature": Variable(_NODE, "K", "temperature of the section"),
     "stretch": Variable(_CELL, "1", "stretch of the centreline"),
     "curvature": Variable(_CELL, "1/m", "curvature theta_s of the centreline, k/Lam of a filament that shears"),
     "shear": Variable(_CELL, "1", "shear strain of the section"),
@@ -56,6 +58,11 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "energy_potential": Variable(_FRAME, "J", "potential energy of the weight, 0 when straight", True),
     "energy_dissipated": Variable(_FRAME, "J", "plastic work since t = 0", True),
     "energy_gradient": Variable(_FRAME, "J", "work against the necking gradient since t = 0", True),
+    "energy_softening": Variable(
+        _FRAME, "J", "stored energy turned into heat, by softening and expansion, since t = 0", True
+    ),
+    "heat_stored": Variable(_FRAME, "J", "heat that the filament holds more than at t = 0", True),
+    "heat_lost": Variable(_FRAME, "J", "heat given to the surroundings since t = 0", True),
     "work_external": Variable(_FRAME, "J", "work of the changing load since t = 0", True),
     WORK_OF_AGEING: Variable(
         _FRAME, "J", "what a changing material gives to the energy stored at a strain that is held, since t = 0", True
@@ -133,7 +140,9 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     plastic, load, gradient, *lost = solution.quad * unit
     observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]
     for name, loss in zip(list(graph.program.powers)[_OWN_POWERS:], lost, strict=True):
-        observed[name if name.startswith(_WORK) else f"{_LOST}{name}"] = loss[:, None]
+        observed[name if name in VARIABLES else f"{_LOST}{name}"] = loss[:, None]
+    if "heat_stored" in observed:
+        observed["heat_lost"] = observed.get("heat_lost", 0 * plastic[:, None]) * _heat_unit(scene) * span / unit
     against_gradient = gradient
     if not graph.has_velocities:
         # Positions that are algebraic have no velocity that a quadrature could use: the work is summed over frames.
@@ -159,6 +168,12 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     return fields
 
 
+def _heat_unit(scene: Scene) -> float:
+    """What lost heat is integrated in [J/m^3]."""
+    heat = scene.temperature
+    return heat_unit(scene.filament.density, heat.heat_capacity or 0.0, heat.initial or 0.0)
+
+
 def node_positions(graph: Graph, span: float) -> tuple[Floats, Floats]:
     """Material coordinates [m] of nodes and cells over the whole span, X = 0 at midspan."""
     nodes, cells = graph.grid.nodes * span, graph.grid.centres * span
@@ -181,7 +196,23 @@ def energy_imbalance(fields: Mapping[str, Floats]) -> tuple[Floats, float]:
 
 
 def energy_residual(fields: Mapping[str, Floats], least: float = 0.0) -> float:
-    """Largest imbalance over the run, relative to the largest energy in it."""
+    """Largest imbalance over the run, relative to the largest energy in it; of a filament with heat also of that."""
     imbalance, largest = energy_imbalance(fields)
     scale = max(largest, least)
-    return float(np.max(np.abs(imbalance))) / scale if scale > 0 else 0.0
+    mechanical = float(np.max(np.abs(imbalance))) / scale if scale > 0 else 0.0
+    return max(mechanical, heat_residual(fields))
+
+
+_MADE: Final = ("energy_dissipated", "energy_softening")
+"""Energies that turn into heat of the filament; what drag dissipates heats the surroundings."""
+
+
+def heat_residual(fields: Mapping[str, Floats]) -> float:
+    """Heat that is held and given away, less what was made of energy: largest over the run, over the largest of all."""
+    if "heat_stored" not in fields:
+        return 0.0
+    signs = dict.fromkeys(("heat_stored", "heat_lost"), 1.0) | dict.fromkeys(_MADE, -1.0)
+    values = {name: sign * np.asarray(fields[name], dtype=float) for name, sign in signs.items() if name in fields}
+    imbalance = np.sum(list(values.values()), axis=0)
+    scale = max(float(np.abs(value).max()) for value in values.values())
+    return float(np.max(np.abs(imbalance - imbalance[0]))) / scale if scale > 0 else 0.0

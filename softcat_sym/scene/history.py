@@ -311,7 +311,7 @@ def _in_the_users_words(error: PydanticCustomError, literals: tuple[_Literal, ..
     return refusal(found, _FORMULA if accepted == ACCEPTED else accepted)
 
 
-def _read_table(value: Mapping[Any, Any], item: Kind) -> History:
+def read_table(value: Mapping[Any, Any], item: Kind) -> History:
     """Read a table of times and values; every fault at its own row."""
     rows: dict[float, float] = {}
     faults = []
@@ -340,7 +340,7 @@ def _read(value: object, item: Kind, dimension: Dimension) -> float:
     if isinstance(value, History):
         return value
     if isinstance(value, Mapping):
-        return _read_table(value, item)
+        return read_table(value, item)
     if isinstance(value, str) and _TIME_WORD.search(_LITERAL.sub("0", value)):
         history = read_formula(value, dimension)
         # At the start, before anything is computed from it; `refused` looks at the rest of the run.

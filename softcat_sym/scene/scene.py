@@ -31,6 +31,7 @@ from softcat_sym.scene.parts import (
     kinds_of,
     motion_rules,
 )
+from softcat_sym.scene.temperature import Temperature, is_even, temperature_rules
 from softcat_sym.scene.toml import Override, apply, toml_of
 from softcat_sym.scene.units import Choice, Text, fault_of, in_si, shown
 
@@ -96,6 +97,7 @@ def is_symmetric(scene: Scene) -> bool:
         and mirrored
         and ends.drop == 0
         and not ends.motion
+        and is_even(scene)
         and all(values == values[::-1] for values in along)
     )
 
@@ -123,7 +125,7 @@ _REFUSED_LATER = ("bingham", "herschel-bulkley")
 
 def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
-    checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface)
+    checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
     rules = (
         rule for check in (*checks, _of_newtonian, _of_small_deflection, _of_load_and_loss) for rule in check(scene)
     )
@@ -300,7 +302,7 @@ class Scene(Part):
         For pictures and tables.
     model : str
         ``"filament"``.
-    filament, material, ends, load, initial, surroundings, run, numerics : Part
+    filament, material, ends, load, initial, surroundings, temperature, run, numerics : Part
         The tables of the scene file, under the file's own names.
 
     Raises
@@ -319,6 +321,7 @@ class Scene(Part):
     load: Load = Load()
     initial: Initial = Initial()
     surroundings: Surroundings = Surroundings()
+    temperature: Temperature = Temperature()
     run: RunSettings
     numerics: Numerics = Numerics()
     effects: Annotated[tuple[EffectTable, ...], EffectTables()] = ()

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from softcat_sym.errors import Fault
 from softcat_sym.scene.material import INDEXED, Material, twins
 from softcat_sym.scene.parts import Filament, Part
+from softcat_sym.scene.temperature import Temperature
 from softcat_sym.scene.units import shown
 
 if TYPE_CHECKING:
@@ -128,6 +129,8 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
         return value == 0
     if part.table_name == "run" and name == "until":
         return value == "duration"
+    if isinstance(part, Temperature):
+        return bool(value == type(part).model_fields[name].default)
     return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
 
 

@@ -220,6 +220,15 @@ def _read(value: object, wanted: str) -> tuple[float, Dimension, str]:
     return float(Decimal(repr(magnitude)) * Decimal(repr(factor))), dimension, unit
 
 
+def split_quantity(value: object) -> tuple[float, str]:
+    """Number and unit of a quantity as it is given: text, or a pint quantity."""
+    if isinstance(value, str):
+        return _split(value)
+    if hasattr(value, "magnitude") and hasattr(value, "units"):
+        return _finite(float(value.magnitude), value), str(value.units)
+    raise NotAQuantity(f"{value!r} has no unit" if _is_number(value) else f"{shown(value)} is not a quantity")
+
+
 def _split(text: str) -> tuple[float, str]:
     match = _NUMBER_AND_UNIT.fullmatch(text)
     if match is None:
@@ -338,9 +347,13 @@ class Quantity(Kind):
         what = dimension if sign == "any" else f"{sign} {dimension}"
         self.accepted = f'{_article(what)} with its unit, such as "{example}"'
 
+    def measured(self, value: object) -> float:
+        """Return the value in its SI unit; raises `NotAQuantity`."""
+        return to_si(value, self.dimension, self.unit)
+
     def read(self, value: object) -> float:
         try:
-            si = to_si(value, self.dimension, self.unit)
+            si = self.measured(value)
         except NotAQuantity as found:
             raise self.refuse(str(found)) from None
         if si < 0 and self.sign != "any":

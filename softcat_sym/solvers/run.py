@@ -17,6 +17,7 @@ from softcat_sym.effects.choosing import Effects
 from softcat_sym.physics.filament import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.scene import Scene
+from softcat_sym.scene.temperature import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, compile_filament
 from softcat_sym.solvers.initial_state import Start, starting_state
 from softcat_sym.solvers.interpreted import External, Integration, compiled_rhs
@@ -139,8 +140,9 @@ def prepare(
     p = graph.vector(values)
     times = np.linspace(0.0, scene.run.duration / scale, scene.run.frames)
     start = starting_state(scene, graph, p, statics)
-    # A frame at which a support changes pace is one too, but for the first.
-    kinks = np.array(sorted({row[0] / scale for row in scene.ends.motion if 0 < row[0] <= scene.run.duration}))
+    # A frame at which a support or a furnace changes pace is one too, but for the first.
+    bends = (*(row[0] for row in scene.ends.motion), *temperature_kinks(scene))
+    kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
     backend, code = compiled
     integration: Integration | CompiledIntegration | None = None
     if isinstance(code, CompiledFilament):

@@ -59,6 +59,7 @@ KINDS = {
     "v": "vertical velocities",
     "psi": "angles of the section",
     "omega": "rates of the angle of the section",
+    "warming": "temperatures",
     "a_0": "axial plastic strains",
     "a_1": "bending plastic strains",
     "axial": "axial plastic strains, at every point through the thickness",

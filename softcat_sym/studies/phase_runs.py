@@ -105,12 +105,14 @@ def refuse_scene(scene: Scene) -> None:
         faults.append(Fault("ends", "the filament is not held straight at both ends", "both ends held, no slack"))
     if scene.ends.motion or scene.ends.drop != 0:
         faults.append(Fault("ends", "a support moves or is lowered", "two level supports at rest"))
-    if scene.load.point_mass > 0:
-        faults.append(Fault("load.point_mass", "a weight at midspan is no part of the groups", "0"))
-    if pull_of_surface(scene) > 0:
-        faults.append(Fault("surroundings.surface_tension", "the pull of a surface is no part of the groups", "0"))
-    if buoyant_share(scene) > 0:
-        faults.append(Fault("surroundings.density", "what a bath carries is no part of the groups", "0"))
+    for path, there, what, accepted in (
+        ("load.point_mass", scene.load.point_mass > 0, "a weight at midspan", "0"),
+        ("surroundings.surface_tension", pull_of_surface(scene) > 0, "the pull of a surface", "0"),
+        ("surroundings.density", buoyant_share(scene) > 0, "what a bath carries", "0"),
+        ("temperature", scene.temperature.present, "what a temperature changes", "leaving it out"),
+    ):
+        if there:
+            faults.append(Fault(path, f"{what} is no part of the groups", accepted))
     if faults:
         raise SceneError(faults, "of a phase diagram")
 

@@ -1,0 +1,169 @@
+"""Temperature: one over the section, along the filament; it makes the material more or less viscous and stiff.
+
+rho c_p A T_t = D - h P (T - T_a) + (k A T_s)_s in lengths of the moving filament, with what flow and viscous stress
+dissipate as D. Radiation is not in it, and the ends are insulated.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import sympy as sp
+
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.effects.law import law_in
+from softcat_sym.effects.natural_strain import shrinking
+from softcat_sym.effects.scaling_estimates import gravity_of
+from softcat_sym.physics import heat as sy
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.heat import CORRELATIONS, PREFIX, Heat
+from softcat_sym.physics.histories import varying
+from softcat_sym.physics.laws import Constant, Law
+from softcat_sym.physics.symbols import E, eta, g, h0, s, t
+from softcat_sym.scene.history import History
+from softcat_sym.scene.scene import Scene
+
+_THICK = 0.1
+"""Biot number above which the section is not of one temperature: the middle lags by a twentieth of the difference."""
+
+
+def _applies(scene: Scene) -> bool:
+    return scene.model == "filament" and scene.temperature.present
+
+
+def _adapted(scene: Scene, terms: Terms) -> Terms:
+    heat, law = _heat_of(scene), law_in(scene)
+    factors = dict[sp.Symbol, sp.Expr]()
+    if heat.viscosity != 1:
+        factors |= dict.fromkeys(_named(law, "viscosity", eta), heat.viscosity)
+    if heat.softens:
+        factors |= dict.fromkeys((*_named(law, "youngs_modulus", E), *_named(law, "second_modulus")), heat.modulus)
+    heat = replace(heat, factors=tuple(factors.items()))
+    return replace(terms, heat=heat, shrinks=terms.shrinks or heat.expands)
+
+
+def _named(law: Law, name: str, *shared: sp.Symbol) -> tuple[sp.Symbol, ...]:
+    """Symbols of a law's constants of one sort: the one that several laws share, and its own."""
+    own = tuple(one.symbol for one in law.constants if one.name == name or one.name.endswith(f"_{name}"))
+    return (*shared, *own)
+
+
+def _heat_of(scene: Scene) -> Heat:
+    """The terms that the scene's table asks for."""
+    stated, numbers = scene.temperature, list[Constant]()
+    ambient, modulus = sy.ambient, sp.S.One
+    if isinstance(stated.ambient, History):
+        varies = varying(stated.ambient, f"{PREFIX}ambient")
+        ambient, numbers = varies.value, [*numbers, *varies.constants]
+    if stated.modulus is not None:
+        varies = varying(stated.modulus, f"{PREFIX}modulus")
+        modulus, numbers = varies.value.xreplace({t: sy.temperature}), [*numbers, *varies.constants]
+    coefficient = sy.transfer if stated.heat_transfer else sp.S.Zero
+    if stated.correlation in CORRELATIONS:
+        coefficient = CORRELATIONS[stated.correlation]()
+    return Heat(
+        coefficient=coefficient,
+        ambient=ambient,
+        viscosity=sy.shift(stated.law, by_reference=stated.reference is not None),
+        modulus=modulus,
+        conducts=stated.conductivity is not None,
+        expands=stated.expansion != 0,
+        partial=bool(stated.heated),
+        numbers=tuple(numbers),
+    )
+
+
+def transfer_coefficient(scene: Scene) -> float:
+    """Heat transfer coefficient [W/(m^2 K)]; of a correlation the largest that the scene's temperatures give."""
+    stated, filament = scene.temperature, scene.filament
+    if stated.correlation not in CORRELATIONS:
+        return stated.heat_transfer or 0.0
+    low, high = stated.extremes(scene.run.duration)
+    given = {sy.temperature: low, sy.around: high, s: 1.0, h0: filament.thickness, g: scene.load.gravity}
+    return float(CORRELATIONS[stated.correlation]().subs(given))
+
+
+def half_thickness(scene: Scene) -> float:
+    """Volume over surface [m]: what heat has to cross."""
+    filament = scene.filament
+    if filament.section == "sheet":
+        return filament.thickness / 2
+    return filament.thickness * filament.width / (2 * (filament.thickness + filament.width))
+
+
+def cooling_time(scene: Scene) -> float:
+    """Time constant of Newton's cooling, rho c_p V/(h S) [s]; infinite if nothing is exchanged."""
+    stated, coefficient = scene.temperature, transfer_coefficient(scene)
+    if coefficient == 0:
+        return math.inf
+    return scene.filament.density * (stated.heat_capacity or 0.0) * half_thickness(scene) / coefficient
+
+
+def biot_number(scene: Scene) -> float | None:
+    """Bi = h (V/S)/k; None without a conductivity."""
+    conductivity = scene.temperature.conductivity
+    return None if conductivity is None else transfer_coefficient(scene) * half_thickness(scene) / conductivity
+
+
+def coldest_and_hottest(scene: Scene, motion: Motion) -> tuple[float, float]:
+    """Temperatures that the filament reaches within the run [K], by Newton's cooling and by what is dissipated."""
+    stated = scene.temperature
+    start = stated.initial or 0.0
+    reached = -math.expm1(-scene.run.duration / cooling_time(scene))
+    low, high = (start + reached * (one - start) for one in stated.extremes(scene.run.duration))
+    # The weight falls by the sag at most, and all of that heats the filament.
+    fall = gravity_of(scene) * motion.sag * scene.filament.span
+    return low, high + fall / (stated.heat_capacity or math.inf)
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    stated, change = scene.temperature, 0.0
+    for kelvin in coldest_and_hottest(scene, motion):
+        flow, spring = stated.viscosity_factor(kelvin), stated.modulus_factor(kelvin)
+        for factor, share in ((flow, motion.relaxed), (spring, 1.0)):
+            change = max(change, share * (1 - min(factor, 1 / factor)) if factor > 0 else share)
+    expands = abs(stated.expansion) * max(
+        abs(one - (stated.initial or 0.0)) for one in coldest_and_hottest(scene, motion)
+    )
+    change = max(change, shrinking(scene, motion, expands))
+    meaning = "change of the viscosity where flow takes the stress away, of the modulus, or pull of the contraction"
+    return Estimate(motion.amplified(change), meaning, "relaxed (1 - min(a_T, 1/a_T)), 1 - min(m_T, 1/m_T)")
+
+
+def _indispensable(scene: Scene) -> str:
+    stated = scene.temperature
+    by_unit = stated.law == "vft" and stated.A is not None
+    return "temperature.A says how large the viscosity is, not material.viscosity" if by_unit else ""
+
+
+def _warnings(scene: Scene, motion: Motion) -> list[str]:
+    del motion
+    if not _applies(scene) or not scene.temperature.exchanges:
+        return []
+    biot = biot_number(scene)
+    if biot is None:
+        return ["the section is taken as of one temperature: no temperature.conductivity says whether it is"]
+    if biot <= _THICK:
+        return []
+    return [
+        f"the section is taken as of one temperature, but its Biot number h (V/S)/k is {biot:.2g}: above {_THICK:g} "
+        "its middle lags behind its surface"
+    ]
+
+
+TEMPERATURE = Effect(
+    name="temperature",
+    summary="rho c_p A T_t = D - h P (T - T_a) + conduction; viscosity and moduli of the temperature",
+    source="Incropera 2007; Fulcher 1925; Churchill & Chu 1975",
+    adapt=_adapted,
+    applies=_applies,
+    without_it=f"the scene states no temperature.initial, or {SMALL_MODEL}",
+    estimate=_estimate,
+    observable="viscosities and moduli at the temperatures that the run reaches, over those that the scene states",
+    example="glass-fibre",
+    derivation="20_temperature",
+    in_paper=False,
+    indispensable=_indispensable,
+    warnings=_warnings,
+)
