@@ -35,6 +35,7 @@ from softcat_sym.discretization.stencil import (
 )
 from softcat_sym.discretization.supports import Body, Held, held
 from softcat_sym.physics import symbols
+from softcat_sym.physics.conformation import Direction
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.laws import Constant
 from softcat_sym.physics.loads import h0_slope
@@ -307,6 +308,16 @@ def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbour
 def branch_name(kind: str, branch: int) -> str:
     """Name of a plastic state: that of its kind in the first branch, numbered in the others."""
     return kind if branch == 0 else f"{kind}_mode{branch + 1}"
+
+
+def chain_state(direction: Direction, label: str = "") -> str:
+    """Name of what relaxation took of the conformation in a direction, of one cell or of one point of its section."""
+    return f"chains_{direction.name}{label}"
+
+
+def shown_chains(extensions: Sequence[ca.SX]) -> dict[str, ca.SX]:
+    """What a run stores of the conformation: along and across the fibres."""
+    return dict(zip(("conformation_along", "conformation_across"), extensions, strict=False))
 
 
 def clamp_tangents(b: Builder) -> tuple[Pair, Pair]:

@@ -17,7 +17,16 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene.material import CONSTANTS, FROM_SHEAR, INDEXED, Material, kind_of_constant, tensile_name
+from softcat_sym.scene.material import (
+    CONSTANTS,
+    FROM_SHEAR,
+    INDEXED,
+    POLYMERS,
+    Material,
+    kind_of_constant,
+    poisson_in_shear,
+    tensile_name,
+)
 from softcat_sym.scene.parts import Filament, Part
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.units import (
@@ -86,8 +95,11 @@ def candidates(scene: Scene) -> tuple[Candidate, ...]:
     return (*_of_material(scene), *_of_filament(scene), *_of_surroundings(scene), *_of_measurement(scene))
 
 
+_ANY = (0.0, math.inf)
+
+
 def _positive(
-    path: str, unit: str, value: float, limits: tuple[float, float] = (0.0, math.inf), constant: str = ""
+    path: str, unit: str, value: float, limits: tuple[float, float] = _ANY, constant: str = ""
 ) -> Candidate:
     name = path.rpartition(".")[2]
     low = limits[0] if limits[0] > 0 else 0.0
@@ -111,18 +123,20 @@ def _of_material(scene: Scene) -> Iterator[Candidate]:
         value = getattr(material, name)
         kind = kind_of_constant(name, material.law, material.index)
         path = f"material.{name}"
-        yield _positive(path, _unit(kind), value)
+        yield _positive(path, _unit(kind), value, (max(kind.above, 0.0), kind.below) if isinstance(kind, Number) else _ANY)
         for rule in FROM_SHEAR:
             if rule.constant == name and rule.suits(material.law):
                 shear = getattr(material, rule.shear)
-                begins = value / rule.factor(material.index, material.poisson) if shear is None else shear
+                poisson = poisson_in_shear(material.law, material.poisson)
+                begins = value / rule.factor(material.index, poisson) if shear is None else shear
                 yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
     if material.solid_viscosity is not None:
         yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
     if material.law in INDEXED:
         yield _positive("material.index", "", material.index, _INDEX)
-    poisson = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
-    yield Candidate(**{**vars(poisson), "limits": _POISSON})
+    if material.law not in POLYMERS:
+        poisson = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
+        yield Candidate(**{**vars(poisson), "limits": _POISSON})
     for number, mode in enumerate(material.modes, start=1):
         for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
             one = _positive(f"material.mode_{number}_{name}", unit, getattr(mode, name))
@@ -487,7 +501,8 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
 def _following(material: Material, changes: dict[str, float]) -> dict[str, object]:
     """What follows from shear data and other names when some values change."""
     follows: dict[str, object] = {}
-    index, poisson = changes.get("index", material.index), changes.get("poisson", material.poisson)
+    index = changes.get("index", material.index)
+    poisson = poisson_in_shear(material.law, changes.get("poisson", material.poisson))
     for rule in FROM_SHEAR:
         if not rule.suits(material.law):
             continue
