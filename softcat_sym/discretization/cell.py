@@ -287,6 +287,8 @@ def positions(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours
 def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours, Neighbours, Neighbours]:
     """Velocities of all nodes in rest lengths and time scales: those of held ones as zero, and as they move."""
     inertia = b.equations.terms.inertia
+    # A neck's gradient takes power where the last cell is stretched by a support that moves.
+    felt = _resists(b) or b.equations.neck is not None
     if not _needs_velocities(b):
         return Same(), Same(), Same(), Same()
     at, plain, moved = b.supports, list[Neighbours](), list[Neighbours]()
@@ -301,7 +303,7 @@ def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbour
         slot = Slot(name, "node", holds, inertia, "", section=False)
         plain.append(b.unknown(slot))
         still = not any(holds) or not holds[1] or ca.SX(last).is_zero()
-        moved.append(plain[-1] if still or not _resists(b) else b.unknown(slot, 0, last, f"{name}_moving"))
+        moved.append(plain[-1] if still or not felt else b.unknown(slot, 0, last, f"{name}_moving"))
     return plain[0], plain[1], moved[0], moved[1]
 
 
