@@ -192,9 +192,7 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
     return found
 
 
-def _add_chains(
-    b: Builder, chains: ChainResponse, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres
-) -> None:
+def _add_chains(b: Builder, chains: ChainResponse, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:
     """Polymer chains at every point of a section."""
     taken = []
     for one in chains.states:

@@ -49,8 +49,8 @@ SHEAR = Effect(
     contribute=partial(replace, shear=True),
     applies=_applies,
     without_it=(
-        "the filament is stretched elastically beyond log s = kappa_s mu/(E (1 - kappa_s/2)), its law is one of polymer "
-        f"chains, stretched along and across the fibres alone, or {SMALL_MODEL}"
+        "the filament is stretched elastically beyond log s = kappa_s mu/(E (1 - kappa_s/2)), its law is one of "
+        f"polymer chains, stretched along and across the fibres alone, or {SMALL_MODEL}"
     ),
     estimate=OfMotion(
         "sheared", "share of the sag that shear makes", "of Timoshenko's beam, bent ends and hinges", amplified=True

@@ -33,6 +33,7 @@ from softcat_sym.scene.units import (
     SI_UNITS,
     Kind,
     NotAQuantity,
+    Number,
     Quantity,
     did_you_mean,
     refusal,
@@ -98,9 +99,7 @@ def candidates(scene: Scene) -> tuple[Candidate, ...]:
 _ANY = (0.0, math.inf)
 
 
-def _positive(
-    path: str, unit: str, value: float, limits: tuple[float, float] = _ANY, constant: str = ""
-) -> Candidate:
+def _positive(path: str, unit: str, value: float, limits: tuple[float, float] = _ANY, constant: str = "") -> Candidate:
     name = path.rpartition(".")[2]
     low = limits[0] if limits[0] > 0 else 0.0
     if value <= 0:
@@ -117,26 +116,31 @@ def _signed(path: str, unit: str, value: float, scale: float, bounds: tuple[floa
     return Candidate(name, path, unit, value, scale, False, bounds, (-math.inf, math.inf), path)
 
 
-def _of_material(scene: Scene) -> Iterator[Candidate]:
-    material = scene.material
+def _of_law(material: Material) -> Iterator[Candidate]:
     for name in CONSTANTS[material.law]:
         value = getattr(material, name)
         kind = kind_of_constant(name, material.law, material.index)
         path = f"material.{name}"
-        yield _positive(path, _unit(kind), value, (max(kind.above, 0.0), kind.below) if isinstance(kind, Number) else _ANY)
+        limits = (max(kind.above, 0.0), kind.below) if isinstance(kind, Number) else _ANY
+        yield _positive(path, _unit(kind), value, limits)
         for rule in FROM_SHEAR:
             if rule.constant == name and rule.suits(material.law):
                 shear = getattr(material, rule.shear)
-                poisson = poisson_in_shear(material.law, material.poisson)
-                begins = value / rule.factor(material.index, poisson) if shear is None else shear
+                factor = rule.factor(material.index, poisson_in_shear(material.law, material.poisson))
+                begins = value / factor if shear is None else shear
                 yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
+
+
+def _of_material(scene: Scene) -> Iterator[Candidate]:
+    material = scene.material
+    yield from _of_law(material)
     if material.solid_viscosity is not None:
         yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
     if material.law in INDEXED:
         yield _positive("material.index", "", material.index, _INDEX)
     if material.law not in POLYMERS:
-        poisson = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
-        yield Candidate(**{**vars(poisson), "limits": _POISSON})
+        ratio = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
+        yield Candidate(**{**vars(ratio), "limits": _POISSON})
     for number, mode in enumerate(material.modes, start=1):
         for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
             one = _positive(f"material.mode_{number}_{name}", unit, getattr(mode, name))

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from softcat_sym.physics.sections import Section
-from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, VISCOSITY, E, enter
+from softcat_sym.physics.symbols import ONE, TIME, VISCOSITY, E, enter
 
 _SOURCE = "Bird et al. 1987"
 
@@ -91,7 +91,7 @@ class Chains:
 
     @property
     def spring_factor(self) -> sp.Expr:
-        """f of the trace, one at rest."""
+        """Stiffening f of the trace, one at rest."""
         return sp.diff(self.energy, trace)
 
     def relaxation(self, extension: sp.Expr, factor: sp.Expr) -> sp.Expr:
@@ -146,9 +146,7 @@ def respond(section: Section, chains: Chains) -> ChainResponse:
     # -log det A: the powers of the stretch cancel, since the volume is kept.
     taken = sp.Add(*(one.count * one.taken for one in directions)) if chains.relaxes else sp.S.Zero
     rates = tuple(chains.relaxation(one.extension, spring_factor) for one in directions)
-    lost = (
-        one.count * (spring_factor * one.extension - 1) * rate for one, rate in zip(directions, rates, strict=True)
-    )
+    lost = (one.count * (spring_factor * one.extension - 1) * rate for one, rate in zip(directions, rates, strict=True))
     drawn = sp.Add(*(sp.Rational(one.power * one.count, 2) * one.extension for one in directions))
     bare = ChainResponse(
         directions=directions,

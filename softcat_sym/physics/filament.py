@@ -131,7 +131,7 @@ class FilamentEquations:
     @property
     def constants(self) -> tuple[Constant, ...]:
         """What the law asks the scene for, and what the densities and clocks of effects do."""
-        groups = (*self.terms.densities, *self.terms.clocks)
+        groups: tuple[Densities | Clock, ...] = (*self.terms.densities, *self.terms.clocks)
         return (*self.law.constants, *(one for group in groups for one in group.constants))
 
     @property

@@ -441,9 +441,7 @@ def chain_law(name: str, chains: Chains, *constants: Constant) -> Law:
 
 OLDROYD_B_LAW = chain_law("oldroyd-b", conformation.OLDROYD_B)
 
-FENE_P_LAW = chain_law(
-    "fene-p", conformation.FENE_P, Constant("finite_extensibility", conformation.extensibility)
-)
+FENE_P_LAW = chain_law("fene-p", conformation.FENE_P, Constant("finite_extensibility", conformation.extensibility))
 
 GIESEKUS_LAW = chain_law("giesekus", conformation.GIESEKUS, Constant("mobility", conformation.mobility))
 

@@ -511,7 +511,9 @@ def _viscosity(scene: Scene) -> float | None:
     """Eta [Pa s], or K [Pa s^n]; of parallel modes their sum, of polymer chains E lambda and the solvent's."""
     material = scene.material
     if material.law in POLYMERS:
-        return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0) + (material.solvent_viscosity or 0.0)
+        return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0) + (
+            material.solvent_viscosity or 0.0
+        )
     return sum(mode.viscosity for mode in material.modes) if material.modes else material.viscosity
 
 
