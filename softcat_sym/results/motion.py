@@ -67,6 +67,10 @@ def swing_period(time: Floats, midpoint: Floats) -> float | None:
     return 2 * float(time[turned[-1]] - time[turned[0]]) / (len(turned) - 1) if len(turned) >= _TURNS else None
 
 
+ROUNDED = 1e-12
+"""Of a span: what rounding alone may move a midpoint by."""
+
+
 def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float | None:
     """Frames for each period of the ringing; None of a filament that does not ring."""
     period = swing_period(time, midpoint)
