@@ -35,6 +35,7 @@ from softcat_sym.discretization.stencil import (
 )
 from softcat_sym.discretization.supports import Body, Held, held
 from softcat_sym.physics import symbols
+from softcat_sym.physics.conformation import Direction
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.physics.heat import initial, temperature
 from softcat_sym.physics.laws import Constant
@@ -350,6 +351,8 @@ def positions(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours
 def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbours, Neighbours, Neighbours]:
     """Velocities of all nodes in rest lengths and time scales: those of held ones as zero, and as they move."""
     inertia = b.equations.terms.inertia
+    # A neck's gradient takes power where the last cell is stretched by a support that moves.
+    felt = _resists(b) or b.equations.neck is not None
     if not _needs_velocities(b):
         return Same(), Same(), Same(), Same()
     at, plain, moved = b.supports, list[Neighbours](), list[Neighbours]()
@@ -364,13 +367,23 @@ def velocities(b: Builder, *, along: bool = True) -> tuple[Neighbours, Neighbour
         slot = Slot(name, "node", holds, inertia, "", section=False)
         plain.append(b.unknown(slot))
         still = not any(holds) or not holds[1] or ca.SX(last).is_zero()
-        moved.append(plain[-1] if still or not _resists(b) else b.unknown(slot, 0, last, f"{name}_moving"))
+        moved.append(plain[-1] if still or not felt else b.unknown(slot, 0, last, f"{name}_moving"))
     return plain[0], plain[1], moved[0], moved[1]
 
 
 def branch_name(kind: str, branch: int) -> str:
     """Name of a plastic state: that of its kind in the first branch, numbered in the others."""
     return kind if branch == 0 else f"{kind}_mode{branch + 1}"
+
+
+def chain_state(direction: Direction, label: str = "") -> str:
+    """Name of what relaxation took of the conformation in a direction, of one cell or of one point of its section."""
+    return f"chains_{direction.name}{label}"
+
+
+def shown_chains(extensions: Sequence[ca.SX]) -> dict[str, ca.SX]:
+    """What a run stores of the conformation: along and across the fibres."""
+    return dict(zip(("conformation_along", "conformation_across"), extensions, strict=False))
 
 
 def clamp_tangents(b: Builder) -> tuple[Pair, Pair]:

@@ -215,9 +215,9 @@ def _powers(
     load += [Field(one.name, one.where, one.value * scale) for one in outer.power]
     gradient: list[Field] = []
     if of.double_force is not None:
-        stretching = []
+        stretching, moving = [], of.moved or (of.u, of.v)
         for i in (-1, 0):
-            slope, speed = ([(r[i + 1] - r[i]) / b.length[i] for r in pair] for pair in ((of.x, of.y), (of.u, of.v)))
+            slope, speed = ([(r[i + 1] - r[i]) / b.length[i] for r in pair] for pair in ((of.x, of.y), moving))
             stretching.append((slope[0] * speed[0] + slope[1] * speed[1]) / of.stretch[i])
         power = of.double_force[0] * (stretching[1] - stretching[0]) * (scale / b.scale)
         gradient = [Field("power_gradient_0", INNER, power)]

@@ -11,11 +11,13 @@ from softcat_sym.discretization.cell import (
     Mechanics,
     Slot,
     branch_name,
+    chain_state,
     derivatives,
     mean_of_nodes,
     neck_force,
     positions,
     printed,
+    shown_chains,
     surface_force,
     velocities,
 )
@@ -26,7 +28,8 @@ from softcat_sym.discretization.stencil import (
     Neighbours,
     Same,
 )
-from softcat_sym.physics import symbols
+from softcat_sym.physics import conformation, symbols
+from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.section_response import BranchResponse, ViscousResponse
 
 
@@ -56,6 +59,8 @@ class Section:
     stress: tuple[ca.SX, ca.SX] = field(default_factory=lambda: (ca.SX(0), ca.SX(0)))  # sigma_0 and sigma_1
     fraction: ca.SX | None = None  # Share that yields, and the largest plastic rate
     speed: ca.SX | None = None
+    profiles: dict[str, tuple[float, float]] = field(default_factory=dict)  # Of chains, as those of `Mechanics`
+    conformation: list[ca.SX] = field(default_factory=list)
 
 
 def linear_section(b: Builder, at: Strains, *, whole: bool = False) -> Section:
@@ -131,7 +136,33 @@ def linear_section(b: Builder, at: Strains, *, whole: bool = False) -> Section:
             ]
             found.fraction = shown[0] if found.fraction is None else ca.fmax(found.fraction, shown[0])
             found.speed = shown[1] if found.speed is None else ca.fmax(found.speed, shown[1])
+    if b.equations.chains is not None:
+        _add_chains(b, b.equations.chains, at, found)
     return found
+
+
+def _add_chains(b: Builder, chains: ChainResponse, at: Strains, found: Section) -> None:
+    """Polymer chains of a section that does not bend: one conformation in every cell."""
+    response, strain = b.equations.response, b.equations.terms.strain.strain
+    slots = [Slot(chain_state(one), "cell", (False, False), True, "", section=False) for one in chains.states]
+    taken = {one.taken: b.unknown(slot)[0] for one, slot in zip(chains.states, slots, strict=True)}
+    cell = {**b.values, **taken, symbols.s: at.s[0], symbols.h0: b.h_cell}
+    (pull,) = derivatives(response.volume * chains.stored.subs(conformation.strain, strain), (symbols.s,), cell)
+    fibre = {**cell, conformation.strain: printed(strain, cell)}
+    (stress,) = derivatives(chains.stored, (conformation.strain,), fibre)
+    if not b.equations.conserves_energy:
+        pull = printed(response.tension, {**cell, symbols.sigma_0: stress})
+    found.tension += b.stage("tension_chains", CELLS, b.area_cell * pull)[0]
+    found.stress = found.stress[0] + stress, found.stress[1]
+    volume = b.length[0] * b.area_cell * printed(response.volume, cell)
+    found.stored.append(Field("chains", CELLS, volume * printed(chains.stored, fibre)))
+    of_states = chains.of_states
+    relaxing = [printed(of_states(rate), fibre) for rate in chains.rates]
+    found.plastic |= {chain_state(one): rate for one, rate in zip(chains.states, relaxing, strict=False)}
+    found.dissipation.append(Field("power_chains", CELLS, volume * printed(of_states(chains.dissipation), fibre)))
+    found.fraction, found.speed = ca.SX(int(chains.relaxes)), ca.fabs(relaxing[0]) / 2
+    found.conformation = [printed(extension, fibre) for extension in chains.extensions]
+    found.profiles = {chain_state(one): (float(one.power), 0.0) for one in chains.states}
 
 
 def _states(b: Builder, branch: int, *, whole: bool) -> tuple[Neighbours, Neighbours]:
@@ -200,6 +231,7 @@ def kirchhoff(b: Builder) -> Mechanics:
         section.dissipation,
         shown,
         double_force=double_force,
+        profiles=section.profiles,
         moved=(moved[0], moved[1]),
         ageing=_aged(b, section, surface),
         softening=[*map(b.softened, (*section.stored, *surface))] if b.thermal else [],
@@ -264,4 +296,5 @@ def _shown(b: Builder, section: Section, s: ca.SX, transverse: ca.SX, curvature:
         "plastic_rate": ca.SX(0) if section.speed is None else section.speed,
         "stress_mean": section.stress[0],
         "stress_bending": section.stress[1],
+        **shown_chains(section.conformation),
     }

@@ -17,11 +17,13 @@ from softcat_sym.discretization.cell import (
     Slot,
     Values,
     branch_name,
+    chain_state,
     derivatives,
     mean_of_nodes,
     neck_force,
     positions,
     printed,
+    shown_chains,
     surface_force,
     velocities,
 )
@@ -34,8 +36,9 @@ from softcat_sym.discretization.stencil import (
     Neighbours,
     Same,
 )
-from softcat_sym.physics import reissner, symbols
+from softcat_sym.physics import conformation, reissner, symbols
 from softcat_sym.physics.bulk import sigma_eq
+from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, ResolvedSection
 
 
@@ -192,6 +195,8 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
             fibre.add(branch, (plastic[0], plastic[1]))
         rates = _state_rates(rule, fibres, j)
         found.plastic |= {name: rate for name, rate in rates.items() if name in b.slots}
+    if b.equations.chains is not None:
+        _add_chains(b, b.equations.chains, rule, fibres, found)
     if resolved.viscous is not None:
         for fibre in fibres:
             fibre.resist()
@@ -209,6 +214,28 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
         found.softening = mean("softening")
     found.shown = _shown_fibres(rule, fibres) if isinstance(rule, SectionRule) else {}
     return found
+
+
+def _add_chains(b: Builder, chains: ChainResponse, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:
+    """Polymer chains at every point of a section."""
+    taken = []
+    for one in chains.states:
+        names = [chain_state(one, f"_{label}") for label in rule.labels]
+        states = [b.unknown(Slot(name, "cell", (False, False), True, "", section=True))[0] for name in names]
+        taken.append([_dot(row, states) for row in rule.recall])
+    for number, fibre in enumerate(fibres):
+        fibre.carry(chains, [points[number] for points in taken])
+    for number, one in enumerate(chains.states):
+        rates = [fibre.relaxing[number] for fibre in fibres]
+        projected = [_dot(row, rates) for row in rule.project]
+        names = [chain_state(one, f"_{label}") for label in rule.labels]
+        found.plastic |= dict(zip(names, projected, strict=True))
+        if isinstance(rule, SectionRule):
+            linear = zip(names, rule.project @ np.ones(rule.points), rule.project @ rule.zeta, strict=True)
+            found.profiles |= {name: (one.power * float(m), one.power * float(z)) for name, m, z in linear}
+            if not rule.is_of_fibres:
+                for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
+                    fibre.dissipation += fibre.released[number] * (_dot(row, projected) - rate)
 
 
 def _state_names(rule: Sampling, kind: str, branch: int) -> list[str]:
@@ -266,6 +293,9 @@ class _Fibre:
         self.softening, self.by_temperature = ca.SX(0), b.by_temperature
         self.rates: list[Pair] = []
         self.drives: list[Pair] = []  # What the rates of the plastic state are conjugate to
+        self.relaxing: list[ca.SX] = []  # Rates of the states of chains, and what these are conjugate to
+        self.released: list[ca.SX] = []
+        self.conformation: list[ca.SX] = []
         self.flows = False
 
     def add(self, branch: FibreBranch, plastic: Pair) -> None:
@@ -305,6 +335,24 @@ class _Fibre:
         self.yields = ca.fmax(self.yields, flow["yields"]) if self.flows else ca.SX(flow["yields"])
         self.flows = True
 
+    def carry(self, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
+        """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""
+        values = {**self.values, **dict(zip((one.taken for one in chains.states), taken, strict=True))}
+        values |= {conformation.strain: self.strain[0] - printed(self.resolved.relaxed, values)}
+        values |= {reissner.gamma: self.strain[1]}
+        square = conformation.modulus() * reissner.gamma**2 / 2
+        by = (conformation.strain, reissner.gamma)
+        sigma, tau = derivatives(chains.stored + square, by, values)
+        self.axial, self.shear = self.axial + sigma, self.shear + tau
+        self.energy += printed(chains.stored + square, values)
+        self.conformation = [printed(extension, values) for extension in chains.extensions]
+        if not chains.relaxes:
+            return
+        self.relaxing = [printed(chains.of_states(rate), values) for rate in chains.rates]
+        self.released = [-one for one in derivatives(chains.stored, [d.taken for d in chains.states], values)]
+        self.dissipation += printed(chains.of_states(chains.dissipation), values)
+        self.speed, self.yields = ca.fabs(self.relaxing[0]) / 2, ca.SX(1)
+
     def resist(self) -> None:
         """The viscous stress beside the springs: the derivative of its Rayleigh potential."""
         viscous = self.resolved.viscous
@@ -319,7 +367,7 @@ class _Fibre:
         self.axial, self.shear = self.axial + sigma, self.shear + tau
         self.ageing -= sigma * printed(viscous.natural_rate, values)
         self.dissipation += 2 * printed(viscous.rayleigh, values)
-        if not self.moduli:
+        if not self.moduli and not self.relaxing:
             self.speed, self.yields = ca.fabs(rates[reissner.eps_t]), ca.SX(1)
 
 
@@ -344,4 +392,5 @@ def _shown_fibres(rule: SectionRule, fibres: Sequence[_Fibre]) -> dict[str, ca.S
         "plastic_rate": fastest,
         "stress_mean": _dot(weight, axial),
         "stress_bending": _dot(weight * zeta / float(weight @ zeta**2), axial),
+        **shown_chains([_dot(weight, one) for one in zip(*(fibre.conformation for fibre in fibres), strict=True)]),
     }

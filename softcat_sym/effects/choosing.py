@@ -15,7 +15,7 @@ from softcat_sym.effects.fibres import FIBRES
 from softcat_sym.effects.forecast import forecast
 from softcat_sym.effects.gravity_shaking import GRAVITY_SHAKING
 from softcat_sym.effects.inertia import INERTIA
-from softcat_sym.effects.law import law_in
+from softcat_sym.effects.law import has_chains, law_in
 from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.shear import SHEAR
 from softcat_sym.effects.surface_tension import SURFACE_TENSION
@@ -44,6 +44,19 @@ def refuse_closure(scene: Scene, chosen: tuple[Effect, ...]) -> None:
         found = f"'printed' with numerics.{key} = {asked}" if asked else f"'printed' with {', '.join(beyond)}"
         accepted = "'material', or the published effects without numerics.fibres and with numerics.order = 1"
         raise SceneError([Fault("run.closure", found, accepted)])
+
+
+def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
+    """The stress of polymer chains is not linear through a section that bends: it is resolved, by either closure."""
+    if not has_chains(scene):
+        return
+    law = f"the law {scene.material.law!r}"
+    if scene.run.closure == "printed":
+        raise SceneError([Fault("run.closure", f"'printed', which has no polymer chains, with {law}", "'material'")])
+    if BENDING in chosen and FIBRES not in chosen:
+        found = f"{BENDING.name!r} without {FIBRES.name!r}, but the stress of {law} is not linear through the thickness"
+        accepted = f"'auto', or a list with {FIBRES.name!r} and what that needs, or one without {BENDING.name!r}"
+        raise SceneError([Fault("run.effects", found, accepted)])
 
 
 def refuse_without(scene: Scene, chosen: tuple[Effect, ...]) -> None:
@@ -246,6 +259,7 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
     refuse_tables(scene)
     reasons = _reasons(scene, shown or {})
     chosen = tuple(effect for effect in REGISTRY if effect.name in reasons)
+    refuse_chains(scene, chosen)
     refuse_closure(scene, chosen)
     refuse_without(scene, chosen)
     refuse_unsound(scene, chosen)
@@ -328,6 +342,8 @@ def _completed(scene: Scene, reasons: dict[str, str]) -> dict[str, str]:
         dear = INERTIA.name in effect.needs and INERTIA.name not in complete
         if effect.name not in complete and not dear and effect.applies(scene) and (why := effect.eases(scene)):
             complete[effect.name] = why
+    if BENDING.name in complete and has_chains(scene):
+        complete.setdefault(FIBRES.name, "the stress of polymer chains is not linear through the thickness")
     if FIBRES.name in complete and SHEAR.applies(scene):
         complete.setdefault(SHEAR.name, "fibres are resolved on sections that shear")
     for effect in reversed(REGISTRY):

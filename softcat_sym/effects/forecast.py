@@ -438,12 +438,14 @@ def _damped(scene: Scene, scale: float, first: float) -> float:
 
 
 def _retarded(scene: Scene, rings: Ringing, amplitude: float) -> float:
-    """What the sag of a solid lags behind, or what its ringing loses."""
-    late = quasi_static.retardation(scene)
+    """What the sag of a solid lags behind, or what its ringing loses; of chains also what their solvent resists."""
+    late = quasi_static.retardation(scene) or quasi_static.solvent_lag(scene)
     if late == 0 or is_slack(scene):
         return 0.0
     lost = -math.expm1(-rings.decay * scene.run.duration) if math.isfinite(rings.frequency) else 0.0
-    return max(_lag(scene, late), amplitude * lost)
+    relaxation = scene.material.relaxation_time
+    share = late / (late + relaxation) * _relaxed(scene, rings) if relaxation else 0.0
+    return max(_lag(scene, late), amplitude * lost, share)
 
 
 def _lag(scene: Scene, late: float) -> float:

@@ -11,7 +11,15 @@ import numpy.typing as npt
 
 from softcat_sym.effects import scaling_estimates as scales
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.quasi_static import elastic_sag_under, load_factor, mean_of, retardation, slackness, start_sag
+from softcat_sym.effects.quasi_static import (
+    elastic_sag_under,
+    load_factor,
+    mean_of,
+    retardation,
+    slackness,
+    solvent_lag,
+    start_sag,
+)
 from softcat_sym.physics import regimes
 from softcat_sym.physics.section_response import PLANE_STRAIN
 from softcat_sym.physics.sections import SECTIONS, Section
@@ -298,6 +306,8 @@ def _decay(scene: Scene, frequency: float) -> float:
     if material.modes:
         total = sum(mode.youngs_modulus for mode in material.modes)
         return sum(mode.youngs_modulus**2 / mode.viscosity for mode in material.modes) / total / 2
+    if material.relaxation_time:
+        return 1 / (2 * material.relaxation_time) + frequency**2 * solvent_lag(scene) / 2
     if is_solid(scene):
         late = retardation(scene)
         if material.law == "kelvin-voigt":

@@ -3,14 +3,25 @@
 from __future__ import annotations
 
 from softcat_sym.physics.laws import Law, law_of
-from softcat_sym.scene.material import SOLIDS
+from softcat_sym.scene.material import POLYMERS, SOLIDS
 from softcat_sym.scene.scene import Scene
 
 
 def law_in(scene: Scene) -> Law:
     """The law that the scene names, with its modes or its own flow rule."""
     material = scene.material
-    return law_of(material.law, modes=len(material.modes), formula=material.formula, yields=material.threshold > 0)
+    return law_of(
+        material.law,
+        modes=len(material.modes),
+        formula=material.formula,
+        yields=material.threshold > 0,
+        solvent=bool(material.solvent_viscosity),
+    )
+
+
+def has_chains(scene: Scene) -> bool:
+    """Whether the material is made of polymer chains, whose stress is not linear in the strain."""
+    return scene.material.law in POLYMERS
 
 
 def is_solid(scene: Scene) -> bool:

@@ -117,6 +117,12 @@ def retardation(scene: Scene) -> float:
     return material.viscosity * scales.hot_viscosity_factor(scene) * compliance
 
 
+def solvent_lag(scene: Scene) -> float:
+    """Time by which the solvent beside polymer chains holds them back [s]: its viscosity over their modulus."""
+    material = scene.material
+    return (material.solvent_viscosity or 0.0) / material.youngs_modulus if material.youngs_modulus else 0.0
+
+
 def start_sag(scene: Scene) -> float:
     """Sag of a slack filament before anything stretches it: arc length 1 + (8/3) H^2."""
     return math.sqrt(3 / 8 * max(0.0, slackness(scene)))

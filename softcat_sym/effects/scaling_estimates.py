@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import lru_cache
 
-from softcat_sym.effects.law import is_solid
+from softcat_sym.effects.law import has_chains, is_solid
 from softcat_sym.physics import regimes
 from softcat_sym.physics.loads import SURFACES, surface_tension
 from softcat_sym.physics.necking import NECKS, aspect
@@ -133,6 +133,8 @@ def effective_viscosity_at(scene: Scene, stress: float) -> float | None:
     material = scene.material
     if material.modes:
         return hot_viscosity_factor(scene) * sum(mode.viscosity for mode in material.modes)
+    if has_chains(scene):
+        return hot_viscosity_factor(scene) * (viscosity_of_chains(scene) + (material.solvent_viscosity or 0.0))
     if material.law == "custom" and material.formula is not None:
         values = {parameter.name: parameter.value for parameter in material.parameters}
         rate = material.formula.value(material.threshold + stress, values)
@@ -148,6 +150,12 @@ def hot_viscosity_factor(scene: Scene) -> float:
     heat, asked = scene.temperature, scene.run.effects
     listed = asked == "auto" if isinstance(asked, str) else "temperature" in asked
     return heat.viscosity_factor(heat.extremes(scene.run.duration)[1]) if heat.present and listed else 1.0
+
+
+def viscosity_of_chains(scene: Scene) -> float:
+    """Tensile viscosity E lambda of polymer chains in slow flow [Pa s]; 0 for other laws."""
+    material = scene.material
+    return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0)
 
 
 def viscous_number(scene: Scene) -> float | None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
-from softcat_sym.effects.law import flow_nonlinearity, is_solid, law_in
+from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid, law_in
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
@@ -32,7 +32,7 @@ def stays_straight(scene: Scene) -> bool:
 
 
 def _applies(scene: Scene) -> bool:
-    return of_large_deflections(scene) and stays_straight(scene)
+    return of_large_deflections(scene) and stays_straight(scene) and not has_chains(scene)
 
 
 def _eases(scene: Scene) -> str:
@@ -48,7 +48,10 @@ SHEAR = Effect(
     source="Reissner 1972; 3.5-3.7",
     contribute=partial(replace, shear=True),
     applies=_applies,
-    without_it=f"the filament is stretched elastically beyond log s = kappa_s mu/(E (1 - kappa_s/2)), or {SMALL_MODEL}",
+    without_it=(
+        "the filament is stretched elastically beyond log s = kappa_s mu/(E (1 - kappa_s/2)), its law is one of "
+        f"polymer chains, stretched along and across the fibres alone, or {SMALL_MODEL}"
+    ),
     estimate=OfMotion(
         "sheared", "share of the sag that shear makes", "of Timoshenko's beam, bent ends and hinges", amplified=True
     ),

@@ -23,7 +23,7 @@ def _applies(scene: Scene) -> bool:
 
 VISCOUS_FLOW = Effect(
     name="viscous-flow",
-    summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the rule given",
+    summary="plastic strain rate phi(sigma): sigma/eta, (sigma/K)^(1/n) or the rule given; chains that relax",
     source="2.7, 2.12",
     contribute=partial(replace, flows=True),
     applies=_applies,

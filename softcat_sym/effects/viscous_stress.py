@@ -11,8 +11,8 @@ from softcat_sym.scene.scene import Scene
 
 
 def _indispensable(scene: Scene) -> str:
-    branches = law_in(scene).branches
-    return "" if branches else f"the law {scene.material.law!r} has no other stress"
+    law = law_in(scene)
+    return "" if law.branches or law.chains is not None else f"the law {scene.material.law!r} has no other stress"
 
 
 def _applies(scene: Scene) -> bool:

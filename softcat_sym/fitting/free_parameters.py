@@ -18,7 +18,16 @@ from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.history import is_history
-from softcat_sym.scene.material import CONSTANTS, FROM_SHEAR, INDEXED, Material, kind_of_constant, tensile_name
+from softcat_sym.scene.material import (
+    CONSTANTS,
+    FROM_SHEAR,
+    INDEXED,
+    POLYMERS,
+    Material,
+    kind_of_constant,
+    poisson_in_shear,
+    tensile_name,
+)
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
 from softcat_sym.scene.temperature import Temperature
@@ -93,9 +102,10 @@ def candidates(scene: Scene) -> tuple[Candidate, ...]:
     return (*of_scene, *_of_measurement(scene))
 
 
-def _positive(
-    path: str, unit: str, value: float, limits: tuple[float, float] = (0.0, math.inf), constant: str = ""
-) -> Candidate:
+_ANY = (0.0, math.inf)
+
+
+def _positive(path: str, unit: str, value: float, limits: tuple[float, float] = _ANY, constant: str = "") -> Candidate:
     name = path.rpartition(".")[2]
     low = limits[0] if limits[0] > 0 else 0.0
     if value <= 0:
@@ -112,24 +122,31 @@ def _signed(path: str, unit: str, value: float, scale: float, bounds: tuple[floa
     return Candidate(name, path, unit, value, scale, False, bounds, (-math.inf, math.inf), path)
 
 
-def _of_material(scene: Scene) -> Iterator[Candidate]:
-    material = scene.material
+def _of_law(material: Material) -> Iterator[Candidate]:
     for name in CONSTANTS[material.law]:
         value = getattr(material, name)
         kind = kind_of_constant(name, material.law, material.index)
         path = f"material.{name}"
-        yield _positive(path, _unit(kind), value)
+        limits = (max(kind.above, 0.0), kind.below) if isinstance(kind, Number) else _ANY
+        yield _positive(path, _unit(kind), value, limits)
         for rule in FROM_SHEAR:
             if rule.constant == name and rule.suits(material.law):
                 shear = getattr(material, rule.shear)
-                begins = value / rule.factor(material.index, material.poisson) if shear is None else shear
+                factor = rule.factor(material.index, poisson_in_shear(material.law, material.poisson))
+                begins = value / factor if shear is None else shear
                 yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
+
+
+def _of_material(scene: Scene) -> Iterator[Candidate]:
+    material = scene.material
+    yield from _of_law(material)
     if material.solid_viscosity is not None:
         yield _positive("material.solid_viscosity", "Pa*s", material.solid_viscosity)
     if material.law in INDEXED:
         yield _positive("material.index", "", material.index, _INDEX)
-    poisson = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
-    yield Candidate(**{**vars(poisson), "limits": _POISSON})
+    if material.law not in POLYMERS:
+        ratio = _signed("material.poisson", "", material.poisson, 1.0, _POISSON)
+        yield Candidate(**{**vars(ratio), "limits": _POISSON})
     for number, mode in enumerate(material.modes, start=1):
         for name, unit in (("youngs_modulus", "Pa"), ("viscosity", "Pa*s")):
             one = _positive(f"material.mode_{number}_{name}", unit, getattr(mode, name))
@@ -527,7 +544,8 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
 def _following(material: Material, changes: dict[str, float]) -> dict[str, object]:
     """What follows from shear data and other names when some values change."""
     follows: dict[str, object] = {}
-    index, poisson = changes.get("index", material.index), changes.get("poisson", material.poisson)
+    index = changes.get("index", material.index)
+    poisson = poisson_in_shear(material.law, changes.get("poisson", material.poisson))
     for rule in FROM_SHEAR:
         if not rule.suits(material.law):
             continue

@@ -15,6 +15,8 @@ import sympy as sp
 from softcat_sym.physics import closures as closure
 from softcat_sym.physics import kinematics, sections
 from softcat_sym.physics.clocks import Clock
+from softcat_sym.physics.conformation import ChainResponse
+from softcat_sym.physics.conformation import respond as respond_chains
 from softcat_sym.physics.densities import Densities
 from softcat_sym.physics.heat import Heat, lateral_area
 from softcat_sym.physics.kinematics import InternalForce, internal_force
@@ -117,7 +119,9 @@ class Terms:
             for branch in self.law.branches
         )
         own = self.law.viscosity if self.viscous else None
-        return replace(self.law, branches=branches, viscosity=eta_s if self.damped and own is None else own)
+        chains = None if self.law.chains is None else replace(self.law.chains, relaxes=self.flows)
+        viscosity = eta_s if self.damped and own is None else own
+        return replace(self.law, branches=branches, viscosity=viscosity, chains=chains)
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +135,7 @@ class FilamentEquations:
     response: SectionResponse  # The section of the paper: no shear, a plastic strain linear through the thickness
     # The section point by point, where shear or fibres are in force; it then replaces `response`.
     resolved: ResolvedSection | None
+    chains: ChainResponse | None  # Polymer chains of a fibre, if the law is made of them
     neck: Neck | None  # The gradient term, if in force
     surface: Surface | None  # Surface tension, if in force
     force: InternalForce  # Q t + N n of a filament that does not shear
@@ -170,6 +175,8 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     resolved = None
     if terms.shear or terms.resolved:
         resolved = resolve(shape, law, shear=terms.shear, curved=terms.curved, shrinks=terms.shrinks)
+    if law.chains is not None:
+        _refuse_chains(terms, resolved)
     return FilamentEquations(
         terms=terms,
         shape=shape,
@@ -177,11 +184,20 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
         law=law,
         response=respond(outline, closed, law),
         resolved=resolved,
+        chains=None if law.chains is None else respond_chains(shape, law.chains),
         neck=NECKS[shape.name] if terms.necking_gradient else None,
         surface=SURFACES[shape.name] if terms.surface_tension else None,
         force=internal_force(terms.centreline, bending=terms.bending, stretches=terms.stretches),
         exchange=lateral_area(shape, thins=terms.thins),
     )
+
+
+def _refuse_chains(terms: Terms, resolved: ResolvedSection | None) -> None:
+    """Refuse a section of which the stress of chains is not known."""
+    if terms.shear:
+        raise ValueError("chains have no shear here: their conformation is that along and across a fibre")
+    if terms.bending and resolved is None:
+        raise ValueError("the stress of chains is not linear through the thickness: a section that bends is resolved")
 
 
 def _refuse_stretching(terms: Terms) -> None:

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from softcat_sym.physics import heat, reissner
+from softcat_sym.physics import conformation, heat, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.closures import CLOSURES, A, h
+from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.densities import outer_force, outer_momentum
 from softcat_sym.physics.equation import Mean, Rate, Stated, stated
 from softcat_sym.physics.filament import FilamentEquations
@@ -46,6 +47,11 @@ _READABLE = 12
 def stresses(equations: FilamentEquations) -> Iterator[Stated]:
     """The stress of every branch, of the viscous stress, and their sum."""
     terms, response = equations.terms, equations.response
+    if equations.chains is not None:
+        solvent = sp.S.Zero if response.viscous is None else response.viscous.stress_mean
+        yield from _conformation(equations.chains, axial_strain)
+        yield stated("mean stress", sy.sigma_0, chain_stress + solvent, "2.8")
+        return
     stretches, bends = terms.stretches, terms.bending
     several = len(response.parts) > 1
     for j, part in enumerate(response.parts):
@@ -60,6 +66,28 @@ def stresses(equations: FilamentEquations) -> Iterator[Stated]:
             if present:
                 parts = [total.xreplace(_part(j, True, _MEANS)) for j in range(len(response.parts))]
                 yield stated("sum over the parts in parallel", total, sp.Add(*parts), "2.8")
+
+
+axial_strain = sy.enter("eps", r"\epsilon", sy.ONE, "axial strain of a fibre", "2.6")
+chain_stress = sy.enter("sigma_ch", r"\sigma_{ch}", sy.STRESS, "stress of the polymer chains", "Bird et al. 1987")
+
+
+def _conformation(chains: ChainResponse, strain: sp.Symbol) -> Iterator[Stated]:
+    """The conformation of the chains of a fibre, what it relaxes by, and its stress."""
+    words, source = {"along": "along", "across": "across", "width": "in the width of"}, "Bird et al. 1987"
+    for one, extension in zip(chains.directions, chains.extensions, strict=True):
+        shown = extension.xreplace({conformation.strain: strain})
+        yield stated(f"conformation {words[one.name]} a fibre", one.extension, shown, source)
+    factor = chains.spring_factor
+    if chains.relaxes or factor != 1:
+        yield stated("trace of the conformation", conformation.trace, chains.trace, source)
+    if factor != 1:
+        yield stated("stiffening of the chains", conformation.spring_factor, factor, "Bird et al. 1980")
+    plain = {conformation.spring_factor: factor} if factor == 1 else {}
+    for one, rate in zip(chains.states, chains.rates, strict=False):
+        left = Rate(one.taken, sy.t, 1)
+        yield stated(f"relaxation {words[one.name]} a fibre", left, rate.xreplace(plain), source)
+    yield stated("stress of the chains", chain_stress, chains.stress.xreplace(plain), source)
 
 
 def plastic_rates(equations: FilamentEquations) -> Iterator[Stated]:
@@ -191,7 +219,8 @@ def resolved_section(equations: FilamentEquations) -> tuple[Stated, ...]:
     resolved = equations.resolved
     if resolved is None:
         raise ValueError("this section is not resolved point by point")
-    return (*_strains(resolved), *_stresses(resolved), *_flows(equations, resolved), *_resultants(equations, resolved))
+    stress = _stresses(resolved) if equations.chains is None else _stress_of_chains(resolved, equations.chains)
+    return (*_strains(resolved), *stress, *_flows(equations, resolved), *_resultants(equations, resolved))
 
 
 def _strains(resolved: ResolvedSection) -> Iterator[Stated]:
@@ -239,6 +268,15 @@ def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
         for total in conjugate:
             added = sp.Add(*(total.xreplace(_part(j, True, _FIBRE)) for j in range(count)))
             yield stated("sum over the parts in parallel", total, added, "2.8")
+
+
+def _stress_of_chains(resolved: ResolvedSection, chains: ChainResponse) -> Iterator[Stated]:
+    yield stated("strain of a fibre", reissner.eps, resolved.cell.axial_strain - resolved.relaxed, "2.6")
+    yield from _conformation(chains, reissner.eps)
+    solvent = sp.S.Zero
+    if resolved.viscous is not None:
+        solvent = resolved.viscous.stress[0].xreplace({reissner.eps_t: Rate(reissner.eps, sy.t, 1)})
+    yield stated("stress of a fibre", sy.sigma, chain_stress + solvent, "2.8")
 
 
 def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[Stated]:
@@ -299,7 +337,6 @@ def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iter
     yield stated("balance of moments", turning, Rate(m_c, sy.X, 1) + moments, _SOURCE)
 
 
-axial_strain = sy.enter("eps", r"\epsilon", sy.ONE, "axial strain of a fibre", "2.6")
 progress = sy.enter("v_on", "v", sy.ONE, "how far gravity is switched on, in time", "section 3")
 
 

@@ -8,6 +8,8 @@ from typing import Protocol, TypeVar, cast
 
 import sympy as sp
 
+from softcat_sym.physics import conformation
+from softcat_sym.physics.conformation import Chains
 from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.sections import TINY, Section, SectionMeans, quadrature_means
 from softcat_sym.physics.symbols import (
@@ -121,17 +123,28 @@ class Law:
         eta of the viscous stress eta eps_t, if there is one.
     constants : tuple of Constant
         Beyond those that several laws share: of further modes, or of the user's own rule.
+    chains : Chains or None
+        Polymer chains instead of springs, of modulus E/3 in shear; None for every other law.
     """
 
     name: str
     branches: tuple[Branch, ...] = (Branch(),)
     viscosity: sp.Expr | None = None
     constants: tuple[Constant, ...] = ()
+    # Not in its representation where there are none, from which a structure has its name.
+    chains: Chains | None = None
+
+    def __repr__(self) -> str:
+        shown = (self.name, self.branches, self.viscosity, self.constants)
+        names = zip(("name", "branches", "viscosity", "constants"), shown, strict=True)
+        chains = "" if self.chains is None else f", chains={self.chains!r}"
+        return f"Law({', '.join(f'{name}={value!r}' for name, value in names)}{chains})"
 
     @property
     def flows(self) -> bool:
-        """Whether any branch flows."""
-        return any(branch.flow is not None for branch in self.branches)
+        """Whether any branch flows, or chains relax."""
+        relaxes = self.chains is not None and self.chains.relaxes
+        return relaxes or any(branch.flow is not None for branch in self.branches)
 
     @property
     def yields(self) -> bool:
@@ -429,6 +442,29 @@ def _operation(name: str, values: Sequence[sp.Expr]) -> sp.Expr:
     return OPERATIONS[name](*values)
 
 
+RELAXATION_TIME = Constant("relaxation_time", conformation.relaxation_time)
+
+
+def chain_law(name: str, chains: Chains, *constants: Constant) -> Law:
+    """A law of polymer chains in a solvent."""
+    solvent = Constant("solvent_viscosity", conformation.solvent_viscosity)
+    return Law(
+        name,
+        branches=(),
+        viscosity=solvent.symbol,
+        constants=(RELAXATION_TIME, solvent, *constants),
+        chains=chains,
+    )
+
+
+OLDROYD_B_LAW = chain_law("oldroyd-b", conformation.OLDROYD_B)
+
+FENE_P_LAW = chain_law("fene-p", conformation.FENE_P, Constant("finite_extensibility", conformation.extensibility))
+
+GIESEKUS_LAW = chain_law("giesekus", conformation.GIESEKUS, Constant("mobility", conformation.mobility))
+
+PTT_LAW = chain_law("ptt", conformation.PTT, Constant("ptt_epsilon", conformation.destruction))
+
 FIXED: dict[str, Law] = {
     law.name: law
     for law in (
@@ -440,11 +476,17 @@ FIXED: dict[str, Law] = {
         BINGHAM_LAW,
         POWER_LAW_LAW,
         HERSCHEL_BULKLEY_LAW,
+        OLDROYD_B_LAW,
+        FENE_P_LAW,
+        GIESEKUS_LAW,
+        PTT_LAW,
     )
 }
 
 
-def law_of(name: str, *, modes: int = 0, formula: Formula | None = None, yields: bool = False) -> Law:
+def law_of(
+    name: str, *, modes: int = 0, formula: Formula | None = None, yields: bool = False, solvent: bool = True
+) -> Law:
     """A law by its name.
 
     Parameters
@@ -457,6 +499,8 @@ def law_of(name: str, *, modes: int = 0, formula: Formula | None = None, yields:
         The flow rule of ``custom``.
     yields : bool
         Whether the rule of ``custom`` is zero up to the yield stress.
+    solvent : bool
+        Whether a viscous solvent is beside polymer chains.
 
     Raises
     ------
@@ -471,4 +515,5 @@ def law_of(name: str, *, modes: int = 0, formula: Formula | None = None, yields:
         return custom_law(formula, yields=yields)
     if name not in FIXED:
         raise ValueError(f"no law {name}: there are custom, multimode-maxwell, {', '.join(FIXED)}")
-    return FIXED[name]
+    law = FIXED[name]
+    return law if solvent or law.chains is None else replace(law, viscosity=None)

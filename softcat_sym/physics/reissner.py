@@ -371,6 +371,7 @@ class ResolvedSection:
     viscous: ViscousFibre | None  # What acts beside them
     relative_thickness: sp.Expr  # h/h0 of Lam
     rotary_inertia: sp.Expr  # rho I0, undeformed
+    relaxed: sp.Expr  # Strain of a fibre where the filament is as curved as it is by nature
 
     @property
     def flows(self) -> bool:
@@ -396,6 +397,7 @@ def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False, shri
         viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, natural_rate, shear=shear),
         relative_thickness=(cell.thickness / h0).subs(s, Lam),
         rotary_inertia=rotary_inertia(shape),
+        relaxed=relaxed,
     )
 
 

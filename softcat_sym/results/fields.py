@@ -50,6 +50,8 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "stress_bending": Variable(
         _CELL, "Pa", "sigma_1 = <sigma zeta>/<zeta^2>: the axial stress nearest to sigma_0 + sigma_1 zeta"
     ),
+    "conformation_along": Variable(_CELL, "1", "section mean of the conformation of polymer chains along the fibres"),
+    "conformation_across": Variable(_CELL, "1", "section mean of the conformation of polymer chains across the fibres"),
     "core_low": Variable(_CELL, "1", "zeta below which fibres yield, of a section resolved fibre by fibre"),
     "core_high": Variable(_CELL, "1", "zeta above which fibres yield, of a section resolved fibre by fibre"),
     "energy_kinetic": Variable(_FRAME, "J", "kinetic energy", True),

@@ -23,7 +23,7 @@ from softcat_sym.effects.forecast import (
 )
 from softcat_sym.effects.free_vibration import first_vibration, ringing, solid_decay
 from softcat_sym.effects.law import is_solid
-from softcat_sym.effects.quasi_static import load_factor, retardation
+from softcat_sym.effects.quasi_static import load_factor, retardation, solvent_lag
 from softcat_sym.effects.scaling_estimates import (
     effective_viscosity,
     effective_viscosity_at,
@@ -66,6 +66,10 @@ def swing_period(time: Floats, midpoint: Floats) -> float | None:
             turns.append(frame)
     turned = turns[1:-1]
     return 2 * float(time[turned[-1]] - time[turned[0]]) / (len(turned) - 1) if len(turned) >= _TURNS else None
+
+
+ROUNDED = 1e-12
+"""Of a span: what rounding alone may move a midpoint by."""
 
 
 def frames_a_period(time: Floats, midpoint: Floats, frequency: float) -> float | None:
@@ -147,7 +151,7 @@ def _what_was_left_out(scene: Scene, effects: Effects, time: Floats, midpoint: F
     if not terms.flows and np.isfinite(motion.overstress):
         # Below the yield stress nothing flows, whatever was foreseen.
         shown["relaxed"] = 1 - 1 / max(1.0, motion.overstress)
-    if not terms.viscous and retardation(scene):
+    if not terms.viscous and (retardation(scene) or solvent_lag(scene)):
         shown["retarded"] = max(motion.retarded, damped(ringing(scene).decay))
     if not terms.damped and scene.material.has_loss:
         shown["damped"] = max(motion.damped, damped(solid_decay(scene)))

@@ -32,6 +32,7 @@ from softcat_sym.results.fields import (
     whole_span_fields,
 )
 from softcat_sym.results.motion import (
+    ROUNDED,
     SEEN,
     frames_a_period,
     observed_motion,
@@ -295,7 +296,8 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     rings, why = ringing_at_last(scene, effects, prepared, solution, Silence())
     motion = observed_motion(scene, effects, time, places, fields)
     measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, largest)))
-    per_period = frames_a_period(time, midpoint, ringing(scene).frequency)
+    moves = float(np.ptp(midpoint)) > ROUNDED * scene.filament.span
+    per_period = frames_a_period(time, midpoint, ringing(scene).frequency) if moves else None
     fades = rings is not None and rings["amplitude"] < SEEN * largest
     warnings = [
         *warnings_of(scene, effects, motion, places[0], fields, carried),

@@ -15,9 +15,9 @@ from softcat_sym.effects.registry import REGISTRY
 from softcat_sym.effects.scaling_estimates import neck_length
 from softcat_sym.results.breaking import breakable, first_break
 from softcat_sym.results.fields import audit_of, energies_of, is_loss, min_energy
-from softcat_sym.scene.material import SOLIDS
+from softcat_sym.scene.material import POLYMERS, SOLIDS
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.outcome import THREAD, Outcome
+from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 from softcat_sym.solvers.solution import Solution
 
 
@@ -165,6 +165,8 @@ def _place(nodes: Floats, cell: int) -> float:
 
 def largest_stretch(scene: Scene) -> float:
     """The stretch at which a filament counts as ruptured."""
+    if scene.material.law in POLYMERS:
+        return POLYMER_THREAD
     return STRONGEST if scene.material.law in SOLIDS else THREAD
 
 
@@ -310,7 +312,10 @@ def verdict(
         return Outcome.ruptured, "; ".join(filter(None, [torn, solution.message]))
     if not solution.outcome.is_success:
         return solution.outcome, solution.message
-    pushed = pushed_string(time, fields.get("axial_force", fields["tension"])) if not terms.bending else ""
+    # At rest, in the first frame, the viscous stress is not there yet that balances the surface.
+    felt = slice(1 if terms.viscous and terms.surface_tension else 0, None)
+    along = fields.get("axial_force", fields["tension"])
+    pushed = pushed_string(time[felt], along[felt]) if not terms.bending and len(time[felt]) else ""
     if pushed:
         return Outcome.compressed, pushed
     gained = gained_energy(fields, min_energy(scene)) if solution.steps else ""

@@ -211,7 +211,7 @@ class Conversion:
 
     def factor(self, index: float, poisson: float) -> float:
         """Return the tensile value over the shear one; infinite where it overflows."""
-        if self.constant == "viscosity":
+        if self.constant in ("viscosity", "solvent_viscosity"):
             return power(3.0, (index + 1) / 2) if self.indexed else 3.0
         return 2 * (1 + poisson) if self.constant == "youngs_modulus" else math.sqrt(3.0)
 
@@ -230,15 +230,22 @@ FROM_SHEAR = (
     Conversion("viscosity", "consistency", True, "times 3^((n+1)/2)"),
     Conversion("yield_stress", "shear_yield_stress", None, "times sqrt(3)"),
     Conversion("youngs_modulus", "storage_modulus", None, "times 2 (1 + poisson)"),
+    Conversion("solvent_viscosity", "shear_solvent_viscosity", None, "times 3"),
 )
 
 _SAME = (
     {"youngs_modulus", "storage_modulus"},
     {"viscosity", "shear_viscosity", "shear_consistency", "consistency"},
     {"yield_stress", "shear_yield_stress"},
+    {"solvent_viscosity", "shear_solvent_viscosity"},
     {"loss_tangent", "loss_modulus", "solid_viscosity"},
 )
 """Keys of [material] of which a scene has one at most."""
+
+
+def poisson_in_shear(law: str | None, poisson: float) -> float:
+    """Return Poisson's ratio between a shear modulus and Young's: 1/2 of polymer chains, which keep their volume."""
+    return 0.5 if law in POLYMERS else poisson
 
 
 def shear_names(constant: str) -> tuple[str, ...]:
@@ -277,7 +284,13 @@ Law = Literal[
     "power-law",
     "herschel-bulkley",
     "custom",
+    "oldroyd-b",
+    "fene-p",
+    "giesekus",
+    "ptt",
 ]
+
+_OF_CHAINS = ("youngs_modulus", "relaxation_time", "solvent_viscosity")
 
 # A constant that a law does not use is refused, never ignored. The index, modes and formulas stand apart.
 CONSTANTS: dict[str, tuple[str, ...]] = {
@@ -291,7 +304,13 @@ CONSTANTS: dict[str, tuple[str, ...]] = {
     "power-law": ("youngs_modulus", "viscosity"),
     "herschel-bulkley": ("youngs_modulus", "viscosity", "yield_stress"),
     "custom": ("youngs_modulus",),
+    "oldroyd-b": _OF_CHAINS,
+    "fene-p": (*_OF_CHAINS, "finite_extensibility"),
+    "giesekus": (*_OF_CHAINS, "mobility"),
+    "ptt": (*_OF_CHAINS, "ptt_epsilon"),
 }
+# Laws of polymer chains in a solvent. Their fibres keep their volume: E is three times the modulus in shear.
+POLYMERS = ("oldroyd-b", "fene-p", "giesekus", "ptt")
 # The laws that a scene may give by its dimensionless groups.
 GROUPED = ("elastic", "maxwell", "newtonian", "kelvin-voigt", "bingham", "power-law", "herschel-bulkley")
 # Laws of a solid that remembers its shape: what they leave behind is no plastic strain.
@@ -305,8 +324,20 @@ OF_THE_INDEX = ("viscosity", "shear_viscosity", "shear_consistency", "consistenc
 _STRESS, _VISCOSITY = Timed("stress", "9.32 kPa"), Timed("viscosity", "13.84 kPa*s")
 
 
-def kind_of_constant(name: str, law: str | None, index: float) -> Timed:
+_OWN_KINDS: dict[str, Quantity | Number] = {
+    "relaxation_time": Quantity("time", "0.1 s"),
+    "solvent_viscosity": Quantity("viscosity", "3 mPa*s", "non-negative"),
+    "shear_solvent_viscosity": Quantity("viscosity", "1 mPa*s", "non-negative"),
+    "finite_extensibility": Number(above=3),
+    "mobility": Number(above=0, below=1),
+    "ptt_epsilon": Number(above=0),
+}
+
+
+def kind_of_constant(name: str, law: str | None, index: float) -> Timed | Quantity | Number:
     """Return how a constant is read and written: a consistency has a unit of its own."""
+    if name in _OWN_KINDS:
+        return _OWN_KINDS[name]
     if name not in OF_THE_INDEX:
         return _STRESS
     if name in ("shear_consistency", "consistency") or (name == "viscosity" and law in INDEXED):
@@ -363,7 +394,10 @@ Stress = Annotated[float | None, _STRESS]
 POISSON = 0.45
 """Poisson's ratio unless a scene states one."""
 
-_CONSTANTS = ("youngs_modulus", "second_modulus", "viscosity", "yield_stress")
+_CONSTANTS = (
+    *("youngs_modulus", "second_modulus", "viscosity", "yield_stress"),
+    *("relaxation_time", "solvent_viscosity", "finite_extensibility", "mobility", "ptt_epsilon"),
+)
 
 
 class Material(Part):
@@ -399,6 +433,24 @@ class Material(Part):
     """Yield stress as a rheometer measures it, sqrt(3) times as much in tension; instead of yield_stress."""
     yield_stress: Stress = Field(default=None, validate_default=True)
     """Tensile stress below which nothing flows, sY."""
+    relaxation_time: Annotated[float | None, _OWN_KINDS["relaxation_time"]] = Field(default=None, validate_default=True)
+    """Time in which the polymer chains of a law of them forget a strain; their tensile viscosity is E times it."""
+    shear_solvent_viscosity: Annotated[float | None, _OWN_KINDS["shear_solvent_viscosity"]] = Field(
+        default=None, exclude=True, repr=False
+    )
+    """Viscosity of the solvent as a rheometer measures it, three times as much in tension."""
+    solvent_viscosity: Annotated[float | None, _OWN_KINDS["solvent_viscosity"]] = Field(
+        default=None, validate_default=True
+    )
+    """Extensional viscosity of the solvent beside the chains; 0 for chains alone (upper-convected Maxwell)."""
+    finite_extensibility: Annotated[float | None, _OWN_KINDS["finite_extensibility"]] = Field(
+        default=None, validate_default=True
+    )
+    """L^2 of fene-p: trace of the conformation, 3 at rest, of chains drawn out straight."""
+    mobility: Annotated[float | None, _OWN_KINDS["mobility"]] = Field(default=None, validate_default=True)
+    """Mobility factor alpha of giesekus: how much less drag there is along stretched chains."""
+    ptt_epsilon: Annotated[float | None, _OWN_KINDS["ptt_epsilon"]] = Field(default=None, validate_default=True)
+    """Factor epsilon of ptt, linear: chains relax 1 + epsilon (tr A - 3) times as fast."""
     loss_modulus: Annotated[float | None, Quantity("stress", "1 kPa")] = Field(default=None, exclude=True, repr=False)
     """G'' below yield, beside storage_modulus: loss_tangent is their ratio."""
     loss_tangent: Annotated[float, Number(above=0, closed=True)] = Field(default=0.0, validate_default=True)
@@ -430,6 +482,16 @@ class Material(Part):
             raise refusal(f"{shown(value)}, but the law '{law}' has no index", f"leaving it out, or one of {laws}")
         return index
 
+    @field_validator("poisson", mode="wrap")
+    @classmethod
+    def _of_laws_that_may_change_volume(
+        cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo
+    ) -> Any:
+        poisson, law = handler(value), info.data.get("law")
+        if poisson != POISSON and law in POLYMERS:
+            raise refusal(f"{shown(value)}, but the chains of the law '{law}' keep their volume", "leaving it out")
+        return poisson
+
     @field_validator("shear_viscosity", "shear_consistency", "consistency", mode="plain")
     @classmethod
     def _of_the_right_law(cls, value: Any, info: ValidationInfo) -> Any:
@@ -443,7 +505,7 @@ class Material(Part):
             raise _given_twice("shear_consistency")
         return _read(name, value, info)
 
-    @field_validator("youngs_modulus", "second_modulus", "viscosity", "yield_stress", mode="plain")
+    @field_validator(*_CONSTANTS, mode="plain")
     @classmethod
     def _as_the_law_needs(cls, value: Any, info: ValidationInfo) -> float | None:
         name, law = str(info.field_name), info.data.get("law")
@@ -456,7 +518,8 @@ class Material(Part):
             result = _read(name, value, info)
         elif given:
             # NaN never escapes: without a sound ratio there is a fault, and with a fault there is no material.
-            factor = given[0].factor(info.data.get("index", 1.0), info.data.get("poisson", math.nan))
+            poisson = poisson_in_shear(law, info.data.get("poisson", math.nan))
+            factor = given[0].factor(info.data.get("index", 1.0), poisson)
             datum = info.data.get(given[0].shear, math.nan)
             result = datum.scaled(factor) if isinstance(datum, History) else factor * datum
             if float(result) == math.inf:
@@ -486,6 +549,7 @@ class Material(Part):
             own = (data.get("youngs_modulus") or math.nan) / (2 * (1 + data.get("poisson", math.nan)))
             loss = modulus / (data.get("storage_modulus") or own)
         why = {"newtonian": "has no spring that could ring", "kelvin-voigt": "has this viscosity as material.viscosity"}
+        why |= dict.fromkeys(POLYMERS, "has this viscosity as material.solvent_viscosity")
         if loss and (law := data.get("law")) in why:
             others = ", ".join(other for other in CONSTANTS if other not in why)
             raise refusal(f"given, but the law '{law}' {why[law]}", f"leaving it out, or one of the laws {others}")
@@ -605,13 +669,15 @@ class Material(Part):
             shear, tensile = getattr(self, rule.shear), getattr(self, rule.constant)
             if shear is None:
                 continue
-            unit = (kind_of_constant(rule.constant, self.law, self.index).unit or "Pa s").replace("*", " ")
-            words = rule.words.replace("n+1", f"{self.index:g}+1").replace("poisson", f"{self.poisson:g}")
+            kind = kind_of_constant(rule.constant, self.law, self.index)
+            unit = (kind.unit if isinstance(kind, Quantity) and kind.unit else "Pa s").replace("*", " ")
+            poisson = poisson_in_shear(self.law, self.poisson)
+            words = rule.words.replace("n+1", f"{self.index:g}+1").replace("poisson", f"{poisson:g}")
             words += " at the start, and so at all times" if isinstance(shear, History) else ""
             if rule.constant == "youngs_modulus":
                 notes.append(f"storage modulus {shear:.6g} Pa = Young's modulus {tensile:.6g} Pa, {words}")
             else:
-                unit = unit if rule.constant == "viscosity" else "Pa"
+                unit = unit if rule.constant.endswith("viscosity") else "Pa"
                 what = rule.shear.removeprefix("shear_").replace("_", " ")
                 notes.append(f"{what} {shear:.6g} {unit} in shear = {tensile:.6g} {unit} in tension, {words}")
         if self.loss_modulus is not None:

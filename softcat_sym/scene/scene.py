@@ -15,7 +15,7 @@ from scipy.special import lambertw
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
-from softcat_sym.scene.material import SOLIDS, EffectTable, EffectTables, Material, Parameter, power
+from softcat_sym.scene.material import POLYMERS, SOLIDS, EffectTable, EffectTables, Material, Parameter, power
 from softcat_sym.scene.parts import (
     Ends,
     Filament,
@@ -525,9 +525,13 @@ def _modulus(scene: Scene) -> float | None:
 
 
 def _viscosity(scene: Scene) -> float | None:
-    """Eta [Pa s], or K [Pa s^n]; of parallel modes their sum."""
-    modes = scene.material.modes
-    return sum(mode.viscosity for mode in modes) if modes else scene.material.viscosity
+    """Eta [Pa s], or K [Pa s^n]; of parallel modes their sum, of polymer chains E lambda and the solvent's."""
+    material = scene.material
+    if material.law in POLYMERS:
+        return (material.youngs_modulus or 0.0) * (material.relaxation_time or 0.0) + (
+            material.solvent_viscosity or 0.0
+        )
+    return sum(mode.viscosity for mode in material.modes) if material.modes else material.viscosity
 
 
 def groups_of(scene: Scene) -> Groups:

@@ -7,6 +7,9 @@ from enum import Enum
 THREAD = 1000.0
 """Stretch beyond which only a thread is left of a fluid: a thirtieth of the thickness, and nothing of the theory."""
 
+POLYMER_THREAD = 1e6
+"""The same of polymer chains, which draw a thread out evenly while they stiffen: a thousandth of the thickness."""
+
 
 class Outcome(Enum):
     """End of a run; ``Outcome.x.name`` goes into the summary, ``Outcome.x.value`` tells the user what to do."""

@@ -15,7 +15,7 @@ import numpy as np
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.interrupts import interrupts_go_to
-from softcat_sym.solvers.outcome import THREAD, Outcome
+from softcat_sym.solvers.outcome import POLYMER_THREAD, THREAD, Outcome
 
 
 class Progress(Protocol):
@@ -70,9 +70,14 @@ def counting(progress: Progress, stage: str) -> Callable[[int, int], None]:
     return lambda done, total: progress.reach(done / total, f"{done + 1} of {total}")
 
 
+def _thread(graph: Graph) -> float:
+    """Stretch beyond which a filament of this law is followed no further."""
+    return THREAD if graph.terms.law.chains is None else POLYMER_THREAD
+
+
 def is_torn(graph: Graph, time: float, x: Floats, z: Floats, p: Floats) -> bool:
     """Whether only a thread is left somewhere: what becomes of it may take a million steps, and means nothing."""
-    return bool(np.any(np.asarray(graph.stretch(time, x, z, p)) > THREAD))
+    return bool(np.any(np.asarray(graph.stretch(time, x, z, p)) > _thread(graph)))
 
 
 @dataclass(frozen=True)
@@ -117,7 +122,7 @@ class Solution:
         while torn(frames - 2):
             frames -= 1
         time, x, z, quad = (part[..., :frames] for part in (self.time, self.x, self.z, self.quad))
-        message = f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {THREAD:g} times its length"
+        message = f"stopped after t = {time[-1] * scale:.6g} s: a cell is drawn to {_thread(graph):g} times its length"
         return replace(self, time=time, x=x, z=z, quad=quad, outcome=Outcome.ruptured, message=message)
 
 

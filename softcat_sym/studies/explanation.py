@@ -64,8 +64,11 @@ KINDS = {
     "a_1": "bending plastic strains",
     "axial": "axial plastic strains, at every point through the thickness",
     "shear": "plastic shear strains, at every point through the thickness",
+    "chains_along": "what relaxation took of the conformation along the fibres",
+    "chains_across": "what relaxation took of the conformation across the fibres",
+    "chains_width": "what relaxation took of the conformation in the width of a sheet",
 }
-_NUMBERS = re.compile(r"_mode\d+$|(?<=axial)_\d+(_mode\d+)?$|(?<=shear)_\d+(_mode\d+)?$")
+_NUMBERS = re.compile(r"_mode\d+$|(?<=axial|shear|along|width)_\d+(_mode\d+)?$|(?<=across)_\d+$")
 
 
 @dataclass(frozen=True, slots=True)
