@@ -163,7 +163,7 @@ class Builder:
     def _changed(self, given: Values, name: str, where: Where, warming: ca.SX) -> dict[Any, Any]:
         """What stands for the symbols at these sites: constants of the law may change in time and with temperature."""
         found, heat = dict(given), self.equations.terms.heat
-        for clock in self.equations.terms.clocks:
+        for clock in (one for one in self.equations.terms.clocks if one.state is None):
             now = {**found, symbols.t: self.time * self.scale}
             found |= {symbol: printed(value, now) for symbol, value in clock.replaces}
         if heat is not None:

@@ -38,8 +38,10 @@ from softcat_sym.discretization.stencil import (
 )
 from softcat_sym.physics import conformation, reissner, symbols
 from softcat_sym.physics.bulk import sigma_eq
+from softcat_sym.physics.clocks import State
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.reissner import FibreBranch, ResolvedSection
+from softcat_sym.physics.structure import speed
 
 
 @dataclass
@@ -183,28 +185,41 @@ _NO_STRESS = 1e-12
 
 def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Values) -> Fibres:
     """Stress and flow at the points of a section, and their sums."""
-    one = isinstance(rule, OneFibre)
     if isinstance(rule, OneFibre):
         for symbol, name in ((rule.zeta, "zeta"), (rule.weight, "weight")):
             b.leaves.adopt(symbol, Leaf(FIBRE, name))
     fibres = [_Fibre(b, resolved, {**values, symbols.zeta: ca.SX(zeta)}) for zeta, _ in rule.places]
-    found = Fibres(profiles=_profiles(rule, resolved) if isinstance(rule, SectionRule) else {})
+    found = Fibres(profiles=_profiles(rule, resolved))
+    followed = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.terms.clocks if clock.state]
+    for clock in followed:
+        clock.set(b, rule, fibres)
     for j, branch in enumerate(resolved.branches):
         axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, j) for kind in ("axial", "shear"))
         for fibre, *plastic in zip(fibres, axial, shear, strict=True):
             fibre.add(branch, (plastic[0], plastic[1]))
         rates = _state_rates(rule, fibres, j)
         found.plastic |= {name: rate for name, rate in rates.items() if name in b.slots}
+    for clock in followed:
+        found.plastic |= clock.rates(rule, fibres)
     if b.equations.chains is not None:
         _add_chains(b, b.equations.chains, rule, fibres, found)
-    if resolved.viscous is not None:
-        for fibre in fibres:
-            fibre.resist()
+    for fibre in fibres if resolved.viscous is not None else ():
+        fibre.resist()
+    _sum_up(b, rule, fibres, found)
+    if isinstance(rule, SectionRule):
+        found.shown = _shown_fibres(rule, fibres)
+        for clock in followed:
+            found.shown[clock.state.name] = _dot(rule.weight, [fibre.values[clock.state.shown] for fibre in fibres])
+    return found
+
+
+def _sum_up(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:
+    """Means over the section."""
 
     def mean(name: str, *, linear: bool = False) -> ca.SX:
         pairs: list[tuple[_Fibre, Any]] = list(zip(fibres, rule.places, strict=True))
         total = sum((getattr(f, name) * (weight * zeta if linear else weight) for f, (zeta, weight) in pairs), ca.SX(0))
-        return b.total(f"{name}_zeta" if linear else name, total) if one else ca.SX(total)
+        return b.total(f"{name}_zeta" if linear else name, total) if isinstance(rule, OneFibre) else ca.SX(total)
 
     found.axial, found.axial_zeta, found.shear = mean("axial"), mean("axial", linear=True), mean("shear")
     found.energy, found.dissipation = mean("energy"), mean("dissipation")
@@ -212,8 +227,32 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
         found.ageing = mean("ageing")
     if b.thermal:
         found.softening = mean("softening")
-    found.shown = _shown_fibres(rule, fibres) if isinstance(rule, SectionRule) else {}
-    return found
+
+
+@dataclass(frozen=True)
+class _Followed:
+    """A clock with a state at every point of a section."""
+
+    name: str
+    replaces: tuple[tuple[Any, Any], ...]
+    state: State
+
+    def _names(self, rule: Sampling) -> list[str]:
+        return [f"{self.name}_{label}" for label in rule.labels]
+
+    def set(self, b: Builder, rule: Sampling, fibres: Sequence[_Fibre]) -> None:
+        """What it makes of the constants at every point, by its state there."""
+        slots = [Slot(name, "cell", (False, False), True, "", section=True) for name in self._names(rule)]
+        states = [b.unknown(slot)[0] for slot in slots]
+        for fibre, row in zip(fibres, rule.recall, strict=True):
+            stated = {**fibre.values, self.state.symbol: _dot(row, states)}
+            fibre.values |= {symbol: printed(value, stated) for symbol, value in self.replaces}
+            fibre.values[self.state.shown] = printed(self.state.value, stated)
+
+    def rates(self, rule: Sampling, fibres: Sequence[_Fibre]) -> dict[str, ca.SX]:
+        """Rates of its states, of the flow at every point."""
+        rates = [printed(self.state.rate, {**fibre.values, speed: fibre.speed}) for fibre in fibres]
+        return dict(zip(self._names(rule), (_dot(row, rates) for row in rule.project), strict=True))
 
 
 def _add_chains(b: Builder, chains: ChainResponse, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:
@@ -255,8 +294,10 @@ def _state_rates(rule: Sampling, fibres: Sequence[_Fibre], branch: int) -> dict[
     return found
 
 
-def _profiles(rule: SectionRule, resolved: ResolvedSection) -> dict[str, tuple[float, float]]:
-    """What each axial state is of a plastic strain that is linear through the thickness."""
+def _profiles(rule: Sampling, resolved: ResolvedSection) -> dict[str, tuple[float, float]]:
+    """What each axial state is of a plastic strain that is linear through the thickness; nothing of one fibre's."""
+    if isinstance(rule, OneFibre):
+        return {}
     mean, linear = rule.project @ np.ones(rule.points), rule.project @ rule.zeta
     names = [_state_names(rule, "axial", j) for j, branch in enumerate(resolved.branches) if branch.flow is not None]
     return {name: (float(mean[n]), float(linear[n])) for group in names for n, name in enumerate(group)}

@@ -365,6 +365,9 @@ h0_t = sy.enter("h0_t", r"h_0^n", sy.LENGTH, "thickness of the section that has 
 def _histories(equations: FilamentEquations) -> Iterator[Stated]:
     """What clocks put in the place of constants, their numbers as symbols: of a table its times, values and slopes."""
     for clock in equations.terms.clocks:
+        if clock.state is not None:
+            yield stated(f"{clock.name}: of a fibre", clock.state.shown, clock.state.value, "as the scene states it")
+            yield stated(f"{clock.name}: its rate", Rate(clock.state.shown, sy.t, 1), clock.state.rate, "Moore 1959")
         for symbol, value in clock.replaces:
             if value != 0:
                 yield stated(f"{clock.name}: {sy.entry(symbol).meaning}", symbol, value, "as the scene states it")

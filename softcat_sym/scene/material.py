@@ -23,6 +23,7 @@ from softcat_sym.scene.formula import (
 )
 from softcat_sym.scene.history import History, Timed, TimedNumber, value_at
 from softcat_sym.scene.parts import Part
+from softcat_sym.scene.structure import Structure, StructureTable
 from softcat_sym.scene.units import (
     SI,
     STRESS,
@@ -360,6 +361,51 @@ def check_against_law(name: str, law: str | None, value: object, accepted: str) 
         raise refusal(f"given, but the law '{law}' does not {verb}", f"leaving it out, or one of the laws {laws}")
 
 
+_BUILDS_UP = ("maxwell", "bingham", "power-law", "herschel-bulkley")
+
+
+def structure_faults(structure: Structure, data: Mapping[str, Any]) -> Iterator[Refused]:
+    """What of a structure the other constants of the material leave no room for."""
+    law = data["law"]
+    if law not in _BUILDS_UP:
+        found = f"given, but the law '{law}' has no flow that it would change"
+        yield (), refusal(found, f"one of the laws {', '.join(_BUILDS_UP)}")
+        return
+    for name in ("yield_stress", "viscosity"):
+        for end in ("structured", "destroyed"):
+            if getattr(structure, f"{end}_{name}") is None:
+                continue
+            if data.get(name) is None or (name == "viscosity" and law in INDEXED):
+                found = f"given, but the law '{law}' has no {name.replace('_', ' ')}"
+                yield (f"{end}_{name}",), refusal(found, "leaving it out")
+            elif isinstance(data[name], History):
+                found = f"given, but material.{name} changes in time by itself"
+                yield (f"{end}_{name}",), refusal(found, "one of the two")
+    limit = data.get("yield_stress")
+    yield from _ends_and_start(structure, limit if isinstance(limit, float) else None)
+
+
+def _ends_and_start(structure: Structure, limit: float | None) -> Iterator[Refused]:
+    """Yield stresses on either side of that at the beginning, and where lambda begins."""
+    high, low = structure.structured_yield_stress, structure.destroyed_yield_stress
+    if limit is not None:
+        if high is not None and high < limit:
+            yield ("structured_yield_stress",), refusal(f"{high:g} Pa", f"at least material.yield_stress, {limit:g} Pa")
+        if low is not None and low > limit:
+            yield ("destroyed_yield_stress",), refusal(f"{low:g} Pa", f"at most material.yield_stress, {limit:g} Pa")
+        if high is not None and high == (limit if low is None else low):
+            yield ("structured_yield_stress",), refusal("the same as the destroyed one", "a larger one")
+    start = structure.start(limit)
+    if structure.growth == "saturating" and start > 1:
+        yield ("initial",), refusal(f"{start:g}", "at most 1, built up")
+    if structure.structured_viscosity is not None and start == 1:
+        found = "given, but the material is built up at the beginning"
+        yield ("structured_viscosity",), refusal(found, "destroyed_viscosity")
+    if structure.destroyed_viscosity is not None and start == 0:
+        found = "given, but the material is destroyed at the beginning"
+        yield ("destroyed_viscosity",), refusal(found, "structured_viscosity")
+
+
 def stress_scales(parameters: tuple[Parameter, ...], youngs_modulus: float | None) -> tuple[float, ...]:
     """Return the stresses that the parameters of a flow rule set, and the modulus; positive [Pa]."""
     sizes = [abs(parameter.value) for parameter in parameters if same_dimension(parameter.dimension, STRESS)]
@@ -457,6 +503,8 @@ class Material(Part):
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
     solid_viscosity: Annotated[float | None, Quantity("viscosity", "1.2 Pa*s")] = None
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
+    structure: Annotated[Structure | None, StructureTable()] = None
+    """How it builds up at rest and breaks down where it flows: a table [material.structure]."""
     breaking_strain: Annotated[float | None, Number(above=0)] = None
     """True (Hencky) tensile strain at which a fibre breaks; the run ends there."""
     breaking_stress: Annotated[float | None, Quantity("stress", "20 kPa")] = None
@@ -574,6 +622,17 @@ class Material(Part):
         if name == "flow" and result:
             parse_formula(result)
         return result
+
+    @field_validator("structure", mode="wrap")
+    @classmethod
+    def _of_a_law_that_flows(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        structure: Structure | None = handler(value)
+        if structure is None or "law" not in info.data:
+            return structure
+        faults = list(structure_faults(structure, info.data))
+        if faults:
+            raise refusals("structure", faults)
+        return structure
 
     @model_validator(mode="after")
     def _make_sense_of_the_own_law(self) -> Material:

@@ -381,6 +381,8 @@ class Scene(Part):
     def named_constants(self) -> dict[str, Parameter]:
         """Constants that only this scene has, by their paths: of its own law, and of effects from outside."""
         own = {f"material.parameters.{one.name}": one for one in self.material.parameters}
+        if (structure := self.material.structure) is not None:
+            own |= {f"material.structure.{name}": Parameter(name, *one) for name, one in structure.numbers.items()}
         return own | {f"effects.{effect}.{one.name}": one for effect, table in self.effects for one in table}
 
     def given(self) -> dict[str, object]:

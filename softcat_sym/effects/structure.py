@@ -1,0 +1,80 @@
+"""Structure: a thixotropic material builds up at rest, and breaks down where it flows, with its yield stress.
+
+One structure parameter at every fibre, so that a hinge that turns is soft beside a strand that rests (Moore 1959;
+Roussel 2006; de Souza Mendes & Thompson 2013).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.physics.filament import Terms
+from softcat_sym.physics.structure import structure_clock
+from softcat_sym.scene.scene import Scene
+
+
+def _applies(scene: Scene) -> bool:
+    return scene.model == "filament" and scene.run.closure == "material" and scene.material.structure is not None
+
+
+def _adapted(scene: Scene, terms: Terms) -> Terms:
+    structure = scene.material.structure
+    if structure is None:
+        return terms
+    clock = structure_clock(frozenset(structure.numbers), linear=structure.growth == "linear")
+    return replace(terms, clocks=(*terms.clocks, clock))
+
+
+def _share(scene: Scene, strain: float) -> float:
+    """Largest relative change of yield stress or viscosity within the run, by rest and by a flow to this strain."""
+    structure, material = scene.material.structure, scene.material
+    if structure is None:
+        return 0.0
+    limit, viscosity = (
+        None if value is None else float(value) for value in (material.yield_stress, material.viscosity)
+    )
+    start = structure.start(limit)
+    begin, duration = structure.grown(start, structure.rest), scene.run.duration
+    broken = (structure.breakdown_time * strain / duration) ** structure.exponent
+    settled = 1 / broken if structure.growth == "linear" and broken else 1 / (1 + broken)
+    moved = max(
+        abs(structure.grown(begin, duration) - start), abs(settled - begin) if broken else 0.0, abs(begin - start)
+    )
+    changes = [0.0]
+    high, low = structure.structured_yield_stress, structure.destroyed_yield_stress
+    if limit and (high is not None or low is not None):
+        changes.append(((limit if high is None else high) - (limit if low is None else low)) / limit * moved)
+    if viscosity and structure.structured_viscosity is not None:
+        changes.append(abs(structure.structured_viscosity / viscosity - 1) / (1 - start) * moved)
+    if viscosity and structure.destroyed_viscosity is not None:
+        changes.append(abs(1 - structure.destroyed_viscosity / viscosity) / start * moved)
+    return max(changes)
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    change = motion.amplified(min(1.0, _share(scene, motion.strain) * motion.relaxed))
+    meaning = "change of the yield stress or the viscosity within the run, where flow takes the stress away"
+    return Estimate(change, meaning, "relaxed (sigma_Y(T)/sigma_Y - 1)")
+
+
+def _indispensable(scene: Scene) -> str:
+    structure = scene.material.structure
+    return "the material has rested before it is let go" if structure is not None and structure.rest else ""
+
+
+STRUCTURE = Effect(
+    name="structure",
+    summary="build-up at rest and breakdown in flow of yield stress and viscosity, fibre by fibre",
+    source="Moore 1959; Roussel 2006; de Souza Mendes & Thompson 2013",
+    adapt=_adapted,
+    applies=_applies,
+    without_it=f"the scene has no [material.structure], asks for the printed closure, or {SMALL_MODEL}",
+    estimate=_estimate,
+    observable="the same, of the strain and the share of flow that a run shows",
+    example="printed-lintel",
+    derivation="19_structure",
+    needs=("fibres",),
+    in_paper=False,
+    indispensable=_indispensable,
+)
