@@ -21,7 +21,7 @@ from softcat_sym.scene.formula import (
     parse_formula,
     threshold,
 )
-from softcat_sym.scene.history import History, Timed, TimedNumber, value_at
+from softcat_sym.scene.history import History, Timed, TimedNumber, scaled, value_at
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.units import (
     SI,
@@ -454,7 +454,7 @@ class Material(Part):
             # NaN never escapes: without a sound ratio there is a fault, and with a fault there is no material.
             factor = given[0].factor(info.data.get("index", 1.0), info.data.get("poisson", math.nan))
             datum = info.data.get(given[0].shear, math.nan)
-            result = datum.scaled(factor) if isinstance(datum, History) else factor * datum
+            result = scaled(datum, factor)
             if float(result) == math.inf:
                 raise refusal(f"{factor:g} times {given[0].shear} is not finite", "a smaller value")
         check_against_law(name, law, result, kind_of_constant(name, law, info.data.get("index", 1.0)).accepted)
