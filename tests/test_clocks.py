@@ -293,7 +293,7 @@ def test_what_is_free_keeps_its_history() -> None:
     material = {"law": "bingham", "youngs_modulus": 1e6, "shear_viscosity": "200 Pa*s + 5 Pa*t"}
     given = scene({**material, "yield_stress": table})
     known = {one.name: one for one in candidates(given)}
-    assert [known[f"yield_stress_{k}"].value for k in (1, 2)] == [100.0, 300.0]
+    assert [known[f"yield_stress_{k}"].typical for k in (1, 2)] == [100.0, 300.0]
     assert [known[f"shear_viscosity_{k}"].unit for k in (1, 2)] == ["Pa*s", "Pa"]
 
     def with_free(**values: float) -> sc.Scene:

@@ -399,7 +399,9 @@ class Material(Part):
     """Yield stress as a rheometer measures it, sqrt(3) times as much in tension; instead of yield_stress."""
     yield_stress: Stress = Field(default=None, validate_default=True)
     """Tensile stress below which nothing flows, sY."""
-    loss_modulus: Annotated[float | None, Quantity("stress", "1 kPa")] = Field(default=None, exclude=True, repr=False)
+    loss_modulus: Annotated[float | None, Quantity("stress", "9.32 kPa")] = Field(
+        default=None, exclude=True, repr=False
+    )
     """G'' below yield, beside storage_modulus: loss_tangent is their ratio."""
     loss_tangent: Annotated[float, Number(above=0, closed=True)] = Field(default=0.0, validate_default=True)
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
@@ -408,8 +410,7 @@ class Material(Part):
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
     natural_strain: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
-    """Strain at which the material is without stress, a mean over the thickness: negative where it shrinks as it dries
-    or cures; a history that starts from 0."""
+    """Strain without stress, a mean over the thickness: negative of what shrinks; a history that starts from 0."""
     natural_strain_difference: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
     """That strain at the top less that at the bottom: negative where the top shrinks more; likewise."""
     flow: Annotated[str, Text()] = Field(default="", validate_default=True)
