@@ -16,6 +16,7 @@ from scipy.interpolate import PchipInterpolator
 import softcat_sym as sc
 from softcat_sym.discretization.casadi_printer import evaluate
 from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.fitting.free_parameters import candidates, free_parameters, with_values
 from softcat_sym.physics.histories import varying
 from softcat_sym.physics.symbols import t
 from softcat_sym.scene.history import History, Timed, TimedNumber, table_history
@@ -285,3 +286,23 @@ def test_finite_elements_refuse_what_changes() -> None:
     material = {**HANGING["bingham"], "yield_stress": "4 kPa + 1 Pa/s*t"}
     with pytest.raises(sc.SceneError, match="changes in time, has no finite elements"):
         compare(scene(material, load={"gravity": 9.81}))
+
+
+def test_what_is_free_keeps_its_history() -> None:
+    table = {"0 s": "100 Pa", "1 s": "300 Pa"}
+    material = {"law": "bingham", "youngs_modulus": 1e6, "shear_viscosity": "200 Pa*s + 5 Pa*t"}
+    given = scene({**material, "yield_stress": table})
+    known = {one.name: one for one in candidates(given)}
+    assert [known[f"yield_stress_{k}"].typical for k in (1, 2)] == [100.0, 300.0]
+    assert [known[f"shear_viscosity_{k}"].unit for k in (1, 2)] == ["Pa*s", "Pa"]
+
+    def with_free(**values: float) -> sc.Scene:
+        return with_values(given, free_parameters(given, list(values)), list(values.values()))
+
+    # Scaled as a whole, or one number of it; what is not free stays, in tension as in shear.
+    assert with_free(yield_stress=200.0).material.yield_stress.at(1.0) == 600.0
+    changed = with_free(yield_stress_2=500.0, poisson=0.3).material
+    assert [changed.yield_stress.at(time) for time in (0.0, 1.0)] == [100.0, 500.0]
+    assert changed.viscosity.at(1.0) == pytest.approx(3 * 205)
+    assert with_free(shear_viscosity=400.0).material.viscosity.at(1.0) == pytest.approx(3 * 410)
+    assert with_free(shear_viscosity_2=7.0).material.viscosity.at(1.0) == pytest.approx(3 * 207)

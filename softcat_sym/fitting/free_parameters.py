@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from numbers import Real
@@ -17,7 +18,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.effects.forecast import expected_sag
 from softcat_sym.effects.scaling_estimates import pull_of_surface
 from softcat_sym.errors import Fault, SceneError
-from softcat_sym.scene.history import is_history
+from softcat_sym.scene.history import History, is_history, scaled
 from softcat_sym.scene.material import (
     CONSTANTS,
     FROM_SHEAR,
@@ -122,18 +123,28 @@ def _signed(path: str, unit: str, value: float, scale: float, bounds: tuple[floa
     return Candidate(name, path, unit, value, scale, False, bounds, (-math.inf, math.inf), path)
 
 
+def _of_history(path: str, unit: str, value: float) -> Iterator[Candidate]:
+    """Values of a table, or quantities of a formula, counted from 1."""
+    if isinstance(value, History):
+        for number, (size, of) in enumerate(value.quantities(unit), start=1):
+            yield _positive(f"{path}_{number}", of, size)
+
+
 def _of_law(material: Material) -> Iterator[Candidate]:
     for name in CONSTANTS[material.law]:
         value = getattr(material, name)
         kind = kind_of_constant(name, material.law, material.index)
         path = f"material.{name}"
         limits = (max(kind.above, 0.0), kind.below) if isinstance(kind, Number) else _ANY
-        yield _positive(path, _unit(kind), value, limits)
+        yield _positive(path, _unit(kind), float(value), limits)
+        given = {rule.shear: getattr(material, rule.shear) for rule in FROM_SHEAR if rule.constant == name}
+        given = {shear: datum for shear, datum in given.items() if datum is not None} or {name: value}
+        yield from (one for key, datum in given.items() for one in _of_history(f"material.{key}", _unit(kind), datum))
         for rule in FROM_SHEAR:
             if rule.constant == name and rule.suits(material.law):
                 shear = getattr(material, rule.shear)
                 factor = rule.factor(material.index, poisson_in_shear(material.law, material.poisson))
-                begins = value / factor if shear is None else shear
+                begins = value / factor if shear is None else float(shear)
                 yield _positive(f"material.{rule.shear}", _unit(kind), begins, constant=path)
 
 
@@ -520,14 +531,33 @@ def _filament(filament: Filament, changes: dict[str, float]) -> Filament:
     return _copied(filament, changes, {"width": changes["thickness"], "diameter": None})
 
 
+_NUMBERED = re.compile(r"(.+)_(\d+)")
+
+
+def _with_histories(material: Material, changes: dict[str, float]) -> dict[str, float]:
+    """The changes with whole histories: one that is free is scaled, to begin with its value; or its numbers change."""
+    found = dict(changes)
+    for key, value in changes.items():
+        whole, numbered = getattr(material, key, None), _NUMBERED.fullmatch(key)
+        if isinstance(whole, History):
+            found[key] = whole.scaled(value / float(whole))
+        elif numbered and isinstance(getattr(material, numbered[1], None), History):
+            del found[key]
+            here = found.get(numbered[1], getattr(material, numbered[1]))
+            found[numbered[1]] = here.with_quantity(int(numbered[2]) - 1, value)
+    return found
+
+
 def _material(material: Material, changes: dict[str, float]) -> Material:
+    changes = _with_histories(material, changes)
     given: dict[str, object] = {}
     follows = _following(material, changes)
     modes, parameters = list(material.modes), {one.name: one for one in material.parameters}
     for key, value in changes.items():
         if key.startswith("mode_"):
             _, number, name = key.split("_", 2)
-            changed = {name: value}
+            old = getattr(modes[int(number) - 1], name)
+            changed = {name: scaled(old, value / float(old)) if isinstance(old, History) else value}
             modes[int(number) - 1] = replace(modes[int(number) - 1], **changed)
         elif key.startswith("parameters."):
             name = key.partition(".")[2]
@@ -556,7 +586,7 @@ def _following(material: Material, changes: dict[str, float]) -> dict[str, objec
             continue
         shear = changes.get(rule.shear, getattr(material, rule.shear))
         if shear is not None:
-            follows[rule.constant] = rule.factor(index, poisson) * shear
+            follows[rule.constant] = scaled(shear, rule.factor(index, poisson))
     if material.loss_modulus is not None:
         modulus = follows.get("youngs_modulus") or changes.get("youngs_modulus", material.youngs_modulus)
         follows["loss_tangent"] = material.loss_modulus * 2 * (1 + poisson) / cast("float", modulus)

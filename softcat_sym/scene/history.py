@@ -209,6 +209,26 @@ class History(float):
                 return f"{shown(self.text)} is {value:.4g} at t = {time:.4g} s"
         return ""
 
+    def quantities(self, unit: str) -> tuple[tuple[float, str], ...]:
+        """Return the values of the table, in the unit of the whole, or the quantities of the formula, in their own."""
+        if self.is_table:
+            return tuple((value, unit) for _, value in self.table)
+        return tuple((one.value, si_unit(one.dimension)) for one in _lexed(self.text)[1])
+
+    def with_quantity(self, number: int, value: float) -> History:
+        """Return it with another value of the table, or another quantity of the formula, counted from 0."""
+        if isinstance(self._of_time, _Table):
+            values = list(self._of_time.values)
+            values[number] = value
+            return History(_Table(self._of_time.times, tuple(values)))
+        written, literals = _lexed(self.text)
+        unit = si_unit(literals[number].dimension)
+        texts = [one.text for one in literals]
+        texts[number] = f"{value!r} {unit}" if unit else repr(value)
+        text = _PLACEHOLDER.sub(lambda match: texts[int(match[1])], written)
+        numbers = tuple(value if k == number else one.value for k, one in enumerate(literals))
+        return History(_Timely(parse_formula(written), numbers), text)
+
     def scaled(self, factor: float) -> History:
         """Return it times a number."""
         if isinstance(self._of_time, _Table):
@@ -226,6 +246,11 @@ def is_history(value: object) -> bool:
 def value_at(value: float, time: float) -> float:
     """Value of a constant at a time [s], whether it changes or not."""
     return value.at(time) if isinstance(value, History) else value
+
+
+def scaled(value: float, factor: float) -> float:
+    """Return a constant times a number, at all times."""
+    return value.scaled(factor) if isinstance(value, History) else factor * value
 
 
 def values_at(value: float, times: Iterable[float]) -> npt.NDArray[np.float64]:

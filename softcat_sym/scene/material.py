@@ -21,7 +21,7 @@ from softcat_sym.scene.formula import (
     parse_formula,
     threshold,
 )
-from softcat_sym.scene.history import History, Timed, TimedNumber, value_at
+from softcat_sym.scene.history import History, Timed, TimedNumber, scaled, value_at
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.structure import Structure, StructureTable
 from softcat_sym.scene.units import (
@@ -497,7 +497,9 @@ class Material(Part):
     """Mobility factor alpha of giesekus: how much less drag there is along stretched chains."""
     ptt_epsilon: Annotated[float | None, _OWN_KINDS["ptt_epsilon"]] = Field(default=None, validate_default=True)
     """Factor epsilon of ptt, linear: chains relax 1 + epsilon (tr A - 3) times as fast."""
-    loss_modulus: Annotated[float | None, Quantity("stress", "1 kPa")] = Field(default=None, exclude=True, repr=False)
+    loss_modulus: Annotated[float | None, Quantity("stress", "9.32 kPa")] = Field(
+        default=None, exclude=True, repr=False
+    )
     """G'' below yield, beside storage_modulus: loss_tangent is their ratio."""
     loss_tangent: Annotated[float, Number(above=0, closed=True)] = Field(default=0.0, validate_default=True)
     """Loss below yield, G''/G', at the first natural frequency of the strand."""
@@ -512,8 +514,7 @@ class Material(Part):
     modes: Annotated[tuple[Mode, ...], Modes()] = Field(default=(), validate_default=True)
     """Springs in line with dashpots, side by side, of multimode-maxwell."""
     natural_strain: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
-    """Strain at which the material is without stress, a mean over the thickness: negative where it shrinks as it dries
-    or cures; a history that starts from 0."""
+    """Strain without stress, a mean over the thickness: negative of what shrinks; a history that starts from 0."""
     natural_strain_difference: Annotated[float, TimedNumber(-1.0, 1.0)] = 0.0
     """That strain at the top less that at the bottom: negative where the top shrinks more; likewise."""
     flow: Annotated[str, Text()] = Field(default="", validate_default=True)
@@ -569,7 +570,7 @@ class Material(Part):
             poisson = poisson_in_shear(law, info.data.get("poisson", math.nan))
             factor = given[0].factor(info.data.get("index", 1.0), poisson)
             datum = info.data.get(given[0].shear, math.nan)
-            result = datum.scaled(factor) if isinstance(datum, History) else factor * datum
+            result = scaled(datum, factor)
             if float(result) == math.inf:
                 raise refusal(f"{factor:g} times {given[0].shear} is not finite", "a smaller value")
         check_against_law(name, law, result, kind_of_constant(name, law, info.data.get("index", 1.0)).accepted)

@@ -32,7 +32,8 @@ def hung(material: dict[str, Any], effects: list[str], backend: str, **run: Any)
 def test_a_bar_whose_yield_stress_grows_stops() -> None:
     """At t = (rho g L - s_0)/r nothing flows; by then the bar is longer by (rho g L - s_0)^3/(6 r eta rho g)."""
     young, viscosity, start, rate = 1e7, 1e5, 800.0, 500.0
-    stops = (WEIGHT * LENGTH - start) / rate
+    # Of the uppermost of 80 cells, whose middle carries less than the support.
+    stops = (WEIGHT * LENGTH * (1 - 1 / 160) - start) / rate
     law = {"law": "bingham", "youngs_modulus": young, "viscosity": viscosity}
     law["yield_stress"] = f"{start!r} Pa + {rate!r} Pa/s*t"
     rows = []
@@ -40,7 +41,7 @@ def test_a_bar_whose_yield_stress_grows_stops() -> None:
         names = [*SMALL, "yielding", *(["finite-stretch", "thinning"] if finite else [])]
 
         def stretch(place: float, finite: bool = finite) -> float:
-            """Plastic strain at the end of the section that carries what hangs below it; written without the package."""
+            """Strain at the end of the section that carries what hangs below it; written without the package."""
 
             def sigma(strain: float) -> float:
                 carried = WEIGHT * (LENGTH - place)
@@ -151,15 +152,15 @@ def test_the_audit_closes_whatever_changes(law: str) -> None:
         ends = {"right": "free"} if number == 3 and law != "newtonian" else {}
         run = {"duration": 0.3, "frames": 16, "accuracy": 1e-3}
         tables = {"filament": shape, "load": {"gravity": 9.81}, "run": run, "ends": ends}
+        numerics = {"cells": 8, "estimate": False, "rtol": 1e-7 if "yield_stress" in material else 1e-9}
         runs = [
-            sc.simulate(scene(material, **tables, numerics={"backend": backend, "cells": 8, "estimate": False}))
-            for backend in BACKENDS
+            sc.simulate(scene(material, **tables, numerics={**numerics, "backend": backend})) for backend in BACKENDS
         ]
         scale = float(np.max(np.abs(runs[0].data["y"])))
         apart = float(np.max(np.abs(runs[0].data["y"].values - runs[1].data["y"].values))) / scale
         residuals = [run.summary["energy_residual"] for run in runs]
         rows.append([law, shape["section"], runs[1].outcome.name, f"{apart:.1e}", *(f"{one:.1e}" for one in residuals)])
         assert runs[1].outcome.is_success, (material, runs[1].outcome)
-        assert apart < 3e-3, (rows[-1], material)
-        assert residuals[1] < 1e-4, (rows[-1], material)
+        assert apart < 1e-4, (rows[-1], material)
+        assert residuals[1] < (1e-5 if "yield_stress" in material else 1e-6), (rows[-1], material)
     show("histories at random", ["law", "section", "outcome", "backends apart", "residual", "in C"], rows)
