@@ -1,7 +1,8 @@
 """Curing: constants of the material are tables or formulas of time, as of an ink that dries or a concrete that sets.
 
-A modulus that grows does so by springs that are without stress when they join, sigma_t = E(t) eps_t (Bazant 1977): what
-hangs is not pulled up by it. One that falls loses springs with the stress they carry, sigma = E(t) eps.
+A modulus that grows does so by springs that are without stress when they join, sigma_t = E(t) eps_t, as the strands of
+a transient network (Castonguay et al. 2025): what hangs is not pulled up by it. One that falls loses springs with the
+stress that they carry, sigma = E(t) eps.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import sympy as sp
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion
 from softcat_sym.effects.law import law_in
-from softcat_sym.effects.quasi_static import quasi_static_history
+from softcat_sym.effects.quasi_static import followed_sag
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.filament import Terms
@@ -53,7 +54,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     meaning = "largest change of the sag by constants that stay as they are at the beginning"
     if not scene.material.histories():
         return Estimate(0.0, meaning)
-    changing, constant = (quasi_static_history(one).sag for one in (scene, scene.at(0.0)))
+    changing, constant = (followed_sag(one)[1] for one in (scene, scene.at(0.0)))
     change = float(np.max(np.abs(changing - constant)) / max(np.max(changing), np.max(constant), 1e-300))
     return Estimate(motion.amplified(change), meaning)
 
@@ -61,7 +62,7 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
 CURING = Effect(
     name="curing",
     summary="constants of the material that are tables or formulas of time",
-    source="Bazant 1977",
+    source="Castonguay et al. 2025",
     adapt=_adapted,
     applies=_applies,
     without_it="no constant of the material is a table or a formula of time",

@@ -60,7 +60,7 @@ def quasi_static_history(scene: Scene) -> History:
     time = np.linspace(0.0, run.duration, min(run.frames, _MAX_TIMES))
     share = smooth_step(time / ramp) if ramp > 0 else np.ones_like(time)
     if scene.material.histories():
-        sag = _ageing_sag(scene, time, share)
+        sag = np.interp(time, *followed_sag(scene))
     else:
         sag = np.array([_sag(scene, float(t), float(r)) for t, r in zip(time, share, strict=True)])
     return History(time, np.minimum(sag, _CANTILEVER_SAG) if not is_held(scene) else sag)
@@ -70,17 +70,18 @@ _LOOKS = 40
 """Times of a run at which a material that changes is looked at."""
 
 
-def _ageing_sag(scene: Scene, time: Floats, share: Floats) -> Floats:
-    """Sag of a material that changes: what it is at a time decides how fast the sag of that time grows.
+def followed_sag(scene: Scene) -> tuple[Floats, Floats]:
+    """Times and sags of a material that may change: what it is at a time decides how fast the sag of then grows.
 
     Springs that join it do not lift it, so that its elastic sag is that of the least modulus up to then.
     """
-    looks = np.linspace(0.0, scene.run.duration, _LOOKS + 1)
+    looks, ramp = np.linspace(0.0, scene.run.duration, _LOOKS + 1), scene.load.ramp
+    share = smooth_step(looks / ramp) if ramp > 0 else np.ones_like(looks)
     elastic = flown = 0.0
     sags = [start_sag(scene)]
-    for before, now in pairwise(looks.tolist()):
+    for frame, (before, now) in enumerate(pairwise(looks.tolist()), start=1):
         stage, elapsed = scene.at((before + now) / 2), now - before
-        weight = scales.weight_stress(stage) * load_factor(stage) * float(np.interp(now, time, share))
+        weight = scales.weight_stress(stage) * load_factor(stage) * float(share[frame])
         if weight > 0 and is_solid(stage):
             lasting = elastic_sag_under(stage, weight, scales.static_modulus(stage))
             reached = -math.expm1(-elapsed / retardation(stage)) if retardation(stage) else 1.0
@@ -91,7 +92,7 @@ def _ageing_sag(scene: Scene, time: Floats, share: Floats) -> Floats:
         sags.append(max(elastic + flown, sags[0]))
     if scene.load.ramp == 0 and not (is_solid(scene) and retardation(scene)):
         sags[0] = max(sags[0], _sag(scene, 0.0, 1.0))
-    return np.interp(time, looks, sags)
+    return looks, np.array(sags)
 
 
 def _sag(scene: Scene, time: float, share: float) -> float:

@@ -34,7 +34,7 @@ from softcat_sym.physics.reissner import (
     tau_f,
     tau_mean,
 )
-from softcat_sym.physics.section_response import PLANE_STRAIN, BranchResponse
+from softcat_sym.physics.section_response import PLANE_STRAIN, BranchResponse, shrunk, stiffness
 from softcat_sym.physics.sections import NONE, Section
 
 Rename = dict[sp.Symbol, sp.Symbol]
@@ -66,12 +66,13 @@ def plastic_rates(equations: FilamentEquations) -> Iterator[Stated]:
     """The flow rule of every branch that flows, and the rates of its plastic states."""
     several = len(equations.response.parts) > 1
     for j, (branch, response) in enumerate(zip(equations.law.branches, equations.response.branches, strict=True)):
-        if branch.flow is None:
+        if not branch.has_state:
             continue
         new, which = _part(j, several, _MEANS), _which(equations, j)
-        yield stated(
-            f"flow rule of a fibre{which}", plastic_rate, shown_rate(branch.flow, equations.shape), "2.7, 2.25"
-        )
+        if branch.flow is not None:
+            yield stated(
+                f"flow rule of a fibre{which}", plastic_rate, shown_rate(branch.flow, equations.shape), "2.7, 2.25"
+            )
         yield from _states(equations, branch, response, new, which)
 
 
@@ -79,8 +80,13 @@ def _states(
     equations: FilamentEquations, branch: Branch, response: BranchResponse, new: Rename, which: str
 ) -> Iterator[Stated]:
     flow, means, shape = branch.flow, response.means, equations.shape
-    if flow is None or means is None:
+    if means is None:
         return
+    # Springs without stress that join the others: the plastic strain follows the strain.
+    springs = [
+        sp.S.Zero if branch.growth is None else stress * branch.growth / stiffness(shape, branch.modulus)
+        for stress in (sy.sigma_0, sy.sigma_1)
+    ]
     terms = equations.terms
     contraction = shape.contraction if terms.thins else NONE
     closed = CLOSURES[equations.closure](terms.strain, contraction)
@@ -90,11 +96,13 @@ def _states(
         through = (sy.sigma_0 if terms.stretches else sp.Integer(0)) + sy.sigma_1 * sy.zeta
         yield stated(f"stress of the fibre zeta{which}", sy.sigma, through.xreplace(new), "2.23")
     if terms.stretches:
-        mean = _mean_of(flow, shape, bends=terms.bending) / closed.recall_mean
+        flowing = sp.S.Zero if flow is None else _mean_of(flow, shape, bends=terms.bending)
+        mean = (flowing + springs[0]) / closed.recall_mean
         rate = response.rate_mean if at_once else mean
         yield stated(f"axial flow{which}", Rate(sy.a_0.xreplace(new), sy.t, 1), rate.xreplace(new), "2.12, 2.24")
     if terms.bending:
-        mean = Mean(plastic_rate * sy.zeta) / (shape.zeta_squared * closed.recall_bending)
+        flowing = sp.S.Zero if flow is None else Mean(plastic_rate * sy.zeta) / shape.zeta_squared
+        mean = (flowing + springs[1]) / closed.recall_bending
         rate = response.rate_bending if at_once else mean
         yield stated(f"bending flow{which}", Rate(sy.a_1.xreplace(new), sy.t, 1), rate.xreplace(new), "2.12, 2.24")
 
@@ -208,7 +216,7 @@ def _stresses(resolved: ResolvedSection) -> Iterator[Stated]:
     conjugate = (reissner.sigma_c, tau_f)[:kept] if resolved.shears else (sy.sigma,)
     for j, branch in enumerate(resolved.branches):
         new, which, spring = _part(j, several, _FIBRE), f", part {j + 1}" if several else "", branch.spring
-        given = new if branch.flow else new | at_rest
+        given = new if branch.flow is not None else new | at_rest
         for name, symbol, strain in list(zip(("strain", "shear"), _ELASTIC, spring.elastic, strict=True))[:kept]:
             yield stated(
                 f"elastic {name} of a fibre{which}", symbol.xreplace(new), strain.xreplace(given), "THEORY 12a"
@@ -240,20 +248,24 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
     rule_of = reissner.fibre_flow if resolved.shears else reissner.axial_flow
     flow = rule_of(plastic_rate, share, resolved.cell.carry)
     for j, branch in enumerate(equations.law.branches):
-        if branch.flow is None:
+        if not branch.has_state:
             continue
         new, which = _part(j, several, _FIBRE), f", part {j + 1}" if several else ""
         if resolved.shears:
             drive = resolved.branches[j].spring.driving.xreplace(new)
             yield stated(f"driving shear stress{which}", reissner.tau_d.xreplace(new), drive, "THEORY 12a")
-        yield stated(f"equivalent stress{which}", sigma_eq, flow.equivalent.xreplace(new), "3.5")
-        rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
-        yield stated(f"flow rule{which}", plastic_rate, rule, "2.7, 2.25")
+        total = flow if branch.flow is not None else reissner.STILL
+        if branch.flow is not None:
+            yield stated(f"equivalent stress{which}", sigma_eq, flow.equivalent.xreplace(new), "3.5")
+            rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
+            yield stated(f"flow rule{which}", plastic_rate, rule, "2.7, 2.25")
+        if branch.growth is not None:
+            total = reissner.growing(total, branch.growth, resolved.cell.carry, shear=resolved.shears)
         yield stated(
-            f"axial flow of a fibre{which}", Rate(eps_p.xreplace(new), sy.t, 1), flow.axial_rate.xreplace(new), "3.7"
+            f"axial flow of a fibre{which}", Rate(eps_p.xreplace(new), sy.t, 1), total.axial_rate.xreplace(new), "3.7"
         )
         if resolved.shears:
-            shear = flow.shear_rate.xreplace(new)
+            shear = total.shear_rate.xreplace(new)
             yield stated(f"plastic shear of a fibre{which}", Rate(gamma_p.xreplace(new), sy.t, 1), shear, "3.7")
 
 
@@ -303,7 +315,26 @@ def equations_in_force(equations: FilamentEquations, *, reduced: bool = False) -
         section = (*_uniform_stretch(equations), *_section(equations, reduced=True))
     else:
         section = (*_kinematics(equations), *_strain(equations), *_section(equations))
-    return (*section, *_balance(equations, reduced=reduced), *_gravity(equations), *_temperature(equations))
+    clocks = (*_histories(equations), *_temperature(equations))
+    return (*section, *clocks, *_balance(equations, reduced=reduced), *_gravity(equations))
+
+
+A0_t = sy.enter(
+    "A0_t", r"A_0^n", sy.AREA, "area of the section that has shrunk, where it is not stretched", "isotropic"
+)
+h0_t = sy.enter("h0_t", r"h_0^n", sy.LENGTH, "thickness of the section that has shrunk, likewise", "isotropic")
+
+
+def _histories(equations: FilamentEquations) -> Iterator[Stated]:
+    """What clocks put in the place of constants, their numbers as symbols: of a table its times, values and slopes."""
+    for clock in equations.terms.clocks:
+        for symbol, value in clock.replaces:
+            if value != 0:
+                yield stated(f"{clock.name}: {sy.entry(symbol).meaning}", symbol, value, "as the scene states it")
+    if equations.terms.shrinks:
+        area, thickness = shrunk(equations.shape)
+        yield stated("natural-strain: area without stress", A0_t, sy.A0 * area, "isotropic")
+        yield stated("natural-strain: thickness without stress", h0_t, sy.h0 * thickness, "isotropic")
 
 
 def _kinematics(equations: FilamentEquations) -> Iterator[Stated]:

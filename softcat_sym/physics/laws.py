@@ -145,7 +145,9 @@ ELASTIC = Law("elastic")
 def growth_of(modulus: sp.Symbol) -> sp.Symbol:
     """Rate at which a modulus grows, over it; zero while it falls."""
     name = f"g_{modulus.name}"
-    return enter(name, name, RATE, f"growth of {modulus.name} over it, by springs without stress", "Bazant 1977")
+    return enter(
+        name, name, RATE, f"growth of {modulus.name} over it, by springs without stress", "Castonguay et al. 2025"
+    )
 
 
 plastic_rate = enter("eps_p_t", r"\epsilon^p_t", RATE, "plastic strain rate of a fibre", "2.7")
