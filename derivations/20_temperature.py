@@ -75,8 +75,9 @@ assert set(expected) == set(SURFACES)
 # The stored energy is $W = m(\vartheta)\,w$, with $w$ of the strains and the plastic state. Of its rate the part
 # $w\,m'\vartheta_t$ is no work of the stress. If the balance of heat has $-W (m'/m)\,\vartheta_t$ beside what is
 # dissipated, the sum of stored energy and heat changes by the power of the stress and by what passes the surface, and
-# by nothing else: the first law. (The stress is the derivative of $W$ at constant temperature; that a spring also cools
-# as it is stretched, by $\vartheta\,\partial_\vartheta\sigma\,\varepsilon_t$, is left out.)
+# by nothing else: the first law. The same holds of an expansion, with $-\partial_\vartheta W\,\vartheta_t$. (The stress
+# is the derivative of $W$ at constant temperature; that a spring also cools as it is stretched, by
+# $\vartheta\,\partial_\vartheta\sigma\,\varepsilon_t$, is left out.)
 
 # %%
 strain, plastic, kelvin = (sp.Function(name)(t) for name in ("eps", "a", "theta"))

@@ -162,6 +162,9 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
         "buoyancy",
         "drag",
         "added-mass",
+        "curing",
+        "natural-strain",
+        "temperature",
     }
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 

@@ -207,7 +207,7 @@ def test_ends_stay_the_midpoint_is_at_zero_and_the_first_frame_at_rest() -> None
     assert float(data["midpoint"][-1]) == float(data["y"][-1].min()) < 0
     first = data.isel(time=0)
     np.testing.assert_allclose(first["x"], first["X_node"], atol=1e-15)
-    energies = [name for name, variable in VARIABLES.items() if variable.unit == "J"]
+    energies = [name for name, variable in VARIABLES.items() if variable.unit == "J" and name in first]
     assert len(energies) == 7
     for name in ("y", "curvature", "tension", "moment", "shear_force", "yielded_fraction", "plastic_rate", *energies):
         np.testing.assert_array_equal(first[name], 0.0, err_msg=name)

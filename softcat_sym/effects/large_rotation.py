@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import partial
 
@@ -12,10 +13,19 @@ from softcat_sym.scene.scene import Scene, is_held
 _HELD, _FREE = 0.07, 0.25
 """Change of the sag per slope squared: of a filament held at both ends, and at one."""
 
+_STEEP = math.radians(60)
+"""Angle of a clamp from which on the slope, and with it the stretch x_X + y_X^2/2, means nothing."""
+
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
     share = _HELD if is_held(scene) else _FREE
     return Estimate(motion.amplified(share * motion.slope**2), "error of small slopes", f"{share:g} slope^2")
+
+
+def _indispensable(scene: Scene) -> str:
+    ends = scene.ends
+    steep = max(abs(ends.left_angle), abs(ends.right_angle)) > _STEEP
+    return "a clamp holds the filament too steeply for a small slope" if steep else ""
 
 
 LARGE_ROTATION = Effect(
@@ -31,4 +41,5 @@ LARGE_ROTATION = Effect(
     example="continual-descent",
     derivation="01_balance",
     causes=("slopes",),
+    indispensable=_indispensable,
 )

@@ -118,16 +118,17 @@ def coldest_and_hottest(scene: Scene, motion: Motion) -> tuple[float, float]:
 
 
 def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    meaning = "change of the viscosity where flow takes the stress away, of the modulus, or pull of the contraction"
     stated, change = scene.temperature, 0.0
-    for kelvin in coldest_and_hottest(scene, motion):
+    if not stated.present:
+        return Estimate(0.0, meaning)
+    reached = coldest_and_hottest(scene, motion)
+    for kelvin in reached:
         flow, spring = stated.viscosity_factor(kelvin), stated.modulus_factor(kelvin)
         for factor, share in ((flow, motion.relaxed), (spring, 1.0)):
             change = max(change, share * (1 - min(factor, 1 / factor)) if factor > 0 else share)
-    expands = abs(stated.expansion) * max(
-        abs(one - (stated.initial or 0.0)) for one in coldest_and_hottest(scene, motion)
-    )
-    change = max(change, shrinking(scene, motion, expands))
-    meaning = "change of the viscosity where flow takes the stress away, of the modulus, or pull of the contraction"
+    apart = max(abs(one - (stated.initial or 0.0)) for one in reached)
+    change = max(change, shrinking(scene, motion, abs(stated.expansion) * apart))
     return Estimate(motion.amplified(change), meaning, "relaxed (1 - min(a_T, 1/a_T)), 1 - min(m_T, 1/m_T)")
 
 

@@ -46,9 +46,12 @@ class AbsoluteTemperature(Quantity):
         super().__init__("temperature", example, unit="K")
         self.accepted = f'a temperature above absolute zero with its unit, such as "{example}" or "300 K"'
 
+    def measured(self, value: object) -> float:
+        return float(value) if isinstance(value, SI) else _kelvin(*split_quantity(value))
+
     def read(self, value: object) -> float:
         try:
-            kelvin = float(value) if isinstance(value, SI) else _kelvin(*split_quantity(value))
+            kelvin = self.measured(value)
         except NotAQuantity as found:
             raise self.refuse(str(found)) from None
         if not math.isfinite(kelvin):
@@ -111,6 +114,8 @@ def _factor(unit: str, wanted: str) -> float:
     """One `unit` in another one."""
     if unit == wanted:
         return 1.0
+    if unit in (*_CELSIUS, *_FAHRENHEIT):
+        raise NotAQuantity(f"'{unit}' is a unit of temperatures, not of their differences: K")
     from pint.errors import PintError
 
     ureg = registry()

@@ -23,7 +23,7 @@ from softcat_sym.scene.keys import scene_keys
 from softcat_sym.scene.material import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.toml import read_overrides
-from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si, to_si_of_any
+from softcat_sym.scene.units import SI_UNITS, NotAQuantity, Number, Quantity, Whole, shown, si_unit, to_si_of_any
 from softcat_sym.simulate import identity_of
 from softcat_sym.store import key_of
 
@@ -69,7 +69,7 @@ class VariedColumn:
     key: str
     units: str  # ``"1"`` of pure numbers; an empty text of text
     scale: str  # ``"lin"`` or ``"log"``
-    dimension: str  # By which text with a unit is read; empty where any unit will do
+    kind: Quantity | None  # By which text with a unit is read; None where any unit will do
     is_text: bool  # Whether values are no numbers
 
     def array(self, values: Sequence[Value]) -> npt.NDArray[Any]:
@@ -82,7 +82,7 @@ class VariedColumn:
         if is_number(value):
             return float(value)
         try:
-            return to_si(value, self.dimension, self.units) if self.dimension else to_si_of_any(value)[0]
+            return self.kind.measured(value) if self.kind else to_si_of_any(value)[0]
         except NotAQuantity:
             return math.nan
 
@@ -248,7 +248,7 @@ def _check_units(scene: Scene, axes: Sequence[SweepAxis]) -> None:
         for value in axis.values if isinstance(kind, Quantity) else ():
             try:
                 if not is_number(value) and isinstance(kind, Quantity):
-                    to_si(value, kind.dimension, kind.unit)
+                    kind.measured(value)
             except NotAQuantity as error:
                 faults.append(Fault(axis.key, str(error), kind.accepted if kind is not None else ""))
     if faults:
@@ -362,7 +362,7 @@ def _ends(scene: Scene, key: str, ends: Sequence[str]) -> list[float]:
         return numbers
     texts = [end if _unit_of(end) else f"{end} {_unit_of(ends[1])}".strip() for end in ends]
     try:
-        return [to_si(text, kind.dimension, kind.unit) for text in texts]
+        return [kind.measured(text) for text in texts]
     except NotAQuantity as error:
         raise _refusal(key, str(error), kind.accepted) from None
 
@@ -443,21 +443,22 @@ def _cell(scene: Scene, key: str, unit: str, cell: str) -> Value | Fault:
 
 def _column(scene: Scene, axis: SweepAxis) -> VariedColumn:
     kind = kind_of(scene, {}, axis.key)
-    if isinstance(kind, Quantity):
-        units, dimension = kind.unit or SI_UNITS[kind.dimension], kind.dimension
+    quantity = kind if isinstance(kind, Quantity) else None
+    if quantity is not None:
+        units = quantity.unit or SI_UNITS[quantity.dimension]
     elif isinstance(kind, (Number, Whole)) or is_group(axis.key) or all(map(is_number, axis.values)):
-        units, dimension = "1", ""
+        units = "1"
     elif all(map(_is_quantity, axis.values)):
-        units, dimension = si_unit(to_si_of_any(axis.values[0])[1]) or "1", ""
+        units = si_unit(to_si_of_any(axis.values[0])[1]) or "1"
     else:
-        return VariedColumn(axis.key, "", "lin", "", True)
-    column = VariedColumn(axis.key, units, axis.scale, dimension, False)
+        return VariedColumn(axis.key, "", "lin", None, True)
+    column = VariedColumn(axis.key, units, axis.scale, quantity, False)
     if axis.ends is None:
         # Listed positive values over more than a decade are better seen over a logarithm.
         values = column.array(axis.values)
         values = values[np.isfinite(values)]
         if len(values) > 2 and np.min(values) > 0 and np.max(values) / np.min(values) > 10:
-            return VariedColumn(axis.key, units, "log", dimension, False)
+            return VariedColumn(axis.key, units, "log", quantity, False)
     return column
 
 
