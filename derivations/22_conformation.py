@@ -13,8 +13,8 @@
 # %% [markdown]
 # # 22. Conformation
 #
-# A polymer solution is chains in a solvent. The conformation tensor $A$ of the chains is carried by the flow and relaxes
-# to $1$: $\overset{\nabla}{A} = -\frac1\lambda Y\,(fA-1)(1+\alpha(A-1))$, with the stress $G(fA-1)$ beside the
+# A polymer solution is chains in a solvent. The conformation tensor $A$ of the chains is carried by the flow and
+# relaxes to $1$: $\overset{\nabla}{A} = -\frac1\lambda Y\,(fA-1)(1+\alpha(A-1))$, with the stress $G(fA-1)$ beside the
 # solvent's. Here $A$ is diagonal in the axes of a fibre, and the law becomes one of a stored energy and of a rate that
 # knows no rate of strain: that of a generalised standard material, as every other law of this package.
 #
@@ -58,9 +58,9 @@ for section, shape in ((CIRCLE, (1, -sp.Rational(1, 2))), (SHEET, (1, -1, 0))):
 # %% [markdown]
 # ## Stress and dissipation follow from one energy
 #
-# $W = \frac G2\,(U(\mathrm{tr} A) - \log\det A)$ with $f = U'$: $\sigma = \partial W/\partial\epsilon$ is the difference
-# $G f (A_{zz}-A_{rr})$ that pulls a fibre whose sides are free. Since a fibre keeps its volume, $\log\det A$ is minus the
-# sum of the $b_i$.
+# $W = \frac G2\,(U(\mathrm{tr} A) - \log\det A)$ with $f = U'$: $\sigma = \partial W/\partial\epsilon$ is the
+# difference $G f (A_{zz}-A_{rr})$ that pulls a fibre whose sides are free. Since a fibre keeps its volume,
+# $\log\det A$ is minus the sum of the $b_i$.
 
 # %%
 for section in (CIRCLE, SHEET):
@@ -140,8 +140,8 @@ prove_equal(sp.limit(across.subs(Wi, sp.Rational(2, 3)), t, sp.oo), sp.Rational(
 # %% [markdown]
 # ## The viscosity of FENE-P is bounded
 #
-# $A_{zz} = 1/(f-2\,\mathrm{Wi})$, $A_{rr} = 1/(f+\mathrm{Wi})$. As Wi grows $f$ follows $2\,\mathrm{Wi}$, $A_{zz}$ tends
-# to $L^2$, and the tensile viscosity to $2G\lambda L^2$, instead of $3G\lambda$ at rest.
+# $A_{zz} = 1/(f-2\,\mathrm{Wi})$, $A_{rr} = 1/(f+\mathrm{Wi})$. As Wi grows $f$ follows $2\,\mathrm{Wi}$, $A_{zz}$
+# tends to $L^2$, and the tensile viscosity to $2G\lambda L^2$, instead of $3G\lambda$ at rest.
 
 # %%
 f = sp.Symbol("f", positive=True)
