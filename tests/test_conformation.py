@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 import sympy as sp
@@ -30,7 +28,6 @@ from tests.common.polymers import (
     stress_of,
     whole_tensor,
 )
-from tests.common.scenes import LAWS, faults_of, spoiled
 from tests.marks import few
 
 
@@ -251,7 +248,7 @@ def test_auto_resolves_what_bends_and_a_list_must() -> None:
     assert {"bending", "fibres", "viscous-flow"} <= set(chosen)
     assert "shear" not in chosen
     for effects in ("paper", [*STRING, "bending", "viscous-flow", "viscous-stress"]):
-        with pytest.raises(sc.SceneError, match="run.effects: 'bending' without 'fibres'"):
+        with pytest.raises(sc.SceneError, match=r"run.effects: 'bending' without 'fibres'"):
             sc.explain(hanging(**{"run.effects": effects, "numerics.fibres": None}))
 
 

@@ -21,6 +21,7 @@ from softcat_sym.scene.scene import Scene
 from tests.common.scenes import BINGHAM, LAWS, MODES, faults_of, spoiled
 
 # Laws, their constants, shear data, lists of modes; and TOML there and back.
+CHAINS = {"youngs_modulus": 4e6, "relaxation_time": 1e-3, "solvent_viscosity": 300.0}
 VALUES: dict[str, dict[str, float]] = {
     "elastic": {"youngs_modulus": 4e6},
     "maxwell": {"youngs_modulus": 4e6, "viscosity": 3e3},
@@ -37,6 +38,10 @@ VALUES: dict[str, dict[str, float]] = {
     "power-law": {"youngs_modulus": 4e6, "viscosity": 120.0, "index": 0.4},
     "herschel-bulkley": {"youngs_modulus": 4e6, "viscosity": 120.0, "index": 0.4, "yield_stress": 9e3},
     "custom": {"youngs_modulus": 4e6, "m": 0.4, "K": 1.0, "tau_c": 2.0, "yield_stress": 2.0},
+    "oldroyd-b": CHAINS,
+    "fene-p": CHAINS | {"finite_extensibility": 100.0},
+    "giesekus": CHAINS | {"mobility": 0.2},
+    "ptt": CHAINS | {"ptt_epsilon": 0.1},
 }
 
 

@@ -15,7 +15,8 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.scene.structure import Structure
 
 L, RATE = 0.1, 2e-3
-EFFECTS = "bending extensibility finite-stretch thinning large-rotation viscous-flow yielding fibres structure".split()
+EFFECTS = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "viscous-flow", "yielding"]
+EFFECTS += ["fibres", "structure"]
 BINGHAM: dict[str, Any] = {"law": "bingham", "youngs_modulus": 1e5, "viscosity": 5e4, "yield_stress": 300.0}
 STRUCTURE = {"build_up_time": "4 s", "breakdown_time": "30 s", "structured_yield_stress": "900 Pa"}
 

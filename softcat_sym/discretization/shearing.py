@@ -185,9 +185,7 @@ _NO_STRESS = 1e-12
 
 def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Values) -> Fibres:
     """Stress and flow at the points of a section, and their sums."""
-    if isinstance(rule, OneFibre):
-        for symbol, name in ((rule.zeta, "zeta"), (rule.weight, "weight")):
-            b.leaves.adopt(symbol, Leaf(FIBRE, name))
+    _adopt(b, rule)
     fibres = [_Fibre(b, resolved, {**values, symbols.zeta: ca.SX(zeta)}) for zeta, _ in rule.places]
     found = Fibres(profiles=_profiles(rule, resolved))
     followed = [_Followed(clock.name, clock.replaces, clock.state) for clock in b.equations.terms.clocks if clock.state]
@@ -211,6 +209,13 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
         for clock in followed:
             found.shown[clock.state.name] = _dot(rule.weight, [fibre.values[clock.state.shown] for fibre in fibres])
     return found
+
+
+def _adopt(b: Builder, rule: Sampling) -> None:
+    """Make the place and the weight of the one fibre that stands for all numbers of a fibre."""
+    if isinstance(rule, OneFibre):
+        for symbol, name in ((rule.zeta, "zeta"), (rule.weight, "weight")):
+            b.leaves.adopt(symbol, Leaf(FIBRE, name))
 
 
 def _sum_up(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], found: Fibres) -> None:

@@ -18,7 +18,7 @@ from softcat_sym.fitting.flow_curve import REPLACED
 from softcat_sym.fitting.least_squares import LINEAR, Loss
 from softcat_sym.fitting.measurements import Measurements, read_measurements
 from softcat_sym.fitting.plausibility import Films, checked
-from softcat_sym.scene.material import CONSTANTS, INDEXED, kind_of_constant
+from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, kind_of_constant
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import did_you_mean
 from softcat_sym.solvers.solution import Progress
@@ -150,8 +150,8 @@ def rough_constants(scene: Scene, films: Measurements, law: str) -> dict[str, fl
     }
 
 
-FITTED = tuple(law for law, constants in CONSTANTS.items() if constants and law != "custom")
-"""Laws that have a fixed set of constants."""
+FITTED = tuple(law for law, constants in CONSTANTS.items() if constants and law not in ("custom", *POLYMERS))
+"""Laws with a fixed set of constants that a sag alone says roughly; a film does not tell chains from a solvent."""
 
 
 def constants_of(law: str) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from pydantic.fields import FieldInfo
 
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.groups import GroupBlock
-from softcat_sym.scene.material import CONSTANTS, INDEXED
+from softcat_sym.scene.material import CONSTANTS, INDEXED, POLYMERS, tensile_name
 from softcat_sym.scene.parts import Part, dotted, kinds_of
 from softcat_sym.scene.scene import Scene, parts_of_scene
 from softcat_sym.scene.toml import toml_value
@@ -75,6 +75,14 @@ LAWS = tuple(law for law, constants in CONSTANTS.items() if constants and law no
 
 _GEOMETRY = {"filament.span": "5 mm", "filament.thickness": "0.4 mm", "filament.density": "2200 kg/m^3"}
 _CHOICES = ("filament.section", "material.law", "ends.left", "ends.right")
+_CHAINS = {
+    "relaxation_time": "0.1 s",
+    "shear_solvent_viscosity": "10 Pa*s",
+    "finite_extensibility": "1000",
+    "mobility": "0.2",
+    "ptt_epsilon": "0.1",
+}
+_NUMBERS = ("material.index", "material.finite_extensibility", "material.mobility", "material.ptt_epsilon")
 _LATER = ("ends.left", "ends.right", "load.ramp", "run.frames", "run.accuracy", "run.effects")
 """Keys whose defaults are written as comments, for who wants to change them next."""
 
@@ -95,6 +103,10 @@ def example_values(given: Mapping[str, str]) -> dict[str, str]:
         values["material.shear_consistency"] = f"10 {consistency_unit(number if isinstance(number, float) else 1.0)}"
     elif "viscosity" in constants:
         values["material.shear_viscosity"] = "10 Pa*s"
+    # In the order of the file: of polymer chains in a solvent, not of an ink.
+    values |= {f"material.{name}": text for name, text in _CHAINS.items() if (tensile_name(name) or name) in constants}
+    if law in POLYMERS:
+        values["material.youngs_modulus"] = "300 Pa"
     return {**values, "surroundings.surface_tension": "0 N/m", "run.duration": "0.5 s"}
 
 
@@ -131,7 +143,7 @@ def scene_template(title: str, given: Mapping[str, str]) -> tuple[str, Scene]:
 
 def _value(path: str, text: str) -> object:
     """A number where the key takes one; what is none is refused with the scene."""
-    if path != "material.index":
+    if path not in _NUMBERS:
         return text
     try:
         return float(text)

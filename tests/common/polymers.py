@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -86,9 +87,7 @@ def drawn_by_pieces(law: str, run: sc.Run, *, width: bool = False) -> list[Float
     lengths = [1.0, *(1 + row[1] for row in path if row[0] > 0)]
     shape = np.diag([1.0, -1.0, 0.0] if width else [1.0, -0.5, -0.5])
     times, found, A = run.data.time.values, [np.eye(3)], np.eye(3)
-    for (a, b), (s, longer) in zip(
-        zip(ends, ends[1:], strict=False), zip(lengths, lengths[1:], strict=False), strict=True
-    ):
+    for (a, b), (s, longer) in zip(pairwise(ends), pairwise(lengths), strict=True):
         speed = (longer - s) / (b - a)
 
         def rate(t: float, flat: Floats, a: float = a, s: float = s, speed: float = speed) -> Floats:

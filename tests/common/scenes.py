@@ -81,6 +81,7 @@ def scene_of(law: str = "bingham", ramp: str = "0.1 s", **tables: dict[str, Any]
 E: dict[str, Any] = {"youngs_modulus": "4 MPa"}
 ETA: dict[str, Any] = {"viscosity": "3 kPa*s"}
 MODES = [{"youngs_modulus": "1 MPa", "viscosity": "2 kPa*s"}, {"youngs_modulus": "3 MPa", "viscosity": "50 Pa*s"}]
+CHAINS: dict[str, Any] = E | {"relaxation_time": "1 ms", "solvent_viscosity": "0.3 kPa*s"}
 LAWS: dict[str, dict[str, Any]] = {
     "elastic": E,
     "maxwell": E | ETA,
@@ -96,4 +97,8 @@ LAWS: dict[str, dict[str, Any]] = {
         "flow": "sign(sigma)*(max(abs(sigma) - tau_c, 0)/K)**(1/m)",
         "parameters": {"m": 0.4, "K": "1 Pa*s^0.4", "tau_c": "2 Pa"},
     },
+    "oldroyd-b": CHAINS,
+    "fene-p": CHAINS | {"finite_extensibility": 100.0},
+    "giesekus": CHAINS | {"mobility": 0.2},
+    "ptt": CHAINS | {"ptt_epsilon": 0.1},
 }

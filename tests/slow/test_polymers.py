@@ -1,0 +1,208 @@
+"""Threads and bars of polymer solution: thinning by Entov & Hinch, start-up, bounded viscosity, RheoJAX, limits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import softcat_sym as sc
+from tests.common.polymers import (
+    LAMBDA,
+    OWN,
+    SOLVENT,
+    STRING,
+    Floats,
+    G,
+    bar,
+    drawn_by_pieces,
+    stress_of,
+    whole_tensor,
+)
+from tests.common.table import show
+from tests.test_conformation import integrated, tension, weak
+
+pytestmark = pytest.mark.slow
+
+RADIUS, SURFACE, MEMORY = 0.5e-3, 0.03, 0.1
+"""Of the thread: half the thickness in its middle [m], surface tension [N/m], relaxation time [s]."""
+
+
+def thread(elasticity: float, solvent: float, duration: float, **changes: Any) -> sc.Run:
+    """A thread between two drops on plates held apart, next to massless, that its surface drains."""
+    at = np.linspace(-1, 1, 41)
+    scene = {
+        "filament": {"span": 0.005, "thickness": 2 * RADIUS, "section": "circle", "density": 1.0}
+        | {"profile": [float(one) for one in 1 + 0.1 * at**2 + 2 * at**4]},
+        "material": {"law": "oldroyd-b", "youngs_modulus": 3 * elasticity * SURFACE / RADIUS}
+        | {"relaxation_time": MEMORY, "solvent_viscosity": 3 * solvent},
+        "ends": {"left": "pinned", "right": "pinned"},
+        "load": {"gravity": 0.0},
+        "surroundings": {"surface_tension": SURFACE},
+        "run": {"duration": duration * MEMORY, "frames": 401}
+        | {"effects": [*STRING, "viscous-flow", "viscous-stress", "surface-tension"]},
+        "numerics": {"cells": 400, "grading": 1e-4, "rtol": 1e-6, "estimate": False, "backend": "compiled"},
+    }
+    return sc.simulate(sc.Scene.from_dict(scene).replace(changes))
+
+
+def slopes(run: sc.Run, at: Floats) -> tuple[Floats, Floats]:
+    """Stretch of the middle, and -3 lambda d log R/dt, at some times in relaxation times."""
+    middle = np.argmin(np.abs(run.data.X_cell.values))
+    s, time = run.data.stretch.values[:, middle], run.data.time.values / MEMORY
+    fall = 1.5 * np.gradient(np.log(s), time)
+    return np.interp(at, time, s), np.interp(at, time, fall)
+
+
+def test_a_thread_thins_as_entov_and_hinch_say() -> None:
+    """R ~ exp(-t/(3 lambda)) in the limit of a thread that is thin beside its drops: what is left goes as R itself."""
+    rows = []
+    for elasticity, solvent, end, cells in ((0.1, 0.1, 6.6, 400), (0.03, 0.1, 5.2, 400), (0.01, 0.05, 4.4, 600)):
+        run = thread(elasticity, solvent, end, **{"numerics.cells": cells})
+        late = np.linspace(end - 1.2, end - 0.1, 12)
+        s, fall = slopes(run, late)
+        relative = s**-0.5
+        # A line in R over the last part, carried on to R = 0.
+        limit = float(np.polyval(np.polyfit(relative, fall, 1), 0.0))
+        rows.append((elasticity, 3 * solvent, end, relative[-1], fall[-1], limit, run.summary["energy_residual"]))
+    words = ("G R0/gamma", "eta_s [Pa s]", "t/lambda", "R/R0", "-3 lambda d log R/dt", "carried to R = 0", "energy")
+    show("A thread of Oldroyd-B between two drops", words, [[f"{one:.4g}" for one in row] for row in rows])
+    for row in rows:
+        assert row[4] == pytest.approx(1, abs=0.0105), "at the end of the run"
+        assert row[5] == pytest.approx(1, abs=0.01), "in the limit"
+        assert row[6] < 1e-6
+    assert min(row[4] for row in rows) < 1.01
+
+
+def test_a_thread_is_followed_beyond_a_thousandfold_stretch() -> None:
+    """The audit stays closed where other fluids are called ruptured."""
+    run = thread(0.01, 0.05, 5.8, **{"numerics.cells": 600})
+    s = float(run.data.stretch.max())
+    show("How thin", ("stretch", "R/R0", "energy"), [[f"{s:.4g}", f"{s**-0.5:.3g}", run.summary["energy_residual"]]])
+    assert s > 1e3
+    assert run.summary["energy_residual"] < 1e-5
+
+
+@pytest.mark.parametrize("backend", ["compiled", "interpreted"])
+def test_bars_start_up_exactly(backend: str) -> None:
+    """At rates below and above 1/(2 lambda): ours at a point and in a bar against whole tensors and a closed form."""
+    rows = []
+    for law in OWN:
+        for wi in (0.3, 1.0):
+            times = np.linspace(0.1, 3.0, 7)
+            whole = [np.diag(A)[:2] for A in whole_tensor(law, lambda _, wi=wi: wi, times)]
+            point = float(np.max(np.abs(np.array(integrated(law, wi, times)) / whole - 1)))
+            run = sc.simulate(bar(law, lambda t, wi=wi: np.exp(wi * t), 3.0, 30, **{"numerics.backend": backend}))
+            tensors = drawn_by_pieces(law, run)
+            along = np.array([A[0, 0] for A in tensors])
+            apart = float(np.max(np.abs(run.data.conformation_along.values[:, 0] / along - 1)))
+            exact = float("nan")
+            if law == "oldroyd-b":
+                closed = (1 - 2 * wi * np.exp(-(1 - 2 * wi) * times)) / (1 - 2 * wi)
+                exact = float(np.max(np.abs(np.array(integrated(law, wi, times))[:, 0] / closed - 1)))
+            rows.append((law, wi, point, exact, apart, run.summary["energy_residual"]))
+            assert point < 1e-8
+            assert not exact > 1e-8
+            assert apart < 1e-6
+    words = ("law", "lambda rate", "point, tensor", "point, closed form", "bar, tensor", "energy")
+    show(
+        f"Start-up, {backend}", words, [[one if isinstance(one, str) else f"{one:.2g}" for one in row] for row in rows]
+    )
+
+
+def closed_viscosity(wi: float, limit: float) -> float:
+    """Steady tensile viscosity of FENE-P over that at rest, 3 G lambda: its f is the largest root of a cubic.
+
+    A_zz = 1/(f - 2 Wi), A_rr = 1/(f + Wi) and f (L^2 - A_zz - 2 A_rr) = L^2 - 3.
+    """
+    f = np.polynomial.Polynomial([0, 1])
+    along, across = f - 2 * wi, f + wi
+    cubic = f * (limit * along * across - across - 2 * along) - (limit - 3) * along * across
+    root = max(one.real for one in cubic.roots() if abs(one.imag) < 1e-9)
+    return float(root * (1 / (root - 2 * wi) - 1 / (root + wi)) / (3 * wi))
+
+
+def fast_bar(wi: float) -> float:
+    """Tensile viscosity of the chains over 3 G lambda at the end of a bar drawn 90 times as long."""
+    run = sc.simulate(bar("fene-p", lambda t: np.exp(wi * t), 4.5 / wi, 60, **{"numerics.backend": "compiled"}))
+    (before, short, _), (after, long, _) = run.scene.ends.motion[-2:]
+    rate = (long - short) / (after - before) / float(run.data.stretch[-1, 0])
+    last = float((run.data.tension * run.data.stretch).values[-1, 0]) / (np.pi / 4 * 0.05**2)
+    return (last - SOLVENT * rate) / (3 * G * rate)
+
+
+def test_fene_p_has_a_bounded_viscosity() -> None:
+    """Where Oldroyd-B has none any more it tends to (2/3) L^2: 2 G lambda L^2 over 3 G lambda."""
+    rows, limit = [], OWN["fene-p"]["finite_extensibility"]
+    for wi in (0.1, 0.4, 0.6, 2.0, 20.0):
+        # Until exp(-|1 - 2 Wi| t/lambda) is gone.
+        along, across = integrated("fene-p", wi, np.array([30.0 / abs(1 - 2 * wi)]))[0]
+        stress = stress_of("fene-p", np.diag([along, across, across]))
+        in_run = fast_bar(wi) if wi > 1 else float("nan")
+        rows.append((wi, stress / (3 * G * wi), closed_viscosity(wi, limit), in_run))
+    show(
+        "FENE-P, L^2 = 60: steady tensile viscosity over 3 G lambda",
+        ("lambda rate", "point", "closed form", "bar"),
+        [[f"{one:.6g}" for one in row] for row in rows],
+    )
+    for _, found, exact, in_run in rows:
+        assert found == pytest.approx(exact, rel=1e-6)
+        assert np.isnan(in_run) or in_run == pytest.approx(exact, rel=0.02)
+    assert rows[-1][1] == pytest.approx(2 / 3 * limit, rel=0.02)
+
+
+def test_giesekus_is_that_of_rheojax() -> None:
+    """Start-up in extension with its kernel of relaxation, which knows shear alone; what stretches is written here."""
+    kernels = pytest.importorskip("rheojax.models.giesekus._kernels", exc_type=ImportError)
+    alpha, rows = OWN["giesekus"]["mobility"], []
+    times = np.linspace(0.2, 3.0, 8)
+    for wi in (0.3, 1.0, 3.0):
+
+        def rate(_: float, tau: Floats, wi: float = wi) -> Floats:
+            # (xx, yy, xy, zz), drawn along x.
+            relaxed = np.asarray(kernels.giesekus_ode_rhs(0.0, tau, 0.0, G * LAMBDA, LAMBDA, alpha))
+            shape = np.array([2.0, -1.0, 0.0, -1.0]) * wi
+            return np.asarray(relaxed + shape * (tau + G))
+
+        found = solve_ivp(rate, (0, 3.0), np.zeros(4), "DOP853", times, rtol=1e-9, atol=1e-10)
+        theirs = found.y[0] - found.y[1]
+        ours = np.array([G * (along - across) for along, across in integrated("giesekus", wi, times)])
+        rows.append((wi, ours[-1], theirs[-1], float(np.max(np.abs(ours / theirs - 1)))))
+    show(
+        "Giesekus in start-up, alpha = 0.2",
+        ("lambda rate", "ours [G]", "RheoJAX", "largest"),
+        [[f"{one:.6g}" for one in row] for row in rows],
+    )
+    assert all(row[3] < 1e-4 for row in rows)
+
+
+def test_small_strain_and_the_limits_of_memory() -> None:
+    """Each limit at the order of its small number."""
+    rows: list[tuple[str, float, float]] = []
+    for law in OWN:
+        apart = []
+        for load in (1e-2, 1e-3):
+            expected = weak("maxwell", load)
+            apart.append(float(np.max(np.abs(weak(law, load) - expected)) / np.max(np.abs(expected))))
+        rows.append((f"{law} against maxwell beside a dashpot, gravity 1e-2 and 1e-3 m/s^2", *apart))
+        assert apart[1] < 1e-6
+    eta = 3.0
+    newtonian = tension("newtonian", **{"material.youngs_modulus": None, "material.viscosity": f"{eta + SOLVENT} Pa*s"})
+    short = [
+        {"material.relaxation_time": f"{late} s", "material.youngs_modulus": f"{eta / late} Pa"}
+        for late in (2e-3, 1e-3)
+    ]
+    apart = [float(np.max(np.abs(tension("oldroyd-b", **one) / newtonian - 1))) for one in short]
+    rows.append(("oldroyd-b against newtonian, lambda 2 and 1 ms", *apart))
+    assert apart[0] / apart[1] == pytest.approx(2, rel=0.05)
+    s = 1 + np.linspace(0.1, 0.5, 5)
+    rubber = G * (s**2 - 1 / s) + SOLVENT / s
+    apart = [
+        float(np.max(np.abs(tension("oldroyd-b", **{"material.relaxation_time": f"{late} s"}) / rubber - 1)))
+        for late in (1e3, 2e3)
+    ]
+    rows.append(("oldroyd-b against a neo-Hookean rubber, lambda 1000 and 2000 s", *apart))
+    assert apart[0] / apart[1] == pytest.approx(2, rel=0.02)
+    show("Limits", ("what", "larger", "smaller"), [[name, f"{a:.3g}", f"{b:.3g}"] for name, a, b in rows])
