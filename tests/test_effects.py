@@ -162,6 +162,8 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
         "buoyancy",
         "drag",
         "added-mass",
+        "curing",
+        "natural-strain",
     }
     assert all("named in run.effects" in reason for reason in effects.reasons.values())
 
