@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ import pytest
 
 import softcat_sym as sc
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
+from softcat_sym.scene.history import History
+from softcat_sym.scene.material import tensile_name
 
 
 def _all(scene: sc.Scene) -> tuple[FreeParameter, ...]:
@@ -25,7 +28,10 @@ def test_values_are_put_as_replace_puts_them(name: str) -> None:
     """Every number that may be free, one at a time, against the scene validated anew."""
     scene = sc.load_scene(name)
     for one in _all(scene):
-        if one.of_measurement or one.path == "material.index":
+        # What is free of a history is no key of its own: `tests/test_clocks.py`.
+        numbered = re.sub(r"_\d+$", "", one.path.removeprefix("material."))
+        changes = isinstance(getattr(scene.material, tensile_name(numbered) or numbered, None), History)
+        if one.of_measurement or one.path == "material.index" or changes:
             continue
         value = one.typical * (1.0 + 1e-3) if one.typical else 1e-3
         quick = with_values(scene, [one], [value])

@@ -152,7 +152,9 @@ def test_the_audit_closes_whatever_changes(law: str) -> None:
         ends = {"right": "free"} if number == 3 and law != "newtonian" else {}
         run = {"duration": 0.3, "frames": 16, "accuracy": 1e-3}
         tables = {"filament": shape, "load": {"gravity": 9.81}, "run": run, "ends": ends}
-        numerics = {"cells": 8, "estimate": False, "rtol": 1e-7 if "yield_stress" in material else 1e-9}
+        # What yields takes many steps where its time error is a billionth.
+        tight = {} if "yield_stress" in material else {"rtol": 1e-9}
+        numerics = {"cells": 8, "estimate": False, **tight}
         runs = [
             sc.simulate(scene(material, **tables, numerics={**numerics, "backend": backend})) for backend in BACKENDS
         ]
@@ -161,6 +163,6 @@ def test_the_audit_closes_whatever_changes(law: str) -> None:
         residuals = [run.summary["energy_residual"] for run in runs]
         rows.append([law, shape["section"], runs[1].outcome.name, f"{apart:.1e}", *(f"{one:.1e}" for one in residuals)])
         assert runs[1].outcome.is_success, (material, runs[1].outcome)
-        assert apart < 1e-4, (rows[-1], material)
-        assert residuals[1] < (1e-5 if "yield_stress" in material else 1e-6), (rows[-1], material)
+        assert apart < (1e-6 if tight else 3e-3), (rows[-1], material)
+        assert residuals[1] < (1e-6 if tight else 1e-3), (rows[-1], material)
     show("histories at random", ["law", "section", "outcome", "backends apart", "residual", "in C"], rows)
