@@ -36,7 +36,9 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
     heat, law = _heat_of(scene), law_in(scene)
     factors = dict[sp.Symbol, sp.Expr]()
     if heat.viscosity != 1:
-        factors |= dict.fromkeys(_named(law, "viscosity", eta), heat.viscosity)
+        # Of chains the modulus stays: the time in which they relax goes with their viscosity.
+        slows = (*_named(law, "viscosity", eta), *_named(law, "relaxation_time"))
+        factors |= dict.fromkeys(slows, heat.viscosity)
     if heat.softens:
         factors |= dict.fromkeys((*_named(law, "youngs_modulus", E), *_named(law, "second_modulus")), heat.modulus)
     heat = replace(heat, factors=tuple(factors.items()))

@@ -110,6 +110,8 @@ def refuse_scene(scene: Scene) -> None:
         ("surroundings.surface_tension", pull_of_surface(scene) > 0, "the pull of a surface", "0"),
         ("surroundings.density", buoyant_share(scene) > 0, "what a bath carries", "0"),
         ("temperature", scene.temperature.present, "what a temperature changes", "leaving it out"),
+        ("material.structure", scene.material.structure is not None, "what rest builds up", "leaving it out"),
+        ("material", bool(scene.material.histories()), "what changes in time", "constants"),
     ):
         if there:
             faults.append(Fault(path, f"{what} is no part of the groups", accepted))
