@@ -22,7 +22,7 @@
 # that it never leaves $[0, 1]$, that rest is an exponential, that Roussel's linear growth (2006) is its beginning, how
 # numbers of a rheometer in shear convert, and that yield stress and viscosity are what the scene states at the start.
 #
-# Effect derived here: `structure` (`physics/structure.py`).
+# Effects derived here: `structure` (`structure.build_up_rate`, `structure.structure_clock`).
 
 # %%
 import sympy as sp

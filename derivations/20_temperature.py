@@ -20,7 +20,7 @@
 #
 # A kelvin and a mole count as pure numbers in the dimensions of the table of symbols.
 #
-# Effect derived here: `temperature` (`effects.temperature.TEMPERATURE`, `physics.heat`).
+# Effects derived here: `temperature` (`heat.HEAT_EQUATIONS`, `heat.lateral_area`).
 
 # %%
 import sympy as sp

@@ -17,7 +17,7 @@
 # is without stress. What a growing modulus does to a strain that is there already, what a falling one does, what work
 # that is, and how a section shrinks and curls.
 #
-# Effects derived here: `curing` (`section_response`, `reissner.growing`) and `natural-strain`
+# Effects derived here: `curing` (`section_response.respond`, `reissner.growing`) and `natural-strain`
 # (`section_response.natural_strains`, `section_response.shrunk`).
 
 # %%

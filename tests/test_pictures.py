@@ -474,7 +474,7 @@ def stamps(figure: Figure) -> list[Text]:
 
 def test_pictures_of_what_is_refused_are_stamped_within_the_paper(descent, summary, scene):
     for outcome in Outcome:
-        assert refused({"outcome": outcome.name}) == ("" if outcome.is_success else outcome.name)
+        assert refused({"outcome": outcome.name}) == ("" if outcome.is_answer else outcome.name)
     assert refused({}) == refused({"outcome": ""}) == ""
     for draw, style in itertools.product(FIGURES.values(), ("screen", "column")):
         assert stamps(draw(descent, summary, scene, style)) == []

@@ -58,11 +58,6 @@ def _estimate(scene: Scene, motion: Motion) -> Estimate:
     return Estimate(change, meaning, "relaxed (sigma_Y(T)/sigma_Y - 1)")
 
 
-def _indispensable(scene: Scene) -> str:
-    structure = scene.material.structure
-    return "the material has rested before it is let go" if structure is not None and structure.rest else ""
-
-
 STRUCTURE = Effect(
     name="structure",
     summary="build-up at rest and breakdown in flow of yield stress and viscosity, fibre by fibre",
@@ -76,5 +71,4 @@ STRUCTURE = Effect(
     derivation="19_structure",
     needs=("fibres",),
     in_paper=False,
-    indispensable=_indispensable,
 )

@@ -384,6 +384,13 @@ REPLACED = (
     "shear_viscosity",
     "shear_yield_stress",
     "shear_consistency",
+    "relaxation_time",
+    "solvent_viscosity",
+    "shear_solvent_viscosity",
+    "finite_extensibility",
+    "mobility",
+    "ptt_epsilon",
+    "structure",
 )
 """Constants of a scene's own law that go with it; the elastic ones stay, a flow curve says nothing about them."""
 

@@ -31,6 +31,7 @@ from softcat_sym.scene.material import (
 )
 from softcat_sym.scene.parts import Filament, Part, kinds_of
 from softcat_sym.scene.scene import Scene, distance, is_slack, is_symmetric, known_keys, refuse_settled, rest_length
+from softcat_sym.scene.structure import Structure
 from softcat_sym.scene.temperature import Temperature
 from softcat_sym.scene.units import (
     SI_UNITS,
@@ -562,6 +563,10 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
         elif key.startswith("parameters."):
             name = key.partition(".")[2]
             parameters[name] = replace(parameters[name], value=value)
+        elif key.startswith("structure.") and material.structure is not None:
+            whole = cast("Structure", given.get("structure", material.structure))
+            number: Any = {key.partition(".")[2]: value}
+            given["structure"] = replace(whole, **number)
         else:
             given[key] = value
     if modes:

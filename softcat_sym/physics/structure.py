@@ -17,6 +17,7 @@ from softcat_sym.physics.symbols import ONE, RATE, STRESS, TIME, VISCOSITY, ente
 _MOORE, _ROUSSEL = "Moore 1959; de Souza Mendes & Thompson 2013", "Roussel 2006"
 
 lam = enter("lambda", r"\lambda", ONE, "structure parameter of a fibre: 0 destroyed, 1 built up", _MOORE)
+lam_t = enter("lambda_t", r"\dot\lambda", RATE, "rate of the structure parameter", _MOORE)
 change = enter("Delta_lambda", r"\Delta\lambda", ONE, "change of the structure parameter since the start", _MOORE)
 speed = enter("flow_rate", r"|\dot\epsilon^p|", RATE, "equivalent plastic strain rate of a fibre", "2.7")
 
@@ -67,7 +68,7 @@ def rested(start: sp.Expr, *, linear: bool) -> sp.Expr:
 
 
 STRUCTURE_EQUATIONS: tuple[Equation, ...] = (
-    Equation("structure: build-up and breakdown", lam, build_up_rate(linear=False), _MOORE),
+    Equation("structure: build-up and breakdown", lam_t, build_up_rate(linear=False), _MOORE),
 )
 
 

@@ -326,3 +326,57 @@ def loss_of_a_beam(tangent: float) -> Pair:
 def loss_share() -> float:
     """Share per loss tangent."""
     return swing_share(0.0, 1e-4) / 1e-4
+
+
+# --- clocks --------------------------------------------------------------------------------------------------------
+# A viscosity eta (1 + r t) of a creeping beam: log(1 + r)/r instead of 1 at the end.
+def curing_of_a_creeping_beam(rate: float) -> Pair:
+    material = {"law": "newtonian", "viscosity": 1e6}
+    changed = {"material.viscosity": f"1e6 Pa*s + {1e6 * rate!r} Pa*t"}
+    return changed_pair("curing", ("bending", "viscous-stress"), material, {"thickness": 0.1}, changed)
+
+
+# A held beam that shrinks by e is pulled by E A e: as by a surface, of which F L^2/(E I) is 12 e (L/h)^2. Drawn back to
+# its length it has lost 3 e of its area, and 6 e of its stiffness.
+def shrinking_of_a_beam(force: float) -> Pair:
+    thickness = 0.05
+    material = {"law": "elastic", "youngs_modulus": beam_modulus(1e-3 * thickness, thickness)}
+    changed = {"material.natural_strain": f"{-force * thickness**2 / 12!r}*t/(1 s)"}
+    without = ("bending", *STRETCHES)
+    return changed_pair("natural-strain", without, material, {"thickness": thickness}, changed, cells=40)
+
+
+# A creeping beam warmer by so many kelvin than what its viscosity is stated for: exp(B (1/T - 1/T_r)).
+def warmth_of_a_creeping_beam(kelvin: float) -> Pair:
+    heat = {"initial": f"{300 + kelvin!r} K", "heat_capacity": "1e9 J/(kg*K)", "law": "arrhenius"}
+    heat |= {"reference": "300 K", "activation_energy": f"{8.31446261815324 * 3000!r} J/mol"}
+    changed = {f"temperature.{key}": value for key, value in heat.items()}
+    material = {"law": "newtonian", "viscosity": 1e6}
+    without = (*STRING, "extensibility", "bending", "viscous-stress")
+    return changed_pair("temperature", without, material, {"thickness": 0.1}, changed)
+
+
+# A Bingham beam whose yield stress grows from a fifth of its weight's to three fifths at the rate of 1/t_b.
+def structure_of_a_beam(rate: float) -> Pair:
+    material = {"law": "bingham", "youngs_modulus": 1e7, "viscosity": 1e6, "yield_stress": 0.2 * WEIGHT}
+    structure = {"build_up_time": f"{1 / rate!r} s", "structured_yield_stress": f"{0.6 * WEIGHT!r} Pa"}
+    without, asked = (*BENDING_FLOW, "fibres"), {"numerics": {"fibres": 8}}
+    filament = {"thickness": 0.1}
+    return changed_pair("structure", without, material, filament, {"material.structure": structure}, **asked)
+
+
+def changed_pair(
+    effect: str,
+    without: tuple[str, ...],
+    material: Mapping[str, Any],
+    filament: Mapping[str, Any],
+    changed: Mapping[str, object],
+    **asked: Any,
+) -> Pair:
+    """Sags with an effect of a scene that is changed so, and without it."""
+    numerics = {f"numerics.{key}": value for key, value in asked.pop("numerics", {}).items()}
+    found = []
+    for names in ((*without, effect), without):
+        made = scene(material, filament, effects=names, run={"frames": 21}, **{"cells": 16, "rtol": 1e-8, **asked})
+        found.append(-np.asarray(solved(made.replace({**changed, **numerics}))["midpoint"].values))
+    return found[0], found[1]

@@ -134,6 +134,17 @@ LIMITS: tuple[Limit, ...] = (
         fading.loss_of_a_beam,
         (fading.loss_share, 0.04),
     ),
+    Limit("curing", "creeping beam, rate of the viscosity", halved(0.1), (1, 0.03), fading.curing_of_a_creeping_beam),
+    Limit(
+        "natural-strain",
+        "clamped beam, F L^2/(E I)",
+        halved(0.4),
+        (1, 0.02),
+        fading.shrinking_of_a_beam,
+        (1 / 40 - 0.05**2 / 2, 0.02),
+    ),
+    Limit("temperature", "creeping beam, kelvin", halved(0.4), (1, 0.02), fading.warmth_of_a_creeping_beam),
+    Limit("structure", "Bingham beam, 1/t_b", halved(0.2), (1, 0.06), fading.structure_of_a_beam),
 )
 """Every limit; each effect has one or more."""
 
