@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from numbers import Real
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from pydantic_core import PydanticCustomError
@@ -565,8 +565,8 @@ def _material(material: Material, changes: dict[str, float]) -> Material:
             parameters[name] = replace(parameters[name], value=value)
         elif key.startswith("structure.") and material.structure is not None:
             whole = cast("Structure", given.get("structure", material.structure))
-            number: Any = {key.partition(".")[2]: value}
-            given["structure"] = replace(whole, **number)
+            one: dict[str, Any] = {key.partition(".")[2]: value}
+            given["structure"] = replace(whole, **one)
         else:
             given[key] = value
     if modes:
