@@ -306,7 +306,8 @@ def test_soft_column_leaves_von_karman_by_its_strain() -> None:
 
 
 @pytest.mark.parametrize(
-    ("E_star", "delta", "section"), [(10.0, 0.05, "rectangle"), (20.0, 0.05, "circle"), (300.0, 0.03, "rectangle")]
+    ("E_star", "delta", "section"),
+    few([(10.0, 0.05, "rectangle"), (20.0, 0.05, "circle"), (300.0, 0.03, "rectangle")], (20.0, 0.05, "circle")),
 )
 def test_large_deflection_against_a_boundary_value_solver(E_star: float, delta: float, section: str) -> None:
     expected = soft_beam_sag(E_star, delta, GYRATION[section])
@@ -420,8 +421,9 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("asked", SCENES.values(), ids=list(SCENES))
-def test_midpoint_is_second_order(asked: Scene) -> None:
+@pytest.mark.parametrize("name", few(SCENES, "elastic-beam", "bingham-descent"))
+def test_midpoint_is_second_order(name: str) -> None:
+    asked = SCENES[name]
     sags = [sag(run(asked.replace({"numerics.cells": cells}))) / asked.filament.span for cells in (20, 40, 80)]
     order = np.log2((sags[0] - sags[1]) / (sags[1] - sags[2]))
     assert 1.7 < order < 2.3
@@ -458,6 +460,7 @@ def depth(asked: Scene, cells: int, grading: float | None) -> float:
     return sag(run(gridded)) / asked.filament.span
 
 
+@pytest.mark.slow
 def test_midpoint_is_second_order_on_graded_cells() -> None:
     for name, asked in SMOOTH.items():
         sags = [depth(asked, cells, GRADING) for cells in (10, 20, 40)]

@@ -69,7 +69,7 @@ KINDS: dict[str, tuple[str, dict[str, Any]]] = {
         },
     ),
 }
-QUICK = ("paper", "fibres, necking", "fibres of a sheet", "profile, free end", "viscous stress, moving support")
+QUICK = ("paper", "fibres, necking", "viscous stress, moving support")
 TEXTS = """
 import hashlib, sys
 from softcat_sym.codegen.right_hand_side import rhs_source

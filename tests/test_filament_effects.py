@@ -275,7 +275,6 @@ def test_what_has_settled_shows_nothing_of_it() -> None:
         product(LAWS, ("kirchhoff", "shear")),
         ("elastic", "shear"),
         ("maxwell", "kirchhoff"),
-        ("standard-linear", "kirchhoff"),
         ("bingham", "shear"),
     ),
 )
@@ -346,7 +345,7 @@ def test_the_pull_alone_holds_a_soft_string() -> None:
 
 
 @pytest.mark.parametrize(
-    ("number", "shear"), few(product((4.4, 18.0, 71.0), (False, True)), (4.4, False), (18.0, True), (71.0, False))
+    ("number", "shear"), few(product((4.4, 18.0, 71.0), (False, True)), (4.4, False), (71.0, False))
 )
 def test_clamped_beam_with_the_pull_of_its_surface(number: float, shear: bool) -> None:
     """Sag (q L^2/8F) (1 - (2/u) tanh(u/2)), u = (L/2) sqrt(F/EI), F L^2/(EI) = `number`; second order in the cells."""

@@ -13,6 +13,17 @@ import softcat_sym as sc
 from softcat_sym.fitting.free_parameters import FreeParameter, candidates, free_parameters, with_values
 from softcat_sym.scene.history import History
 from softcat_sym.scene.material import tensile_name
+from tests.marks import few
+
+OF_EACH_KIND = (
+    "continual-descent",
+    "solvent-cast-strand",
+    "polyethylene-melt",
+    "glass-fibre",
+    "printed-lintel",
+    "transient-gel",
+    "bread-dough",
+)
 
 
 def _all(scene: sc.Scene) -> tuple[FreeParameter, ...]:
@@ -23,7 +34,7 @@ def _names(scene: sc.Scene) -> list[str]:
     return [one.path for one in candidates(scene) if not one.trouble]
 
 
-@pytest.mark.parametrize("name", sc.bundled_names())
+@pytest.mark.parametrize("name", few(sc.bundled_names(), *OF_EACH_KIND))
 def test_values_are_put_as_replace_puts_them(name: str) -> None:
     """Every number that may be free, one at a time, against the scene validated anew."""
     scene = sc.load_scene(name)
@@ -153,7 +164,7 @@ def test_bounds_are_read_with_units() -> None:
     assert offset.upper * offset.scale == pytest.approx(0.1)
 
 
-@pytest.mark.parametrize("name", sc.bundled_names())
+@pytest.mark.parametrize("name", few(sc.bundled_names(), *OF_EACH_KIND))
 def test_scaling_goes_there_and_back(name: str) -> None:
     """Bounds hold the typical value; q of it is zero for positive numbers; the slope is that of the value."""
     for one in _all(sc.load_scene(name)):

@@ -14,6 +14,7 @@ from tests.common import curves
 from tests.common import materials as m
 from tests.common.reissner_filament import Filament as Shearing
 from tests.common.rk4_filament import Filament, overstress_means, run
+from tests.marks import few
 
 X = np.linspace(0, 1.0, 11)
 FLAT = ("clamped", 0.0)
@@ -428,7 +429,10 @@ def stresses(total: tuple[Array, ...], plastic: Array) -> tuple[float, float, fl
 
 @pytest.mark.parametrize(
     ("Lam", "Gam", "eps_Y"),
-    [(1.2, 0.0, 0.05), (1.0, 1e-3, 1e-4), (1.0, 0.3, 0.05), (1.2, 0.3, 0.05), (0.9, 0.2, 0.0), (1.5, -0.6, 0.1)],
+    few(
+        [(1.2, 0.0, 0.05), (1.0, 1e-3, 1e-4), (1.0, 0.3, 0.05), (1.2, 0.3, 0.05), (0.9, 0.2, 0.0), (1.5, -0.6, 0.1)],
+        *((1.2, 0.3, 0.05), (0.9, 0.2, 0.0)),
+    ),
 )
 def test_held_strain_relaxes_as_von_mises(Lam: float, Gam: float, eps_Y: float):
     # So thick that the sections cannot turn: homogeneous stretch and shear, nothing moves.

@@ -201,7 +201,8 @@ class Graph:
         """(t, x, z, p) to node and cell fields and energies, in SI per unit undeformed area."""
         inputs, outputs = [self.t, self.x, self.z, self.p], self.raw.observables
         names = ["time", "state", "algebraic", "parameters"]
-        return ca.Function("observables", inputs, tidy(*outputs.values()), names, list(outputs))
+        # What cells share is left unshared: finding it takes longer than computing it for all frames.
+        return ca.Function("observables", inputs, [ca.densify(one) for one in outputs.values()], names, list(outputs))
 
     @cached_property
     def stretch(self) -> ca.Function:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -23,11 +24,13 @@ def quintic_step(u: sp.Expr) -> sp.Expr:
     return v**3 * (10 + v * (6 * v - 15))
 
 
+@cache
 def ramped_gravity() -> sp.Expr:
     """g(t) switched on over 0 < t < g_on."""
     return g * quintic_step(t / g_on)
 
 
+@cache
 def ramp_rate() -> sp.Expr:
     """dg/dt of :func:`ramped_gravity`, whose power on the filament is external work."""
     v = sp.Min(sp.Max(t / g_on, 0), 1)

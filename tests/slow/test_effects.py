@@ -396,6 +396,7 @@ def test_an_absent_effect_leaves_nothing() -> None:
         assert absent.instructions < present.instructions
 
 
+@pytest.mark.slow
 def test_no_parameter_lies_idle() -> None:
     """Whatever a graph lists it uses, so that a parameter that is not listed has left no symbol anywhere."""
     for effect in REGISTRY:

@@ -56,7 +56,7 @@ def sags(material: dict[str, Any], effects: str | tuple[str, ...], rtol: float =
 
 @pytest.mark.parametrize(
     "name",
-    few(PAIRS, "power law, n = 1, and Maxwell", "two equal modes and Maxwell"),
+    few(PAIRS, "two equal modes and Maxwell"),
 )
 def test_a_law_is_the_one_it_contains(name: str) -> None:
     """With inertia and with every term of the published list; the difference falls with the tolerance."""
