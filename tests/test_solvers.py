@@ -22,7 +22,7 @@ from scipy.optimize import brentq
 import softcat_sym as sc
 from softcat_sym.codegen.compiler import find_compiler
 from softcat_sym.codegen.library import cache_entries
-from softcat_sym.discretization.filament import energy_scale
+from softcat_sym.discretization.cell import energy_scale
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.effects.choosing import choose_effects

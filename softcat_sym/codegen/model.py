@@ -23,7 +23,8 @@ from softcat_sym.discretization.cell import Program, Slot
 from softcat_sym.discretization.filament import build
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import End
-from softcat_sym.discretization.section_rule import PER_FIBRE, OneFibre, SectionRule
+from softcat_sym.discretization.point_rule import PointRule
+from softcat_sym.discretization.section_rule import PER_FIBRE, SectionRule
 from softcat_sym.discretization.stencil import Field
 from softcat_sym.discretization.supports import Body
 from softcat_sym.effects.choosing import Effects
@@ -57,7 +58,7 @@ class Template:
     scratch: tuple[int, int]  # Doubles per site that the functions need, and per site and fibre
     moves: bool  # Whether they depend on time
 
-    def with_fibres(self, rule: SectionRule | None = None) -> Model:
+    def with_fibres(self, rule: SectionRule | PointRule | None = None) -> Model:
         """The model with so many fibres; with none where it has no fibres."""
         count = rule.points if rule else 0
         slots = [
@@ -238,16 +239,15 @@ def _entry_point(name: str, result: str, calls: Sequence[str], zero: str) -> str
     )
 
 
-def _constants(rule: SectionRule, slots: int, entries: int, scratch: int) -> str:
+def _constants(rule: SectionRule | PointRule, slots: int, entries: int, scratch: int) -> str:
     """Numbers of what a site has, and where the fibres are."""
     sizes = {"FIBRES": rule.points, "SLOTS": slots, "ENTRIES": entries, "SCRATCH": scratch}
-    where = {"zeta": rule.zeta, "weight": rule.weight}
     return "\n".join(
         [
             *(f"#define {name} {size}" for name, size in sizes.items()),
             "",
-            "/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */",
-            *(c_array("double", name, [number(float(one)) for one in values]) for name, values in where.items()),
+            rule.heading,
+            *(c_array("double", name, [number(float(one)) for one in values]) for name, values in rule.tables.items()),
         ]
     )
 
@@ -334,6 +334,9 @@ def structure_of(
         body.supports,
         body.profile.nodes is not None,
         body.weighted,
+        body.tip_mass,
+        body.tip_force,
+        body.shaped,
     )
     if effects.terms().shaking != 1:
         parts = (*parts, effects.terms().shaking)
@@ -371,7 +374,7 @@ def _template(structure: Structure) -> Template:
 
     def made() -> Template:
         theory = structure.theory
-        rule = OneFibre() if theory.fibres else theory.rule
+        rule = theory.fibres.one if theory.fibres else theory.rule
         return template_of(build(structure.equations, theory.model, structure.ends, structure.body, rule))
 
     return template_kept(structure.key, made)

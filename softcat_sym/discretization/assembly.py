@@ -22,6 +22,7 @@ from softcat_sym.discretization.grid import (
     towards_middle,
     whole_span,
 )
+from softcat_sym.discretization.point_rule import PointRule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.stencil import INVERTED, PER
 from softcat_sym.discretization.supports import Body, Profile, Supports, node_mass
@@ -131,22 +132,29 @@ class Theory:
     """Which kinematics a filament has, and how its section is sampled where it is resolved."""
 
     model: str  # As in the scene
-    rule: SectionRule | None  # None for the section of the paper
+    rule: SectionRule | PointRule | None  # None for the section of the paper
 
     @property
     def name(self) -> str:
         """As the field calls it."""
-        return "kirchhoff" if self.rule is None else "reissner"
+        return "kirchhoff" if self.rule is None else "simo-reissner" if self.is_spatial else "reissner"
+
+    @property
+    def is_spatial(self) -> bool:
+        """Whether the filament leaves its plane."""
+        return isinstance(self.rule, PointRule)
 
     @property
     def label(self) -> str:
         """All that its equations hold; fibres are a loop, whose points are numbers of a run."""
         if self.rule is None:
             return self.model
+        if self.is_spatial:
+            return "points"
         return "fibres" if self.rule.is_of_fibres else self.rule.label
 
     @property
-    def fibres(self) -> SectionRule | None:
+    def fibres(self) -> SectionRule | PointRule | None:
         """The points at which every fibre has plastic states of its own; None where the section has none."""
         return self.rule if self.rule is not None and self.rule.is_of_fibres else None
 
@@ -176,7 +184,7 @@ def _block(slot: Slot, grid: Grid) -> Block:
     """The unknowns of a slot on a grid, with the straight, relaxed filament at rest."""
     places = grid.nodes if slot.on == "node" else grid.centres
     first, last = (0, 1) if slot.on == "whole" else (slot.held[0], len(places) - slot.held[1])
-    start = grid.nodes if slot.name == "x" else np.zeros(len(places))
+    start = grid.nodes if slot.name == "x" else np.full(len(places), float(slot.name == "q0"))
     return Block(slot.name, tuple(range(first, last)), places[first:last], start[first:last])
 
 

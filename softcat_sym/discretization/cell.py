@@ -15,12 +15,14 @@ import casadi as ca
 
 from softcat_sym.discretization.casadi_printer import CellFunction
 from softcat_sym.discretization.grid import End
-from softcat_sym.discretization.parameters import CATALOGUE, TIME_SCALE, Parameter
+from softcat_sym.discretization.parameters import AREA, CATALOGUE, TIME_SCALE, Parameter
 from softcat_sym.discretization.stencil import (
     CELLS,
     INNER,
+    INVERTED,
     NODES,
     PARAMETER,
+    PER,
     PLACE,
     STAGED,
     TIME,
@@ -444,3 +446,40 @@ def surface_force(b: Builder, stretch: Neighbours) -> tuple[ca.SX, list[Field]]:
     pull += _double_force(b, "surface_double_force", across)[1] + mean_of_nodes(of_stretch)
     energies.append(Field("surface_slope", INNER, b.node[0] * b.area_node * printed(density, values)))
     return pull, energies
+
+
+def ordered(slots: Mapping[str, Slot]) -> tuple[Slot, ...]:
+    """What moves, what is still, and plastic states last."""
+    known = ("x", "y", "z", "u", "v", "w", "psi", "omega", "q0", "q1", "q2", "q3", "o1", "o2", "o3")
+    plain = [slots[name] for name in known if name in slots]
+    plastic = [slot for name, slot in slots.items() if name not in known]
+    return (*(s for s in plain if s.differential), *(s for s in plain if not s.differential), *plastic)
+
+
+def place_names(body: Body) -> tuple[str, ...]:
+    """The geometry of a site that a body needs."""
+    profile = ("h_node", "h_cell") if body.profile.nodes is not None else ()
+    return ("X", *INVERTED, *(PER + name for name in INVERTED), *profile, *(("hung",) if body.weighted else ()))
+
+
+def parameters_of(b: Builder, everything: Sequence[Field]) -> tuple[str, ...]:
+    """Names of the numbers that fields need, in the order of the catalogue."""
+    used = {
+        leaf.name
+        for one in everything
+        for value in one.values
+        for leaf in b.leaves.within(value)
+        if leaf.kind == PARAMETER
+    }
+    used |= {"density", "rest_length"}
+    rows = [*(row.name for row in CATALOGUE), AREA, *(row.name for row in b.equations.constants)]
+    return (*dict.fromkeys([*(name for name in rows if name in used), *b.body.parameters]), TIME_SCALE)
+
+
+def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
+    """Unit of the quadratures [Pa]: density times the square of span over time scale.
+
+    An integrator that controls the quadratures measures them with the tolerances of the unknowns, so they have the same
+    size whatever the units of the scene.
+    """
+    return density * (span / time_scale) ** 2

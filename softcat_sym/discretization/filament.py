@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import casadi as ca
 
@@ -14,22 +13,24 @@ from softcat_sym.discretization.cell import (
     Program,
     Sided,
     Slot,
+    energy_scale,
+    ordered,
+    parameters_of,
+    place_names,
     printed,
 )
 from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.heat import HEAT_LOST, Heating, heating
 from softcat_sym.discretization.kirchhoff import kirchhoff, small_deflection
 from softcat_sym.discretization.outer_forces import Outer, outer_forces
-from softcat_sym.discretization.parameters import AREA, CATALOGUE, TIME_SCALE
+from softcat_sym.discretization.point_rule import OnePoint, PointRule, SpatialSampling
 from softcat_sym.discretization.section_rule import Sampling
 from softcat_sym.discretization.shearing import shearing
+from softcat_sym.discretization.spatial import spatial_filament
 from softcat_sym.discretization.stencil import (
     CELLS,
     INNER,
-    INVERTED,
     NODES,
-    PARAMETER,
-    PER,
     UNKNOWN,
     Field,
     Neighbours,
@@ -44,10 +45,16 @@ WORK_OF_AGEING = "work_ageing"
 
 
 def build(
-    equations: FilamentEquations, model: str, ends: tuple[End, End], body: Body, rule: Sampling | None
+    equations: FilamentEquations,
+    model: str,
+    ends: tuple[End, End],
+    body: Body,
+    rule: Sampling | SpatialSampling | None,
 ) -> Program:
     """A filament of these equations between two ends, as fields; `rule` samples a section that is resolved."""
     b = Builder(equations, ends, body)
+    if isinstance(rule, (PointRule, OnePoint)):
+        return spatial_filament(b, rule)
     if rule is not None and equations.resolved is not None:
         mechanics = shearing(b, rule)
     else:
@@ -73,7 +80,7 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
     of.energies |= outer.energies
     fixed = per_mass, gravity * unit, rotary
     massive = _Massive(of.force, outer, mass * b.density * span, gravity, unit) if outer.adds_mass else None
-    slots = _ordered(b.slots)
+    slots = ordered(b.slots)
     rates = tuple(
         massive.rate(slot, b.slots) if massive and slot.name in ("u", "v") else _rate(b, of, outer, slot, fixed)
         for slot in slots
@@ -82,16 +89,6 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
     shown = _observables(b, of, outer, mass, gravity, rotary) | heat.shown
     everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
     everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
-    used = {
-        leaf.name
-        for one in everything
-        for value in one.values
-        for leaf in b.leaves.within(value)
-        if leaf.kind == PARAMETER
-    }
-    used |= {"density", "rest_length"}
-    rows = [*(row.name for row in CATALOGUE), AREA, *(row.name for row in b.equations.constants)]
-    named = [*(name for name in rows if name in used), *b.body.parameters]
     return Program(
         leaves=b.leaves,
         slots=slots,
@@ -99,7 +96,7 @@ def _balanced(b: Builder, of: Mechanics) -> Program:
         rates=rates,
         powers=powers,
         shown=shown,
-        parameters=(*dict.fromkeys(named), TIME_SCALE),
+        parameters=parameters_of(b, everything),
         places=place_names(b.body),
         profiles=of.profiles or _linear_profiles(b),
     )
@@ -178,20 +175,6 @@ class _Massive:
 
 def _linear_profiles(b: Builder) -> dict[str, tuple[float, float]]:
     return {name: (1.0, 0.0) if name.startswith("a_0") else (0.0, 1.0) for name in b.slots if name.startswith("a_")}
-
-
-def _ordered(slots: Mapping[str, Slot]) -> tuple[Slot, ...]:
-    """What moves, what is still, and plastic states last."""
-    known = ("x", "y", "u", "v", "psi", "omega")
-    plain = [slots[name] for name in known if name in slots]
-    plastic = [slot for name, slot in slots.items() if name not in known]
-    return (*(s for s in plain if s.differential), *(s for s in plain if not s.differential), *plastic)
-
-
-def place_names(body: Body) -> tuple[str, ...]:
-    """The geometry of a site that a body needs."""
-    profile = ("h_node", "h_cell") if body.profile.nodes is not None else ()
-    return ("X", *INVERTED, *(PER + name for name in INVERTED), *profile, *(("hung",) if body.weighted else ()))
 
 
 def _powers(
@@ -276,12 +259,3 @@ def _observables(
         **stored,
         "energy_potential": (Field("weight", NODES, mass * of.y[0] * span * b.density * gravity * span),),
     }
-
-
-def energy_scale(density: Any, span: Any, time_scale: Any) -> Any:
-    """Unit of the quadratures [Pa]: density times the square of span over time scale.
-
-    An integrator that controls the quadratures measures them with the tolerances of the unknowns, so they have the same
-    size whatever the units of the scene.
-    """
-    return density * (span / time_scale) ** 2

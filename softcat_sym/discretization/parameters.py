@@ -11,6 +11,7 @@ from softcat_sym.physics.bulk import nu
 from softcat_sym.physics.heat import PREFIX
 from softcat_sym.physics.loads import surface_tension
 from softcat_sym.physics.necking import aspect
+from softcat_sym.physics.spatial import natural_twist
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
@@ -41,6 +42,7 @@ CATALOGUE: tuple[Parameter, ...] = (
     Parameter("yield_stress", symbols.sigma_Y, "Pa"),
     Parameter("poisson", nu, "1"),
     Parameter("curvature", symbols.kappa_0, "1/m"),
+    Parameter("twist", natural_twist, "1/m"),
     Parameter("aspect", aspect, "1"),
     Parameter("surface_tension", surface_tension, "N/m"),
     Parameter("bath_density", symbols.rho_b, "kg/m^3"),

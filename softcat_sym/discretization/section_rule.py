@@ -8,6 +8,7 @@ of one rule both are the same.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 import casadi as ca
 import numpy as np
@@ -49,6 +50,19 @@ class SectionRule:
     def labels(self) -> tuple[str, ...]:
         """What the plastic states of one kind are called, besides their kind."""
         return tuple(str(number) for number in range(self.states))
+
+    @property
+    def tables(self) -> dict[str, Floats]:
+        """Its numbers, by the names that code which loops over fibres has for them."""
+        return {"zeta": self.zeta, "weight": self.weight}
+
+    heading: ClassVar[str] = """\
+/* Coordinate of each fibre, from -1 to 1 through the thickness, and its share of the section. */"""
+
+    @property
+    def one(self) -> OneFibre:
+        """A fibre that stands for all of them."""
+        return OneFibre()
 
     @property
     def places(self) -> list[tuple[float, float]]:

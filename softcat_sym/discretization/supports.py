@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -69,6 +69,9 @@ def node_mass(grid: Grid, profile: Profile, power: int) -> Floats:
 
 POINT_MASS = "point_mass_per_area"
 SPAN, DROP, LEFT_ANGLE, RIGHT_ANGLE = "span", "drop", "left_angle", "right_angle"
+TIP_MASS, TIP_FORCE = "tip_mass_per_area", ("tip_force_x", "tip_force_y", "tip_force_z")
+"""What hangs at the right end, and what pulls there, over the undeformed area."""
+DIRECTION = ("direction_x", "direction_y", "direction_z")
 
 
 @dataclass(frozen=True)
@@ -80,13 +83,19 @@ class Supports:
     left_turned: bool = False  # Whether a clamp is not level
     right_turned: bool = False
     rows: int = 0  # Points of the path of the right one; none if it stays
+    sideways: bool = False  # Whether that path leaves the plane
+    turns: int = 0  # Rows of the twist of the right clamp about its own normal
+    directed: bool = False  # Whether gravity points anywhere but down
 
     @property
     def parameters(self) -> tuple[str, ...]:
         """Names of the numbers that it needs."""
         plain = ((SPAN, self.apart), (DROP, self.lowered), (LEFT_ANGLE, self.left_turned))
         names = [name for name, needed in (*plain, (RIGHT_ANGLE, self.right_turned)) if needed]
-        return (*names, *(path_name(kind, row) for row in range(self.rows) for kind in ("time", "dx", "dy")))
+        kinds = ("time", "dx", "dy", *(("dz",) if self.sideways else ()))
+        names += [path_name(kind, row) for row in range(self.rows) for kind in kinds]
+        names += [turn_name(kind, row) for row in range(self.turns) for kind in ("time", "angle")]
+        return (*names, *(DIRECTION if self.directed else ()))
 
 
 @dataclass(frozen=True)
@@ -96,16 +105,25 @@ class Body:
     supports: Supports = field(default_factory=Supports)  # Where they are and how they move
     profile: Profile = field(default_factory=Profile)  # How the section varies along the filament
     weighted: bool = False  # Whether a mass hangs at midspan
+    tip_mass: bool = False  # Whether one hangs at a free right end, and whether a force acts there
+    tip_force: bool = False
+    shaped: bool = False  # Whether every cell has natural twist and curvatures of its own
 
     @property
     def parameters(self) -> tuple[str, ...]:
         """Names of the numbers that it needs."""
-        return (*self.supports.parameters, *((POINT_MASS,) if self.weighted else ()))
+        tip = (*((TIP_MASS,) if self.tip_mass else ()), *(TIP_FORCE if self.tip_force else ()))
+        return (*self.supports.parameters, *((POINT_MASS,) if self.weighted else ()), *tip)
 
 
 def path_name(kind: str, row: int) -> str:
     """Name of one number of the path: ``motion_0_time``, ``motion_0_dx``, ..."""
     return f"motion_{row}_{kind}"
+
+
+def turn_name(kind: str, row: int) -> str:
+    """Name of one number of the twist of the right clamp: ``turn_0_time``, ``turn_0_angle``."""
+    return f"turn_{row}_{kind}"
 
 
 @dataclass(frozen=True)
@@ -119,36 +137,57 @@ class Held:
     right_v: ca.SX
     left_angle: ca.SX  # Tangent angles that clamps impose
     right_angle: ca.SX
+    right_z: ca.SX  # Of a filament in three dimensions, with the velocity
+    right_w: ca.SX
+    right_twist: ca.SX  # Of the right clamp about its own normal, and its rate [1/s]
+    right_spin: ca.SX
+    direction: tuple[ca.SX, ca.SX, ca.SX]  # Of gravity, of length one
 
 
 def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds: ca.SX) -> Held:
     """The supports at a time."""
     half = given[SPAN] / (2 * length) if supports.apart else ca.SX(0.5)
     drop = given[DROP] / length if supports.lowered else ca.SX(0)
-    moved, speed = _path(supports.rows, given, seconds)
+    axes = ("dx", "dy", "dz") if supports.sideways else ("dx", "dy")
+    moved, speed = _path([path_name, *axes], supports.rows, given, seconds)
+    (twist,), (spin,) = _path([turn_name, "angle"], supports.turns, given, seconds)
+    nothing = ca.SX(0)
+    aside, aside_speed = (moved[2] / length, speed[2] / length) if supports.sideways else (nothing, nothing)
+    down = (given[name] for name in DIRECTION) if supports.directed else (nothing, ca.SX(-1), nothing)
     return Held(
         left_x=-half,
         right_x=half + moved[0] / length,
         right_y=moved[1] / length - drop,
         right_u=speed[0] / length,
         right_v=speed[1] / length,
-        left_angle=given[LEFT_ANGLE] if supports.left_turned else ca.SX(0),
-        right_angle=given[RIGHT_ANGLE] if supports.right_turned else ca.SX(0),
+        left_angle=given[LEFT_ANGLE] if supports.left_turned else nothing,
+        right_angle=given[RIGHT_ANGLE] if supports.right_turned else nothing,
+        right_z=aside,
+        right_w=aside_speed,
+        right_twist=twist,
+        right_spin=spin,
+        direction=tuple(down),  # type: ignore[arg-type]
     )
 
 
-def _path(rows: int, given: Mapping[str, ca.SX], seconds: ca.SX) -> tuple[tuple[ca.SX, ca.SX], tuple[ca.SX, ca.SX]]:
-    """Displacement and velocity along straight pieces, from the first place at t = 0 and held after the last row."""
-    nowhere = (ca.SX(0), ca.SX(0), ca.SX(0))
-    points = [nowhere, *(tuple(given[path_name(kind, row)] for kind in ("time", "dx", "dy")) for row in range(rows))]
-    place, speed = [ca.SX(0), ca.SX(0)], [ca.SX(0), ca.SX(0)]
+def _path(
+    named: Sequence[Any], rows: int, given: Mapping[str, ca.SX], seconds: ca.SX
+) -> tuple[list[ca.SX], list[ca.SX]]:
+    """Displacements and velocities along straight pieces, from nothing at t = 0 and held after the last row.
+
+    `named` has the function that names the numbers of a row, and what they are beside its time.
+    """
+    name, *axes = named
+    points = [[ca.SX(0)] * (1 + len(axes))]
+    points += [[given[name(kind, row)] for kind in ("time", *axes)] for row in range(rows)]
+    place, speed = [ca.SX(0)] * len(axes), [ca.SX(0)] * len(axes)
     for (begin, *old), (end, *new) in itertools.pairwise(points):
         # A path may state its beginning at t = 0, a piece of no duration.
         lasting = ca.fmax(end - begin, 1e-300)
         share = ca.fmin(ca.fmax((seconds - begin) / lasting, 0), 1)
         under_way = ca.logic_and(seconds >= begin, seconds < end)
-        for axis in range(2):
+        for axis in range(len(axes)):
             change = new[axis] - old[axis]
             place[axis] += change * share
             speed[axis] += under_way * change / lasting
-    return (place[0], place[1]), (speed[0], speed[1])
+    return place, speed

@@ -7,7 +7,8 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from softcat_sym.discretization.filament import WORK_OF_AGEING, energy_scale
+from softcat_sym.discretization.cell import energy_scale
+from softcat_sym.discretization.filament import WORK_OF_AGEING
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.heat import heat_unit

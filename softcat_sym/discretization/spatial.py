@@ -1,0 +1,543 @@
+"""A filament in three dimensions: nodes with a place and a quaternion, the whole section on the cell (THEORY3D 5).
+
+The turn of a cell is the middle of the geodesic between those of its nodes, curvature and twist their relative turn
+over the length (Crisfield & Jelenic 1999): a rigid motion strains nothing, and what is planar is the planar cell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import sympy as sp
+
+from softcat_sym.discretization.casadi_printer import CellFunction
+from softcat_sym.discretization.cell import (
+    Builder,
+    Program,
+    Sided,
+    Slot,
+    branch_name,
+    derivatives,
+    energy_scale,
+    neck_force,
+    ordered,
+    parameters_of,
+    place_names,
+    printed,
+    surface_force,
+)
+from softcat_sym.discretization.point_rule import OnePoint, SpatialSampling
+from softcat_sym.discretization.stencil import CELLS, FIBRE, INNER, NODES, Field, Leaf, Neighbours, Same, Where
+from softcat_sym.discretization.supports import TIP_FORCE, TIP_MASS
+from softcat_sym.physics import spatial, symbols
+from softcat_sym.physics.bulk import sigma_eq
+from softcat_sym.physics.reissner import eps_e, eps_p
+from softcat_sym.physics.spatial import MEANS, POINT, STRAINS, SpatialSection
+
+Three = tuple[ca.SX, ca.SX, ca.SX]
+
+PLACES, SPEEDS, TURN, SPIN = ("x", "y", "z"), ("u", "v", "w"), ("q0", "q1", "q2", "q3"), ("o1", "o2", "o3")
+"""Unknowns of a node: its place and velocity, its unit quaternion, and its spin where a viscous stress asks for it."""
+
+_ROUND = 1e-24
+"""Square of the angle between two nodes below which it counts as none."""
+
+_NO_STRESS = 1e-12
+"""Equivalent stress, in Young's moduli, below which a point counts as unstressed: it is divided by."""
+
+
+@dataclass
+class _Cell:
+    """Strains of a cell, as functions of its nodes, and what its stresses do to them."""
+
+    slope: list[ca.SX]  # r_X
+    strains: list[ca.SX]  # Gamma and kappa
+    rates: list[ca.SX]  # [1/s]
+    force: list[ca.SX] = field(default_factory=list)  # R n [Pa]
+    torques: tuple[list[ca.SX], list[ca.SX]] = ([], [])  # On either node, in its own axes [Pa m]
+
+
+def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
+    """Rates of all unknowns, powers and observables of a filament in three dimensions.
+
+    Raises
+    ------
+    ValueError
+        For what only a filament in its plane has: half of a symmetric span, clocks, heat, and effects of a bath.
+    """
+    terms = b.equations.terms
+    if b.half or terms.clocks or terms.heat is not None or terms.densities or terms.rotary_inertia:
+        raise ValueError("a filament in three dimensions has neither a half span nor clocks, heat or a bath")
+    section = spatial.spatial_section(b.equations.shape, b.equations.law, natural=terms.curved)
+    places, speeds, moved, turn, spin = _unknowns(b)
+    cell = _cell(b, places, moved, turn, spin)
+    if isinstance(rule, OnePoint):
+        # What all points see is looked up.
+        names = [f"strain_{n}" for n in range(6)]
+        cell.strains = [b.stage(name, CELLS, one)[0] for name, one in zip(names, cell.strains, strict=True)]
+        cell.rates = [b.stage(f"{name}_t", CELLS, one)[0] for name, one in zip(names, cell.rates, strict=True)]
+    values = {**b.values, symbols.h0: b.h_cell, **dict(zip(STRAINS, cell.strains, strict=True))}
+    if terms.curved:
+        values |= dict(zip(spatial.NATURAL, _natural(b), strict=True))
+    points = _sampled(b, section, rule, values, cell.rates)
+    values |= dict(zip(MEANS, points.means, strict=True))
+    conjugate = [b.area_cell * one for one in derivatives(section.power, STRAINS, values)]
+    _act(b, cell, turn, conjugate)
+    stretch = b.stage("stretch", CELLS, ca.sqrt(sum((one**2 for one in cell.slope), ca.SX(0))))
+    pull, surface = surface_force(b, stretch)
+    tension_now = b.area_cell * points.means[0] / cell.strains[0]
+    tension = b.stage("tension", CELLS, tension_now) if b.equations.neck is not None else Same()
+    double_force, necked = neck_force(b, stretch, tension)
+    along = (pull + necked) / stretch[0]
+    force = [
+        b.stage(f"force_{name}", CELLS, one + along * slope)
+        for name, one, slope in zip(PLACES, cell.force, cell.slope, strict=True)
+    ]
+    torque = [
+        [b.stage(f"torque_{side}_{n + 1}", CELLS, one) for n, one in enumerate(parts)]
+        for side, parts in zip(("first", "last"), cell.torques, strict=True)
+    ]
+    of = _Body(b, places, speeds, moved, turn, spin, force, torque, stretch, double_force)
+    slots = ordered(b.slots)
+    rates = tuple(of.rate(slot, points.rates) for slot in slots)
+    volume = b.length[0] * b.area_cell
+    stored = {"elastic": [Field("elastic", CELLS, volume * points.energy)], "surface": surface}
+    powers = of.powers(Field("power_plastic_0", CELLS, volume * points.dissipation * of.work))
+    shown = {**of.shown(stored), **_shown(b, cell, conjugate, tension_now, points)}
+    everything = [*b.fields, *rates, *(one for power in powers.values() for one in power)]
+    everything += [one for item in shown.values() for one in (item if isinstance(item, tuple) else (item,))]
+    return Program(
+        leaves=b.leaves,
+        slots=slots,
+        fields=tuple(b.fields),
+        rates=rates,
+        powers=powers,
+        shown=shown,
+        parameters=parameters_of(b, everything),
+        places=(*place_names(b.body), *(("k0_1", "k0_2", "k0_3") if b.body.shaped else ())),
+        profiles={f"axial_{label}": (1.0, 0.0) for label in rule.labels},
+    )
+
+
+def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
+    """Places, velocities, velocities with those of supports, quaternions and spins of all nodes."""
+    terms, at = b.equations.terms, b.supports
+    moves, turns = terms.inertia or b.equations.law.viscosity is not None, b.equations.law.viscosity is not None
+    holds = (b.first.holds_x, b.last.holds_x)
+    ends = ((at.left_x, at.right_x), (0, at.right_y), (0, at.right_z))
+    places = [
+        b.unknown(Slot(name, "node", holds, moves, speed if moves else "", section=False), *end)
+        for name, speed, end in zip(PLACES, SPEEDS, ends, strict=True)
+    ]
+    speeds: list[Neighbours] = [Same()] * 3
+    moved = speeds
+    if moves:
+        speeds = [b.unknown(Slot(name, "node", holds, terms.inertia, "", section=False)) for name in SPEEDS]
+        last = [one * b.scale for one in (at.right_u, at.right_v, at.right_w)]
+        moved = [
+            plain if not holds[1] or ca.SX(end).is_zero() else b.unknown(b.slots[name], 0, end, f"{name}_moving")
+            for name, plain, end in zip(SPEEDS, speeds, last, strict=True)
+        ]
+    held = _quaternion(at.left_angle, ca.SX(0)), _quaternion(at.right_angle, at.right_twist)
+    turn = [
+        b.unknown(Slot(name, "node", b.bends, turns, "", section=False), *pair)
+        for name, pair in zip(TURN, zip(*held, strict=True), strict=True)
+    ]
+    spin: list[Neighbours] = [Same()] * 3
+    if turns:
+        rate = (at.right_spin * b.scale, 0, 0)
+        spin = [
+            b.unknown(Slot(name, "node", b.bends, False, "", section=False), 0, end)
+            for name, end in zip(SPIN, rate, strict=True)
+        ]
+    return places, speeds, moved, turn, spin
+
+
+def _quaternion(angle: Any, twist: Any) -> list[ca.SX]:
+    """A clamp turned by an angle in the plane, and about its own normal."""
+    c, s, a, t = (ca.SX(f(one / 2)) for one, f in ((angle, ca.cos), (angle, ca.sin), (twist, ca.cos), (twist, ca.sin)))
+    return [c * a, c * t, s * t, s * a]
+
+
+def _natural(b: Builder) -> list[ca.SX]:
+    """Natural twist and curvatures of a cell [1/m]: the scene's, or those of its shape."""
+    if b.body.shaped:
+        return [b.place(f"k0_{n}")[0] for n in (1, 2, 3)]
+    return [b.values[spatial.natural_twist], ca.SX(0), b.values[symbols.kappa_0]]
+
+
+def _cell(
+    b: Builder,
+    places: Sequence[Neighbours],
+    moved: Sequence[Neighbours],
+    turn: Sequence[Neighbours],
+    spin: Sequence[Neighbours],
+) -> _Cell:
+    """Strains of the cell behind a node, and their rates where a viscous stress asks for them."""
+    length = b.length[0]
+    slope = [(r[1] - r[0]) / length for r in places]
+    fresh = ca.SX.sym("slope", 3), ca.SX.sym("first", 4), ca.SX.sym("last", 4)
+    expressions = ca.vertcat(*_strains(*(ca.vertsplit(one) for one in fresh), length * b.span))
+    first, last = ([q[n] for q in turn] for n in (0, 1))
+    now = ca.vertcat(*slope, *first, *last)
+    every = ca.vertcat(*fresh)
+    strains = ca.vertsplit(ca.substitute(expressions, every, now))
+    rates = [ca.SX(0)] * 6
+    if not isinstance(spin[0], Same):
+        speed = [(r[1] - r[0]) / length / b.scale for r in moved]
+        turning = [one / b.scale for n, q in ((0, first), (1, last)) for one in _turning(q, [o[n] for o in spin])]
+        moving = ca.jtimes(expressions, every, ca.vertcat(*speed, *turning))
+        rates = ca.vertsplit(ca.substitute(moving, every, now))
+    return _Cell(slope, strains, rates)
+
+
+def _strains(slope: list[ca.SX], first: list[ca.SX], last: list[ca.SX], length: ca.SX) -> list[ca.SX]:
+    """Gamma = R_m^T r_X, and kappa from the relative turn of two nodes: 2 atan2(|v|, w)/|v| v over the length [m]."""
+    middle = tuple(a + z for a, z in zip(first, last, strict=True))
+    w, *v = spatial.relative(tuple(first), tuple(last))  # type: ignore[arg-type]
+    size = ca.sqrt(sum((one**2 for one in v), ca.SX(0)) + _ROUND)
+    angle = 2 * ca.atan2(size, w) / size / length
+    return [*spatial.unrotated(middle, tuple(slope)), *(angle * one for one in v)]  # type: ignore[arg-type]
+
+
+def _turning(q: Sequence[ca.SX], spin: Sequence[ca.SX]) -> list[ca.SX]:
+    """Rate of a quaternion that turns with a spin in its own axes: q (0, spin)/2."""
+    w, x, y, z = q
+    a, b, c = spin
+    return [
+        -(x * a + y * b + z * c) / 2,
+        (w * a + y * c - z * b) / 2,
+        (w * b + z * a - x * c) / 2,
+        (w * c + x * b - y * a) / 2,
+    ]
+
+
+def _act(b: Builder, cell: _Cell, turn: Sequence[Neighbours], conjugate: Sequence[ca.SX]) -> None:
+    """Force of a cell and its torques on its nodes, of the conjugates of its strains (virtual power)."""
+    length = b.length[0] * b.span
+    fresh = ca.SX.sym("slope", 3), ca.SX.sym("first", 4), ca.SX.sym("last", 4)
+    held = ca.SX.sym("conjugate", 6)
+    strains = ca.vertcat(*_strains(*(ca.vertsplit(one) for one in fresh), length))
+    every = ca.vertcat(*fresh)
+    slopes = ca.jtimes(strains, every, held, True)
+    first, last = ([q[n] for q in turn] for n in (0, 1))
+    given = ca.vertcat(every, held)
+    found = ca.vertsplit(ca.substitute(slopes, given, ca.vertcat(*cell.slope, *first, *last, *conjugate)))
+    cell.force = found[:3]
+    cell.torques = tuple(  # type: ignore[assignment]
+        [-length * one / 2 for one in _of_a_turn(q, part)] for q, part in ((first, found[3:7]), (last, found[7:]))
+    )
+
+
+def _of_a_turn(q: Sequence[ca.SX], slope: Sequence[ca.SX]) -> list[ca.SX]:
+    """G(q)^T of a slope in the four components: what is conjugate to a spin, times two."""
+    w, x, y, z = q
+    a, b, c, d = slope
+    return [-x * a + w * b + z * c - y * d, -y * a - z * b + w * c + x * d, -z * a + y * b - x * c + w * d]
+
+
+@dataclass
+class _Points:
+    """Sums over the section of a cell."""
+
+    means: list[ca.SX]
+    energy: ca.SX
+    dissipation: ca.SX
+    rates: dict[str, ca.SX]  # Of the plastic states [1/s]
+    yielded: ca.SX
+    fastest: ca.SX
+
+
+def _sampled(
+    b: Builder,
+    section: SpatialSection,
+    rule: SpatialSampling,
+    values: Mapping[Any, Any],
+    rates: Sequence[ca.SX],
+) -> _Points:
+    """Stress and flow at the points of a section, and their means."""
+    if isinstance(rule, OnePoint):
+        for name, symbol in rule.symbols.items():
+            b.leaves.adopt(symbol, Leaf(FIBRE, name))
+    points = []
+    for place in rule.places:
+        here = {**values, **{symbol: ca.SX(place[symbol.name]) for symbol in POINT}}
+        points.append(_Point(b, section, here))
+    found: dict[str, ca.SX] = {}
+    for number, (spring, flow) in enumerate(section.branches):
+        kinds = ("axial", "shear2", "shear3")
+        names = [[branch_name(f"{kind}_{label}", number) for label in rule.labels] for kind in kinds]
+        states = [[ca.SX(0)] * rule.points] * 3
+        if flow is not None:
+            slots = [[Slot(name, "cell", (False, False), True, "", section=True) for name in row] for row in names]
+            states = [[b.unknown(slot)[0] for slot in row] for row in slots]
+        modulus = b.equations.law.branches[number].modulus
+        for k, point in enumerate(points):
+            moving = point.add(spring, flow, modulus, [row[k] for row in states])
+            if flow is not None:
+                found |= {row[k]: rate for row, rate in zip(names, moving, strict=True)}
+    if section.viscous is not None:
+        for point in points:
+            point.resist(section.viscous, rates)
+    return _summed(b, rule, points, found)
+
+
+def _summed(b: Builder, rule: SpatialSampling, points: Sequence[_Point], rates: dict[str, ca.SX]) -> _Points:
+    weights = [place["weight"] for place in rule.places]
+
+    def mean(name: str, values: Sequence[ca.SX]) -> ca.SX:
+        total = sum((weight * value for weight, value in zip(weights, values, strict=True)), ca.SX(0))
+        return b.total(name, total) if isinstance(rule, OnePoint) else ca.SX(total)
+
+    rows = list(zip(*(point.contributions() for point in points), strict=True))
+    fastest = points[0].speed
+    for point in points[1:]:
+        fastest = ca.fmax(fastest, point.speed)
+    return _Points(
+        means=[mean(symbol.name, row) for symbol, row in zip(MEANS, rows, strict=True)],
+        energy=mean("energy", [point.energy for point in points]),
+        dissipation=mean("dissipation", [point.dissipation for point in points]),
+        rates=rates,
+        yielded=ca.SX(0) if isinstance(rule, OnePoint) else mean("yields", [point.yields for point in points]),
+        fastest=ca.SX(0) if isinstance(rule, OnePoint) else fastest,
+    )
+
+
+class _Point:
+    """One point of a section: its stress is the derivative of its stored energy, its flow is driven by it."""
+
+    def __init__(self, b: Builder, section: SpatialSection, values: dict[Any, Any]) -> None:
+        self.values, self.section = values, section
+        self.strain = [printed(one, values) for one in (section.strain.axial, *section.strain.shear)]
+        self.stress = [ca.SX(0)] * 3  # Conjugate to the strains
+        self.energy = self.dissipation = self.speed = self.yields = ca.SX(0)
+
+    def add(
+        self, spring: spatial.PointSpring, flow: spatial.PointFlow | None, modulus: sp.Expr, plastic: Sequence[ca.SX]
+    ) -> list[ca.SX]:
+        """A spring with its flow rule: the rates of its plastic state."""
+        strains, states = (spatial.axial_strain, *spatial.gamma), (eps_p, *spatial.gamma_p)
+        values = {**self.values, **dict(zip((*strains, *states), (*self.strain, *plastic), strict=True))}
+        for symbols_, expressions in (
+            ((eps_e, *spatial.gamma_e), spring.elastic),
+            ((symbols.sigma,), (spring.stress,)),
+            (spatial.tau, spring.shear_stress),
+            (spatial.tau_d, spring.driving),
+        ):
+            for symbol, expression in zip(symbols_, expressions, strict=True):
+                values[symbol] = printed(expression, values)
+        stress = [printed(spring.conjugate, values), *(values[one] for one in spatial.tau)]
+        self.stress = [one + two for one, two in zip(self.stress, stress, strict=True)]
+        self.energy += printed(spring.stored, values)
+        if flow is None:
+            return []
+        # Compared before the root is taken, whose derivative is infinite where nothing is stressed.
+        floor = (_NO_STRESS * printed(modulus, values)) ** 2
+        values[sigma_eq] = ca.sqrt(ca.fmax(printed(flow.square, values), floor))
+        named = dict(zip(("axial", "shear_2", "shear_3"), (flow.axial_rate, *flow.shear_rate), strict=True))
+        named |= {"speed": flow.speed, "dissipation": flow.dissipation, "yields": flow.yields}
+        found = CellFunction(named, tuple(values))(values)
+        self.dissipation += found["dissipation"]
+        self.speed = ca.fmax(self.speed, found["speed"])
+        self.yields = ca.fmax(self.yields, found["yields"])
+        return [ca.SX(found[name]) for name in ("axial", "shear_2", "shear_3")]
+
+    def resist(self, potential: sp.Expr, rates: Sequence[ca.SX]) -> None:
+        """The viscous stress beside the springs: the derivative of its Rayleigh potential."""
+        strain = self.section.strain
+        moving = [
+            sum((printed(one.diff(by), self.values) * rate for by, rate in zip(STRAINS, rates, strict=True)), ca.SX(0))
+            for one in (strain.axial, *strain.shear)
+        ]
+        by = (spatial.eps_t, *spatial.gamma_t)
+        values = {**self.values, **dict(zip(by, moving, strict=True))}
+        values |= dict(zip(spatial.gamma, self.strain[1:], strict=True))
+        stress = derivatives(potential, by, values)
+        self.stress = [one + two for one, two in zip(self.stress, stress, strict=True)]
+        self.dissipation += 2 * printed(potential, values)
+        if not self.section.branches:
+            self.speed, self.yields = ca.fabs(moving[0]), ca.SX(1)
+
+    def contributions(self) -> list[ca.SX]:
+        """What it gives to each of `MEANS`."""
+        axial, second, third = self.stress
+        Y, Z, W_2, W_3 = (self.values[one] for one in POINT)
+        return [axial, axial * Y, axial * Z, second, third, second * W_2 + third * W_3]
+
+
+@dataclass
+class _Body:
+    """What acts on the nodes."""
+
+    b: Builder
+    places: list[Neighbours]
+    speeds: list[Neighbours]
+    moved: list[Neighbours]
+    turn: list[Neighbours]
+    spin: list[Neighbours]
+    force: list[Neighbours]
+    torque: list[list[Neighbours]]  # Of a cell on its first node, and on its last
+    stretch: Neighbours
+    double_force: Neighbours | None
+
+    def __post_init__(self) -> None:
+        b, terms = self.b, self.b.equations.terms
+        load = {**b.values, symbols.t: b.time * b.scale}
+        self.gravity, self.gravity_rate = printed(terms.load, load), printed(terms.load_rate, load)
+        self.direction = b.supports.direction
+        self.mass = b.place("mass")[0]
+        self.unit = b.scale**2 / b.span
+        self.work = b.scale / energy_scale(b.density, b.span, b.scale)
+
+    def _mass(self, behind: int | None) -> ca.SX:
+        """Of a node over density, area and rest length; at a free end with what hangs there."""
+        tip = self.b.named[TIP_MASS] / (self.b.density * self.b.span) if self.b.body.tip_mass else ca.SX(0)
+        return self.mass + (tip if behind is None else 0)
+
+    def rate(self, slot: Slot, plastic: Mapping[str, ca.SX]) -> Field:
+        """Rate of an unknown, or what must vanish for an algebraic one."""
+        b, name = self.b, f"f_{slot.name}"
+        if slot.rate:
+            return Field(name, slot.where, b.leaves.symbol(Leaf("unknown", slot.rate)))
+        if slot.name in plastic:
+            return Field(name, slot.where, plastic[slot.name] * b.scale)
+        if slot.name in TURN:
+            acting = self._of_turn(slot)
+        elif slot.name in SPIN:
+            acting = self._twisting(SPIN.index(slot.name))
+        else:
+            names = SPEEDS if slot.name in SPEEDS else PLACES
+            acting = self._falling(names.index(slot.name))
+        sides = zip((0, -1), ((None, 0), (-1, None)), slot.held, strict=True)
+        return Field(name, INNER, acting(-1, 0), {site: acting(*cells) for site, cells, held in sides if not held})
+
+    def _falling(self, way: int) -> Sided:
+        b, force = self.b, self.force[way]
+
+        def acting(before: int | None, behind: int | None) -> ca.SX:
+            net = (0 if behind is None else force[behind]) - (0 if before is None else force[before])
+            if behind is None and b.body.tip_force:
+                net += b.named[TIP_FORCE[way]]
+            per_mass = self.unit / (self._mass(behind) * b.density * b.span)
+            return ca.SX(net * per_mass + self.gravity * self.unit * self.direction[way])
+
+        return acting
+
+    def _twisting(self, axis: int) -> Sided:
+        """Torque on a node in its own axes, over a mass as that of places (a row of a matrix is not scaled)."""
+        first, last = (part[axis] for part in self.torque)
+        factor = 1 / self.b.node[0] * (self.b.scale**2 / (self.b.density * self.b.span**3))
+
+        def acting(before: int | None, behind: int | None) -> ca.SX:
+            net = (0 if behind is None else first[behind]) + (0 if before is None else last[before])
+            return ca.SX(net * factor)
+
+        return acting
+
+    def _of_turn(self, slot: Slot) -> Sided:
+        """The length of a quaternion and the balance of its torques, or its rate where it has a spin."""
+        number, q = TURN.index(slot.name), [one[0] for one in self.turn]
+        excess = sum((one**2 for one in q), ca.SX(0)) - 1
+        if not slot.differential:
+            return self._twisting(number - 1) if number else lambda _before, _behind: ca.SX(excess)
+        rate = _turning(q, [one[0] for one in self.spin])[number] - excess * q[number]
+        return lambda _before, _behind: ca.SX(rate)
+
+    def powers(self, plastic: Field) -> dict[str, tuple[Field, ...]]:
+        """Plastic power, power of the changing load and of supports that move, and of the necking gradient."""
+        b, at = self.b, self.b.supports
+        down = sum((d * r[0] for d, r in zip(self.direction, self.places, strict=True)), ca.SX(0))
+        weight = self.mass * (b.span * b.density)
+        rising = -(b.span * b.density) * self.gravity_rate * down * self.work
+        ends = {-1: self._mass(None) * rising} if b.body.tip_mass else {}
+        load = [Field("power_load_0", Where(0, int(bool(ends))), self.mass * rising, ends)]
+        # The force on the right support carries the last cell and its own share.
+        pushed = sum(
+            (
+                (force[-1] - weight * self.gravity * d) * speed
+                for force, d, speed in zip(
+                    self.force, self.direction, (at.right_u, at.right_v, at.right_w), strict=True
+                )
+            ),
+            ca.SX(0),
+        )
+        pushed -= self.torque[1][0][-1] * at.right_spin / b.span
+        if not ca.SX(pushed).is_zero():
+            load.append(Field("power_load_1", Where(-1, 0, alone=True), pushed * self.work))
+        gradient: list[Field] = []
+        if self.double_force is not None:
+            stretching = []
+            for i in (-1, 0):
+                pairs = [[(r[i + 1] - r[i]) / b.length[i] for r in part] for part in (self.places, self.moved)]
+                stretching.append(sum((a * c for a, c in zip(*pairs, strict=True)), ca.SX(0)) / self.stretch[i])
+            power = self.double_force[0] * (stretching[1] - stretching[0]) * self.work / b.scale
+            gradient = [Field("power_gradient_0", INNER, power)]
+        groups = {"plastic": [plastic], "load": load, "gradient": gradient}
+        return {
+            name: tuple(one for one in fields if not all(v.is_zero() for v in one.values))
+            for name, fields in groups.items()
+        }
+
+    def shown(self, stored: Mapping[str, list[Field]]) -> dict[str, Field | tuple[Field, ...]]:
+        """Places, turns and energies, in SI and per unit undeformed area."""
+        b = self.b
+        kinetic: list[Field] = []
+        if b.equations.terms.inertia:
+            square = sum((one[0] ** 2 for one in self.speeds), ca.SX(0))
+            moving = square * (b.span / b.scale) ** 2 * b.density / 2 * b.span
+            ends = {-1: self._mass(None) * moving} if b.body.tip_mass else {}
+            kinetic.append(Field("moving", Where(0, int(bool(ends))), self.mass * moving, ends))
+        down = sum((d * r[0] for d, r in zip(self.direction, self.places, strict=True)), ca.SX(0))
+        falling = -down * b.span * b.density * self.gravity * b.span
+        ends = {}
+        if b.body.tip_mass or b.body.tip_force:
+            pulled = sum((b.named[n] * r[0] for n, r in zip(TIP_FORCE, self.places, strict=True)), ca.SX(0))
+            hanging = self._mass(None) * falling - (pulled * b.span if b.body.tip_force else 0)
+            ends = {-1: ca.SX(hanging)}
+        weight = Field("weight", Where(0, int(bool(ends))), self.mass * falling, ends)
+        kept = {
+            f"energy_{name}": tuple(
+                Field(one.name, one.where, one.value * b.span, {at: v * b.span for at, v in one.ends.items()})
+                for one in fields
+            )
+            for name, fields in stored.items()
+        }
+        double = ca.SX(0) if self.double_force is None else self.double_force[0]
+        return {
+            **{name: Field(name, NODES, r[0] * b.span) for name, r in zip(PLACES, self.places, strict=True)},
+            **{name: Field(name, NODES, q[0]) for name, q in zip(TURN, self.turn, strict=True)},
+            "stretch": Field("stretch", CELLS, self.stretch[0]),
+            "double_force": Field("double_force", INNER, double),
+            "energy_kinetic": tuple(kinetic),
+            **kept,
+            "energy_potential": (weight,),
+        }
+
+
+def _shown(
+    b: Builder, cell: _Cell, conjugate: Sequence[ca.SX], tension: ca.SX, points: _Points
+) -> dict[str, Field | tuple[Field, ...]]:
+    """What a run stores of the cells; curvature, moment, shear and shear force are those of the plane."""
+    Lam, second, third, twist, k_2, k_3 = cell.strains
+    values = {
+        "relative_thickness": Lam**-0.5 * b.relative,
+        "curvature": k_3 / Lam,
+        "curvature_2": k_2 / Lam,
+        "twist": twist,
+        "shear": second / Lam,
+        "shear_3": third / Lam,
+        "tension": tension,
+        "shear_force": conjugate[1],
+        "shear_force_3": conjugate[2],
+        "torque": conjugate[3],
+        "moment_2": conjugate[4],
+        "moment": -conjugate[5],
+        "yielded_fraction": points.yielded,
+        "plastic_rate": points.fastest,
+        "stress_mean": points.means[0],
+        "stress_bending": points.means[1] / float(b.equations.shape.zeta_squared),
+    }
+    return {name: Field(name, CELLS, ca.SX(value)) for name, value in values.items()}
