@@ -32,7 +32,8 @@ from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.single_run import build
 from softcat_sym.solvers import compiled, initial_state, interpreted, settings
 from softcat_sym.solvers.compiled import CModel, CompiledIntegration
-from softcat_sym.solvers.initial_state import Equilibrium, sagging_guesses, settled
+from softcat_sym.solvers.equilibrium import Equilibrium
+from softcat_sym.solvers.initial_state import sagging_guesses, settled
 from softcat_sym.solvers.interpreted import External, compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared, prepare

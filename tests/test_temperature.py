@@ -22,7 +22,7 @@ from softcat_sym.results.run import open_run
 from softcat_sym.scene.parts import Part
 from softcat_sym.scene.temperature import Temperature
 from softcat_sym.single_run import build
-from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.solution import Silence
 from tests.common.warm_bars import BAR, CAPACITY, DIAMETER, FLOWING, RHO, SPAN, bar, run, without_gaps
 

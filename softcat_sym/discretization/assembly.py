@@ -22,13 +22,14 @@ from softcat_sym.discretization.grid import (
     towards_middle,
     whole_span,
 )
-from softcat_sym.discretization.point_rule import PointRule
+from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.stencil import INVERTED, PER
 from softcat_sym.discretization.supports import Body, Profile, Supports, node_mass
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.filament import FilamentEquations
+from softcat_sym.scene.dimensions import DOWN, is_spatial
 from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
 
 _ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED, "free": End.FREE}
@@ -53,6 +54,12 @@ HINGE_FIBRES = 16
 
 _MAX_OF_FIRST_YIELD = 4.0
 """Weight, in that of first yield, beyond which tension carries it: a rectangle collapses at 2, a circle at 2.3."""
+
+_MANY_POINTS = 0.005
+"""Accuracy below which a section in three dimensions has twice as many points."""
+
+_IN_THE_PLANE = 3
+"""Numbers of a row of the motion that stays in the plane: time, right and up."""
 
 DEFAULT_PROJECTION = 24
 """Points that project a flow rule on polynomials: it has kinks."""
@@ -106,13 +113,37 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
         left_turned=ends.left_angle != 0 or (ends.left == "clamped" and ends.drop != 0),
         right_turned=ends.right_angle != 0 or (ends.right == "clamped" and ends.drop != 0),
         rows=len(ends.motion),
+        sideways=any(len(row) > _IN_THE_PLANE for row in ends.motion),
+        turns=len(ends.right_twist),
+        directed=scene.load.direction != DOWN,
     )
-    return Body(supports, Profile.sampled(scene.filament.profile, grid), weighted=scene.load.point_mass > 0)
+    return Body(
+        supports,
+        Profile.sampled(scene.filament.profile, grid),
+        weighted=scene.load.point_mass > 0,
+        tip_mass=scene.load.tip_mass > 0,
+        tip_force=any(scene.load.tip_force),
+    )
 
 
 def choose_theory(scene: Scene, equations: FilamentEquations) -> Theory:
     """The theory of the scene's model and effects."""
+    if is_spatial(scene):
+        return Theory(scene.model, choose_points(scene, equations))
     return Theory(scene.model, choose_rule(scene, equations) if equations.resolved is not None else None)
+
+
+def choose_points(scene: Scene, equations: FilamentEquations) -> PointRule:
+    """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
+
+    What counts is how many different heights the angles of a circle give (THEORY3D 6).
+    """
+    filament, accurate = scene.filament, scene.run.accuracy < _MANY_POINTS
+    flows = equations.terms.flows
+    if equations.shape.name == "circle":
+        return ring_rule(*((4, 6) if accurate else (3, 5)) if flows else (1, 3))
+    count = (6 if accurate else 4) if flows else 2
+    return warping_rule(count, count, filament.width / filament.thickness)
 
 
 def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:

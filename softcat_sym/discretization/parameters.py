@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from softcat_sym.discretization.supports import DROP, LEFT_ANGLE, POINT_MASS, RIGHT_ANGLE, SPAN, path_name
+from softcat_sym.discretization.supports import (
+    DIRECTION,
+    DROP,
+    LEFT_ANGLE,
+    POINT_MASS,
+    RIGHT_ANGLE,
+    SPAN,
+    TIP_FORCE,
+    TIP_MASS,
+    path_name,
+    turn_name,
+)
 from softcat_sym.effects.free_vibration import solid_viscosity
 from softcat_sym.physics import symbols
 from softcat_sym.physics.bulk import nu
@@ -72,7 +83,12 @@ def parameter_values(scene: Scene) -> dict[str, float]:
     path = {
         path_name(kind, row): value
         for row, point in enumerate(ends.motion)
-        for kind, value in zip(("time", "dx", "dy"), point, strict=True)
+        for kind, value in zip(("time", "dx", "dy", "dz"), point, strict=False)
+    }
+    path |= {
+        turn_name(kind, row): value
+        for row, point in enumerate(ends.right_twist)
+        for kind, value in zip(("time", "angle"), point, strict=True)
     }
     return {
         REST_LENGTH: rest_length(scene),
@@ -84,11 +100,15 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         "shake_frequency": scene.load.shake_frequency,
         "aspect": filament.width / filament.thickness,
         "curvature": filament.curvature,
+        "twist": filament.twist,
         "bath_density": scene.surroundings.density,
         "bath_viscosity": scene.surroundings.viscosity,
         "surface_tension": scene.surroundings.surface_tension,
         AREA: undeformed_area(scene),
         POINT_MASS: scene.load.point_mass / undeformed_area(scene),
+        TIP_MASS: scene.load.tip_mass / undeformed_area(scene),
+        **dict(zip(TIP_FORCE, (one / undeformed_area(scene) for one in scene.load.tip_force), strict=True)),
+        **dict(zip(DIRECTION, scene.load.direction, strict=True)),
         SPAN: filament.span,
         DROP: ends.drop,
         LEFT_ANGLE: ends.left_angle,

@@ -29,6 +29,7 @@ from softcat_sym.discretization.cell import (
     printed,
     surface_force,
 )
+from softcat_sym.discretization.grid import End
 from softcat_sym.discretization.point_rule import OnePoint, SpatialSampling
 from softcat_sym.discretization.stencil import CELLS, FIBRE, INNER, NODES, Field, Leaf, Neighbours, Same, Where
 from softcat_sym.discretization.supports import TIP_FORCE, TIP_MASS
@@ -118,7 +119,7 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
         shown=shown,
         parameters=parameters_of(b, everything),
         places=(*place_names(b.body), *(("k0_1", "k0_2", "k0_3") if b.body.shaped else ())),
-        profiles={f"axial_{label}": (1.0, 0.0) for label in rule.labels},
+        profiles={name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")},
     )
 
 
@@ -179,11 +180,10 @@ def _cell(
     """Strains of the cell behind a node, and their rates where a viscous stress asks for them."""
     length = b.length[0]
     slope = [(r[1] - r[0]) / length for r in places]
-    fresh = ca.SX.sym("slope", 3), ca.SX.sym("first", 4), ca.SX.sym("last", 4)
-    expressions = ca.vertcat(*_strains(*(ca.vertsplit(one) for one in fresh), length * b.span))
+    every = ca.SX.sym("slope_and_turns", 11)
+    expressions = ca.vertcat(*cell_strains(*_split(every), length * b.span))
     first, last = ([q[n] for q in turn] for n in (0, 1))
     now = ca.vertcat(*slope, *first, *last)
-    every = ca.vertcat(*fresh)
     strains = ca.vertsplit(ca.substitute(expressions, every, now))
     rates = [ca.SX(0)] * 6
     if not isinstance(spin[0], Same):
@@ -194,8 +194,17 @@ def _cell(
     return _Cell(slope, strains, rates)
 
 
-def _strains(slope: list[ca.SX], first: list[ca.SX], last: list[ca.SX], length: ca.SX) -> list[ca.SX]:
-    """Gamma = R_m^T r_X, and kappa from the relative turn of two nodes: 2 atan2(|v|, w)/|v| v over the length [m]."""
+def _split(every: ca.SX) -> tuple[list[ca.SX], list[ca.SX], list[ca.SX]]:
+    """r_X of a cell and the quaternions of its nodes."""
+    parts = ca.vertsplit(every)
+    return parts[:3], parts[3:7], parts[7:]
+
+
+def cell_strains(slope: list[ca.SX], first: list[ca.SX], last: list[ca.SX], length: ca.SX) -> list[ca.SX]:
+    """Gamma = R_m^T r_X, and kappa from the relative turn of two nodes: 2 atan2(|v|, w)/|v| v over the length [m].
+
+    Of r_X and the quaternions of both nodes.
+    """
     middle = tuple(a + z for a, z in zip(first, last, strict=True))
     w, *v = spatial.relative(tuple(first), tuple(last))  # type: ignore[arg-type]
     size = ca.sqrt(sum((one**2 for one in v), ca.SX(0)) + _ROUND)
@@ -218,18 +227,15 @@ def _turning(q: Sequence[ca.SX], spin: Sequence[ca.SX]) -> list[ca.SX]:
 def _act(b: Builder, cell: _Cell, turn: Sequence[Neighbours], conjugate: Sequence[ca.SX]) -> None:
     """Force of a cell and its torques on its nodes, of the conjugates of its strains (virtual power)."""
     length = b.length[0] * b.span
-    fresh = ca.SX.sym("slope", 3), ca.SX.sym("first", 4), ca.SX.sym("last", 4)
-    held = ca.SX.sym("conjugate", 6)
-    strains = ca.vertcat(*_strains(*(ca.vertsplit(one) for one in fresh), length))
-    every = ca.vertcat(*fresh)
+    every, held = ca.SX.sym("slope_and_turns", 11), ca.SX.sym("conjugate", 6)
+    strains = ca.vertcat(*cell_strains(*_split(every), length))
     slopes = ca.jtimes(strains, every, held, True)
     first, last = ([q[n] for q in turn] for n in (0, 1))
     given = ca.vertcat(every, held)
     found = ca.vertsplit(ca.substitute(slopes, given, ca.vertcat(*cell.slope, *first, *last, *conjugate)))
     cell.force = found[:3]
-    cell.torques = tuple(  # type: ignore[assignment]
-        [-length * one / 2 for one in _of_a_turn(q, part)] for q, part in ((first, found[3:7]), (last, found[7:]))
-    )
+    on_first, on_last = _of_a_turn(first, found[3:7]), _of_a_turn(last, found[7:])
+    cell.torques = [-length * one / 2 for one in on_first], [-length * one / 2 for one in on_last]
 
 
 def _of_a_turn(q: Sequence[ca.SX], slope: Sequence[ca.SX]) -> list[ca.SX]:
@@ -412,7 +418,17 @@ class _Body:
             names = SPEEDS if slot.name in SPEEDS else PLACES
             acting = self._falling(names.index(slot.name))
         sides = zip((0, -1), ((None, 0), (-1, None)), slot.held, strict=True)
-        return Field(name, INNER, acting(-1, 0), {site: acting(*cells) for site, cells, held in sides if not held})
+        ends = {site: acting(*cells) for site, cells, held in sides if not held}
+        if slot.name in (TURN[1], SPIN[0]) and not slot.differential:
+            # A pin leaves the normal free but does not let it spin: the filament would, without resistance.
+            pinned = ((0, b.first is End.PINNED), (-1, b.last is End.PINNED))
+            ends |= {site: self._spinning(slot) for site, is_pinned in pinned if is_pinned}
+        return Field(name, INNER, acting(-1, 0), ends)
+
+    def _spinning(self, slot: Slot) -> ca.SX:
+        """What vanishes where a node does not turn about its own normal: the first part of its quaternion's vector."""
+        q = [one[0] for one in self.turn]
+        return q[1] if slot.name in TURN else _turning(q, [one[0] for one in self.spin])[1]
 
     def _falling(self, way: int) -> Sided:
         b, force = self.b, self.force[way]

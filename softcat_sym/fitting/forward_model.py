@@ -24,7 +24,7 @@ from softcat_sym.fitting.integration import (
 from softcat_sym.physics.filament import Terms
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.simulate import identity_of
-from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.solution import watched
 from softcat_sym.store import Arrays, Form, key_of, packed, stored, unpacked
 

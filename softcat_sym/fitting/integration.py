@@ -25,7 +25,8 @@ from softcat_sym.fitting.free_parameters import FreeParameter, with_values
 from softcat_sym.scene.scene import Scene, is_slack, rest_length
 from softcat_sym.solvers import compiled
 from softcat_sym.solvers.compiled import CompiledFilament, Directions, RunInput, Status, compile_filament
-from softcat_sym.solvers.initial_state import Equilibrium, Start, is_straight, starting_state
+from softcat_sym.solvers.equilibrium import Equilibrium, Start
+from softcat_sym.solvers.initial_state import is_straight, starting_state
 from softcat_sym.solvers.run import Assembled, assembled
 from softcat_sym.solvers.settings import Backend, Settings, choose_backend, compiled_settings
 from softcat_sym.solvers.solution import watched

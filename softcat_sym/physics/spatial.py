@@ -1,7 +1,7 @@
 """A filament in three dimensions: strains, one point of the section, and what its stresses do (THEORY3D 1 to 4).
 
 A section has the frame d1, d2, d3, with d1 along its normal; a unit quaternion turns the fixed axes into it. Strains
-are Gamma = R^T r_X = (Lam, Gam_2, Gam_3) and kappa = (k_1, k_2, k_3), twist and the two curvatures. In the plane Gam_2 is
+are Gamma = R^T r_X = (Lam, Gam_2, Gam_3) and kappa = (k_1, k_2, k_3), twist and two curvatures. In the plane Gam_2 is
 ``Gam``, k_3 is ``k``, and everything else vanishes: what remains is :mod:`softcat_sym.physics.reissner`.
 """
 
@@ -30,7 +30,7 @@ STRAINS = (Lam, Gam, Gam_3, k_1, k_2, k_3)
 NATURAL: Three = tuple(
     enter(f"k0_{n}", rf"\kappa^0_{n}", PER_LENGTH, f"natural {what}", SOURCE)
     for n, what in ((1, "twist"), (2, "curvature about the second axis"), (3, "curvature about the third axis"))
-)  # type: ignore[assignment]
+)
 
 natural_twist = enter("twist_0", r"\kappa_1^0", PER_LENGTH, "natural twist of the whole filament", SOURCE)
 
@@ -144,8 +144,8 @@ def point_spring(modulus: sp.Expr, eps: sp.Expr) -> PointSpring:
         elastic=(eps - eps_p, *(total - plastic * carried for total, plastic in zip(gamma, gamma_p, strict=True))),
         stored=modulus * lengthened**2 / 2 + shearing * square / 2,
         stress=modulus * lengthened,
-        shear_stress=tuple(shearing * one + sigma * one / 2 for one in gamma_e),  # type: ignore[arg-type]
-        driving=tuple(carried * one for one in tau),  # type: ignore[arg-type]
+        shear_stress=tuple(shearing * one + sigma * one / 2 for one in gamma_e),
+        driving=tuple(carried * one for one in tau),
         conjugate=sigma + CARRY * (tau_d[0] * gamma_p[0] + tau_d[1] * gamma_p[1]),
     )
 
@@ -172,7 +172,7 @@ def point_flow(rate: sp.Expr) -> PointFlow:
     return PointFlow(
         square=sigma**2 + 3 * (tau_d[0] ** 2 + tau_d[1] ** 2),
         axial_rate=axial,
-        shear_rate=shear,  # type: ignore[arg-type]
+        shear_rate=shear,
         speed=speed,
         dissipation=speed * sigma_eq,
         yields=sp.sign(speed),

@@ -35,6 +35,7 @@ from softcat_sym.plotting.section import (
     vertical_stretch,
     yielding_of,
 )
+from softcat_sym.plotting.spatial import spatial_shapes
 from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import (
     Summary,
@@ -271,6 +272,10 @@ def shapes_figure(
     """
     thickness = radius * scene.filament.thickness
     names = (*data, *getattr(data, "coords", ()))  # Of a Dataset the former are without its coordinates
+    if "quaternion" in names:
+        with styled_for(name):
+            whole = {str(one): data[one] for one in names}
+            return spatial_shapes(Sheet.of(whole, summary, scene, name), WIDTHS[name], style.drawn_radius(radius))
     data = {str(one): data[one] for one in names} | {"thickness": style.drawn_radius(radius) * array(data, "thickness")}
     sheet = Sheet.of(data, summary, scene, name)
     shapes = shapes_of(sheet.data, scene, telling_frames(sheet.data, _SHAPES[name]))

@@ -12,6 +12,7 @@ from softcat_sym.discretization.filament import WORK_OF_AGEING
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.heat import heat_unit
+from softcat_sym.discretization.spatial import TURN
 from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.errors import SoftcatError
 from softcat_sym.scene.scene import Scene, rest_length, undeformed_area
@@ -36,14 +37,24 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "X_cell": Variable(("cell",), "m", "material coordinate of cells"),
     "x": Variable(_NODE, "m", "horizontal position of the centreline, 0 at midspan"),
     "y": Variable(_NODE, "m", "height of the centreline above the left support"),
+    "z": Variable(_NODE, "m", "position of the centreline out of the plane of gravity and span"),
+    "quaternion": Variable(
+        ("time", "node", "component"), "1", "turn of the section from the axes x, y, z; scalar first"
+    ),
     "structure": Variable(_CELL, "1", "structure parameter, mean over the section"),
     "temperature": Variable(_NODE, "K", "temperature of the section"),
     "stretch": Variable(_CELL, "1", "stretch of the centreline"),
     "curvature": Variable(_CELL, "1/m", "curvature theta_s of the centreline, k/Lam of a filament that shears"),
+    "curvature_2": Variable(_CELL, "1/m", "curvature k_2/Lam about the second axis of the section"),
+    "twist": Variable(_CELL, "1/m", "twist k_1 of the section per material length"),
     "shear": Variable(_CELL, "1", "shear strain of the section"),
+    "shear_3": Variable(_CELL, "1", "shear strain along the third axis of the section"),
     "tension": Variable(_CELL, "N", "tension T = A <sigma>", True),
     "axial_force": Variable(_CELL, "N", "force along the centreline, tension and surface tension", True),
     "moment": Variable(_CELL, "N*m", "bending moment M", True),
+    "moment_2": Variable(_CELL, "N*m", "bending moment m_2 about the second axis of the section", True),
+    "torque": Variable(_CELL, "N*m", "torque m_1 about the normal of the section", True),
+    "shear_force_3": Variable(_CELL, "N", "transverse force along the third axis of the section", True),
     "shear_force": Variable(_CELL, "N", "transverse force N = M_X/s, A <tau> of a filament that shears", True),
     "yielded_fraction": Variable(_CELL, "1", "share of the section that flows"),
     "plastic_rate": Variable(_CELL, "1/s", "largest plastic strain rate over the section"),
@@ -142,6 +153,8 @@ def whole_span_fields(scene: Scene, prepared: Prepared, solution: Solution) -> d
     observed = graph.observe(solution.time, solution.x, solution.z, prepared.p)
     unit = energy_scale(scene.filament.density, span, prepared.scale) * span
     plastic, load, gradient, *lost = solution.quad * unit
+    if "q0" in observed:
+        observed["quaternion"] = np.stack([observed.pop(name) for name in TURN], axis=-1)
     observed["energy_dissipated"], observed["work_external"] = plastic[:, None], load[:, None]
     for name, loss in zip(list(graph.program.powers)[_OWN_POWERS:], lost, strict=True):
         observed[name if name in VARIABLES else f"{_LOST}{name}"] = loss[:, None]

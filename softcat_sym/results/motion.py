@@ -36,7 +36,7 @@ from softcat_sym.physics.loads import SURFACES
 from softcat_sym.results.fields import midpoint_heights
 from softcat_sym.scene.history import extremes_of, values_at
 from softcat_sym.scene.scene import Scene, gravity_time, is_held, is_slack, rest_length, undeformed_area
-from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.run import Prepared
 from softcat_sym.solvers.solution import Progress, Solution
 

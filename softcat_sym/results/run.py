@@ -256,6 +256,8 @@ class Run:
         with h5netcdf.File(stream, "w") as file:
             sizes = {"time": self.fields["time"], "node": self.fields["X_node"], "cell": self.fields["X_cell"]}
             file.dimensions = {name: len(values) for name, values in sizes.items()}
+            if "quaternion" in self.fields:
+                file.dimensions["component"] = 4
             file.attrs.update(self._attrs())
             for name, variable in variables_of(self.fields).items():
                 grid = len(variable.dims) > 1

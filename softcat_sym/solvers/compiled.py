@@ -20,7 +20,7 @@ from softcat_sym.codegen.model import Model, Structure, model_for
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.errors import SoftcatError
-from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Flagged, Progress, Solution, is_torn, watched

@@ -17,7 +17,7 @@ from softcat_sym.codegen.library import compile_library
 from softcat_sym.codegen.right_hand_side import POWERS, RHS, rhs_source
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
-from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.settings import Settings
 from softcat_sym.solvers.solution import Progress, Solution, is_torn, watched

@@ -13,7 +13,8 @@ from softcat_sym.discretization.filament import WORK_OF_AGEING
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.physics.symbols import Expr, Symbol
-from softcat_sym.solvers.initial_state import Equilibrium, snapped
+from softcat_sym.solvers.equilibrium import Equilibrium
+from softcat_sym.solvers.initial_state import snapped
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.solution import Progress, Solution
 

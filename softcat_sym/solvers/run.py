@@ -19,7 +19,8 @@ from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.temperature import kinks as temperature_kinks
 from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, compile_filament
-from softcat_sym.solvers.initial_state import Start, starting_state
+from softcat_sym.solvers.equilibrium import Start
+from softcat_sym.solvers.initial_state import starting_state
 from softcat_sym.solvers.interpreted import External, Integration, compiled_rhs
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.quasi_static import march

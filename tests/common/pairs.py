@@ -15,7 +15,8 @@ from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.scene.scene import Scene
-from softcat_sym.solvers.initial_state import Start, starting_state
+from softcat_sym.solvers.equilibrium import Start
+from softcat_sym.solvers.initial_state import starting_state
 from softcat_sym.solvers.run import assembled
 from tests.common.c_values import CModel, Values
 

@@ -15,7 +15,7 @@ from softcat_sym import Run, Scene
 from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.results.run import judge
 from softcat_sym.single_run import build
-from softcat_sym.solvers.initial_state import Start
+from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.solution import Silence
 from tests.common.filaments import Array
 

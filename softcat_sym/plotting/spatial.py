@@ -1,0 +1,113 @@
+"""Shapes of a filament in three dimensions: tubes of its true thickness, with a stripe that shows how it is twisted."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from mpl_toolkits.mplot3d.axes3d import Axes3D
+
+from softcat_sym.plotting import style
+from softcat_sym.plotting.section import Floats, array, telling_frames
+from softcat_sym.plotting.style import Fields
+from softcat_sym.plotting.units import length_unit
+
+if TYPE_CHECKING:
+    from softcat_sym.plotting.run import Sheet
+    from softcat_sym.scene.scene import Scene
+
+_ROUND = 16
+"""Sides of a tube."""
+
+_STRIPE = 2
+"""Of these, how many are the stripe along the second axis of the section."""
+
+_VIEW = 22.0, -62.0
+"""Height and direction from which the filament is looked at [deg]."""
+
+
+def axes_of_sections(quaternion: Floats) -> tuple[Floats, Floats]:
+    """Second and third axes d2, d3 of sections, shape (..., 3), of quaternions with the scalar first."""
+    w, x, y, z = np.moveaxis(quaternion, -1, 0)
+    second = np.stack([2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)], axis=-1)
+    third = np.stack([2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z], axis=-1)
+    return second, third
+
+
+def tube(data: Fields, scene: Scene, frame: int, radius: float) -> Floats:
+    """Corners of the rings of a tube at the nodes of one frame, shape (node, side, 3) [m]; x, depth, height."""
+    thick = array(data, "thickness")[frame]
+    edge = np.concatenate([thick[:1], (thick[1:] + thick[:-1]) / 2, thick[-1:]]) / 2 * radius
+    second, third = axes_of_sections(array(data, "quaternion")[frame])
+    filament = scene.filament
+    if filament.section == "circle":
+        angle = 2 * np.pi * (np.arange(_ROUND) - 0.5 * _STRIPE) / _ROUND
+        around = np.column_stack([np.cos(angle), np.sin(angle)])
+    else:
+        wide = filament.width / filament.thickness
+        around = np.array([[1.0, -wide], [1.0, wide], [-1.0, wide], [-1.0, -wide]])
+    centre = np.stack([array(data, name)[frame] for name in ("x", "y", "z")], axis=-1)
+    rings = around[:, :1] * second[:, None] + around[:, 1:] * third[:, None]
+    found: Floats = centre[:, None] + edge[:, None, None] * rings
+    # Drawn with the height upwards and the plane's normal towards the viewer.
+    return found[..., [0, 2, 1]] * np.array([1.0, -1.0, 1.0])
+
+
+_PANELS, _PANEL = 4, 2.9
+"""Shapes at most, and the height of each [inch]."""
+
+
+def spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
+    """Draw the filament in space at a few telling times, lengths equal along all axes.
+
+    The stripe marks one side of the section: where it winds round, the filament is twisted.
+    """
+    frames = telling_frames(sheet.data, _PANELS)
+    tubes = [tube(sheet.data, sheet.scene, frame, radius) for frame in frames]
+    corners = np.concatenate([one.reshape(-1, 3) for one in tubes])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    ruler = length_unit(float(np.abs(corners).max()), sheet.scene.filament.span)
+    columns = min(len(frames), 2)
+    rows = -(-len(frames) // columns)
+    tall = _PANEL * rows + (style.HEADING if sheet.on_screen else 0.1)
+    figure = style.new_figure(width, tall)
+    for number, (frame, shape) in enumerate(zip(frames, tubes, strict=True)):
+        row, column = divmod(number, columns)
+        height = _PANEL / tall
+        place = (column / columns, (rows - 1 - row) * height, 1 / columns, 0.93 * height)
+        axes: Axes3D = figure.add_axes(place, projection="3d")  # type: ignore[assignment]
+        _draw(axes, ruler.of(shape))
+        for part, (least, most) in zip("xyz", zip(ruler.of(low), ruler.of(high), strict=True), strict=True):
+            middle, half = (least + most) / 2, max((most - least) / 2, 0.12 * float(ruler.of(high - low).max()))
+            getattr(axes, f"set_{part}lim")(middle - half, middle + half)
+            getattr(axes, f"{part}axis").set_major_locator(MaxNLocator(3))
+        axes.set_aspect("equal")
+        axes.view_init(*_VIEW)
+        axes.tick_params(labelsize=7, pad=-2)
+        axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=-6)
+        axes.set_ylabel("-z", labelpad=-8)
+        axes.set_zlabel("y", labelpad=-8)
+        axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
+    if sheet.on_screen:
+        drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
+        style.head(figure, f"shapes with their {drawn}; the stripe is one side", sheet.summary, sheet.scene, 0.2)
+    else:
+        style.stamp(figure, sheet.summary)
+    return figure
+
+
+def _draw(axes: Axes3D, rings: Floats) -> None:
+    """Faces between neighbouring rings; the first few sides are the stripe."""
+    following = np.roll(rings, -1, axis=1)
+    faces = np.stack([rings[:-1], following[:-1], following[1:], rings[1:]], axis=2)
+    sides = faces.shape[1]
+    stripe = _STRIPE if sides > _STRIPE * 2 else 1
+    colours = np.array([style.VERMILLION if side < stripe else style.FILAMENT for side in range(sides)])
+    quads = faces.reshape(-1, 4, 3)
+    collection = Poly3DCollection(
+        list(quads), facecolors=np.tile(colours, len(faces)), edgecolors="none", shade=True, antialiased=False
+    )
+    axes.add_collection3d(collection)

@@ -1,0 +1,203 @@
+"""Whether a filament that was kept in its plane would leave it: the out-of-plane tangent of every frame (THEORY3D 8).
+
+Planar equations never leave the plane and say nothing. What they do not see are the displacement z of a node and the
+two turns of its section out of the plane; their stiffness is that of the cells in torsion and sideways bending, with
+the geometric part of the forces and moments that the planar run has found.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+
+import casadi as ca
+import numpy as np
+from scipy.linalg import LinAlgError, cholesky_banded, eigh
+
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.point_rule import warping_rule
+from softcat_sym.discretization.spatial import cell_strains
+from softcat_sym.effects.scaling_estimates import instant_modulus
+from softcat_sym.physics.reissner import SHEAR_CORRECTION
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.dimensions import is_spatial
+from softcat_sym.scene.scene import Scene, undeformed_area
+
+GROWN = 5.0
+"""By how many e-folds a disturbance may grow sideways: what a hundredth of a thickness makes one."""
+
+_FRAMES = 41
+"""At most, evenly spaced: growth is an integral over the run."""
+
+_PLACES = ("X_node", "X_cell")
+
+_FREE = 3
+"""Unknowns of a node out of the plane: z and the turns about d1 and d2."""
+
+
+@dataclass(frozen=True)
+class Sideways:
+    """How a planar motion would leave its plane."""
+
+    time: float  # From when on it is unstable [s]
+    growth: float  # By how many e-folds a disturbance grows until the end
+    rate: float  # Fastest growth [1/s]
+
+    @property
+    def warning(self) -> str:
+        """What a user should know."""
+        return (
+            f"unstable sideways from {self.time:.4g} s on: a disturbance out of the plane grows e^{self.growth:.3g}-fold "
+            "by the end, and this planar run does not follow it; take run.dimensions = 3 and a load.direction that is "
+            "a little out of the plane, such as [0, -1, 1e-4]"
+        )
+
+
+def sideways(scene: Scene, fields: Mapping[str, Floats]) -> Sideways | None:
+    """How a planar run would leave its plane; None if it stays, or has no stiffness that could lose its balance."""
+    modulus = instant_modulus(scene)
+    if is_spatial(scene) or modulus is None or SECTIONS[scene.filament.section].plane_strain:
+        return None
+    if "moment" not in fields or not np.any(fields["moment"]):
+        return None
+    frames = np.unique(np.linspace(0, len(fields["time"]) - 1, _FRAMES).round().astype(int))
+    fields = {name: values if name in _PLACES else values[frames] for name, values in fields.items()}
+    held = _held(scene, fields["x"].shape[1])
+    bands = _bands(_stiffness(scene, fields, modulus), held)
+    time, rates = fields["time"], np.zeros(len(fields["time"]))
+    for frame, band in enumerate(bands):
+        if not _is_positive(band):
+            rates[frame] = _growth_rate(_dense(band)[np.ix_(~held, ~held)], _masses(scene, fields, held))
+    if not np.any(rates):
+        return None
+    growth = float(np.sum((rates[1:] + rates[:-1]) / 2 * np.diff(time))) if len(time) > 1 else 0.0
+    return None if growth < GROWN else Sideways(float(time[np.flatnonzero(rates)[0]]), growth, float(rates.max()))
+
+
+def _stiffness(scene: Scene, fields: Mapping[str, Floats], modulus: float) -> Floats:
+    """Tangent of every cell in (z, turn about d1, about d2) of its two nodes, shape (frame, cell, 6, 6)."""
+    filament, area = scene.filament, undeformed_area(scene)
+    x, y, nodes = fields["x"], fields["y"], fields["X_node"]
+    length = np.diff(nodes)
+    psi = _section_angles(fields, length)
+    stretch = np.hypot(np.diff(x, axis=1), np.diff(y, axis=1)) / length
+    relative = fields["thickness"] * np.sqrt(stretch) / filament.thickness
+    size = area * relative ** (SECTIONS[filament.section].area_power)
+    h = filament.thickness * relative
+    # Second moments over area, of bending about the second axis and of torsion.
+    if filament.section == "circle":
+        bending, torsion = h**2 / 16, h**2 / 8
+    else:
+        bending = np.full_like(h, filament.width**2 / 12)
+        points = warping_rule(4, 4, filament.width / filament.thickness)
+        torsion = h**2 / 4 * float(points.weight @ (points.W_2**2 + points.W_3**2))
+    shear = modulus / (2 * (1 + scene.material.poisson))
+    correction = float(SHEAR_CORRECTION[filament.section])
+    shears = fields.get("shear", 0 * stretch)
+    # n_1 of the tension (THEORY3D 4), in the plane.
+    force = fields.get("axial_force", fields["tension"]) - fields["shear_force"] * shears
+    force = force + 1.5 * fields["moment"] * fields["curvature"]
+    given = (
+        *(x[:, :-1], y[:, :-1], psi[:, :-1], x[:, 1:], y[:, 1:], psi[:, 1:], length),
+        *(force, fields["shear_force"], fields["moment"], correction * shear * size / stretch**2),
+        *(shear * size * torsion / stretch**3, modulus * size * bending / stretch**3),
+    )
+    flat = np.vstack([np.broadcast_to(one, stretch.shape).ravel() for one in given])
+    found = np.asarray(_tangent().map(flat.shape[1])(flat))
+    return found.reshape(6, flat.shape[1], 6).transpose(1, 0, 2).reshape(*stretch.shape, 6, 6)
+
+
+def _section_angles(fields: Mapping[str, Floats], length: Floats) -> Floats:
+    """Angle of the sections at the nodes: of the tangent less the shear, averaged from the cells; cells at the ends."""
+    theta = np.unwrap(np.arctan2(np.diff(fields["y"], axis=1), np.diff(fields["x"], axis=1)), axis=1)
+    theta = theta - np.arctan(fields.get("shear", 0 * theta))
+    inner = (theta[:, 1:] * length[:-1] + theta[:, :-1] * length[1:]) / (length[1:] + length[:-1])
+    ends = (
+        theta[:, 0] - (inner[:, 0] - theta[:, 0]) if inner.shape[1] else theta[:, 0],
+        theta[:, -1] + (theta[:, -1] - inner[:, -1]) if inner.shape[1] else theta[:, -1],
+    )
+    return np.column_stack([ends[0], inner, ends[1]])
+
+
+@cache
+def _tangent() -> ca.Function:
+    """Second derivative of n.Gamma + m.kappa + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of one cell out of its plane."""
+    given = ca.SX.sym("given", 13)
+    xa, ya, pa, xb, yb, pb, d, n1, n2, M, c_shear, c_twist, c_bend = ca.vertsplit(given)
+    out = ca.SX.sym("out", 6)
+    za, a1, a2, zb, b1, b2 = ca.vertsplit(out)
+    slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
+    Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, _turned(pa, a1, a2), _turned(pb, b1, b2), d)
+    stiff = (c_shear * Gam_3**2 + c_twist * k_1**2 + c_bend * k_2**2) / 2
+    energy = d * (n1 * Lam + n2 * Gam - M * k_3 + stiff)
+    hessian = ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))
+    return ca.Function("tangent", [given], [ca.densify(hessian)])
+
+
+def _turned(psi: ca.SX, first: ca.SX, second: ca.SX) -> list[ca.SX]:
+    """Quaternion of a section in the plane that turns about its own axes d1 and d2, to second order."""
+    c, s = ca.cos(psi / 2), ca.sin(psi / 2)
+    w, x, y = 1 - (first**2 + second**2) / 8, first / 2, second / 2
+    return [c * w, c * x - s * y, c * y + s * x, s * w]
+
+
+def _bands(blocks: Floats, held: Floats) -> Floats:
+    """Lower bands of the matrix of every frame, shape (frame, 6, unknowns); what is held is a one on the diagonal."""
+    frames, cells = blocks.shape[:2]
+    bands = np.zeros((frames, 2 * _FREE, _FREE * (cells + 1)))
+    for row in range(2 * _FREE):
+        for column in range(row + 1):
+            bands[:, row - column, column : column + _FREE * cells : _FREE] += blocks[:, :, row, column]
+    for k in range(2 * _FREE):
+        below = np.append(held[k:], np.ones(k, dtype=bool))
+        bands[:, k, held | below] = float(k == 0)
+    return bands
+
+
+def _dense(band: Floats) -> Floats:
+    size = band.shape[1]
+    lower = sum((np.diag(band[k, : size - k], -k) for k in range(1, len(band))), np.zeros((size, size)))
+    matrix: Floats = lower + lower.T + np.diag(band[0])
+    return matrix
+
+
+def _held(scene: Scene, nodes: int) -> Floats:
+    """Which unknowns the ends hold: all at a clamp, all but the turn about d2 at a pin."""
+    held = np.zeros(_FREE * nodes, dtype=bool)
+    for kind, first in ((scene.ends.left, 0), (scene.ends.right, _FREE * (nodes - 1))):
+        held[first : first + {"clamped": 3, "pinned": 2, "free": 0}[kind]] = True
+    return held
+
+
+def _masses(scene: Scene, fields: Mapping[str, Floats], held: Floats) -> Floats:
+    """Mass of every free unknown: of z half of that of the cells beside it, none of a turn."""
+    cells = np.diff(fields["X_node"]) * undeformed_area(scene) * scene.filament.density
+    nodes = np.append(cells, 0.0) / 2 + np.append(0.0, cells) / 2
+    return np.column_stack([nodes, 0 * nodes, 0 * nodes]).ravel()[~held]
+
+
+def _is_positive(band: Floats) -> bool:
+    """Whether the matrix of a lower band is positive definite, its unknowns scaled to each other."""
+    size, diagonal = band.shape[1], band[0]
+    if np.min(diagonal) <= 0:
+        return False
+    scale = 1 / np.sqrt(diagonal)
+    following = np.array([np.append(scale[k:], np.zeros(k)) for k in range(len(band))])
+    try:
+        cholesky_banded(band * following * scale[None, :size], lower=True, check_finite=False)
+    except LinAlgError:
+        return False
+    return True
+
+
+def _growth_rate(matrix: Floats, mass: Floats) -> float:
+    """Fastest rate sqrt(-K/M) at which a disturbance grows [1/s]; turns have no inertia and follow at once."""
+    heavy = mass > 0
+    inner = matrix[np.ix_(~heavy, ~heavy)]
+    coupled = matrix[np.ix_(heavy, ~heavy)]
+    reduced = matrix[np.ix_(heavy, heavy)] - coupled @ np.linalg.solve(inner, coupled.T)
+    root = 1 / np.sqrt(mass[heavy])
+    least = float(eigh(reduced * np.outer(root, root), eigvals_only=True, subset_by_index=(0, 0))[0])
+    return math.sqrt(max(0.0, -least))

@@ -1,0 +1,147 @@
+"""Where a filament in three dimensions begins: relaxed in its natural shape, or straight between its ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.spatial import PLACES, TURN
+from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FORCE
+from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_held, rest_length
+from softcat_sym.solvers.equilibrium import Equilibrium, Start, with_plastic_strain
+
+_FIRST, _LEAST, _GROWTH = 0.25, 1 / 4096, 2.0
+"""Share of the load in the first step of a continuation, the least, and how steps grow."""
+
+
+def spatial_start(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None) -> Start | None:
+    """Begin at rest; None if no equilibrium is found."""
+    shape = natural_shape(scene, graph)
+    x = with_plastic_strain(_placed(graph.start, graph.x_kinds, graph.x_places, shape), graph, scene, 1.0)
+    z = _placed(graph.straight, graph.z_kinds, graph.z_places, shape)
+    if graph.positions_are_algebraic:
+        found = _loaded(graph, x, z, p)
+        return None if found is None else Start(x, found)
+    if is_held(scene) and _is_forced(scene):
+        rest = statics() if statics is not None else graph
+        if not rest.positions_are_algebraic:
+            return None
+        values = dict(zip(graph.parameters, p.tolist(), strict=True)) | {"gravity": 0.0}
+        constants = np.array([values[name] for name in rest.parameters])
+        straight = _placed(rest.straight, rest.z_kinds, rest.z_places, shape)
+        bent = _loaded(rest, with_plastic_strain(rest.start, rest, scene, 1.0), straight, constants)
+        if bent is None:
+            return None
+        places = zip(rest.z_kinds, rest.z_places, bent, strict=True)
+        shape = {**shape, **{(kind, place): float(value) for kind, place, value in places if (kind, place) in shape}}
+        x, z = (
+            _placed(state, kinds, where, shape)
+            for state, kinds, where in ((x, graph.x_kinds, graph.x_places), (z, graph.z_kinds, graph.z_places))
+        )
+    if not graph.is_dae:
+        return Start(x, z)
+    settled = Equilibrium(graph).search(0.0, x, p, [z])
+    return None if settled is None else Start(x, settled)
+
+
+Shape = dict[tuple[str, int], float]
+"""Places and quaternions of the nodes, by name and number."""
+
+
+def natural_shape(scene: Scene, graph: Graph) -> Shape:
+    """Straight between two ends that are held; from the one that is, in the curve of its natural twist and curvature.
+
+    Node by node with the turn of the middle of each cell, so that no cell is strained.
+    """
+    nodes, grown = graph.grid.nodes, force_free_stretch(scene)
+    ends, filament, length = scene.ends, scene.filament, rest_length(scene)
+    run, fall = filament.span / length, ends.drop / length
+    if is_held(scene):
+        along = chord_angle(scene)
+        places = np.column_stack([run * nodes, -fall / 2 - fall * nodes, 0 * nodes])
+        turns = np.tile(_turn_in_plane(along), (len(nodes), 1))
+    else:
+        from_left = ends.right == "free"
+        kind, angle = (ends.left, ends.left_angle) if from_left else (ends.right, ends.right_angle)
+        # Lam^-3/2 kappa is the natural one where nothing is stressed.
+        kappa = np.array([filament.twist, 0.0, filament.curvature]) * grown**1.5 * length
+        places, turns = _integrated(np.diff(nodes), kappa, grown, angle if kind == "clamped" else 0.0, from_left)
+        places += np.array([-run / 2, 0.0, 0.0]) if from_left else np.array([run / 2, -fall, 0.0])
+    found = {(name, n): float(value) for k, name in enumerate(PLACES) for n, value in enumerate(places[:, k])}
+    return found | {(name, n): float(value) for k, name in enumerate(TURN) for n, value in enumerate(turns[:, k])}
+
+
+def _integrated(cells: Floats, kappa: Floats, stretch: float, angle: float, from_left: bool) -> tuple[Floats, Floats]:
+    """Places and quaternions of a curve of constant twist and curvature, from the end that is held."""
+    sign = 1.0 if from_left else -1.0
+    place, turn = np.zeros(3), _turn_in_plane(angle)
+    places, turns = [place], [turn]
+    for cell in cells if from_left else cells[::-1]:
+        half = sign * cell / 2 * kappa
+        middle = _times(turn, _turn_by(half))
+        place = place + sign * cell * stretch * _first_axis(middle)
+        turn = _times(middle, _turn_by(half))
+        places.append(place)
+        turns.append(turn)
+    order = slice(None) if from_left else slice(None, None, -1)
+    return np.array(places)[order], np.array(turns)[order]
+
+
+def _turn_in_plane(angle: float) -> Floats:
+    return np.array([math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2)])
+
+
+def _turn_by(vector: Floats) -> Floats:
+    """Quaternion of a turn by an angle about an axis, both in one vector."""
+    angle = float(np.linalg.norm(vector))
+    return np.append(math.cos(angle / 2), np.sinc(angle / 2 / np.pi) / 2 * vector)
+
+
+def _times(a: Floats, b: Floats) -> Floats:
+    """Product of two quaternions."""
+    vector = a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:])
+    return np.append(a[0] * b[0] - a[1:] @ b[1:], vector)
+
+
+def _first_axis(q: Floats) -> Floats:
+    """d1 of a turn."""
+    w, x, y, z = q
+    return np.array([w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)])
+
+
+def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape: Shape) -> Floats:
+    return np.array([shape.get(one, value) for one, value in zip(zip(kinds, where, strict=True), state, strict=True)])
+
+
+def _is_forced(scene: Scene) -> bool:
+    """Whether a straight filament between its ends is not without stress before its weight acts."""
+    ends, along = scene.ends, chord_angle(scene)
+    clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
+    turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
+    curved = scene.filament.curvature != 0 or scene.filament.twist != 0
+    return turned or curved or len(set(scene.initial.P)) > 1
+
+
+def _loaded(graph: Graph, x: Floats, z: Floats, p: Floats) -> Floats | None:
+    """Equilibrium under a load that grows from nothing, with clamps that turn into their places, from a shape."""
+    equilibrium, reached, step = Equilibrium(graph), 0.0, _FIRST
+    grows = np.array(
+        [name in ("gravity", *TIP_FORCE, LEFT_ANGLE, RIGHT_ANGLE, "curvature", "twist") for name in graph.parameters]
+    )
+    whole = equilibrium.search(0.0, x, p, [z])
+    if whole is not None:
+        return whole
+    while reached < 1.0:
+        share = min(1.0, reached + step)
+        found = equilibrium.search(0.0, x, np.where(grows, share * p, p), [z])
+        if found is None:
+            step /= 2
+            if step < _LEAST:
+                return None
+            continue
+        z, reached, step = found, share, _GROWTH * step
+    return z
