@@ -350,7 +350,7 @@ def strain_of(scene: Scene, sag: float) -> float:
 def slope_of(scene: Scene, sag: float) -> float:
     """Largest slope: of the parabola, of the line between the supports and of the clamps."""
     ends = scene.ends
-    lowest = max(abs(ends.drop), *(abs(ends.drop - dy) for _, _, dy in ends.motion), 0.0)
+    lowest = max(abs(ends.drop), *(abs(ends.drop - dy) for _, _, dy, *_ in ends.motion), 0.0)
     imposed = math.atan2(lowest, scene.filament.span)
     own = min(math.pi / 2, (4 if is_held(scene) else _TIP_SLOPE) * sag)
     return own + max(imposed, abs(ends.left_angle), abs(ends.right_angle))
