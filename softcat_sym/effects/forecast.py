@@ -235,8 +235,9 @@ def _forecast(scene: Scene) -> Motion:
     amplitude = min(1.0, rings.lasting(first) / scale)
     missed, overstress = missed_by(scene, history.time, history.sag * span), _overstress(scene, rings)
     # How fast the hinges of a slack filament give way from its first moment on is not foreseen, nor what a moving
-    # support sets in motion.
-    sudden = scene.ends.motion or (is_slack(scene) and 1 < overstress < math.inf)
+    # support, or a force at the end, sets in motion.
+    moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
+    sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
     return Motion(
         sag=sag,
         scale=scale,

@@ -50,6 +50,11 @@ def reason_for_dimensions(scene: Scene) -> str:
     return "everything lies in one plane"
 
 
+def needed_in_space(scene: Scene) -> str:
+    """Reason why a scene cannot do without what its theory in three dimensions holds; empty in the plane."""
+    return f"three dimensions: {reason_for_dimensions(scene)}" if is_spatial(scene) else ""
+
+
 def dimension_rules(scene: Scene) -> Iterator[Rule]:
     """List what goes neither with the ends nor with the dimensions of a scene."""
     ends, load, out = scene.ends, scene.load, "leaving it out"
@@ -68,7 +73,7 @@ def dimension_rules(scene: Scene) -> Iterator[Rule]:
 def _of_space(scene: Scene) -> Iterator[Rule]:
     """List what only a filament in its plane has so far."""
     filament, material, surroundings, out = scene.filament, scene.material, scene.surroundings, "leaving it out"
-    asked = f"three dimensions: {reason_for_dimensions(scene)}"
+    asked = needed_in_space(scene)
     only = f"only in the plane so far ({asked})"
     yield filament.section == "sheet", "filament.section", f"'sheet', whose torsion is a plate's ({asked})", "rectangle"
     yield scene.model == "small-deflection", "model", f"'small-deflection', {only}", "filament"
@@ -84,6 +89,7 @@ def _of_space(scene: Scene) -> Iterator[Rule]:
         ("load.point_mass", scene.load.point_mass > 0),
         ("initial.C", bool(scene.initial.C)),
         ("numerics.order", scene.numerics.order is not None),
+        *((f"effects.{name}", True) for name, _ in scene.effects),
     )
     for path, broken in given:
         yield broken, path, f"given, {only}", out

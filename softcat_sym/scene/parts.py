@@ -115,7 +115,7 @@ class Filament(Part):
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
     """Natural curvature, in the plane."""
     twist: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
-    """Natural twist, the turn of the section about the centreline over length; with a curvature it is a helix."""
+    """Natural twist, turn of the section about the centreline over length; relaxed with a curvature it is a helix."""
 
     @model_validator(mode="before")
     @classmethod
@@ -253,8 +253,7 @@ class Ends(Part):
     right_angle: Angle = 0.0
     """Of a right clamp, likewise."""
     motion: Annotated[tuple[tuple[float, ...], ...], Motion()] = ()
-    """Path of the right support, right, up and towards the viewer from its first place, linear between rows, held
-    after the last."""
+    """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
     right_twist: Annotated[tuple[tuple[float, ...], ...], Turns()] = ()
     """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
 
