@@ -131,7 +131,7 @@ def test_the_command_line_sets_them() -> None:
     assert load_scene("arrested-overdamped", ["load.direction=[0, -1, 0]"]).load.direction == DOWN
 
 
-@pytest.mark.parametrize("vector", [[1e-200, 1e-200, 0], [1e300, -1e300, 1e300], [-5, 9, -7], [-7, 11, 13]])
+@pytest.mark.parametrize("vector", [[1e-200, 1e-200, 0], [1e300, -1e300, 1e300], [-1, -6, 6], [-7, 11, 13]])
 def test_a_direction_has_length_one_and_stays(vector: list[float]) -> None:
     found = scene({"load.direction": vector}).load.direction
     assert math.hypot(*found) == pytest.approx(1, rel=1e-15)
