@@ -151,6 +151,7 @@ def _short_rows(explanation: Explanation) -> list[tuple[str, str]]:
     worth = sum(each["estimate"] for each in outside)
     unknowns = graph["differential"] + graph["algebraic"]
     rows = [
+        ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
         ("expected", regime_words(explanation.regime.name)),
         ("because", explanation.regime.reason),
         ("sag", f"about {float(f'{100 * explanation.sag:.2g}'):g} % of the span"),
@@ -181,6 +182,7 @@ def _regime_rows(explanation: Explanation) -> Rows:
     listed = [f"{significant(value)} L ({name})" for name, value in depths.items() if value is not None]
     yields = regime.gravity_number is not None
     rows: Rows = [
+        ("dimensions", f"{explanation.dimensions}, {explanation.dimensions_reason}"),
         ("regime", regime_words(regime.name)),
         ("because", regime.reason),
         ("largest sag", sag),

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, always
+from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene, chord_angle, groups_of
 
 _LAYER, _PINNED = 0.5, 0.1
@@ -15,6 +16,8 @@ _LEVEL = 1e-9
 
 
 def _indispensable(scene: Scene) -> str:
+    if why := needed_in_space(scene):
+        return why
     if scene.filament.curvature != 0:
         return "the filament is curved by nature"
     ends, along = scene.ends, chord_angle(scene)

@@ -60,14 +60,14 @@ def refuse_chains(scene: Scene, chosen: tuple[Effect, ...]) -> None:
 
 
 def refuse_without(scene: Scene, chosen: tuple[Effect, ...]) -> None:
-    """A scene may not leave out what it cannot do without."""
-    faults = [
-        Fault("run.effects", f"without {effect.name!r}, but {why}", f"add {effect.name!r}")
-        for effect in REGISTRY
-        if effect not in chosen and effect.applies(scene) and (why := effect.indispensable(scene))
-    ]
-    if faults:
-        raise SceneError(faults)
+    """A scene may not leave out what it cannot do without: one fault a reason."""
+    left_out: dict[str, list[str]] = {}
+    for effect in REGISTRY:
+        if effect not in chosen and effect.applies(scene) and (why := effect.indispensable(scene)):
+            left_out.setdefault(why, []).append(effect.name)
+    if left_out:
+        named = ((why, _joined(names)) for why, names in left_out.items())
+        raise SceneError([Fault("run.effects", f"without {names}, but {why}", f"add {names}") for why, names in named])
 
 
 def implied_extensibility(scene: Scene, asked: Collection[str]) -> dict[str, str]:

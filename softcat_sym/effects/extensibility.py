@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
+from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene, distance, is_held, rest_length
 
 
@@ -17,7 +18,7 @@ def _indispensable(scene: Scene) -> str:
     level = ends.drop == 0 and ends.left_angle == 0 and ends.right_angle == 0 and not ends.motion
     stressed = bool(scene.initial.P) or bool(scene.initial.C) or filament.curvature != 0
     if straight and level and not stressed:
-        return ""
+        return needed_in_space(scene)
     return "the filament does not start straight, level and without stress between supports that stay"
 
 

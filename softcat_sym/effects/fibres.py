@@ -11,6 +11,7 @@ from softcat_sym.effects.law import flow_nonlinearity
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.physics.symbols import c
+from softcat_sym.scene.dimensions import needed_in_space
 from softcat_sym.scene.scene import Scene
 
 
@@ -41,4 +42,5 @@ FIBRES = Effect(
     derivation="09_shearing_filament",
     needs=("bending", "finite-stretch", "thinning", "large-rotation", "viscous-flow"),
     in_paper=False,
+    indispensable=needed_in_space,
 )

@@ -7,6 +7,7 @@ from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
 from softcat_sym.physics.kinematics import TRUE_STRAIN
+from softcat_sym.scene.dimensions import needed_in_space
 
 FINITE_STRETCH = Effect(
     name="finite-stretch",
@@ -27,4 +28,5 @@ FINITE_STRETCH = Effect(
     example="continual-descent",
     derivation="02_section_and_closures",
     causes=("slopes",),
+    indispensable=needed_in_space,
 )

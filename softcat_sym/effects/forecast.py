@@ -235,8 +235,9 @@ def _forecast(scene: Scene) -> Motion:
     amplitude = min(1.0, rings.lasting(first) / scale)
     missed, overstress = missed_by(scene, history.time, history.sag * span), _overstress(scene, rings)
     # How fast the hinges of a slack filament give way from its first moment on is not foreseen, nor what a moving
-    # support sets in motion.
-    sudden = scene.ends.motion or (is_slack(scene) and 1 < overstress < math.inf)
+    # support, or a force at the end, sets in motion.
+    moved = scene.ends.motion or scene.ends.right_twist or any(scene.load.tip_force)
+    sudden = moved or (is_slack(scene) and 1 < overstress < math.inf)
     return Motion(
         sag=sag,
         scale=scale,
@@ -350,7 +351,7 @@ def strain_of(scene: Scene, sag: float) -> float:
 def slope_of(scene: Scene, sag: float) -> float:
     """Largest slope: of the parabola, of the line between the supports and of the clamps."""
     ends = scene.ends
-    lowest = max(abs(ends.drop), *(abs(ends.drop - dy) for _, _, dy in ends.motion), 0.0)
+    lowest = max(abs(ends.drop), *(abs(ends.drop - dy) for _, _, dy, *_ in ends.motion), 0.0)
     imposed = math.atan2(lowest, scene.filament.span)
     own = min(math.pi / 2, (4 if is_held(scene) else _TIP_SLOPE) * sag)
     return own + max(imposed, abs(ends.left_angle), abs(ends.right_angle))

@@ -15,11 +15,12 @@ from softcat_sym.scene.scene import Scene
 
 def outrunning_faults(scene: Scene) -> list[Fault]:
     """Refuse a support that moves faster than axial waves, sqrt(E/rho): with inertia nothing could follow it."""
-    modulus, places = instant_modulus(scene), ((0.0, 0.0, 0.0), *scene.ends.motion)
+    modulus = instant_modulus(scene)
+    places = ((0.0,) * len(next(iter(scene.ends.motion), ())), *scene.ends.motion)
     if modulus is None:
         return []
     speeds = [
-        math.hypot(after[1] - before[1], after[2] - before[2]) / (after[0] - before[0])
+        math.dist(after[1:], before[1:]) / (after[0] - before[0])
         for before, after in itertools.pairwise(places)
         if after[0] > before[0]
     ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from softcat_sym.physics.laws import Law, law_of
-from softcat_sym.scene.material import POLYMERS, SOLIDS
+from softcat_sym.scene.material import SOLIDS
 from softcat_sym.scene.scene import Scene
 
 
@@ -21,7 +21,7 @@ def law_in(scene: Scene) -> Law:
 
 def has_chains(scene: Scene) -> bool:
     """Whether the material is made of polymer chains, whose stress is not linear in the strain."""
-    return scene.material.law in POLYMERS
+    return scene.material.has_chains
 
 
 def is_solid(scene: Scene) -> bool:

@@ -36,9 +36,12 @@ def smooth_step(share: Floats) -> Floats:
 
 
 def load_factor(scene: Scene) -> float:
-    """Sag of the loaded filament over that of the bare one: a mass at midspan counts twice, with its whole weight."""
-    weight = scales.weight_stress(scene) * undeformed_area(scene)
-    return 1 + 2 * scene.load.point_mass * scene.load.gravity / weight if weight > 0 else 1.0
+    """Sag of the loaded filament over that of the bare one: a mass counts with its whole weight.
+
+    Twice at midspan, and at the end of a cantilever (L^3/3)/(L^3/8) times.
+    """
+    weight, load = scales.weight_stress(scene) * undeformed_area(scene), scene.load
+    return 1 + (2 * load.point_mass + 8 / 3 * load.tip_mass) * load.gravity / weight if weight > 0 else 1.0
 
 
 def slackness(scene: Scene) -> float:

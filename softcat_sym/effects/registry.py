@@ -31,6 +31,7 @@ from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
 from softcat_sym.effects.yielding import YIELDING
+from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene
 
 REGISTRY: list[Effect] = [
@@ -104,12 +105,21 @@ def register_effect(effect: Effect) -> Effect:
     # What it adds is read once here, so that a slip is found now.
     if effect.adds_densities and effect.densities.of_a_cell and not {"extensibility"} & set(effect.needs):
         effect = replace(effect, needs=(*effect.needs, "extensibility"))
-    effect = replace(effect, in_paper=False)
+    effect = _of_the_plane(replace(effect, in_paper=False))
     if effect.name in names:
         REGISTRY[names.index(effect.name)] = effect
     else:
         REGISTRY.append(effect)
     return effect
+
+
+def _of_the_plane(effect: Effect) -> Effect:
+    """Keep densities of its own, which are those of the plane, out of three dimensions."""
+    own, only = effect.applies, "a scene in three dimensions has no densities but its own"
+    if not effect.adds_densities or only in effect.without_it:
+        return effect
+    without = f"{effect.without_it}, or {only}" if effect.without_it else only
+    return replace(effect, applies=lambda scene: own(scene) and not is_spatial(scene), without_it=without)
 
 
 _OWN = len(REGISTRY)

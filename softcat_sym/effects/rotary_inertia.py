@@ -9,6 +9,7 @@ from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion, of
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.physics import regimes
 from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene, groups_of
 
 _SLOPE = 12.3
@@ -32,13 +33,17 @@ def _spared(scene: Scene) -> str:
     return "followed through hinges that yield it takes many times as long" if YIELDING.applies(scene) else ""
 
 
+def _applies(scene: Scene) -> bool:
+    return of_large_deflections(scene) and not is_spatial(scene)
+
+
 ROTARY_INERTIA = Effect(
     name="rotary-inertia",
     summary="angular momentum of the sections",
     source="Timoshenko 1921",
     contribute=partial(replace, rotary_inertia=True),
-    applies=of_large_deflections,
-    without_it=SMALL_MODEL,
+    applies=_applies,
+    without_it=f"in three dimensions sections turn without inertia so far, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="how far the midpoint rings, times (h0/L)^2",
     example="stretched-rubber-band",

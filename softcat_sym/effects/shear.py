@@ -8,7 +8,9 @@ from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
 from softcat_sym.effects.law import flow_nonlinearity, has_chains, is_solid, law_in
+from softcat_sym.errors import Fault
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
+from softcat_sym.scene.dimensions import is_spatial, needed_in_space
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, distance, is_held, stress_free_length
 
@@ -26,13 +28,30 @@ def stays_straight(scene: Scene) -> bool:
     E log(s) (1 - kappa_s/2) phi^2/2 of stretching, since a shear gam lengthens its fibres by gam^2/4: beyond that
     stretch it turns by itself, which no material does.
     """
+    return elastic_stretch(scene) < _limit(scene)
+
+
+def _limit(scene: Scene) -> float:
     correction = float(SHEAR_CORRECTION[scene.filament.section])
-    limit = correction / (2 * (1 + scene.material.poisson)) / (1 - correction / 2)
-    return math.log(elastic_stretch(scene)) < limit
+    return math.exp(correction / (2 * (1 + scene.material.poisson)) / (1 - correction / 2))
 
 
 def _applies(scene: Scene) -> bool:
-    return of_large_deflections(scene) and stays_straight(scene) and not has_chains(scene)
+    turns = is_spatial(scene) or stays_straight(scene)
+    return of_large_deflections(scene) and turns and not has_chains(scene)
+
+
+def _faults(scene: Scene) -> list[Fault]:
+    """Refuse a filament that shears by itself where it cannot do without shear; in the plane it can."""
+    if stays_straight(scene) or not is_spatial(scene):
+        return []
+    at_start = distance(scene) / stress_free_length(scene) >= _limit(scene)
+    given = "initial.stretch" if scene.filament.rest_length is None else "filament.rest_length"
+    found = (
+        f"stretched elastically {elastic_stretch(scene):.4g} times, so far that sections turn by themselves "
+        f"({needed_in_space(scene)})"
+    )
+    return [Fault(given if at_start else "ends.motion", found, f"less than {_limit(scene):.4g} times")]
 
 
 def _eases(scene: Scene) -> str:
@@ -62,4 +81,6 @@ SHEAR = Effect(
     needs=("bending", "finite-stretch", "thinning", "large-rotation"),
     in_paper=False,
     eases=_eases,
+    indispensable=needed_in_space,
+    faults=_faults,
 )

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from softcat_sym.effects.effect import SMALL_MODEL, Effect, OfMotion, of_large_deflections
+from softcat_sym.scene.dimensions import needed_in_space
 
 THINNING = Effect(
     name="thinning",
@@ -22,4 +23,5 @@ THINNING = Effect(
     example="continual-descent",
     derivation="02_section_and_closures",
     causes=("slopes",),
+    indispensable=needed_in_space,
 )

@@ -653,6 +653,11 @@ class Material(Part):
         return self.loss_tangent > 0 or self.solid_viscosity is not None
 
     @property
+    def has_chains(self) -> bool:
+        """Whether it is made of polymer chains, whose stress is not linear in the strain."""
+        return self.law in POLYMERS
+
+    @property
     def formula(self) -> Formula | None:
         """The flow rule of a custom law, as a tree; None for other laws."""
         return parse_formula(self.flow) if self.flow else None

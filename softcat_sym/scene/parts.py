@@ -17,7 +17,23 @@ from pydantic import (
     model_validator,
 )
 
-from softcat_sym.scene.units import Choice, Flag, Kind, Motion, Names, Number, Numbers, Quantity, Whole, refusal, shown
+from softcat_sym.scene.dimensions import DOWN
+from softcat_sym.scene.units import (
+    Choice,
+    Direction,
+    Flag,
+    Kind,
+    Motion,
+    Names,
+    Number,
+    Numbers,
+    Quantity,
+    Three,
+    Turns,
+    Whole,
+    refusal,
+    shown,
+)
 
 if TYPE_CHECKING:
     from softcat_sym.scene.scene import Scene
@@ -97,7 +113,9 @@ class Filament(Part):
     profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
     """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
-    """Natural curvature."""
+    """Natural curvature, in the plane."""
+    twist: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
+    """Natural twist, turn of the section about the centreline over length; relaxed with a curvature it is a helix."""
 
     @model_validator(mode="before")
     @classmethod
@@ -154,7 +172,7 @@ class Filament(Part):
         return {"width": "thickness"} if self.width == self.thickness else {}
 
 
-Point = tuple[float, float]
+Point = tuple[float, ...]
 Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
 
@@ -162,7 +180,8 @@ Rule = tuple[object, str, str, str]
 def _places(scene: Scene) -> list[Point]:
     """Return the places of the right support seen from the left one, first and at each row of its motion [m]."""
     first = (scene.filament.span, -scene.ends.drop)
-    return [first, *((first[0] + dx, first[1] + dy) for _, dx, dy in scene.ends.motion)]
+    aside = (*first, 0.0)
+    return [first, *(tuple(map(sum, zip(aside, moved, strict=False))) for _, *moved in scene.ends.motion)]
 
 
 def farthest(scene: Scene) -> float:
@@ -177,29 +196,39 @@ def nearest(scene: Scene) -> float:
 
 
 def motion_rules(scene: Scene) -> Iterator[Rule]:
-    """List what may be wrong with the motion of the right support."""
-    rows, path, thickness = scene.ends.motion, "ends.motion", scene.filament.thickness
+    """List what may be wrong with the motion and the twist of the right support."""
+    thickness, path = scene.filament.thickness, "ends.motion"
+    still = 'a first row without displacement, such as ["0.0 s", "0 m", "0 m"]'
+    yield from _rules_of_rows(path, scene.ends.motion, "moves the support at once", still)
+    if scene.ends.motion:
+        found = f"the supports come within {nearest(scene):.4g} m of each other"
+        yield nearest(scene) < thickness, path, found, f"a path that keeps them the thickness apart, {thickness:g} m"
+    still = 'a first row without turn, such as ["0.0 s", "0 deg"]'
+    yield from _rules_of_rows("ends.right_twist", scene.ends.right_twist, "turns the clamp at once", still)
+
+
+def _rules_of_rows(path: str, rows: tuple[tuple[float, ...], ...], at_once: str, accepted: str) -> Iterator[Rule]:
+    """List what may be wrong with rows of a time and what has changed by then."""
     if not rows:
         return
-    times = [time for time, _, _ in rows]
+    times = [row[0] for row in rows]
     yield min(times) < 0, path, f"a row at {min(times):g} s, before the start", "times from 0 s on"
     back = next(((before, after) for before, after in pairwise(times) if after <= before), None)
     if back:
         yield True, path, f"a row at {back[1]:g} s after one at {back[0]:g} s", "times that increase from row to row"
-    accepted = 'a first row without displacement, such as ["0.0 s", "0 m", "0 m"]'
-    yield any(rows[0][1:]), path, f"the first row, at {times[0]:g} s, moves the support at once", accepted
-    found = f"the supports come within {nearest(scene):.4g} m of each other"
-    yield nearest(scene) < thickness, path, found, f"a path that keeps them the thickness apart, {thickness:g} m"
+    yield any(rows[0][1:]), path, f"the first row, at {times[0]:g} s, {at_once}", accepted
 
 
 def _to_origin(start: Point, end: Point) -> float:
     """Distance of the origin from the straight line between two points."""
-    along = (end[0] - start[0], end[1] - start[1])
-    squared = along[0] ** 2 + along[1] ** 2
+    # The first place of all has no third coordinate.
+    start = (*start, 0.0)[: len(end)]
+    along = [after - before for before, after in zip(start, end, strict=True)]
+    squared = sum(one**2 for one in along)
     if squared == 0:
         return math.hypot(*start)
-    at = min(1.0, max(0.0, -(start[0] * along[0] + start[1] * along[1]) / squared))
-    return math.hypot(start[0] + at * along[0], start[1] + at * along[1])
+    at = min(1.0, max(0.0, -sum(a * b for a, b in zip(start, along, strict=True)) / squared))
+    return math.hypot(*(a + at * b for a, b in zip(start, along, strict=True)))
 
 
 End = Literal["clamped", "pinned", "free"]
@@ -223,8 +252,10 @@ class Ends(Part):
     """Of a left clamp: its tangent, counterclockwise from the horizontal; a symmetric pair is -a and a."""
     right_angle: Angle = 0.0
     """Of a right clamp, likewise."""
-    motion: Annotated[tuple[tuple[float, float, float], ...], Motion()] = ()
-    """Path of the right support, right and up from its first place, linear between rows, held after the last."""
+    motion: Annotated[tuple[tuple[float, ...], ...], Motion()] = ()
+    """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
+    right_twist: Annotated[tuple[tuple[float, ...], ...], Turns()] = ()
+    """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
 
     @field_validator("left_angle", "right_angle", mode="wrap")
     @classmethod
@@ -235,17 +266,26 @@ class Ends(Part):
         return angle
 
 
+_FORCES = 'three forces with their units, right, up and towards the viewer, such as ["0 N", "1 N", "0 N"]'
+
+
 class Load(Part):
-    """Gravity, its ramp and its shaking; SI."""
+    """Gravity, its ramp and its shaking, and what hangs or pulls at a free right end; SI."""
 
     table_name: ClassVar[str] = "load"
 
     gravity: Annotated[float, Quantity("acceleration", "9.81 m/s^2", "non-negative")] = 9.81
-    """Acceleration g, downwards."""
+    """Acceleration g, downwards unless load.direction says otherwise."""
+    direction: Annotated[tuple[float, ...], Direction()] = DOWN
+    """Where gravity points: right, up and towards the viewer; of any length."""
     ramp: Annotated[float, Quantity("time", "0.1 s", "non-negative")] = 0.0
     """Time in which gravity grows from nothing, by a quintic smooth step; 0: at once."""
     point_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
     """Mass at midspan."""
+    tip_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
+    """Mass at a free right end; in three dimensions."""
+    tip_force: Annotated[tuple[float, ...], Three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
+    """Dead force on a free right end: right, up and towards the viewer; in three dimensions."""
     shake: Annotated[float, Number(above=0, closed=True)] = 0.0
     """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
     shake_frequency: Annotated[float, Quantity("frequency", "5 Hz", "non-negative")] = 0.0
@@ -287,6 +327,7 @@ class Surroundings(Part):
 
 Until = Literal["duration", "settled"]
 Closure = Literal["material", "printed"]
+Dimensions = Literal["auto", 2, 3]
 
 
 class RunSettings(Part):
@@ -306,6 +347,8 @@ class RunSettings(Part):
     """Which physics is in force: auto chooses by estimates, paper is the published theory; or names of effects."""
     closure: Annotated[Closure, Choice(Closure)] = "material"
     """Plastic state, strain measure and axial force: that of the material, or as the paper prints it."""
+    dimensions: Annotated[Dimensions, Choice(Dimensions)] = "auto"
+    """Whether the filament stays in a plane, 2, or moves in space, 3; auto: in a plane if the scene has one."""
 
 
 Solver = Literal["cvodes", "idas", "rosenbrock"]

@@ -14,6 +14,7 @@ from pydantic_core import ValidationError
 from scipy.special import lambertw
 
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.dimensions import DOWN, dimension_rules, is_spatial
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
 from softcat_sym.scene.material import POLYMERS, SOLIDS, EffectTable, EffectTables, Material, Parameter, power
 from softcat_sym.scene.parts import (
@@ -87,12 +88,13 @@ def is_slack(scene: Scene) -> bool:
 
 
 def is_symmetric(scene: Scene) -> bool:
-    """Tell whether left and right mirror each other at all times."""
+    """Tell whether left and right mirror each other at all times; in three dimensions the whole span is followed."""
     ends = scene.ends
     mirrored = math.isclose(ends.left_angle, -ends.right_angle, rel_tol=_ROUNDING, abs_tol=_ROUNDING)
     along = (scene.filament.profile, scene.initial.P, scene.initial.C)
     return (
         ends.left == ends.right
+        and not is_spatial(scene)
         and is_held(scene)
         and mirrored
         and ends.drop == 0
@@ -126,9 +128,8 @@ _REFUSED_LATER = ("bingham", "herschel-bulkley")
 def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
     checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
-    rules = (
-        rule for check in (*checks, _of_newtonian, _of_small_deflection, _of_load_and_loss) for rule in check(scene)
-    )
+    others = (_of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
+    rules = (rule for check in (*checks, *others) for rule in check(scene))
     of_histories = (Fault(*words) for words in scene.material.faults_of_histories(scene.run.duration))
     return [*(Fault(*words) for broken, *words in rules if broken), *of_histories]
 
@@ -208,6 +209,9 @@ def _of_slack(scene: Scene) -> Iterator[Rule]:
     yield load.ramp > 0, "load.ramp", found, "leaving it out"
     found = f"zero, {slack}: nothing tells what shape it has"
     yield load.gravity == 0, "load.gravity", found, "a positive acceleration"
+    found = f"{list(load.direction)}, {slack}: it begins hanging straight down"
+    yield load.direction != DOWN, "load.direction", found, "leaving it out"
+    yield scene.filament.twist, "filament.twist", f"given, {slack}: it begins in its plane", "leaving it out"
     for name in ("P", "C"):
         found, accepted = f"given, {slack}", "leaving it out, or a taut filament"
         yield getattr(scene.initial, name), f"initial.{name}", found, accepted
@@ -253,7 +257,8 @@ def _of_newtonian(scene: Scene) -> Iterator[Rule]:
         return
     no_shape, chord = "a newtonian filament has no elastic shape to start from", chord_angle(scene)
     accepted = "leaving it out, or the law 'maxwell'"
-    yield scene.filament.curvature, "filament.curvature", f"given, but {no_shape}", accepted
+    for name in ("curvature", "twist"):
+        yield getattr(scene.filament, name), f"filament.{name}", f"given, but {no_shape}", accepted
     for side, how, angle in _sides(scene):
         off = f"a clamp at {math.degrees(angle):.4g} deg off the line between the supports"
         found = f"{off}, at {math.degrees(chord):.4g} deg: {no_shape}"

@@ -79,12 +79,14 @@ def _value(text: str) -> object:
     return parsed["value"] if set(parsed) == {"value"} else text.strip()
 
 
-_IDLE_AT_ZERO = {
-    "load": ("shake", "shake_frequency"),
+_IDLE = {
+    "filament": ("twist",),
+    "load": ("shake", "shake_frequency", "direction", "tip_mass", "tip_force"),
     "material": ("loss_tangent", "natural_strain", "natural_strain_difference"),
     "surroundings": ("density", "viscosity"),
+    "run": ("until", "dimensions"),
 }
-"""Keys that say nothing where they are zero."""
+"""Keys that say nothing at their defaults."""
 
 
 def toml_of(scene: Scene, *, every_default: bool = False) -> str:
@@ -125,11 +127,7 @@ def _is_idle(part: Part, name: str, value: object) -> bool:
     """Tell whether a key says nothing: an empty list, the index of a law that has none, no shaking."""
     if isinstance(part, Material) and name == "index":
         return part.law not in INDEXED
-    if name in _IDLE_AT_ZERO.get(part.table_name, ()):
-        return value == 0
-    if part.table_name == "run" and name == "until":
-        return value == "duration"
-    if isinstance(part, Temperature):
+    if name in _IDLE.get(part.table_name, ()) or isinstance(part, Temperature):
         return bool(value == type(part).model_fields[name].default)
     return bool(part.table_name) and value in ((), "") and value == type(part).model_fields[name].default
 

@@ -38,6 +38,7 @@ _FACTORS: Mapping[Dimension, Mapping[str, float]] = {
     _VISCOSITY: {"Pa*s": 1.0, "mPa*s": 0.001, "kPa*s": 1000.0, "MPa*s": 1e6, "GPa*s": 1e9},
     (1.0, -3.0, 0.0): {"kg/m^3": 1.0, "g/cm^3": 1000.0},
     (0.0, 1.0, -2.0): {"m/s^2": 1.0},
+    (1.0, 1.0, -2.0): {"N": 1.0, "mN": 0.001},
     (1.0, 0.0, -2.0): {"N/m": 1.0, "mN/m": 0.001},
     (0.0, -1.0, 0.0): {"1/m": 1.0},
     (0.0, 0.0, -1.0): {"Hz": 1.0, "kHz": 1000.0},
@@ -53,6 +54,7 @@ SI_UNITS = {
     "acceleration": "m/s^2",
     "time": "s",
     "mass": "kg",
+    "force": "N",
     "surface tension": "N/m",
     "curvature": "1/m",
     "angle": "rad",
@@ -405,15 +407,19 @@ class Whole(Kind):
 
 
 class Choice(Kind):
-    """One of a few names, those of a `Literal`."""
+    """One of a few names or whole numbers, those of a `Literal`."""
 
     def __init__(self, literal: Any) -> None:
-        self.accepted = ", ".join(get_args(literal))
+        self.options: tuple[str | int, ...] = get_args(literal)
+        self.accepted = ", ".join(map(str, self.options))
 
-    def read(self, value: object) -> str:
-        names = self.accepted.split(", ")
-        if isinstance(value, str) and value in names:
-            return value
+    def read(self, value: object) -> str | int:
+        for option in self.options:
+            if isinstance(value, type(option)) and not isinstance(value, bool) and value == option:
+                return option
+        names = [option for option in self.options if isinstance(option, str)]
+        if len(names) < len(self.options) and not isinstance(value, str):
+            raise self.refuse(f"{shown(value)} is none of these")
         raise self.refuse(_unknown_name(value, names))
 
 
@@ -463,6 +469,44 @@ class Numbers(Kind):
         return tuple(self.item.read(item) for item in value)
 
 
+class Three(Kind):
+    """Three values of one kind: right, up and towards the viewer."""
+
+    def __init__(self, item: Kind, accepted: str) -> None:
+        self.item, self.si, self.accepted = item, item.si, accepted
+
+    def read(self, value: object) -> tuple[float, ...]:
+        if not isinstance(value, (list, tuple)):
+            raise self.refuse(f"{shown(value)} is not a list")
+        if len(value) != 3:
+            raise self.refuse(f"a list of {len(value)}")
+        return tuple(self.item.read(item) for item in value)
+
+    def write(self, value: tuple[float, ...]) -> object:
+        return [self.item.write(item) for item in value]
+
+
+_OF_LENGTH_ONE = 1e-12
+
+
+class Direction(Three):
+    """A direction: three numbers of any size, stored with length one."""
+
+    def __init__(self) -> None:
+        super().__init__(Number(), "three numbers without units, right, up and towards the viewer, such as [0, -1, 0]")
+
+    def read(self, value: object) -> tuple[float, ...]:
+        given = super().read(value)
+        largest = max(map(abs, given))
+        if largest == 0:
+            raise self.refuse(f"{shown(value)} points nowhere")
+        # What has length one already stays as it is, so that a direction written is read back to the last bit.
+        if not math.isclose(math.hypot(*given), 1, rel_tol=_OF_LENGTH_ONE):
+            given = tuple(one / largest for one in given)
+            given = tuple(one / math.hypot(*given) for one in given)
+        return tuple(one + 0.0 for one in given)
+
+
 class Names(Kind):
     """A list of names, or one of a few words that stand for a list."""
 
@@ -488,24 +532,52 @@ class Names(Kind):
         return tuple(value)
 
 
-_ROW = (Quantity("time", "1 s", "any"), Quantity("length", "5 mm", "any"), Quantity("length", "5 mm", "any"))
+_TIME = Quantity("time", "1 s", "any")
+_SHIFT = Quantity("length", "5 mm", "any")
+_TURN = Quantity("angle", "90 deg", "any")
 
 
 class Motion(Kind):
-    """A path in the plane: rows of a time and two displacements."""
+    """A path: rows of a time and two displacements, or three where it leaves the plane."""
 
     si = True
-    accepted = '"hold", or a list of rows [time, dx, dy], such as [["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]'
+    accepted = (
+        '"hold", or a list of rows [time, dx, dy] or [time, dx, dy, dz], such as '
+        '[["0 s", "0 m", "0 m"], ["1 s", "5 mm", "0 m"]]'
+    )
 
     def read(self, value: object) -> tuple[tuple[float, ...], ...]:
-        if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
-            return ()
-        if not isinstance(value, (list, tuple)):
-            raise self.refuse(f"{shown(value)} is not a list of rows")
-        for row in value:
-            if not isinstance(row, (list, tuple)) or len(row) != len(_ROW):
-                raise self.refuse(f"{shown(row)} is not a row [time, dx, dy]")
-        return tuple(tuple(kind.read(item) for kind, item in zip(_ROW, row, strict=True)) for row in value)
+        rows = _rows(self, value, (_TIME, _SHIFT, _SHIFT, _SHIFT), 3, "[time, dx, dy] or [time, dx, dy, dz]")
+        if any(any(row[3:]) for row in rows):
+            return tuple((*row, 0.0)[:4] for row in rows)
+        return tuple(row[:3] for row in rows)
 
     def write(self, value: tuple[tuple[float, ...], ...]) -> object:
-        return [[kind.write(item) for kind, item in zip(_ROW, row, strict=True)] for row in value] or "hold"
+        return [[_TIME.write(row[0]), *map(_SHIFT.write, row[1:])] for row in value] or "hold"
+
+
+class Turns(Kind):
+    """Rows of a time and an angle."""
+
+    si = True
+    accepted = '"hold", or a list of rows [time, angle], such as [["0 s", "0 deg"], ["1 s", "360 deg"]]'
+
+    def read(self, value: object) -> tuple[tuple[float, ...], ...]:
+        return _rows(self, value, (_TIME, _TURN), 2, "[time, angle]")
+
+    def write(self, value: tuple[tuple[float, ...], ...]) -> object:
+        return [[_TIME.write(time), _TURN.write(angle)] for time, angle in value] or "hold"
+
+
+def _rows(
+    kind: Kind, value: object, columns: Sequence[Quantity], least: int, named: str
+) -> tuple[tuple[float, ...], ...]:
+    """Read rows of `least` values or more, one a column; none of what holds still."""
+    if isinstance(value, (str, list, tuple)) and value in ("hold", "", [], ()):
+        return ()
+    if not isinstance(value, (list, tuple)):
+        raise kind.refuse(f"{shown(value)} is not a list of rows")
+    for row in value:
+        if not isinstance(row, (list, tuple)) or not least <= len(row) <= len(columns):
+            raise kind.refuse(f"{shown(row)} is not a row {named}")
+    return tuple(tuple(column.read(item) for column, item in zip(columns, row, strict=False)) for row in value)

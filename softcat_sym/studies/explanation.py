@@ -17,6 +17,7 @@ from softcat_sym.effects.free_vibration import damping_note, first_vibration, ri
 from softcat_sym.effects.theory_limits import theory_limits
 from softcat_sym.physics.equation import Stated
 from softcat_sym.physics.in_force import equations_in_force
+from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import SceneLike, as_scene
 from softcat_sym.scene.scene import Scene, groups_of
 from softcat_sym.solvers.run import assembled
@@ -55,8 +56,13 @@ GROUP_MEANINGS = {
 KINDS = {
     "x": "horizontal positions",
     "y": "heights",
+    "z": "positions across the plane",
     "u": "horizontal velocities",
     "v": "vertical velocities",
+    "w": "velocities across the plane",
+    "q0": "cosines of half the turns of the sections, first of a unit quaternion",
+    **{f"q{n}": f"sines of half the turns of the sections, along axis {n}" for n in (1, 2, 3)},
+    **{f"o{n}": f"spins of the sections about their axis {n}" for n in (1, 2, 3)},
     "psi": "angles of the section",
     "omega": "rates of the angle of the section",
     "warming": "temperatures",
@@ -64,11 +70,14 @@ KINDS = {
     "a_1": "bending plastic strains",
     "axial": "axial plastic strains, at every point through the thickness",
     "shear": "plastic shear strains, at every point through the thickness",
+    **{f"shear{n}": f"plastic shear strains along axis {n}, at every point of the section" for n in (2, 3)},
     "chains_along": "what relaxation took of the conformation along the fibres",
     "chains_across": "what relaxation took of the conformation across the fibres",
     "chains_width": "what relaxation took of the conformation in the width of a sheet",
 }
-_NUMBERS = re.compile(r"_mode\d+$|(?<=axial|shear|along|width)_\d+(_mode\d+)?$|(?<=across)_\d+$")
+_NUMBERS = re.compile(
+    r"_mode\d+$|(?<=axial|shear|along|width)_\d+(_mode\d+)?$|(?<=shear2|shear3)_\d+(_mode\d+)?$|(?<=across)_\d+$"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +88,10 @@ class Explanation:
     ----------
     title, law, model, closure, accuracy : str or float
         What is asked.
+    dimensions : int
+        2 where everything lies in one plane, or 3.
+    dimensions_reason : str
+        Why.
     groups : list of dict
         Those that the law has: `name`, `value` (None where it is infinite), `meaning`.
     regime : ExpectedRegime
@@ -108,6 +121,8 @@ class Explanation:
     model: str
     closure: str
     accuracy: float
+    dimensions: int
+    dimensions_reason: str
     groups: list[dict[str, Any]]
     regime: ExpectedRegime
     sag: float
@@ -190,6 +205,8 @@ def explain(scene: SceneLike) -> Explanation:
         model=scene.model,
         closure=scene.run.closure,
         accuracy=scene.run.accuracy,
+        dimensions=3 if is_spatial(scene) else 2,
+        dimensions_reason=reason_for_dimensions(scene),
         groups=[
             {"name": name, "value": float(value) if value < math.inf else None, "meaning": GROUP_MEANINGS[name]}
             for name, value in known.items()

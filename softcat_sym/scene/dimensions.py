@@ -1,0 +1,95 @@
+"""Whether a filament stays in a plane or moves in space: decided by the scene (THEORY3D 8), and what space has not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.parts import Rule
+    from softcat_sym.scene.scene import Scene
+
+DOWN = (0.0, -1.0, 0.0)
+"""Direction of gravity unless a scene states another."""
+
+_IN_THE_PLANE = 3
+"""Values in a row of a motion that stays in the plane: time, right and up."""
+
+
+def out_of_plane(scene: Scene) -> str:
+    """Reason why the equations of the plane do not hold for a scene; empty if everything lies in one plane.
+
+    Gravity that is tilted within the plane, and what acts on a free end, are planar; only the theory in three
+    dimensions has them.
+    """
+    filament, ends, load = scene.filament, scene.ends, scene.load
+    reasons = (
+        (load.direction[2] != 0, "load.direction points out of the plane"),
+        (load.tip_force[2] != 0, "load.tip_force points out of the plane"),
+        (any(len(row) > _IN_THE_PLANE for row in ends.motion), "ends.motion leaves the plane"),
+        (any(angle != 0 for _, angle in ends.right_twist), "ends.right_twist turns a clamp about its own normal"),
+        (filament.twist != 0 and filament.curvature != 0, "filament.curvature and filament.twist make a helix"),
+        (filament.twist != 0, "filament.twist turns the section along the filament"),
+        (load.direction != DOWN, "load.direction is not straight down"),
+        (any(load.tip_force), "load.tip_force pulls at the end"),
+        (load.tip_mass != 0, "load.tip_mass hangs at the end"),
+    )
+    return next((why for holds, why in reasons if holds), "")
+
+
+def is_spatial(scene: Scene) -> bool:
+    """Tell whether a scene is followed in three dimensions."""
+    asked = scene.run.dimensions
+    return asked == 3 or (asked == "auto" and out_of_plane(scene) != "")
+
+
+def reason_for_dimensions(scene: Scene) -> str:
+    """Say why a scene is followed in its plane, or in three dimensions."""
+    if is_spatial(scene):
+        return out_of_plane(scene) or "run.dimensions asks for them"
+    return "everything lies in one plane"
+
+
+def needed_in_space(scene: Scene) -> str:
+    """Reason why a scene cannot do without what its theory in three dimensions holds; empty in the plane."""
+    return f"three dimensions: {reason_for_dimensions(scene)}" if is_spatial(scene) else ""
+
+
+def dimension_rules(scene: Scene) -> Iterator[Rule]:
+    """List what goes neither with the ends nor with the dimensions of a scene."""
+    ends, load, out = scene.ends, scene.load, "leaving it out"
+    found = f"given, but the right end is {ends.right}"
+    loose = f'{out}, or ends.right = "free"'
+    yield any(load.tip_force) and ends.right != "free", "load.tip_force", found, loose
+    yield load.tip_mass > 0 and ends.right != "free", "load.tip_mass", found, loose
+    clamped = f'{out}, or ends.right = "clamped"'
+    yield ends.right_twist and ends.right != "clamped", "ends.right_twist", found, clamped
+    why = out_of_plane(scene)
+    yield scene.run.dimensions == 2 and why, "run.dimensions", f"2, but {why}", "auto or 3, or a scene in one plane"
+    if is_spatial(scene):
+        yield from _of_space(scene)
+
+
+def _of_space(scene: Scene) -> Iterator[Rule]:
+    """List what only a filament in its plane has so far."""
+    filament, material, surroundings, out = scene.filament, scene.material, scene.surroundings, "leaving it out"
+    asked = needed_in_space(scene)
+    only = f"only in the plane so far ({asked})"
+    yield filament.section == "sheet", "filament.section", f"'sheet', whose torsion is a plate's ({asked})", "rectangle"
+    yield scene.model == "small-deflection", "model", f"'small-deflection', {only}", "filament"
+    yield scene.run.closure == "printed", "run.closure", f"'printed', {only}", "material"
+    yield material.has_chains, "material.law", f"'{material.law}', {only}", "a law without polymer chains"
+    histories = (*material.histories(), *material.natural_strains())
+    given = (
+        *((f"material.{name}", True) for name in histories),
+        ("material.structure", material.structure is not None),
+        ("surroundings.density", surroundings.density > 0),
+        ("surroundings.viscosity", surroundings.viscosity > 0),
+        ("temperature", scene.temperature.present),
+        ("load.point_mass", scene.load.point_mass > 0),
+        ("initial.C", bool(scene.initial.C)),
+        ("numerics.order", scene.numerics.order is not None),
+        *((f"effects.{name}", True) for name, _ in scene.effects),
+    )
+    for path, broken in given:
+        yield broken, path, f"given, {only}", out
