@@ -58,6 +58,12 @@ _MAX_OF_FIRST_YIELD = 4.0
 _MANY_POINTS = 0.005
 """Accuracy below which a section in three dimensions has twice as many points."""
 
+_POINTS = {True: (15, 24), False: (16, 36)}
+"""Of a circle and of a rectangle: as a rule, and where more is asked."""
+
+_RINGS = 0.6
+"""Square of the rings of a circle over its points: 3 x 5, 4 x 6."""
+
 _IN_THE_PLANE = 3
 """Numbers of a row of the motion that stays in the plane: time, right and up."""
 
@@ -78,9 +84,15 @@ def choose_cells(scene: Scene, effects: Effects | None = None) -> int:
 
 
 def choose_fibres(scene: Scene) -> int:
-    """Points through the thickness where fibres yield in turn: as many as the scene says, or as its hinges need."""
+    """Points through the thickness where fibres yield in turn: as many as the scene says, or as its hinges need.
+
+    In three dimensions those of the whole section.
+    """
     if scene.numerics.fibres is not None:
         return scene.numerics.fibres
+    if is_spatial(scene):
+        many = scene.run.accuracy < _MANY_POINTS
+        return _POINTS[scene.filament.section == "circle"][many]
     return HINGE_FIBRES if _hinges_carry(scene) else DEFAULT_FIBRES
 
 
@@ -138,11 +150,11 @@ def choose_points(scene: Scene, equations: FilamentEquations) -> PointRule:
 
     What counts is how many different heights the angles of a circle give (THEORY3D 6).
     """
-    filament, accurate = scene.filament, scene.run.accuracy < _MANY_POINTS
-    flows = equations.terms.flows
+    filament, points = scene.filament, choose_fibres(scene) if equations.terms.flows else 0
     if equations.shape.name == "circle":
-        return ring_rule(*((4, 6) if accurate else (3, 5)) if flows else (1, 3))
-    count = (6 if accurate else 4) if flows else 2
+        rings = max(1, round(math.sqrt(_RINGS * points)))
+        return ring_rule(rings, max(3, math.ceil(points / rings)))
+    count = max(2, math.ceil(math.sqrt(points)))
     return warping_rule(count, count, filament.width / filament.thickness)
 
 

@@ -206,7 +206,7 @@ def cell_strains(slope: list[ca.SX], first: list[ca.SX], last: list[ca.SX], leng
     Of r_X and the quaternions of both nodes.
     """
     middle = tuple(a + z for a, z in zip(first, last, strict=True))
-    w, *v = spatial.relative(tuple(first), tuple(last))  # type: ignore[arg-type]
+    w, *v = spatial.relative(tuple(first), tuple(last))
     size = ca.sqrt(sum((one**2 for one in v), ca.SX(0)) + _ROUND)
     angle = 2 * ca.atan2(size, w) / size / length
     return [*spatial.unrotated(middle, tuple(slope)), *(angle * one for one in v)]  # type: ignore[arg-type]

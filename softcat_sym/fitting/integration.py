@@ -506,7 +506,9 @@ class FrozenFilament:
     def _made(self, parts: Assembled, effects: Effects) -> InterpretedForward | CompiledForward:
         scene = self._scene
         settings = _tolerances(scene, effects)
-        kinks = np.array(sorted({row[0] / self.scale for row in scene.ends.motion if row[0] > 0}))
+        kinks = np.array(
+            sorted({row[0] / self.scale for row in (*scene.ends.motion, *scene.ends.right_twist) if row[0] > 0})
+        )
         if not self.backend.compiled:
             if kinks.size:
                 found = "a support that moves is followed by the compiled solver only, when derivatives are wanted"

@@ -53,7 +53,8 @@ def tube(data: Fields, scene: Scene, frame: int, radius: float) -> Floats:
     rings = around[:, :1] * second[:, None] + around[:, 1:] * third[:, None]
     found: Floats = centre[:, None] + edge[:, None, None] * rings
     # Drawn with the height upwards and the plane's normal towards the viewer.
-    return found[..., [0, 2, 1]] * np.array([1.0, -1.0, 1.0])
+    turned: Floats = found[..., [0, 2, 1]] * np.array([1.0, -1.0, 1.0])
+    return turned
 
 
 _PANELS, _PANEL = 4, 2.9
@@ -78,7 +79,7 @@ def spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
         row, column = divmod(number, columns)
         height = _PANEL / tall
         place = (column / columns, (rows - 1 - row) * height, 1 / columns, 0.93 * height)
-        axes: Axes3D = figure.add_axes(place, projection="3d")  # type: ignore[assignment]
+        axes: Axes3D = figure.add_axes(place, projection="3d")
         _draw(axes, ruler.of(shape))
         for part, (least, most) in zip("xyz", zip(ruler.of(low), ruler.of(high), strict=True), strict=True):
             middle, half = (least + most) / 2, max((most - least) / 2, 0.12 * float(ruler.of(high - low).max()))
@@ -107,7 +108,5 @@ def _draw(axes: Axes3D, rings: Floats) -> None:
     stripe = _STRIPE if sides > _STRIPE * 2 else 1
     colours = np.array([style.VERMILLION if side < stripe else style.FILAMENT for side in range(sides)])
     quads = faces.reshape(-1, 4, 3)
-    collection = Poly3DCollection(
-        list(quads), facecolors=np.tile(colours, len(faces)), edgecolors="none", shade=True, antialiased=False
-    )
-    axes.add_collection3d(collection)
+    painted = np.tile(colours, len(faces))
+    axes.add_collection3d(Poly3DCollection(list(quads), facecolors=painted, edgecolors=painted, lw=0.1, shade=True))

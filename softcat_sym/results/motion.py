@@ -282,7 +282,7 @@ def settling_time(scene: Scene, effects: Effects, prepared: Prepared, progress: 
     most at a constant rate. Of a filament that may flow a change too small to be seen counts as one that can just be
     seen and goes on at a constant rate, so that it is watched for some 4 % of the run at least.
     """
-    loaded = max((scene.load.ramp, *(row[0] for row in scene.ends.motion)))
+    loaded = max((scene.load.ramp, *(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist))))
     if prepared.start is None:
         return None
     if prepared.integration is None:

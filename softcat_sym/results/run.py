@@ -41,7 +41,9 @@ from softcat_sym.results.motion import (
     rings_on,
     too_few_frames,
 )
+from softcat_sym.results.sideways import sideways
 from softcat_sym.results.verdict import measures, missing_effect, rupture_frame, saved, verdict, warnings_of
+from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.scene import Scene, rest_length
 from softcat_sym.solvers.outcome import Outcome
 from softcat_sym.solvers.run import Prepared
@@ -300,11 +302,13 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
     measured = measures(scene, effects, replace(motion, rings_on=rings_on(scene, rings, largest)))
     moves = float(np.ptp(midpoint)) > ROUNDED * scene.filament.span
     per_period = frames_a_period(time, midpoint, ringing(scene).frequency) if moves else None
+    aside = sideways(scene, fields | {"time": time, "X_node": places[0]}) if outcome.is_success else None
     fades = rings is not None and rings["amplitude"] < SEEN * largest
     warnings = [
         *warnings_of(scene, effects, motion, places[0], fields, carried),
         *(too_few_frames(time, per_period) if outcome.is_success and not fades else []),
         *saved(scene, effects, measured),
+        *([aside.warning] if aside is not None else []),
     ]
     grid, settings = prepared.graph.grid, prepared.settings
     summary = {
@@ -334,6 +338,9 @@ def judge(scene: Scene, effects: Effects, prepared: Prepared, solution: Solution
         "checked": {name: measure.value for name, measure in measured.items()},
         "repeats": [],
         "closure": scene.run.closure,
+        "dimensions": 3 if is_spatial(scene) else 2,
+        "dimensions_reason": reason_for_dimensions(scene),
+        "sideways": None if aside is None else asdict(aside),
         "cells": grid.cells if grid.is_half else grid.cells // 2,
         "solver": settings.solver,
         "solver_reason": settings.reason,

@@ -14,6 +14,7 @@ from functools import cache
 
 import casadi as ca
 import numpy as np
+import numpy.typing as npt
 from scipy.linalg import LinAlgError, cholesky_banded, eigh
 
 from softcat_sym.discretization.grid import Floats
@@ -24,6 +25,8 @@ from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.scene import Scene, undeformed_area
+
+Bools = npt.NDArray[np.bool_]
 
 GROWN = 5.0
 """By how many e-folds a disturbance may grow sideways: what a hundredth of a thickness makes one."""
@@ -143,7 +146,7 @@ def _turned(psi: ca.SX, first: ca.SX, second: ca.SX) -> list[ca.SX]:
     return [c * w, c * x - s * y, c * y + s * x, s * w]
 
 
-def _bands(blocks: Floats, held: Floats) -> Floats:
+def _bands(blocks: Floats, held: Bools) -> Floats:
     """Lower bands of the matrix of every frame, shape (frame, 6, unknowns); what is held is a one on the diagonal."""
     frames, cells = blocks.shape[:2]
     bands = np.zeros((frames, 2 * _FREE, _FREE * (cells + 1)))
@@ -163,7 +166,7 @@ def _dense(band: Floats) -> Floats:
     return matrix
 
 
-def _held(scene: Scene, nodes: int) -> Floats:
+def _held(scene: Scene, nodes: int) -> Bools:
     """Which unknowns the ends hold: all at a clamp, all but the turn about d2 at a pin."""
     held = np.zeros(_FREE * nodes, dtype=bool)
     for kind, first in ((scene.ends.left, 0), (scene.ends.right, _FREE * (nodes - 1))):
@@ -171,7 +174,7 @@ def _held(scene: Scene, nodes: int) -> Floats:
     return held
 
 
-def _masses(scene: Scene, fields: Mapping[str, Floats], held: Floats) -> Floats:
+def _masses(scene: Scene, fields: Mapping[str, Floats], held: Bools) -> Floats:
     """Mass of every free unknown: of z half of that of the cells beside it, none of a turn."""
     cells = np.diff(fields["X_node"]) * undeformed_area(scene) * scene.filament.density
     nodes = np.append(cells, 0.0) / 2 + np.append(0.0, cells) / 2

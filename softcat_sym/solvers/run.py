@@ -142,7 +142,7 @@ def prepare(
     times = np.linspace(0.0, scene.run.duration / scale, scene.run.frames)
     start = starting_state(scene, graph, p, statics)
     # A frame at which a support or a furnace changes pace is one too, but for the first.
-    bends = (*(row[0] for row in scene.ends.motion), *temperature_kinks(scene))
+    bends = (*(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist)), *temperature_kinks(scene))
     kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
     backend, code = compiled
     integration: Integration | CompiledIntegration | None = None
