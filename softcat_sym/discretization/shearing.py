@@ -192,15 +192,7 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
     for clock in followed:
         clock.set(b, rule, fibres)
     for j, branch in enumerate(resolved.branches):
-        if branch.hardening is not None:
-            _set_back_strains(b, rule, fibres, j, shears=resolved.shears)
-        axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, j) for kind in ("axial", "shear"))
-        for fibre, *plastic in zip(fibres, axial, shear, strict=True):
-            fibre.add(branch, (plastic[0], plastic[1]))
-        if branch.hardening is not None:
-            found.plastic |= _back_rates(rule, fibres, j, shears=resolved.shears)
-        rates = _state_rates(rule, fibres, j)
-        found.plastic |= {name: rate for name, rate in rates.items() if name in b.slots}
+        found.plastic |= _add_branch(b, resolved, branch, rule, fibres, j)
     for clock in followed:
         found.plastic |= clock.rates(rule, fibres)
     if b.equations.chains is not None:
@@ -286,6 +278,19 @@ def _add_chains(b: Builder, chains: ChainResponse, rule: Sampling, fibres: Seque
             if not rule.is_of_fibres:
                 for fibre, row, rate in zip(fibres, rule.recall, rates, strict=True):
                     fibre.dissipation += fibre.released[number] * (_dot(row, projected) - rate)
+
+
+def _add_branch(
+    b: Builder, resolved: ResolvedSection, branch: FibreBranch, rule: Sampling, fibres: Sequence[_Fibre], number: int
+) -> dict[str, ca.SX]:
+    """A spring of every point, with its flow and its backstress; rates of their states."""
+    if branch.hardening is not None:
+        _set_back_strains(b, rule, fibres, number, shears=resolved.shears)
+    axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, number) for kind in ("axial", "shear"))
+    for fibre, *plastic in zip(fibres, axial, shear, strict=True):
+        fibre.add(branch, (plastic[0], plastic[1]))
+    found = {name: rate for name, rate in _state_rates(rule, fibres, number).items() if name in b.slots}
+    return found | (_back_rates(rule, fibres, number, shears=resolved.shears) if branch.hardening is not None else {})
 
 
 def _set_back_strains(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], branch: int, *, shears: bool) -> None:

@@ -3,7 +3,7 @@
 A fibre has a back strain A beside its plastic strain, A_t = D - q A |D| of the plastic rate D, and flows by its stress
 less the backstress C A (Armstrong & Frederick 1966, reprinted 2007; Dimitriou & McKinley 2014 with the power m = 1 of
 the recovery). It stores C A^2/2 and dissipates q C A^2 |D| besides the power of what drives the flow. Without recovery
-this is Prager's linear hardening (1956). Of a fibre that shears the shear component hardens by C/3, as von Mises has it.
+this is Prager's linear hardening (1956). The shear component of a fibre that shears hardens by C/3 (von Mises).
 """
 
 from __future__ import annotations
