@@ -65,7 +65,7 @@ def test_a_bar_that_is_pulled_follows_the_law_of_a_point(backend: str, structure
 def cycle(**changes: Any) -> sc.Scene:
     """Pulled by 5 % and pushed back, so slowly that the overstress is about a thousandth of the yield stress."""
     motion = [["0 s", "0 m", "0 m"], ["1000 s", "5 mm", "0 m"], ["2000 s", "0 m", "0 m"]]
-    slow = {"ends.motion": motion, "run.duration": "2000 s", "material.viscosity": 5e3}
+    slow = {"ends.motion": motion, "run.duration": "2000 s", "material.viscosity": "5 kPa*s"}
     return bar(**{**slow, **changes})
 
 
@@ -119,7 +119,7 @@ def test_a_small_modulus_is_the_law_without() -> None:
     assert "backstress" not in plain.data
     apart = [
         float(run.data.stress_mean.values[-1, 0] - plain.data.stress_mean.values[-1, 0])
-        for run in (sc.simulate(bar(**{"material.hardening_modulus": value})) for value in (20.0, 10.0))
+        for run in (sc.simulate(bar(**{"material.hardening_modulus": f"{value} Pa"})) for value in (20.0, 10.0))
     ]
     assert math.log2(apart[0] / apart[1]) == pytest.approx(1, abs=0.01)
 
