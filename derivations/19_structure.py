@@ -106,7 +106,7 @@ prove_equal(both, plain.subs(st.tau_b, sp.sqrt(3) * in_shear))
 # ## Backstress
 #
 # A fibre flows by $\sigma - \chi$, $\chi = C A$, and $\dot A = D - q A |D|$ (Armstrong and Frederick). Power of the
-# stresses in the plastic rates is what drives the flow, $\sigma_{eq}|D|$, what is stored, and $q C A^2 |D| \geq 0$: with
+# stresses in the plastic rates is that of the flow, $\sigma_{eq}|D|$, what is stored, and $q C A^2 |D| \geq 0$: with
 # the shear, whose rate $\dot\gamma^p + c\gamma^p\dot\epsilon^p$ works against $\tau_d$, and where the width is held.
 
 # %%
@@ -129,7 +129,7 @@ for share in (sp.S.One, sp.Rational(3, 4)):
     prove_equal(sp.expand(lost - 2 * backstress.recovery * phi * hardening.stored), 0)
 
 # %% [markdown]
-# Flow one way at a plastic strain $e$: $\chi = C (1 - e^{-q e})/q$, at length $C/q$; without recovery $C e$ (Prager). In
+# Flow one way by a plastic strain $e$: $\chi = C (1 - e^{-q e})/q$, at length $C/q$, or $C e$ (Prager). In
 # shear, $\alpha = \chi/\sqrt3$ and $\gamma^p = \sqrt3 e$: $C_s = C/3$, $q_s = q/\sqrt3$.
 
 # %%

@@ -63,7 +63,7 @@ def test_a_bar_that_is_pulled_follows_the_law_of_a_point(backend: str, structure
 
 
 def cycle(**changes: Any) -> sc.Scene:
-    """Pulled by 5 % and let back to 3 %, where it is still taut, so slowly that the overstress is about a thousandth of the yield stress."""
+    """Pulled by 5 % and let back to 3 %, still taut, with an overstress of a thousandth of the yield stress."""
     motion = [["0 s", "0 m", "0 m"], ["1000 s", "5 mm", "0 m"], ["1400 s", "3 mm", "0 m"]]
     slow = {"ends.motion": motion, "run.duration": "1400 s", "material.viscosity": "5 kPa*s"}
     return bar(**{**slow, **changes})
