@@ -36,6 +36,7 @@ VARIABLES: Final[Mapping[str, Variable]] = {
     "x": Variable(_NODE, "m", "horizontal position of the centreline, 0 at midspan"),
     "y": Variable(_NODE, "m", "height of the centreline above the left support"),
     "structure": Variable(_CELL, "1", "structure parameter, mean over the section"),
+    "backstress": Variable(_CELL, "Pa", "axial backstress, mean over the section"),
     "temperature": Variable(_NODE, "K", "temperature of the section"),
     "stretch": Variable(_CELL, "1", "stretch of the centreline"),
     "curvature": Variable(_CELL, "1/m", "curvature theta_s of the centreline, k/Lam of a filament that shears"),
