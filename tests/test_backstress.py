@@ -25,7 +25,7 @@ def bar(**changes: Any) -> sc.Scene:
     return sc.Scene.from_dict(
         {
             "filament": {"span": L, "diameter": "2 mm", "density": "1000 kg/m^3"},
-            "material": {**BINGHAM, "hardening_modulus": C, "recovery": Q},
+            "material": {**BINGHAM, "hardening_modulus": C, "hardening_recovery": Q},
             "ends": {"motion": [["0 s", "0 m", "0 m"], ["20 s", "40 mm", "0 m"]]},
             "load": {"gravity": 0},
             "run": {"duration": "10 s", "frames": 41, "effects": EFFECTS},
@@ -71,7 +71,7 @@ def cycle(**changes: Any) -> sc.Scene:
 
 def test_prager_bar_yields_sooner_the_other_way() -> None:
     """Bauschinger: a linear hardening bar in closed form, loaded to sigma_m, yields again at sigma_m - 2 sigma_Y."""
-    run = sc.simulate(cycle(**{"material.recovery": 0, "material.hardening_modulus": "20 kPa"}))
+    run = sc.simulate(cycle(**{"material.hardening_recovery": 0, "material.hardening_modulus": "20 kPa"}))
     time, E, limit = run.data.time.values, 1e5, 300.0
     strain = np.log1p(5e-2 * np.minimum(time, 2000 - time) / 1000)
     tangent = E * 2e4 / (E + 2e4)
@@ -86,7 +86,7 @@ def test_prager_bar_yields_sooner_the_other_way() -> None:
 
 def test_backstress_saturates() -> None:
     """Armstrong and Frederick: chi = C/q (1 - exp(-q e)) of plastic strain e, at length C/q."""
-    run = sc.simulate(bar(**{"material.recovery": 200.0}))
+    run = sc.simulate(bar(**{"material.hardening_recovery": 200.0}))
     sigma, chi = run.data.stress_mean.values[:, 0], run.data.backstress.values[:, 0]
     plastic = np.log1p(RATE / L * run.data.time.values) - sigma / 1e5
     assert np.allclose(chi, C / 200 * -np.expm1(-200 * plastic), atol=1e-5 * C / 200)
@@ -100,7 +100,7 @@ def strand(section: str, *more: str) -> sc.Scene:
     return sc.Scene.from_dict(
         {
             "filament": filament,
-            "material": {**BINGHAM, "viscosity": 2e3, "hardening_modulus": 3e3, "recovery": 3.0},
+            "material": {**BINGHAM, "viscosity": 2e3, "hardening_modulus": 3e3, "hardening_recovery": 3.0},
             "run": {"duration": "1 s", "frames": 6, "effects": [*EFFECTS, *more]},
             "numerics": {"estimate": False, "cells": 4, "fibres": 4, "rtol": 1e-7},
         }
@@ -115,7 +115,9 @@ def test_energy_is_closed_where_sections_bend() -> None:
 
 def test_a_small_modulus_is_the_law_without() -> None:
     """The error is of first order in C."""
-    plain = sc.simulate(bar(**{"material.hardening_modulus": None, "material.recovery": 0, "run.effects": PLAIN}))
+    plain = sc.simulate(
+        bar(**{"material.hardening_modulus": None, "material.hardening_recovery": 0, "run.effects": PLAIN})
+    )
     assert "backstress" not in plain.data
     apart = [
         float(run.data.stress_mean.values[-1, 0] - plain.data.stress_mean.values[-1, 0])
@@ -138,7 +140,7 @@ def test_auto_takes_it_in_where_it_matters() -> None:
 def test_the_numbers_survive_being_written() -> None:
     scene = bar()
     again = sc.Scene.model_validate(tomllib.loads(scene.to_toml()))
-    assert (again.material.hardening_modulus, again.material.recovery) == (C, Q)
+    assert (again.material.hardening_modulus, again.material.hardening_recovery) == (C, Q)
 
 
 @pytest.mark.parametrize(
@@ -150,10 +152,10 @@ def test_the_numbers_survive_being_written() -> None:
         ({"hardening_modulus": True}, "material.hardening_modulus"),
         ({"hardening_modulus": "stiff"}, "material.hardening_modulus"),
         ({"hardening_modulus": math.nan}, "material.hardening_modulus"),
-        ({"recovery": -1}, "material.recovery"),
-        ({"recovery": "3 Pa"}, "material.recovery"),
-        ({"recovery": math.inf}, "material.recovery"),
-        ({"hardening_modulus": None}, "material.recovery"),
+        ({"hardening_recovery": -1}, "material.hardening_recovery"),
+        ({"hardening_recovery": "3 Pa"}, "material.hardening_recovery"),
+        ({"hardening_recovery": math.inf}, "material.hardening_recovery"),
+        ({"hardening_modulus": None}, "material.hardening_recovery"),
     ],
 )
 def test_bad_numbers_are_one_clear_error(change: dict[str, Any], path: str) -> None:
@@ -173,7 +175,7 @@ def test_bad_numbers_are_one_clear_error(change: dict[str, Any], path: str) -> N
 )
 def test_laws_without_a_yield_stress_refuse_it(material: dict[str, Any]) -> None:
     filament = {"span": L, "diameter": "2 mm", "density": "1000 kg/m^3"}
-    hardening = {"hardening_modulus": "2 kPa", "recovery": 3}
+    hardening = {"hardening_modulus": "2 kPa", "hardening_recovery": 3}
     with pytest.raises(sc.SceneError, match=r"material\.hardening_modulus") as caught:
         sc.Scene.from_dict({"filament": filament, "run": {"duration": "1 s"}, "material": {**material, **hardening}})
     assert len(caught.value.faults) == 1

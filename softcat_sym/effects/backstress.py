@@ -26,7 +26,7 @@ def _adapted(scene: Scene, terms: Terms) -> Terms:
 def _hardened(scene: Scene, strain: float) -> float:
     """Backstress after flow to this strain [Pa]."""
     material = scene.material
-    decay = material.recovery * strain
+    decay = material.hardening_recovery * strain
     return (material.hardening_modulus or 0.0) * strain * (-math.expm1(-decay) / decay if decay else 1.0)
 
 
@@ -47,6 +47,7 @@ BACKSTRESS = Effect(
     without_it=f"the scene has no material.hardening_modulus, asks for the printed closure, or {SMALL_MODEL}",
     estimate=_estimate,
     observable="the same, of the strain and the share of flow that a run shows",
+    example="modelling-clay",
     derivation="19_structure",
     needs=("fibres", "yielding"),
     in_paper=False,

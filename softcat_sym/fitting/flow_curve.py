@@ -392,7 +392,7 @@ REPLACED = (
     "ptt_epsilon",
     "structure",
     "hardening_modulus",
-    "recovery",
+    "hardening_recovery",
 )
 """Constants of a scene's own law that go with it; the elastic ones stay, a flow curve says nothing about them."""
 

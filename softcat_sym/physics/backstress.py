@@ -22,7 +22,7 @@ shear = enter("A_hs", "A_s", ONE, "back strain of a fibre in shear", SOURCE)
 axial_stress = enter("chi", r"\chi", STRESS, "axial backstress of a fibre", SOURCE)
 shear_stress = enter("chi_s", r"\chi_s", STRESS, "shear component of the backstress of a fibre", SOURCE)
 
-CONSTANTS = (Constant("material_hardening_modulus", modulus), Constant("material_recovery", recovery))
+CONSTANTS = (Constant("material_hardening_modulus", modulus), Constant("material_hardening_recovery", recovery))
 
 
 def stored(share: sp.Expr) -> sp.Expr:

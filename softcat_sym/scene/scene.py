@@ -385,7 +385,9 @@ class Scene(Part):
             own |= {f"material.structure.{name}": Parameter(name, *one) for name, one in structure.numbers.items()}
         if (modulus := self.material.hardening_modulus) is not None:
             own["material.hardening_modulus"] = Parameter("hardening_modulus", modulus, (1, -1, -2))
-            own["material.recovery"] = Parameter("recovery", self.material.recovery, (0, 0, 0))
+            own["material.hardening_recovery"] = Parameter(
+                "hardening_recovery", self.material.hardening_recovery, (0, 0, 0)
+            )
         return own | {f"effects.{effect}.{one.name}": one for effect, table in self.effects for one in table}
 
     def given(self) -> dict[str, object]:

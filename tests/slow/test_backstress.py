@@ -28,7 +28,10 @@ def test_a_bar_is_the_mikh_law_of_rheojax() -> None:
     kernels = pytest.importorskip("rheojax.models.ikh._kernels", exc_type=ImportError)
     rows, root = [], math.sqrt(3)
     for modulus, recovery, structured in ((2e3, 5.0, True), (2e4, 100.0, True), (2e3, 0.0, False), (2e4, 400.0, False)):
-        changes: dict[str, Any] = {"material.hardening_modulus": f"{modulus} Pa", "material.recovery": recovery}
+        changes: dict[str, Any] = {
+            "material.hardening_modulus": f"{modulus} Pa",
+            "material.hardening_recovery": recovery,
+        }
         if structured:
             changes |= {"material.structure": STRUCTURE, "run.effects": [*EFFECTS, "structure"]}
         run = sc.simulate(bar(**changes))
@@ -79,10 +82,10 @@ def test_limits_of_the_modulus_and_of_recovery() -> None:
         scene = bar(**{f"material.{key}": value for key, value in numbers.items()}, **{"run.effects": effects})
         return float(sc.simulate(scene).data.stress_mean.values[-1, 0])
 
-    plain, prager = last(PLAIN, hardening_modulus=None, recovery=0), last(recovery=0)
+    plain, prager = last(PLAIN, hardening_modulus=None, hardening_recovery=0), last(hardening_recovery=0)
     rows += [("C to 0", C, last(hardening_modulus=f"{C} Pa") - plain) for C in (40.0, 20.0, 10.0)]
-    rows += [("q to infinity", 1 / q, last(recovery=q) - plain) for q in (500.0, 1000.0, 2000.0)]
-    rows += [("q to 0", q, last(recovery=q) - prager) for q in (0.04, 0.02, 0.01)]
+    rows += [("q to infinity", 1 / q, last(hardening_recovery=q) - plain) for q in (500.0, 1000.0, 2000.0)]
+    rows += [("q to 0", q, last(hardening_recovery=q) - prager) for q in (0.04, 0.02, 0.01)]
     orders = [math.log2(abs(a[2] / b[2])) for a, b in pairwise(rows)]
     shown = [(*row, "" if k % 3 == 0 else f"{orders[k - 1]:.3f}") for k, row in enumerate(rows)]
     show("limits of the backstress", ("limit", "C, 1/q or q", "stress apart [Pa]", "order"), shown)
