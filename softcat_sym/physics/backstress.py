@@ -19,8 +19,8 @@ modulus = enter("C_h", "C", STRESS, "modulus of kinematic hardening in tension",
 recovery = enter("q_h", "q", ONE, "dynamic recovery of the back strain per plastic strain", SOURCE)
 axial = enter("A_h", "A", ONE, "axial back strain of a fibre", SOURCE)
 shear = enter("A_hs", "A_s", ONE, "back strain of a fibre in shear", SOURCE)
-axial_stress = enter("chi", r"\chi", STRESS, "axial backstress of a fibre", SOURCE)
-shear_stress = enter("chi_s", r"\chi_s", STRESS, "shear component of the backstress of a fibre", SOURCE)
+axial_stress = enter("chi_b", r"\chi", STRESS, "axial backstress of a fibre", SOURCE)
+shear_stress = enter("chi_bs", r"\chi_s", STRESS, "shear component of the backstress of a fibre", SOURCE)
 
 CONSTANTS = (Constant("material_hardening_modulus", modulus), Constant("material_hardening_recovery", recovery))
 
