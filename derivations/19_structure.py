@@ -22,7 +22,8 @@
 # that it never leaves $[0, 1]$, that rest is an exponential, that Roussel's linear growth (2006) is its beginning, how
 # numbers of a rheometer in shear convert, and that yield stress and viscosity are what the scene states at the start.
 #
-# Effects derived here: `structure` (`structure.build_up_rate`, `structure.structure_clock`).
+# Effects derived here: `structure` (`structure.build_up_rate`, `structure.structure_clock`) and `backstress`
+# (`backstress.back_rate`, `reissner.hardened`).
 
 # %%
 import sympy as sp
@@ -100,3 +101,39 @@ prove_equal(made[eta].subs(st.change, 1 - begin), st.viscosity_ends[0])
 in_shear = sp.Symbol("tau_s", positive=True)
 both = (in_shear * sp.sqrt(3) * st.speed) ** st.exponent
 prove_equal(both, plain.subs(st.tau_b, sp.sqrt(3) * in_shear))
+
+# %% [markdown]
+# ## Backstress
+#
+# A fibre flows by $\sigma - \chi$, $\chi = C A$, and $\dot A = D - q A |D|$ (Armstrong and Frederick). Power of the
+# stresses in the plastic rates is that of the flow, $\sigma_{eq}|D|$, what is stored, and $q C A^2 |D| \geq 0$: with
+# the shear, whose rate $\dot\gamma^p + c\gamma^p\dot\epsilon^p$ works against $\tau_d$, and where the width is held.
+
+# %%
+from softcat_sym.physics import backstress, reissner
+from softcat_sym.physics.bulk import sigma_eq
+from softcat_sym.physics.symbols import sigma
+
+phi = sp.Symbol("phi", nonnegative=True)
+for share in (sp.S.One, sp.Rational(3, 4)):
+    flow, hardening = reissner.hardened(reissner.fibre_flow(phi, share), share)
+    sheared = flow.shear_rate + reissner.CARRY * reissner.gamma_p * flow.axial_rate
+    power = sigma * flow.axial_rate + reissner.tau_d * sheared
+    stored = sum(
+        sp.diff(hardening.stored, one) * rate
+        for one, rate in zip((backstress.axial, backstress.shear), hardening.rates, strict=True)
+    )
+    lost = flow.dissipation - flow.speed * sigma_eq
+    driving = phi * flow.equivalent**2 / sigma_eq
+    prove_equal(sp.expand(power - stored - driving - lost), 0)
+    prove_equal(sp.expand(lost - 2 * backstress.recovery * phi * hardening.stored), 0)
+
+# %% [markdown]
+# Flow one way by a plastic strain $e$: $\chi = C (1 - e^{-q e})/q$, at length $C/q$, or $C e$ (Prager). In
+# shear, $\alpha = \chi/\sqrt3$ and $\gamma^p = \sqrt3 e$: $C_s = C/3$, $q_s = q/\sqrt3$.
+
+# %%
+e = sp.Symbol("e", positive=True)
+back = (1 - sp.exp(-backstress.recovery * e)) / backstress.recovery
+prove_equal(sp.diff(back, e), backstress.back_rate(sp.S.One, back, sp.S.One))
+prove_equal(sp.limit(back, backstress.recovery, 0), e)

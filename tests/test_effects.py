@@ -170,6 +170,7 @@ def test_a_named_list_reports_what_it_leaves_out() -> None:
         "added-mass",
         "curing",
         "structure",
+        "backstress",
         "natural-strain",
         "temperature",
     }

@@ -36,7 +36,7 @@ def test_at_most_eight_exception_classes_each_with_advice() -> None:
     assert all(each.__doc__ for each in classes)
 
 
-WORDS = {"bending", "shear", "fibres", "inertia", "structure", "temperature", "thinning", "yielding"}
+WORDS = {"backstress", "bending", "shear", "fibres", "inertia", "structure", "temperature", "thinning", "yielding"}
 """Names that are quantities, too: as a column or a key they name no effect."""
 
 FLAGS = {("cli/new.py", "surface-tension")}

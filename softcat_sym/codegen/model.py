@@ -340,6 +340,8 @@ def structure_of(
     )
     if effects.terms().shaking != 1:
         parts = (*parts, effects.terms().shaking)
+    if effects.terms().hardens:
+        parts = (*parts, "hardens")
     rule = fibres.label if fibres else ""
     return Structure(_digest(parts), rule, effects.names, equations, theory, ends, body)
 

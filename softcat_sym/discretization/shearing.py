@@ -36,11 +36,11 @@ from softcat_sym.discretization.stencil import (
     Neighbours,
     Same,
 )
-from softcat_sym.physics import conformation, reissner, symbols
+from softcat_sym.physics import backstress, conformation, reissner, symbols
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.clocks import State
 from softcat_sym.physics.conformation import ChainResponse
-from softcat_sym.physics.reissner import FibreBranch, ResolvedSection
+from softcat_sym.physics.reissner import FibreBranch, FibreHardening, ResolvedSection
 from softcat_sym.physics.structure import speed
 
 
@@ -192,11 +192,7 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
     for clock in followed:
         clock.set(b, rule, fibres)
     for j, branch in enumerate(resolved.branches):
-        axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, j) for kind in ("axial", "shear"))
-        for fibre, *plastic in zip(fibres, axial, shear, strict=True):
-            fibre.add(branch, (plastic[0], plastic[1]))
-        rates = _state_rates(rule, fibres, j)
-        found.plastic |= {name: rate for name, rate in rates.items() if name in b.slots}
+        found.plastic |= _add_branch(b, resolved, branch, rule, fibres, j)
     for clock in followed:
         found.plastic |= clock.rates(rule, fibres)
     if b.equations.chains is not None:
@@ -208,6 +204,8 @@ def sampled(b: Builder, resolved: ResolvedSection, rule: Sampling, values: Value
         found.shown = _shown_fibres(rule, fibres)
         for clock in followed:
             found.shown[clock.state.name] = _dot(rule.weight, [fibre.values[clock.state.shown] for fibre in fibres])
+        if any(branch.hardening is not None for branch in resolved.branches):
+            found.shown["backstress"] = _dot(rule.weight, [fibre.backstress for fibre in fibres])
     return found
 
 
@@ -282,6 +280,39 @@ def _add_chains(b: Builder, chains: ChainResponse, rule: Sampling, fibres: Seque
                     fibre.dissipation += fibre.released[number] * (_dot(row, projected) - rate)
 
 
+def _add_branch(
+    b: Builder, resolved: ResolvedSection, branch: FibreBranch, rule: Sampling, fibres: Sequence[_Fibre], number: int
+) -> dict[str, ca.SX]:
+    """A spring of every point, with its flow and its backstress; rates of their states."""
+    if branch.hardening is not None:
+        _set_back_strains(b, rule, fibres, number, shears=resolved.shears)
+    axial, shear = (_plastic_strain(b, resolved, branch, rule, kind, number) for kind in ("axial", "shear"))
+    for fibre, *plastic in zip(fibres, axial, shear, strict=True):
+        fibre.add(branch, (plastic[0], plastic[1]))
+    found = {name: rate for name, rate in _state_rates(rule, fibres, number).items() if name in b.slots}
+    return found | (_back_rates(rule, fibres, number, shears=resolved.shears) if branch.hardening is not None else {})
+
+
+def _set_back_strains(b: Builder, rule: Sampling, fibres: Sequence[_Fibre], branch: int, *, shears: bool) -> None:
+    """Axial back strain of a branch at every point, and that in shear."""
+    for kind, symbol in (("back", backstress.axial), ("back_shear", backstress.shear))[: 1 + shears]:
+        slots = [
+            Slot(name, "cell", (False, False), True, "", section=True) for name in _state_names(rule, kind, branch)
+        ]
+        states = [b.unknown(slot)[0] for slot in slots]
+        for fibre, row in zip(fibres, rule.recall, strict=True):
+            fibre.values[symbol] = _dot(row, states)
+
+
+def _back_rates(rule: Sampling, fibres: Sequence[_Fibre], branch: int, *, shears: bool) -> dict[str, ca.SX]:
+    """Rates of the back strains of a branch."""
+    found: dict[str, ca.SX] = {}
+    for number, kind in enumerate(("back", "back_shear")[: 1 + shears]):
+        rates = [fibre.back_rates[number] for fibre in fibres]
+        found |= zip(_state_names(rule, kind, branch), (_dot(row, rates) for row in rule.project), strict=True)
+    return found
+
+
 def _state_names(rule: Sampling, kind: str, branch: int) -> list[str]:
     return [branch_name(f"{kind}_{label}", branch) for label in rule.labels]
 
@@ -339,6 +370,8 @@ class _Fibre:
         self.softening, self.by_temperature = ca.SX(0), b.by_temperature
         self.rates: list[Pair] = []
         self.drives: list[Pair] = []  # What the rates of the plastic state are conjugate to
+        self.back_rates: Pair = (ca.SX(0), ca.SX(0))
+        self.backstress = ca.SX(0)  # Along the fibre
         self.relaxing: list[ca.SX] = []  # Rates of the states of chains, and what these are conjugate to
         self.released: list[ca.SX] = []
         self.conformation: list[ca.SX] = []
@@ -376,10 +409,19 @@ class _Fibre:
             tuple(values),
         )(values)
         self.rates.append((ca.SX(flow["axial_rate"]), ca.SX(flow["shear_rate"])))
+        if branch.hardening is not None:
+            self.harden(branch.hardening, values)
         self.dissipation += flow["dissipation"]
         self.speed = ca.fmax(self.speed, flow["speed"]) if self.flows else ca.SX(flow["speed"])
         self.yields = ca.fmax(self.yields, flow["yields"]) if self.flows else ca.SX(flow["yields"])
         self.flows = True
+
+    def harden(self, hardening: FibreHardening, values: Values) -> None:
+        """The backstress of what flows: it stores energy, and follows the flow."""
+        axial, shear = (printed(rate, values) for rate in hardening.rates)
+        self.back_rates = axial, shear
+        self.backstress = printed(hardening.stress, values)
+        self.energy += printed(hardening.stored, values)
 
     def carry(self, chains: ChainResponse, taken: Sequence[ca.SX]) -> None:
         """Polymer chains: a stress along the fibre, and a stiffness that keeps the section square to the centreline."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 from importlib.metadata import entry_points
 
 from softcat_sym.effects.added_mass import ADDED_MASS
+from softcat_sym.effects.backstress import BACKSTRESS
 from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.buoyancy import BUOYANCY
 from softcat_sym.effects.curing import CURING
@@ -58,6 +59,7 @@ REGISTRY: list[Effect] = [
     TEMPERATURE,
     CURING,
     STRUCTURE,
+    BACKSTRESS,
     NATURAL_STRAIN,
 ]
 

@@ -391,6 +391,8 @@ REPLACED = (
     "mobility",
     "ptt_epsilon",
     "structure",
+    "hardening_modulus",
+    "hardening_recovery",
 )
 """Constants of a scene's own law that go with it; the elastic ones stay, a flow curve says nothing about them."""
 

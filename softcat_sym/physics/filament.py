@@ -12,8 +12,8 @@ from functools import lru_cache
 
 import sympy as sp
 
+from softcat_sym.physics import backstress, kinematics, sections
 from softcat_sym.physics import closures as closure
-from softcat_sym.physics import kinematics, sections
 from softcat_sym.physics.clocks import Clock
 from softcat_sym.physics.conformation import ChainResponse
 from softcat_sym.physics.conformation import respond as respond_chains
@@ -55,6 +55,8 @@ class Terms:
     clocks: tuple[Clock, ...] = ()  # What changes the constants of the material
     heat: Heat | None = None  # What the temperature of the filament follows, if it has one
     shrinks: bool = False  # Whether the material is without stress at another strain as time goes on
+    # Whether flow hardens kinematically; not in its representation, as for shaking below.
+    hardens: bool = field(default=False, repr=False)
     gravity: sp.Expr = g  # Gravity and its rate where it does not shake
     gravity_rate: sp.Expr = sp.S.Zero
     # Not in its representation, from which a structure has its name: one that does not shake keeps it.
@@ -147,7 +149,8 @@ class FilamentEquations:
         of_densities = (one for density in self.terms.densities for one in density.constants)
         of_clocks = (one for clock in self.terms.clocks for one in clock.constants)
         of_heat = () if self.terms.heat is None else self.terms.heat.constants
-        return (*self.law.constants, *of_densities, *of_clocks, *of_heat)
+        of_hardening = backstress.CONSTANTS if self.terms.hardens else ()
+        return (*self.law.constants, *of_densities, *of_clocks, *of_heat, *of_hardening)
 
     @property
     def conserves_energy(self) -> bool:
@@ -174,7 +177,11 @@ def derive(terms: Terms, shape: sections.Section, closure_name: str) -> Filament
     )
     resolved = None
     if terms.shear or terms.resolved:
-        resolved = resolve(shape, law, shear=terms.shear, curved=terms.curved, shrinks=terms.shrinks)
+        resolved = resolve(
+            shape, law, shear=terms.shear, curved=terms.curved, shrinks=terms.shrinks, hardens=terms.hardens
+        )
+    elif terms.hardens:
+        raise ValueError("backstress: only in a section that is resolved through its thickness")
     if law.chains is not None:
         _refuse_chains(terms, resolved)
     return FilamentEquations(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from dataclasses import replace
 
 import sympy as sp
 
-from softcat_sym.physics import conformation, heat, reissner
+from softcat_sym.physics import backstress, conformation, heat, reissner
 from softcat_sym.physics import symbols as sy
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.closures import CLOSURES, A, h
@@ -293,8 +294,10 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
             drive = resolved.branches[j].spring.driving.xreplace(new)
             yield stated(f"driving shear stress{which}", reissner.tau_d.xreplace(new), drive, "THEORY 12a")
         total = flow if branch.flow is not None else reissner.STILL
+        if branch.flow is not None and equations.terms.hardens:
+            total = yield from _hardening(resolved, flow, share, which)
         if branch.flow is not None:
-            yield stated(f"equivalent stress{which}", sigma_eq, flow.equivalent.xreplace(new), "3.5")
+            yield stated(f"equivalent stress{which}", sigma_eq, total.equivalent.xreplace(new), "3.5")
             rule = plain_rate(branch.flow).subs(sy.sigma, sigma_eq)
             yield stated(f"flow rule{which}", plastic_rate, rule, "2.7, 2.25")
         if branch.growth is not None:
@@ -305,6 +308,28 @@ def _flows(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[
         if resolved.shears:
             shear = total.shear_rate.xreplace(new)
             yield stated(f"plastic shear of a fibre{which}", Rate(gamma_p.xreplace(new), sy.t, 1), shear, "3.7")
+
+
+def _hardening(
+    resolved: ResolvedSection, flow: reissner.FibreFlow, share: sp.Expr, which: str
+) -> Generator[Stated, None, reissner.FibreFlow]:
+    """Backstresses and the rates of the back strains; what they make of the flow."""
+    kept = 1 + resolved.shears
+    moved, hardening = reissner.hardened(flow, share, resolved.cell.carry, shear=resolved.shears)
+    symbols = (backstress.axial_stress, backstress.shear_stress)
+    values = backstress.back_stress(share)
+    for name, symbol, value in list(zip(("backstress", "shear backstress"), symbols, values, strict=True))[:kept]:
+        yield stated(f"{name} of a fibre{which}", symbol, value, backstress.SOURCE)
+    named = dict(zip(values, symbols, strict=True))
+    strains = zip(("back strain", "back strain in shear"), (backstress.axial, backstress.shear), strict=True)
+    for (name, strain), rate in list(zip(strains, hardening.rates, strict=True))[:kept]:
+        yield stated(f"{name} of a fibre{which}", Rate(strain, sy.t, 1), rate.xreplace(named), backstress.SOURCE)
+    return replace(
+        moved,
+        equivalent=moved.equivalent.xreplace(named),
+        axial_rate=moved.axial_rate.xreplace(named),
+        shear_rate=moved.shear_rate.xreplace(named),
+    )
 
 
 def _resultants(equations: FilamentEquations, resolved: ResolvedSection) -> Iterator[Stated]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields, replace
 
 import sympy as sp
 
-from softcat_sym.physics import kinematics
+from softcat_sym.physics import backstress, kinematics
 from softcat_sym.physics.bulk import nu, shear_modulus, sigma_eq
 from softcat_sym.physics.equation import Equation
 from softcat_sym.physics.kinematics import mass_per_length
@@ -233,6 +233,37 @@ STILL = FibreFlow(*(sp.Integer(0) for _ in fields(FibreFlow)))
 """A fibre that does not flow."""
 
 
+@dataclass(frozen=True, slots=True)
+class FibreHardening:
+    """Kinematic hardening of a fibre."""
+
+    stored: sp.Expr  # Per unit undeformed volume, of the back strains
+    rates: tuple[sp.Expr, sp.Expr]  # Of the axial back strain and of that in shear, in ``sigma_eq`` as one symbol
+    stress: sp.Expr  # Axial backstress
+
+
+def hardened(
+    flow: FibreFlow, share: sp.Expr = sp.S.One, carry: sp.Expr = CARRY, *, shear: bool = True
+) -> tuple[FibreFlow, FibreHardening]:
+    """The same flow driven by the stresses less the backstresses, and what becomes of these.
+
+    The back strain in shear follows the shear rate of the plastic deformation, gamma_p_t + c gamma_p eps_p_t: that
+    which tau_d is the driving stress of. So the energy is closed at any stretch.
+    """
+    axially, across = backstress.back_stress(share)
+    less = {sigma: sigma - axially} | ({tau_d: tau_d - across} if shear else {})
+    moved = FibreFlow(*(getattr(flow, one.name).subs(less, simultaneous=True) for one in fields(FibreFlow)))
+    sheared = moved.shear_rate + carry * gamma_p * moved.axial_rate if shear else sp.S.Zero
+    rates = (
+        backstress.back_rate(moved.axial_rate, backstress.axial, moved.speed),
+        backstress.back_rate(sheared, backstress.shear, moved.speed) if shear else sp.S.Zero,
+    )
+    stored = backstress.stored(share) if shear else backstress.stored(share).subs(backstress.shear, 0)
+    # Power of the stresses in the plastic rates, less what is stored of it.
+    lost = moved.dissipation + backstress.recovered(share, moved.speed).subs({} if shear else {backstress.shear: 0})
+    return replace(moved, dissipation=lost), FibreHardening(stored, rates, axially)
+
+
 def growing(flow: FibreFlow | None, growth: sp.Expr, carry: sp.Expr = CARRY, *, shear: bool = True) -> FibreFlow:
     """What flows, and what springs without stress that join the others at this rate, over the modulus, add to it.
 
@@ -347,6 +378,7 @@ class FibreBranch:
 
     spring: FibreSpring
     flow: FibreFlow | None  # Plastic rates, of (sigma, tau_d), gamma_p and ``sigma_eq``; None where it does not flow
+    hardening: FibreHardening | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -379,7 +411,9 @@ class ResolvedSection:
         return any(branch.flow is not None for branch in self.branches)
 
 
-def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False, shrinks: bool = False) -> ResolvedSection:
+def resolve(
+    shape: Section, law: Law, *, shear: bool, curved: bool = False, shrinks: bool = False, hardens: bool = False
+) -> ResolvedSection:
     """Assemble the chain for a section that shrinks as its shape does; where its material `shrinks`, so besides."""
     correction = SHEAR_CORRECTION[shape.name] * (1 if shear else RIGIDITY)
     cell = shearing_cell(shape.contraction).corrected(correction)
@@ -393,7 +427,9 @@ def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False, shri
         strains=director_strains(),
         strain_rates=director_rates(),
         cell=cell,
-        branches=tuple(_branch(shape, cell, branch, relaxed + natural, shear=shear) for branch in law.branches),
+        branches=tuple(
+            _branch(shape, cell, branch, relaxed + natural, shear=shear, hardens=hardens) for branch in law.branches
+        ),
         viscous=None if law.viscosity is None else _viscous(shape, cell, law.viscosity, natural_rate, shear=shear),
         relative_thickness=(cell.thickness / h0).subs(s, Lam),
         rotary_inertia=rotary_inertia(shape),
@@ -401,15 +437,19 @@ def resolve(shape: Section, law: Law, *, shear: bool, curved: bool = False, shri
     )
 
 
-def _branch(shape: Section, cell: ShearingCell, branch: Branch, relaxed: sp.Expr, *, shear: bool) -> FibreBranch:
+def _branch(
+    shape: Section, cell: ShearingCell, branch: Branch, relaxed: sp.Expr, *, shear: bool, hardens: bool
+) -> FibreBranch:
     modulus, shearing = stiffness(shape, branch.modulus), shear_modulus().subs(E, branch.modulus)
-    flow = None
+    flow = hardening = None
     if branch.flow is not None:
         share = PLANE_STRAIN**2 if shape.plane_strain else sp.S.One
         flow = (fibre_flow if shear else axial_flow)(branch.flow.rate, share, cell.carry)
+        if hardens:
+            flow, hardening = hardened(flow, share, cell.carry, shear=shear)
     if branch.growth is not None:
         flow = growing(flow, branch.growth, cell.carry, shear=shear)
-    return FibreBranch(fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear), flow)
+    return FibreBranch(fibre_spring(modulus, shearing, cell.carry, relaxed, shear=shear), flow, hardening)
 
 
 def _viscous(

@@ -37,6 +37,7 @@ _ONLY: dict[str, object] = {
     **dict.fromkeys(("material.loss_tangent", "load.point_mass", "load.shake"), 0.0),
     **dict.fromkeys(("surroundings.density", "surroundings.viscosity"), 0.0),
     "material.solid_viscosity": None,
+    "material.hardening_modulus": None,
     "temperature.initial": None,
     "run.until": "duration",
     "initial.stretch": 1.0,

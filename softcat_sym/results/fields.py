@@ -42,6 +42,7 @@ VARIABLES: Final[Mapping[str, Variable]] = {
         ("time", "node", "component"), "1", "turn of the section from the axes x, y, z; scalar first"
     ),
     "structure": Variable(_CELL, "1", "structure parameter, mean over the section"),
+    "backstress": Variable(_CELL, "Pa", "axial backstress, mean over the section"),
     "temperature": Variable(_NODE, "K", "temperature of the section"),
     "stretch": Variable(_CELL, "1", "stretch of the centreline"),
     "curvature": Variable(_CELL, "1/m", "curvature theta_s of the centreline, k/Lam of a filament that shears"),

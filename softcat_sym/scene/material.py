@@ -361,6 +361,7 @@ def check_against_law(name: str, law: str | None, value: object, accepted: str) 
         raise refusal(f"given, but the law '{law}' does not {verb}", f"leaving it out, or one of the laws {laws}")
 
 
+_HARDENS = ("bingham", "herschel-bulkley")
 _BUILDS_UP = ("maxwell", "bingham", "power-law", "herschel-bulkley")
 
 
@@ -507,6 +508,10 @@ class Material(Part):
     """Tensile viscosity beside spring and flow; instead of loss_tangent."""
     structure: Annotated[Structure | None, StructureTable()] = None
     """How it builds up at rest and breaks down where it flows: a table [material.structure]."""
+    hardening_modulus: Annotated[float | None, Quantity("stress", "2 kPa")] = None
+    """C of a backstress C A (kinematic hardening), tensile: three times that of a rheometer in shear."""
+    hardening_recovery: Annotated[float, Number(above=0, closed=True)] = 0.0
+    """q of its dynamic recovery, A_t = rate - q A |rate|, per tensile strain: sqrt(3) times that in shear."""
     breaking_strain: Annotated[float | None, Number(above=0)] = None
     """True (Hencky) tensile strain at which a fibre breaks; the run ends there."""
     breaking_stress: Annotated[float | None, Quantity("stress", "20 kPa")] = None
@@ -634,6 +639,19 @@ class Material(Part):
         if faults:
             raise refusals("structure", faults)
         return structure
+
+    @field_validator("hardening_modulus", "hardening_recovery", mode="wrap")
+    @classmethod
+    def _of_a_law_that_hardens(cls, value: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Any:
+        number, law = handler(value), info.data.get("law")
+        if not number or law is None:
+            return number
+        if info.field_name == "hardening_recovery" and info.data.get("hardening_modulus", math.nan) is None:
+            raise refusal("given without material.hardening_modulus: no backstress recovers", "both, or neither")
+        if info.field_name == "hardening_modulus" and law not in _HARDENS:
+            found = f"given, but the law '{law}' has no yield stress of its own that would harden"
+            raise refusal(found, f"leaving it out, or one of the laws {', '.join(_HARDENS)}")
+        return number
 
     @model_validator(mode="after")
     def _make_sense_of_the_own_law(self) -> Material:

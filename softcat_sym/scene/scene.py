@@ -388,6 +388,11 @@ class Scene(Part):
         own = {f"material.parameters.{one.name}": one for one in self.material.parameters}
         if (structure := self.material.structure) is not None:
             own |= {f"material.structure.{name}": Parameter(name, *one) for name, one in structure.numbers.items()}
+        if (modulus := self.material.hardening_modulus) is not None:
+            own["material.hardening_modulus"] = Parameter("hardening_modulus", modulus, (1, -1, -2))
+            own["material.hardening_recovery"] = Parameter(
+                "hardening_recovery", self.material.hardening_recovery, (0, 0, 0)
+            )
         return own | {f"effects.{effect}.{one.name}": one for effect, table in self.effects for one in table}
 
     def given(self) -> dict[str, object]:

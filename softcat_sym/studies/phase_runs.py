@@ -111,6 +111,7 @@ def refuse_scene(scene: Scene) -> None:
         ("surroundings.density", buoyant_share(scene) > 0, "what a bath carries", "0"),
         ("temperature", scene.temperature.present, "what a temperature changes", "leaving it out"),
         ("material.structure", scene.material.structure is not None, "what rest builds up", "leaving it out"),
+        ("material.hardening_modulus", scene.material.hardening_modulus is not None, "what hardens", "leaving it out"),
         ("material", bool(scene.material.histories()), "what changes in time", "constants"),
     ):
         if there:

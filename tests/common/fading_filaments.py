@@ -365,6 +365,14 @@ def structure_of_a_beam(rate: float) -> Pair:
     return changed_pair("structure", without, material, filament, {"material.structure": structure}, **asked)
 
 
+# A Bingham beam that flows at a fifth of its weight's stress, with a back stress of so many times that per strain.
+def hardening_of_a_beam(modulus: float) -> Pair:
+    material = {"law": "bingham", "youngs_modulus": 1e7, "viscosity": 1e6, "yield_stress": 0.2 * WEIGHT}
+    without, asked = (*BENDING_FLOW, "fibres"), {"numerics": {"fibres": 8}}
+    changed = {"material.hardening_modulus": f"{modulus * WEIGHT!r} Pa"}
+    return changed_pair("backstress", without, material, {"thickness": 0.1}, changed, **asked)
+
+
 def changed_pair(
     effect: str,
     without: tuple[str, ...],

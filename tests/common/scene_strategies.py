@@ -291,8 +291,8 @@ def _lists(draw: st.DrawFn, law: str, load: set[str], section: str) -> list[str]
         cannot |= {"yielding"}
     if "ramp" not in load:
         cannot |= {"gravity-ramp"}
-    # No scene drawn here states a loss.
-    cannot |= {"solid-damping"}
+    # No scene drawn here states a loss, a clock or a back stress.
+    cannot |= {"solid-damping", "temperature", "curing", "structure", "natural-strain", "backstress"}
     if "shake" not in load:
         cannot |= {"gravity-shaking"}
     if "surface_tension" not in load:

@@ -144,6 +144,7 @@ LIMITS: tuple[Limit, ...] = (
         (1 / 40 - 0.05**2 / 2, 0.02),
     ),
     Limit("temperature", "creeping beam, kelvin", halved(0.4), (1, 0.02), fading.warmth_of_a_creeping_beam),
+    Limit("backstress", "Bingham beam, C/(rho g L)", halved(0.4), (1, 0.05), fading.hardening_of_a_beam),
     Limit("structure", "Bingham beam, 1/t_b", halved(0.2), (1, 0.06), fading.structure_of_a_beam),
 )
 """Every limit; each effect has one or more."""

@@ -183,3 +183,47 @@ def test_limits_of_fast_and_slow_build_up() -> None:
     structure = bar().material.structure
     assert structure is not None
     assert np.all(np.diff(stress_and_structure(structure, np.linspace(0, 1, 3))[1]) > 0)
+
+
+def test_a_hanging_strand_creeps_as_the_mikh_law_of_rheojax() -> None:
+    """Each cell of a strand that hangs bears the same force at all times: its kernel of creep, at that force."""
+    kernels = pytest.importorskip("rheojax.models.ikh._kernels", exc_type=ImportError)
+    root, weight = math.sqrt(3), 1000 * 9.81 * L
+    scene = bar({"build_up_time": "4 s", "breakdown_time": "30 s"}).replace(
+        {
+            "material.hardening_modulus": "2 kPa",
+            "material.hardening_recovery": 3.0,
+            "ends": {"left_angle": "-90 deg", "right": "free"},
+            "load.gravity": "9.81 m/s^2",
+            "run.duration": "40 s",
+            "run.effects": [*EFFECTS, "backstress"],
+        }
+    )
+    run = sc.simulate(scene)
+    times, rows = run.data.time.values, []
+    given = {"C": 2e3 / 3, "gamma_dyn": 3 / root, "m": 1.0, "eta": 1e30, "mu_p": 5e4 / 3, "k3": 0.0}
+    given |= {"sigma_y0": 300 / root, "delta_sigma_y": 600 / root, "tau_thix": 4.0, "Gamma": 30 / root / 4}
+    for cell, at in enumerate(run.data.X_cell.values):
+        held = weight * (0.5 - at / L)
+
+        def rates(_: float, state: Floats, held: float = held) -> Floats:
+            stretch, *inner = state
+            stress = held * stretch
+            moving = kernels.ikh_creep_ode_rhs(0.0, np.array([0.0, *inner]), {**given, "sigma_applied": stress / root})
+            flow, *changing = np.asarray(moving, dtype=float)
+            # d log s = flow + d sigma/E, with sigma in proportion to s.
+            return np.array([stretch * flow / root / (1 - stress / 1e5), *changing])
+
+        begin = brentq(lambda s, held=held: math.log(s) - held * s / 1e5, 1.0, math.e)
+        found = solve_ivp(rates, (0, times[-1]), [begin, 0, 0], t_eval=times, rtol=1e-8, atol=1e-10, max_step=0.2)
+        own = run.data.stretch.values[:, cell]
+        apart = float(np.max(np.abs(own - found.y[0]))) / float(np.max(own - 1))
+        lam = float(np.max(np.abs(run.data.structure.values[:, cell] - found.y[2])))
+        rows.append((held, own[0], own[-1], found.y[0][-1], apart, lam))
+    show(
+        "creep of a hanging strand, RheoJAX's MIKH",
+        ("force/area [Pa]", "stretch at once", "after 40 s", "RheoJAX", "apart", "lambda apart"),
+        [[f"{one:.6g}" for one in row] for row in rows],
+    )
+    assert all(max(row[-2:]) < 1e-4 for row in rows)
+    assert rows[0][2] > 1.05 * rows[0][1]

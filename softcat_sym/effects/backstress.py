@@ -1,0 +1,54 @@
+"""Backstress: flow one way makes a yield-stress material flow sooner the other way (Bauschinger effect).
+
+Kinematic hardening of every fibre with dynamic recovery; beside the effect structure it is the MIKH model.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from softcat_sym.effects.effect import SMALL_MODEL, Effect, Estimate, Motion
+from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.scene import Scene
+
+
+def _applies(scene: Scene) -> bool:
+    given = scene.material.hardening_modulus is not None
+    return scene.model == "filament" and scene.run.closure == "material" and given
+
+
+def _adapted(scene: Scene, terms: Terms) -> Terms:
+    del scene
+    return replace(terms, hardens=True)
+
+
+def _hardened(scene: Scene, strain: float) -> float:
+    """Backstress after flow to this strain [Pa]."""
+    material = scene.material
+    decay = material.hardening_recovery * strain
+    return (material.hardening_modulus or 0.0) * strain * (-math.expm1(-decay) / decay if decay else 1.0)
+
+
+def _estimate(scene: Scene, motion: Motion) -> Estimate:
+    stress = _hardened(scene, motion.strain)
+    limit = scene.material.threshold
+    change = stress / (stress + limit) if stress else 0.0
+    meaning = "backstress over all that holds against flow, where flow takes the stress away"
+    return Estimate(motion.amplified(change * motion.relaxed), meaning, "relaxed chi/(chi + sigma_Y)")
+
+
+BACKSTRESS = Effect(
+    name="backstress",
+    summary="kinematic hardening with dynamic recovery, fibre by fibre: flow is driven by the stress less C A",
+    source="Armstrong & Frederick 1966; Dimitriou & McKinley 2014",
+    adapt=_adapted,
+    applies=_applies,
+    without_it=f"the scene has no material.hardening_modulus, asks for the printed closure, or {SMALL_MODEL}",
+    estimate=_estimate,
+    observable="the same, of the strain and the share of flow that a run shows",
+    example="modelling-clay",
+    derivation="19_structure",
+    needs=("fibres", "yielding"),
+    in_paper=False,
+)
