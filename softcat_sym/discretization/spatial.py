@@ -70,7 +70,7 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
         For what only a filament in its plane has: half of a symmetric span, clocks, heat, and effects of a bath.
     """
     terms = b.equations.terms
-    if b.half or terms.clocks or terms.heat is not None or terms.densities or terms.rotary_inertia:
+    if b.half or terms.clocks or terms.hardens or terms.heat is not None or terms.densities or terms.rotary_inertia:
         raise ValueError("a filament in three dimensions has neither a half span nor clocks, heat or a bath")
     section = spatial.spatial_section(b.equations.shape, b.equations.law, natural=terms.curved)
     places, speeds, moved, turn, spin = _unknowns(b)

@@ -83,6 +83,7 @@ def _of_space(scene: Scene) -> Iterator[Rule]:
     given = (
         *((f"material.{name}", True) for name in histories),
         ("material.structure", material.structure is not None),
+        ("material.hardening_modulus", material.hardening_modulus is not None),
         ("surroundings.density", surroundings.density > 0),
         ("surroundings.viscosity", surroundings.viscosity > 0),
         ("temperature", scene.temperature.present),
