@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import casadi as ca
+import numpy as np
 import sympy as sp
 
 from softcat_sym.discretization.casadi_printer import CellFunction
@@ -29,7 +31,7 @@ from softcat_sym.discretization.cell import (
     printed,
     surface_force,
 )
-from softcat_sym.discretization.grid import End
+from softcat_sym.discretization.grid import End, Floats
 from softcat_sym.discretization.point_rule import OnePoint, SpatialSampling
 from softcat_sym.discretization.stencil import CELLS, FIBRE, INNER, NODES, Field, Leaf, Neighbours, Same, Where
 from softcat_sym.discretization.supports import TIP_FORCE, TIP_MASS
@@ -557,3 +559,38 @@ def _shown(
         "stress_bending": points.means[1] / float(b.equations.shape.zeta_squared),
     }
     return {name: Field(name, CELLS, ca.SX(value)) for name, value in values.items()}
+
+
+def sideways_tangent(cells: Floats) -> Floats:
+    """Tangent of planar cells in what leaves the plane: z and the turns about d1 and d2 of both nodes, (cells, 6, 6).
+
+    Parameters
+    ----------
+    cells : ndarray
+        Rows x, y, psi of the first and of the last node, rest length [m, rad]; the conjugates n_1, n_2 [N] and M [N m];
+        stiffness in Gam_3 [N], in twist and in sideways bending [N m^2]; a column for each cell.
+    """
+    found = np.asarray(_tangent().map(cells.shape[1])(cells))
+    return found.reshape(6, cells.shape[1], 6).transpose(1, 0, 2)
+
+
+@cache
+def _tangent() -> ca.Function:
+    """Second derivative of n.Gamma + m.kappa + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of one cell out of its plane."""
+    given = ca.SX.sym("given", 13)
+    xa, ya, pa, xb, yb, pb, d, n1, n2, M, c_shear, c_twist, c_bend = ca.vertsplit(given)
+    out = ca.SX.sym("out", 6)
+    za, a1, a2, zb, b1, b2 = ca.vertsplit(out)
+    slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
+    Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, _turned(pa, a1, a2), _turned(pb, b1, b2), d)
+    stiff = (c_shear * Gam_3**2 + c_twist * k_1**2 + c_bend * k_2**2) / 2
+    energy = d * (n1 * Lam + n2 * Gam - M * k_3 + stiff)
+    hessian = ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))
+    return ca.Function("tangent", [given], [ca.densify(hessian)])
+
+
+def _turned(psi: ca.SX, first: ca.SX, second: ca.SX) -> list[ca.SX]:
+    """Quaternion of a section in the plane that turns about its own axes d1 and d2, to second order."""
+    c, s = ca.cos(psi / 2), ca.sin(psi / 2)
+    w, x, y = 1 - (first**2 + second**2) / 8, first / 2, second / 2
+    return [c * w, c * x - s * y, c * y + s * x, s * w]

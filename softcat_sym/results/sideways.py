@@ -10,16 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
 
-import casadi as ca
 import numpy as np
 import numpy.typing as npt
 from scipy.linalg import LinAlgError, cholesky_banded, eigh
 
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.point_rule import warping_rule
-from softcat_sym.discretization.spatial import cell_strains
+from softcat_sym.discretization.spatial import sideways_tangent
 from softcat_sym.effects.scaling_estimates import instant_modulus
 from softcat_sym.physics.reissner import SHEAR_CORRECTION
 from softcat_sym.physics.sections import SECTIONS
@@ -52,8 +50,8 @@ class Sideways:
     def warning(self) -> str:
         """What a user should know."""
         return (
-            f"unstable sideways from {self.time:.4g} s on: a disturbance out of the plane grows e^{self.growth:.3g}-fold "
-            "by the end, and this planar run does not follow it; take run.dimensions = 3 and a load.direction that is "
+            f"unstable sideways from {self.time:.4g} s on: what disturbs it out of the plane grows e^{self.growth:.3g}-fold"
+            " by the end, and this planar run does not follow it; take run.dimensions = 3 and a load.direction that is "
             "a little out of the plane, such as [0, -1, 1e-4]"
         )
 
@@ -108,8 +106,7 @@ def _stiffness(scene: Scene, fields: Mapping[str, Floats], modulus: float) -> Fl
         *(shear * size * torsion / stretch**3, modulus * size * bending / stretch**3),
     )
     flat = np.vstack([np.broadcast_to(one, stretch.shape).ravel() for one in given])
-    found = np.asarray(_tangent().map(flat.shape[1])(flat))
-    return found.reshape(6, flat.shape[1], 6).transpose(1, 0, 2).reshape(*stretch.shape, 6, 6)
+    return sideways_tangent(flat).reshape(*stretch.shape, 6, 6)
 
 
 def _section_angles(fields: Mapping[str, Floats], length: Floats) -> Floats:
@@ -122,28 +119,6 @@ def _section_angles(fields: Mapping[str, Floats], length: Floats) -> Floats:
         theta[:, -1] + (theta[:, -1] - inner[:, -1]) if inner.shape[1] else theta[:, -1],
     )
     return np.column_stack([ends[0], inner, ends[1]])
-
-
-@cache
-def _tangent() -> ca.Function:
-    """Second derivative of n.Gamma + m.kappa + (C Gam_3^2 + GJ k_1^2 + EI k_2^2)/2 of one cell out of its plane."""
-    given = ca.SX.sym("given", 13)
-    xa, ya, pa, xb, yb, pb, d, n1, n2, M, c_shear, c_twist, c_bend = ca.vertsplit(given)
-    out = ca.SX.sym("out", 6)
-    za, a1, a2, zb, b1, b2 = ca.vertsplit(out)
-    slope = [(xb - xa) / d, (yb - ya) / d, (zb - za) / d]
-    Lam, Gam, Gam_3, k_1, k_2, k_3 = cell_strains(slope, _turned(pa, a1, a2), _turned(pb, b1, b2), d)
-    stiff = (c_shear * Gam_3**2 + c_twist * k_1**2 + c_bend * k_2**2) / 2
-    energy = d * (n1 * Lam + n2 * Gam - M * k_3 + stiff)
-    hessian = ca.substitute(ca.hessian(energy, out)[0], out, ca.SX.zeros(6))
-    return ca.Function("tangent", [given], [ca.densify(hessian)])
-
-
-def _turned(psi: ca.SX, first: ca.SX, second: ca.SX) -> list[ca.SX]:
-    """Quaternion of a section in the plane that turns about its own axes d1 and d2, to second order."""
-    c, s = ca.cos(psi / 2), ca.sin(psi / 2)
-    w, x, y = 1 - (first**2 + second**2) / 8, first / 2, second / 2
-    return [c * w, c * x - s * y, c * y + s * x, s * w]
 
 
 def _bands(blocks: Floats, held: Bools) -> Floats:
