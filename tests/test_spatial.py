@@ -1,0 +1,254 @@
+"""A filament in three dimensions: the planar one in its plane, rigid turns, forces of the energy, beams, torsion."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import pytest
+
+import softcat_sym as sc
+from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_theory
+from softcat_sym.discretization.graph import Graph
+from softcat_sym.discretization.grid import End, Floats, whole_span
+from softcat_sym.discretization.parameters import parameter_values
+from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
+from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.physics.filament import derive
+from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.scene.reading import load_scene
+from tests.common.pairs import differences, pair_of
+
+EFFECTS = ["inertia", "bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear", "fibres"]
+FLOW = {"maxwell": ["viscous-flow"], "bingham": ["viscous-flow", "yielding"], "kelvin-voigt": ["viscous-stress"]}
+FLOW |= {"multimode-maxwell": ["viscous-flow"], "elastic": []}
+MATERIALS: dict[str, dict[str, Any]] = {
+    "elastic": {"youngs_modulus": 4e6},
+    "maxwell": {"youngs_modulus": 4e6, "viscosity": 1e4},
+    "bingham": {"youngs_modulus": 4e6, "viscosity": 1.4e4, "yield_stress": 9e3},
+    "kelvin-voigt": {"youngs_modulus": 4e6, "viscosity": 1e4},
+    "multimode-maxwell": {
+        "modes": [{"youngs_modulus": 3e6, "viscosity": 1e4}, {"youngs_modulus": 1e6, "viscosity": 1e5}]
+    },
+}
+
+
+def strand(law: str, section: str = "circle", **changes: object) -> sc.Scene:
+    """A strand of 20 cm, with every effect that the theory in three dimensions needs."""
+    names = [name for name in EFFECTS if name != "fibres" or law not in ("elastic", "kelvin-voigt")]
+    return sc.Scene.from_dict(
+        {
+            "filament": {"span": 0.2, "thickness": 0.006, "section": section, "density": 1900.0},
+            "material": {"law": law, "poisson": 0.45, **MATERIALS[law]},
+            "run": {"duration": 0.3, "frames": 16, "effects": [*names, *FLOW[law]]},
+            "numerics": {"cells": 6, "grading": 1.0, "estimate": False, "rtol": 1e-7},
+        }
+    ).replace(changes)
+
+
+@cache
+def pair(law: str, section: str) -> tuple[Graph, Graph, int, Floats, Floats]:
+    """The planar filament, and that in three dimensions with points at the heights of its fibres; their numbers."""
+    scene = strand(law, section)
+    effects = choose_effects(scene)
+    equations = derive(effects.terms(), SECTIONS[section], "material")
+    grid = whole_span(6, End.CLAMPED, End.CLAMPED, 1.0)
+    theory, body = choose_theory(scene, equations), choose_body(scene, grid)
+    planar_rule = theory.rule
+    assert planar_rule is not None and not isinstance(planar_rule, PointRule)
+    rule = chord_rule(planar_rule.zeta, planar_rule.weight)
+    if section == "rectangle":
+        # A twist shears as in a circle: in the plane there is none.
+        rule = PointRule(rule.Y, 0.4 * rule.Z, -0.4 * rule.Z, rule.Y, rule.weight)
+    planar = assemble(equations, grid, effects.names, theory, body)
+    space = assemble(equations, grid, effects.names, Theory("filament", rule), body)
+    values = parameter_values(scene)
+    return planar, space, planar_rule.points, planar.vector(values), space.vector(values)
+
+
+def evaluated(graph: Graph, state: dict[str, Floats], p: Floats) -> tuple[dict[str, Floats], Floats, dict[str, Floats]]:
+    """Rates and residuals of all unknowns, powers, and what a run stores."""
+    x, z = (
+        np.array(layout.gather({b.name: ca.DM(state[b.name][list(b.places)]) for b in layout.blocks})).ravel()
+        for layout in (graph.moving, graph.still)
+    )
+    out = ca.Function("all", [graph.t, graph.x, graph.z, graph.p], [*graph.raw.rates, *graph.raw.powers])
+    ode, alg, *powers = (np.array(one).ravel() for one in out(0.3, x, z, p))
+    found = graph.moving.split(ode) | graph.still.split(alg)
+    observed = graph.observe(np.array([0.3]), x[:, None], z[:, None], p)
+    return found, np.array([one.sum() for one in powers]), observed
+
+
+@pytest.mark.parametrize("section", ["circle", "rectangle"])
+@pytest.mark.parametrize("law", list(MATERIALS))
+def test_in_the_plane_it_is_the_planar_filament(law: str, section: str) -> None:
+    planar, space, points, p, q = pair(law, section)
+    X, rng = planar.grid.nodes, np.random.default_rng(1)
+    bump, states = 0.25 - X**2, dict[str, Floats]()
+    flat = {"x": X + 0.01 * np.sin(5 * X) * bump, "y": -0.2 * bump, "psi": 0.35 * X * (1 - 4 * X**2)}
+    flat |= {"u": 0.1 * bump, "v": -0.3 * bump, "omega": 0.2 * np.sin(6 * X) * bump}
+    for layout in (planar.moving, planar.still):
+        for block in layout.blocks:
+            if block.name not in flat:
+                states[block.name] = 0.02 * rng.standard_normal(12)
+    deep = {**{name: flat[name] for name in ("x", "y", "u", "v")}, "z": 0 * X, "w": 0 * X}
+    deep |= {"q0": np.cos(flat["psi"] / 2), "q1": 0 * X, "q2": 0 * X, "q3": np.sin(flat["psi"] / 2)}
+    deep |= {"o1": 0 * X, "o2": 0 * X, "o3": flat["omega"]}
+    for name, values in states.items():
+        kind, _, rest = name.partition("_")
+        number, _, mode = rest.partition("_")
+        for point in (2 * int(number), 2 * int(number) + 1):
+            label = f"{point}_{mode}" if mode else str(point)
+            deep[f"{ {'axial': 'axial', 'shear': 'shear2'}[kind] }_{label}"] = values
+            deep[f"shear3_{label}"] = 0 * values
+    one, powers, shown = evaluated(planar, {**flat, **states}, p)
+    other, deep_powers, deep_shown = evaluated(space, deep, q)
+    alike = {"x": "x", "y": "y", "u": "u", "v": "v", **({"axial_0": "axial_0"} if "axial_0" in one else {})}
+    alike |= {"shear_0": "shear2_0"} if "shear_0" in one else {}
+    alike |= {"omega": "o3"} if "omega" in one else {"psi": "q3"}
+    for name, same in alike.items():
+        assert np.allclose(one[name], other[same], rtol=1e-11, atol=1e-11 * np.abs(one[name]).max()), name
+    assert np.allclose(powers, deep_powers, rtol=1e-11, atol=1e-9)
+    assert max(np.abs(other[name]).max() for name in ("w", "z", "q1", "q2")) < 1e-9
+    for name in set(shown) & set(deep_shown):
+        assert np.allclose(shown[name], deep_shown[name], rtol=1e-10, atol=1e-10 * np.abs(shown[name]).max()), name
+    assert points > 0
+
+
+OUT = {"load.direction": [0.1, -1.0, 0.4]}
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        strand("bingham", **OUT, **{"numerics.fibres": 3}),
+        strand("kelvin-voigt", "rectangle", **OUT, **{"filament.width": "12 mm"}),
+        strand(
+            "maxwell",
+            **OUT,
+            **{"ends.right": "free", "load.tip_force": ["0 N", "1 mN", "2 mN"], "load.tip_mass": "1 g"},
+        ),
+        strand("elastic", **OUT, **{"ends.right_twist": [["0 s", "0 deg"], ["1 s", "90 deg"]], "ends.left": "pinned"}),
+    ],
+    ids=["bingham", "kelvin-voigt", "tip", "twist"],
+)
+@pytest.mark.slow
+def test_c_is_the_interpreter(scene: sc.Scene) -> None:
+    both = pair_of(scene.replace({"numerics.cells": 4}))
+    assert max(differences(both, range(2)).values()) < 1e-9
+
+
+@pytest.mark.slow
+def test_turned_as_a_whole_it_moves_alike() -> None:
+    """A strand whose weight points aside swings as one whose weight points down, in a plane that is turned."""
+    down = strand("elastic", **{"run.dimensions": 3, "run.effects": [*EFFECTS[:-1]]})
+    aside = down.replace({"load.direction": [0.0, -0.6, 0.8]})
+    runs = [sc.simulate(scene).data for scene in (down, aside)]
+    depth = runs[0].y.values
+    assert np.allclose(runs[1].y.values, 0.6 * depth, atol=1e-6 * np.abs(depth).max())
+    assert np.allclose(runs[1].z.values, -0.8 * depth, atol=1e-6 * np.abs(depth).max())
+    assert np.allclose(runs[1].x.values, runs[0].x.values, atol=1e-6 * np.abs(depth).max())
+    assert np.allclose(np.linalg.norm(runs[1].quaternion.values, axis=-1), 1, atol=1e-8)
+
+
+@pytest.mark.slow
+def test_planar_and_spatial_runs_agree_and_keep_their_energy() -> None:
+    for law in ("elastic", "kelvin-voigt"):
+        flat = sc.simulate(strand(law))
+        deep = sc.simulate(strand(law, **{"run.dimensions": 3}))
+        size = np.abs(flat.data.y.values).max()
+        assert np.allclose(deep.data.y.values, flat.data.y.values, atol=1e-5 * size), law
+        assert deep.summary["energy_residual"] < 1e-5
+        assert (flat.summary["dimensions"], deep.summary["dimensions"]) == (2, 3)
+
+
+def bend(cells: int, force: float) -> Floats:
+    """Tip of Bathe & Bolourchi's bend of 45 degrees, radius 100, under a force out of its plane."""
+    scene = sc.Scene.from_dict(
+        {
+            "filament": {"span": 78.5398163, "thickness": 1.0, "density": 1.0, "curvature": 0.01},
+            "material": {"law": "elastic", "youngs_modulus": 1e7, "poisson": 0.0},
+            "ends": {"right": "free"},
+            "load": {"gravity": 0.0, "tip_force": [0, 0, force]},
+            "run": {"duration": 1.0, "frames": 2, "effects": EFFECTS[1:-1]},
+            "numerics": {"cells": cells, "grading": 1.0, "estimate": False},
+        }
+    )
+    run = sc.simulate(scene)
+    assert run.outcome.is_success
+    return np.array([run.data[name].values[-1, -1] - run.data[name].values[-1, 0] for name in "xyz"])
+
+
+@pytest.mark.slow
+def test_bend_of_bathe_and_bolourchi() -> None:
+    """Eight elements and twice and four times as many: of second order, near what Simo & Vu-Quoc (1986) found."""
+    for force, published in ((300.0, (58.84, 22.33, 40.08)), (600.0, (47.23, 15.79, 53.37))):
+        tips = [bend(cells, force) for cells in (4, 8, 16)]
+        assert np.allclose(tips[0], published, atol=0.35)
+        coarse, fine = (np.linalg.norm(a - b) for a, b in pairwise(tips))
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.15)
+
+
+@pytest.mark.slow
+def test_elastic_torsion_and_that_beyond_yield() -> None:
+    """T/T_Y = (4/3)(1 - (theta_Y/theta)^3/4) of a circle that is twisted slowly; T = G J theta below."""
+    modulus, limit, radius, length = 4e6, 9e3, 3e-3, 0.2
+    shear, yielding = modulus / 2.9, limit / np.sqrt(3)
+    first = yielding / (shear * radius)
+    turns = 3 * first * length
+    scene = strand(
+        "bingham",
+        **{
+            "load.gravity": "0 m/s^2",
+            "material.viscosity": "20 kPa*s",
+            "ends.right_twist": [["0 s", "0 rad"], ["200 s", f"{turns} rad"]],
+            "run": {"duration": "200 s", "frames": 31, "effects": [*EFFECTS[1:], *FLOW["bingham"]]},
+            "numerics.cells": 4,
+            "numerics.fibres": 60,
+            "numerics.rtol": 1e-6,
+        },
+    )
+    run = sc.simulate(scene)
+    assert run.outcome.is_success, run.summary["message"]
+    rate = run.data.time.values / 200 * turns / length
+    torque = run.data.torque.values[:, 3]
+    at_yield = np.pi * radius**3 * yielding / 2
+    below = rate < 0.9 * first
+    assert np.allclose(torque[below], shear * np.pi * radius**4 / 2 * rate[below], rtol=2e-3, atol=1e-3 * at_yield)
+    beyond = rate > 1.3 * first
+    exact = 4 / 3 * (1 - (first / rate[beyond]) ** 3 / 4)
+    assert np.allclose(torque[beyond] / at_yield, exact, rtol=2e-2)
+
+
+def test_rules_of_a_section_have_its_moments() -> None:
+    for rule, second, torsion in (
+        (ring_rule(3, 5), (1 / 4, 1 / 4), 1 / 2),
+        (ring_rule(4, 6), (1 / 4, 1 / 4), 1 / 2),
+        (warping_rule(4, 4, 1.0), (1 / 3, 1 / 3), 4 * 0.140577),
+        (warping_rule(4, 4, 4.0), (1 / 3, 16 / 3), 4 * 0.280813),
+    ):
+        found = [float(rule.weight @ square) for square in (rule.Y**2, rule.Z**2, rule.W_2**2 + rule.W_3**2)]
+        assert found == pytest.approx([*second, torsion], rel=1e-4)
+        assert abs(float(rule.weight @ (rule.Y * rule.Z))) < 1e-14 and float(rule.weight.sum()) == pytest.approx(1)
+
+
+@pytest.mark.slow
+def test_a_planar_run_that_would_leave_its_plane_says_so() -> None:
+    """A rod of curvature times length 3 is unstable sideways from 0.53 of gravity on (THEORY3D 9.4)."""
+    curl = {"filament.curvature": "30 1/m", "numerics.estimate": False, "run.accuracy": 0.01}
+    for gravity, unstable in (("4.9 m/s^2", False), ("9.81 m/s^2", True)):
+        run = sc.simulate(load_scene("curled-rod", {**curl, "load.gravity": gravity}))
+        assert (run.summary["sideways"] is not None) == unstable
+        assert any("unstable sideways" in text for text in run.summary["warnings"]) == unstable
+
+
+def test_a_run_in_space_is_read_again(tmp_path: Any) -> None:
+    run = sc.simulate(strand("elastic", **OUT))
+    run.save(tmp_path)
+    again = sc.open_run(tmp_path)
+    for name in ("z", "quaternion", "twist", "torque", "curvature_2", "moment_2"):
+        assert np.array_equal(again.fields[name], run.fields[name]), name
+    assert again.data.quaternion.dims == ("time", "node", "component")
