@@ -18,6 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from importlib import import_module
 from itertools import pairwise
 from typing import Any
@@ -144,14 +145,10 @@ def _fene_p(A: Floats) -> Floats:
     return np.asarray(_network()(0.0, A, 0.0, G, LAMBDA, 0.0, 0.0, 0.0, longest, 0.0), dtype=float)
 
 
-_built: dict[str, Any] = {}
-
-
+@cache
 def _network() -> Any:
-    """Transient network of finite extensibility, built (and compiled) once."""
-    if not _built:
-        _built["fene-p"] = kernels_of("tnt").build_tnt_ode_rhs("constant", use_fene=True)
-    return _built["fene-p"]
+    """Transient network of finite extensibility, compiled once."""
+    return kernels_of("tnt").build_tnt_ode_rhs("constant", use_fene=True)
 
 
 def _spring(A: Floats) -> float:
@@ -234,7 +231,10 @@ def hung(scene: sc.Scene, stress: float, duration: float) -> sc.Scene:
     # A clamp holds it upright, and asks for bending of fibres.
     effects = list(dict.fromkeys([*scene.run.effects, "bending", "fibres"]))
     gravity = f"{stress / (scene.filament.density * scene.filament.span)!r} m/s^2"
-    return scene.replace({"ends": HANGING, "load.gravity": gravity} | {"run.duration": f"{duration} s", "run.effects": effects, "run.frames": 21})
+    return scene.replace(
+        {"ends": HANGING, "load.gravity": gravity, "numerics.cells": 8}
+        | {"run.duration": f"{duration} s", "run.effects": effects, "run.frames": 21}
+    )
 
 
 def thixotropic(kind: str, build_up: float, breakdown: float, power: float, **changes: Any) -> sc.Scene:
@@ -268,7 +268,7 @@ def steady_structured(kind: str, breakdown: float, power: float) -> float:
         motion = {"ends.motion": [["0 s", "0 m", "0 m"], [f"{2 * duration!r} s", "80 mm", "0 m"]]}
         motion |= {"run.duration": f"{duration!r} s"}
         # Elasticity and build-up lag by some 1e-5 of the rate's own change.
-        stiff = {"material.youngs_modulus": f"{5e10 * speed} Pa", **motion}
+        stiff = {"material.youngs_modulus": f"{2e10 * speed} Pa", **motion}
         run = simulated(thixotropic(kind, 1e-5 * duration, breakdown, power, **stiff))
         times = run.data.time.values[8::8]
         for t, found in zip(times, stress_of(run)[8::8], strict=True):
@@ -301,17 +301,17 @@ def polymeric(law: str) -> tuple[float, float, float]:
         return simulated(whole.replace({"run.duration": f"{duration * (1 - 0.5 / rows)!r} s"}))
 
     start_up = max(drawn_apart(point, drawn(wi, 3.0, 40)) for wi in (0.3, 1.0))
-    # Below the coil-stretch rate there is a steady flow of Oldroyd-B.
-    wi, duration = (0.2, 18.0) if law == "oldroyd-b" else (0.7, 12.0)
-    run = drawn(wi, duration, 800)
+    # Rates that settle within a true strain of 6: a bar drawn further has too much inertia, even as light as this.
+    wi = {"oldroyd-b": 0.2, "fene-p": 3.0}.get(law, 0.3)
+    run = drawn(wi, 6 / wi, 600)
     at = float(run.data.time.values[-1])
     (a, x, _), (b, y, _) = run.scene.ends.motion[-2:]
     rate = (y - x) / (b - a) / (1 + x + (y - x) / (b - a) * (at - a))
     reached = integrated(lambda _, state: point.rates(state, wi / LAMBDA), point.start, np.array([0.0, 10.0, 60.0]))[-1]
     exact = settled(point, wi / LAMBDA, reached)
     steady = abs((stress_of(run)[-1] - SOLVENT * (rate - wi / LAMBDA)) / exact - 1)
-    scene = polymers.bar(law, lambda t: 1 + t, 1.0, 1, **{"numerics.backend": "compiled"})
-    return start_up, steady, creep_apart(point, hung(scene, 2.0, 2.0))
+    scene = polymers.bar(law, lambda t: 1 + t, 1.0, 1, **compiled)
+    return start_up, steady, creep_apart(point, hung(scene, 1.0, 2.0))
 
 
 def test_laws_at_a_point_are_those_of_rheojax() -> None:
