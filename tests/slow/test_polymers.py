@@ -1,4 +1,4 @@
-"""Threads and bars of polymer solution: thinning by Entov & Hinch, start-up, bounded viscosity, RheoJAX, limits."""
+"""Threads and bars of polymer solution: thinning by Entov & Hinch, start-up, bounded viscosity, limits."""
 
 from __future__ import annotations
 
@@ -6,11 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import softcat_sym as sc
 from tests.common.polymers import (
-    LAMBDA,
     OWN,
     SOLVENT,
     STRING,
@@ -151,31 +149,6 @@ def test_fene_p_has_a_bounded_viscosity() -> None:
         assert found == pytest.approx(exact, rel=1e-6)
         assert np.isnan(in_run) or in_run == pytest.approx(exact, rel=0.02)
     assert rows[-1][1] == pytest.approx(2 / 3 * limit, rel=0.02)
-
-
-def test_giesekus_is_that_of_rheojax() -> None:
-    """Start-up in extension with its kernel of relaxation, which knows shear alone; what stretches is written here."""
-    kernels = pytest.importorskip("rheojax.models.giesekus._kernels", exc_type=ImportError)
-    alpha, rows = OWN["giesekus"]["mobility"], []
-    times = np.linspace(0.2, 3.0, 8)
-    for wi in (0.3, 1.0, 3.0):
-
-        def rate(_: float, tau: Floats, wi: float = wi) -> Floats:
-            # (xx, yy, xy, zz), drawn along x.
-            relaxed = np.asarray(kernels.giesekus_ode_rhs(0.0, tau, 0.0, G * LAMBDA, LAMBDA, alpha))
-            shape = np.array([2.0, -1.0, 0.0, -1.0]) * wi
-            return np.asarray(relaxed + shape * (tau + G))
-
-        found = solve_ivp(rate, (0, 3.0), np.zeros(4), "DOP853", times, rtol=1e-9, atol=1e-10)
-        theirs = found.y[0] - found.y[1]
-        ours = np.array([G * (along - across) for along, across in integrated("giesekus", wi, times)])
-        rows.append((wi, ours[-1], theirs[-1], float(np.max(np.abs(ours / theirs - 1)))))
-    show(
-        "Giesekus in start-up, alpha = 0.2",
-        ("lambda rate", "ours [G]", "RheoJAX", "largest"),
-        [[f"{one:.6g}" for one in row] for row in rows],
-    )
-    assert all(row[3] < 1e-4 for row in rows)
 
 
 def test_small_strain_and_the_limits_of_memory() -> None:

@@ -1,6 +1,6 @@
-"""Structure at length: RheoJAX, flow curves and loops, rest before release, limits of fast and slow build-up.
+"""Structure at length: flow curves and loops, rest before release, limits of fast and slow build-up.
 
-RheoJAX asks for Python 3.12; its kernels run on 3.11 with jax, where ``import rheojax`` finds them.
+``test_rheojax.py`` has the laws at a point against RheoJAX.
 """
 
 from __future__ import annotations
@@ -25,50 +25,6 @@ pytestmark = pytest.mark.slow
 Floats = np.ndarray[Any, np.dtype[np.float64]]
 
 _build_up = sp.lambdify((st.lam, st.speed, st.t_b, st.tau_b, st.exponent), st.build_up_rate(linear=False))
-
-
-def test_a_bar_is_the_mikh_law_of_rheojax() -> None:
-    """Start-up of a bar in a run against its kernel in shear, without backstress: E = 3 G, eta = 3 mu, sqrt 3."""
-    kernels = pytest.importorskip("rheojax.models.ikh._kernels", exc_type=ImportError)
-    rows = []
-    for build_up, breakdown in ((1.0, 10.0), (4.0, 30.0), (20.0, 300.0)):
-        scene = bar({"build_up_time": f"{build_up} s", "breakdown_time": f"{breakdown} s"})
-        run = sc.simulate(scene)
-        root = math.sqrt(3)
-        given = {"G": 1e5 / 3, "C": 0.0, "gamma_dyn": 1.0, "m": 1.0, "eta": 1e30, "mu_p": 5e4 / 3, "k3": 0.0}
-        given |= {"sigma_y0": 300 / root, "delta_sigma_y": 600 / root, "tau_thix": build_up}
-        given |= {"Gamma": breakdown / root / build_up}
-
-        def rates(t: float, state: Floats, given: dict[str, float] = given) -> Floats:
-            shear = math.sqrt(3) * RATE / (L + RATE * t)
-            return np.asarray(kernels.ikh_maxwell_ode_rhs(t, state, {**given, "gamma_dot": shear}), dtype=float)
-
-        times = run.data.time.values
-        found = solve_ivp(rates, (0, times[-1]), np.zeros(3), t_eval=times, rtol=1e-8, atol=1e-8, max_step=0.05)
-        stress, lam = root * found.y[0][-1], found.y[2][-1]
-        own = run.data.stress_mean.values[:, 0], run.data.structure.values[:, 0]
-        apart = np.max(np.abs(own[0] - root * found.y[0])) / np.max(own[0]), np.max(np.abs(own[1] - found.y[2]))
-        rows.append((build_up, breakdown, own[0][-1], stress, own[1][-1], lam, *apart))
-    show(
-        "start-up of a bar, RheoJAX's MIKH without backstress",
-        ("t_b [s]", "tau_b [s]", "stress [Pa]", "RheoJAX", "lambda", "RheoJAX", "stress apart", "lambda apart"),
-        [[f"{one:.6g}" for one in row] for row in rows],
-    )
-    assert all(max(row[-2:]) < 1e-4 for row in rows)
-
-
-def test_structure_is_the_dmt_law_of_rheojax() -> None:
-    """Kinetics and equilibrium at a point, in shear."""
-    kernels = pytest.importorskip("rheojax.models.dmt._kernels", exc_type=ImportError)
-    rows = []
-    for power in (0.5, 1.0, 1.7):
-        for shear in (0.01, 1.0, 30.0):
-            theirs = float(kernels.structure_evolution(0.4, shear, 7.0, 2.0**power, power))
-            ours = float(_build_up(0.4, shear / math.sqrt(3), 7.0, 2.0 * math.sqrt(3), power))
-            settled = float(kernels.equilibrium_structure(shear, 2.0**power, power))
-            rows.append((power, shear, ours, theirs, _build_up(settled, shear, 7.0, 2.0, power)))
-    show("kinetics of DMT", ("c", "shear rate", "ours", "RheoJAX", "at its equilibrium"), rows)
-    assert all(abs(row[2] / row[3] - 1) < 1e-8 and abs(row[4]) < 1e-8 for row in rows)
 
 
 def test_flow_curve_and_hysteresis_loop() -> None:
