@@ -26,6 +26,7 @@ from softcat_sym.effects.choosing import choose_effects
 from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import write_all, written_together
 from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.dimensions import is_spatial, reason_for_dimensions
 from softcat_sym.scene.reading import as_scene, load_scene
 from softcat_sym.scene.scene import Scene, refuse_settled, rest_length
 from softcat_sym.solvers.initial_state import is_straight, starting_state
@@ -74,6 +75,9 @@ def generate(scene: SceneLike, directory: str | Path, rhs: bool = False, name: s
 
 def contents_of(scene: Scene, name: str, *, rhs: bool) -> dict[str, str]:
     """All files of a scene's solver, by name."""
+    if is_spatial(scene):
+        found = f"3 ({reason_for_dimensions(scene)}), in which a generated program does not begin yet"
+        raise SceneError([Fault("run.dimensions", found, "a scene in one plane")])
     described, filament = export(scene)
     graph = filament.graph
     command, straight = COMMAND if name == "filament" else f"{COMMAND} --name {name}", is_straight(scene)

@@ -17,8 +17,10 @@ from softcat_sym.discretization.grid import End, Floats, whole_span
 from softcat_sym.discretization.parameters import parameter_values
 from softcat_sym.discretization.point_rule import PointRule, chord_rule, ring_rule, warping_rule
 from softcat_sym.effects.choosing import choose_effects
+from softcat_sym.fitting.free_parameters import free_parameters
 from softcat_sym.physics.filament import derive
 from softcat_sym.physics.sections import SECTIONS
+from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.reading import load_scene
 from tests.common.pairs import differences, pair_of
 
@@ -243,6 +245,16 @@ def test_a_planar_run_that_would_leave_its_plane_says_so() -> None:
         run = sc.simulate(load_scene("curled-rod", {**curl, "load.gravity": gravity}))
         assert (run.summary["sideways"] is not None) == unstable
         assert any("unstable sideways" in text for text in run.summary["warnings"]) == unstable
+
+
+def test_what_is_planar_only_refuses_it() -> None:
+    for refused in (
+        lambda scene: sc.generate(scene, "nowhere"),
+        lambda scene: problem_of(scene),
+        lambda scene: free_parameters(scene, ["viscosity"]),
+    ):
+        with pytest.raises(sc.SceneError, match=r"run\.dimensions|load\.direction"):
+            refused(strand("bingham", "rectangle", **OUT))
 
 
 def test_a_run_in_space_is_read_again(tmp_path: Any) -> None:

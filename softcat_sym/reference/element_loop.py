@@ -26,6 +26,7 @@ from softcat_sym.errors import Fault, SceneError, SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.interrupts import interrupts_go_to
 from softcat_sym.reference.material_point import LAWS, PointCode
+from softcat_sym.scene.dimensions import DOWN
 from softcat_sym.scene.scene import Scene, elastic_time, rest_length
 
 _ONLY: dict[str, object] = {
@@ -39,6 +40,10 @@ _ONLY: dict[str, object] = {
     "material.solid_viscosity": None,
     "material.hardening_modulus": None,
     "temperature.initial": None,
+    **dict.fromkeys(("filament.twist", "load.tip_mass"), 0.0),
+    "load.direction": DOWN,
+    "load.tip_force": (0.0, 0.0, 0.0),
+    "ends.right_twist": (),
     "run.until": "duration",
     "initial.stretch": 1.0,
 }

@@ -50,8 +50,8 @@ class Sideways:
     def warning(self) -> str:
         """What a user should know."""
         return (
-            f"unstable sideways from {self.time:.4g} s on: what disturbs it out of its plane grows by a factor of "
-            f"e^{self.growth:.3g}, and this planar run does not follow it; take run.dimensions = 3 and a load.direction "
+            f"unstable sideways from {self.time:.4g} s on: a disturbance out of its plane grows by a factor of "
+            f"e^{self.growth:.3g}, which this planar run does not follow; take run.dimensions = 3 and a load.direction "
             "that is a little out of the plane, such as [0, -1, 1e-4]"
         )
 
