@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import casadi as ca
@@ -119,6 +119,15 @@ class Equilibrium:
 
     def _evaluate(self, time: float, x: Floats, z: Floats, p: Floats) -> Floats:
         return np.asarray(self._residual(time, x, z, p), dtype=float).ravel()
+
+
+Newton = Callable[[Graph, Floats, Floats, Floats], Floats | None]
+"""Algebraic unknowns in balance at t = 0, of a graph, its differential unknowns, parameters and a guess."""
+
+
+def newton_of_graph(graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
+    """As `Newton`, by CasADi."""
+    return Equilibrium(graph).search(0.0, x, p, [guess])
 
 
 def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:
