@@ -1,7 +1,7 @@
 """Adapter to the public benchmark `cosseratbench` (https://github.com/jakeryderv/cosseratbench): `softcat_sym` there.
 
-Its scenarios become scenes, its rods runs of :func:`softcat_sym.simulate`, their nodes and sections its trajectories. It
-finds :class:`CosseratBenchmarkSolver` by the entry point of this package, and is imported only when it asks for a run.
+Its scenarios become scenes, its rods runs of :func:`softcat_sym.simulate`, their nodes and sections its trajectories.
+The benchmark finds :class:`CosseratBenchmarkSolver` by the entry point of this package; it need not be installed.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from softcat_sym.effects.lists import of_a_rod
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.scene import Scene
 from softcat_sym.simulate import simulate
@@ -25,9 +26,6 @@ if TYPE_CHECKING:
     from softcat_sym.results.run import Run
 
 Floats = npt.NDArray[np.float64]
-
-_EFFECTS = ("bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear")
-"""All that an elastic rod at rest has."""
 
 _ACCURACY, _LOOSEST, _ORDER = 1e-3, 0.5, 5
 """Accuracy that sets the tolerances, the loosest of them, and the order of the integrator, by which steps follow it."""
@@ -73,9 +71,9 @@ class CosseratBenchmarkSolver:
             scenes = self.scenes(scenario, n_elements=n_elements, n_frames=n_frames)
         except NotImplementedError:
             return {}
-        viscosity, effects = scenes[0].material.viscosity, scenes[0].run.effects
+        viscosity, rests = scenes[0].material.viscosity, all(is_still(scenario, rod) for rod in scenario.rods)
         return {
-            "integrator": "Rosenbrock, fifth order, adaptive" if "inertia" in effects else "Newton's method",
+            "integrator": "none: Newton's method" if rests else "Rosenbrock, fifth order, adaptive",
             "accuracy": self.accuracy,
             "relaxation_time": 0.0 if viscosity is None else viscosity / scenario.rods[0].material.youngs_modulus,
             "contact": "none: rods pass through each other and themselves",
@@ -137,7 +135,7 @@ class CosseratBenchmarkSolver:
             run = simulate(scene)
             if not run.outcome.is_success:
                 raise Diverged(f"{run.outcome.name}: {run.summary['message']}", float(run.data.time.values[-1]))
-            places, lines = in_its_words(rod, axes_of(rod, scenario.gravity), run)
+            places, lines = in_its_words(rod, axes_of(rod, scenario.gravity), run, still=is_still(scenario, rod))
             positions.append(places if len(places) == n_frames else places[[0] + [1] * (n_frames - 1)])
             directors.append(lines if len(lines) == n_frames else lines[[0] + [1] * (n_frames - 1)])
         times = np.linspace(0.0, scenario.duration, n_frames)
@@ -153,18 +151,16 @@ class CosseratBenchmarkSolver:
         poisson = min(poisson, math.nextafter(0.5, 0))
         nodes = (rod.nodes(n_elements) - rod.centerline[0]) @ axes.T
         material = {"law": "elastic", "youngs_modulus": law.youngs_modulus, "poisson": poisson}
-        effects, load = _EFFECTS, _load(scenario, rod, axes)
         still = is_still(scenario, rod)
+        damped = scenario.quasi_static and not still
         initial: dict[str, Any] = {}
         if not still:
-            effects = ("inertia", *effects)
             straight = np.outer(np.linspace(0, rod.length, n_elements + 1), [1.0, 0.0, 0.0])
             if np.max(np.abs(nodes - straight)) > _SAME * rod.length:
                 initial = {"centreline": nodes.tolist()}
-        if not still and scenario.quasi_static:
+        if damped:
             viscosity = rod.length * math.sqrt(law.density * law.youngs_modulus)
             material |= {"law": "kelvin-voigt", "viscosity": viscosity}
-            effects = (*effects, "viscous-stress")
         return {
             "filament": {
                 "span": float(np.linalg.norm(nodes[-1])),
@@ -174,13 +170,13 @@ class CosseratBenchmarkSolver:
             },
             "material": material,
             "ends": _ends(rod, axes),
-            "load": load,
+            "load": _load(scenario, rod, axes),
             "initial": initial,
             "run": {
                 "duration": scenario.duration,
                 "frames": 2 if still else n_frames,
                 "accuracy": self.accuracy,
-                "effects": list(effects),
+                "effects": list(of_a_rod(moves=not still, damped=damped)),
             },
             "numerics": {"cells": n_elements // 2, "grading": 1.0, "estimate": False},
         }
@@ -255,21 +251,20 @@ def _driven(rod: Rod, motion: Motion, axes: Floats) -> dict[str, Any]:
     return ends
 
 
-def in_its_words(rod: Rod, axes: Floats, run: Run) -> tuple[Floats, Floats]:
+def in_its_words(rod: Rod, axes: Floats, run: Run, *, still: bool) -> tuple[Floats, Floats]:
     """Nodes and directors of a run in the world; of one frame of equilibrium, behind the shape that the rod states."""
     data, cells = run.data, len(run.data.X_cell)
     flat = "z" not in data
     places = np.stack([data.x, data.y, 0 * data.y if flat else data.z], axis=-1)
     places -= places[:, :1]
-    started = (rod.nodes(cells) - rod.centerline[0]) @ axes.T
-    if "inertia" not in run.scene.run.effects:
-        places[0] = started
+    if still:
+        places[0] = (rod.nodes(cells) - rod.centerline[0]) @ axes.T
     tangents = _unit(np.diff(places, axis=1))
     second = np.cross([0.0, 0.0, 1.0], tangents)
     if not flat:
         turns = data.quaternion.values[:, 1:] + data.quaternion.values[:, :-1]
         second = _second_axis(turns)
-        if "inertia" not in run.scene.run.effects:
+        if still:
             second[0] = np.cross([0.0, 0.0, 1.0], tangents[0])
     second = _unit(second - np.sum(second * tangents, axis=-1, keepdims=True) * tangents)
     third = np.cross(tangents, second)

@@ -92,7 +92,7 @@ def _of_centreline(scene: Scene) -> Iterator[Rule]:
     points, ends, filament = scene.initial.centreline, scene.ends, scene.filament
     if not points:
         return
-    supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (filament.span, -ends.drop, 0.0))
+    supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (filament.span, 0.0 - ends.drop, 0.0))
     for side, (how, found, asked) in zip(("left", "right"), supports, strict=True):
         missed = how != "free" and math.dist(found, asked) > _APART * filament.span
         given = f"a {side} end at {list(found)} m, but the support is at {list(asked)} m"
@@ -101,6 +101,7 @@ def _of_centreline(scene: Scene) -> Iterator[Rule]:
     yield double, "initial.centreline", "two neighbouring points in one place", "a curve with a length"
     given, out = "given, but initial.centreline says where the filament begins", "leaving it out"
     yield scene.initial.stretch != 1, "initial.stretch", given, out
+    yield scene.initial.surface != "fresh", "initial.surface", given, out
     newtonian = f"given, but a fluid has no strain to begin with: the law is '{scene.material.law}'"
     yield scene.material.law == "newtonian", "initial.centreline", newtonian, "another law"
 

@@ -87,7 +87,8 @@ def is_slack(scene: Scene) -> bool:
 
     One that begins on a given curve need not hang in its weight.
     """
-    return is_held(scene) and not scene.initial.centreline and stress_free_length(scene) > distance(scene) * (1 + _ROUNDING)
+    hangs = is_held(scene) and not scene.initial.centreline
+    return hangs and stress_free_length(scene) > distance(scene) * (1 + _ROUNDING)
 
 
 def is_symmetric(scene: Scene) -> bool:

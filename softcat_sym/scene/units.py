@@ -574,7 +574,7 @@ class Points(Kind):
 
     si = True
     accepted = (
-        'a list of three points [x, y, z] or more, such as '
+        "a list of three points [x, y, z] or more, such as "
         '[["0 m", "0 m", "0 m"], ["10 cm", "-1 mm", "0 m"], ["20 cm", "0 m", "0 m"]]'
     )
 
