@@ -132,7 +132,10 @@ class CosseratBenchmarkSolver:
         positions, directors = [], []
         scenes = self.scenes(scenario, n_elements=n_elements, n_frames=n_frames)
         for rod, scene in zip(scenario.rods, scenes, strict=True):
-            run = simulate(scene)
+            try:
+                run = simulate(scene)
+            except SceneError as error:
+                raise NotImplementedError(str(error)) from error
             if not run.outcome.is_success:
                 raise Diverged(f"{run.outcome.name}: {run.summary['message']}", float(run.data.time.values[-1]))
             places, lines = in_its_words(rod, axes_of(rod, scenario.gravity), run, still=is_still(scenario, rod))

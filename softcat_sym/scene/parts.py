@@ -312,9 +312,7 @@ class Initial(Part):
     C: Annotated[tuple[float, ...], Numbers()] = ()
     """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), likewise."""
     centreline: Annotated[tuple[Point, ...], Points()] = ()
-    """Places of equally spaced material points from left to right, seen from the left support: right, up and towards
-    the viewer, a smooth curve between them. The filament begins there at rest, strained as far as that is not its
-    natural shape; in three dimensions."""
+    """Places of equally spaced material points, from the left support: begins there, strained; in three dimensions."""
     surface: Annotated[SurfaceAge, Choice(SurfaceAge)] = "fresh"
     """Whether surface tension acts at once on a filament without stress, or has shortened it before it was held."""
 

@@ -113,9 +113,13 @@ def test_four_experiments_beside_pyelastica() -> None:
 
 
 def test_thin_rods_buckle_at_greenhills_twist(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With the radius, as its square, goes what a linear reference leaves out; frequencies are kept by the modulus."""
+    """With the radius, as its square, goes what a linear reference leaves out; the modulus keeps the frequencies.
+
+    Twists are held closer to each other than the benchmark holds them, whose fit is good to half a percent.
+    """
     twist = pytest.importorskip("cosseratbench.experiments.twist", reason="pip install softcat_sym[peers]")
     rows, found = [], {}
+    monkeypatch.setattr(twist, "LEVELS", (0.985, 0.99, 0.995, 1.0, 1.005, 1.01, 1.015))
     for part in (1, 2, 4):
         modulus = 1e6 * part**2
         material = replace(twist.MATERIAL, youngs_modulus=modulus, shear_modulus=modulus / 3)
@@ -125,10 +129,10 @@ def test_thin_rods_buckle_at_greenhills_twist(monkeypatch: pytest.MonkeyPatch) -
         found[part] = twist.measured_critical_twist(twist.twist.scenario, result.trajectory)
         rows.append([f"{10 / part:g} mm", f"{found[part]:.4f}"])
     show("twist at which rods buckle", ("radius", "over Greenhill's"), rows)
-    # The fit of the benchmark is good to half a percent.
-    assert found[1] == pytest.approx(1, abs=1.5e-2)
-    assert found[2] == pytest.approx(1, abs=5e-3)
-    assert found[4] == pytest.approx(1, abs=5e-3)
+    assert found[4] == pytest.approx(1, abs=2e-3)
+    # A quarter of 1.2 % is left at half the radius.
+    assert found[1] - found[4] == pytest.approx(-0.012, abs=2e-3)
+    assert found[2] - found[4] == pytest.approx(-0.003, abs=1e-3)
 
 
 def test_what_is_touched_is_unsupported_by_name() -> None:
