@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from scipy.spatial.transform import Rotation
 
 import softcat_sym as sc
 from softcat_sym.cosserat_benchmark import CosseratBenchmarkSolver, axes_of, in_its_words
@@ -258,22 +259,24 @@ def test_positions_and_sections_are_those_of_the_world(normal: Three) -> None:
     assert np.allclose(across, across[0, 0], atol=1e-9)
 
 
-def test_sections_that_twist_turn_their_lines() -> None:
-    """A straight rod, twisted from its left end to its right one by more in every frame, seen from the world."""
+def test_sections_that_turn_and_twist_carry_their_lines() -> None:
+    """A straight rod that turns as a whole about its start, and is twisted from there, seen from the world."""
     rod, n = Rod(((0.0, 0.0, 0.0), (0.0, 0.0, -2.0)), normal=(0.6, 0.8, 0.0), length=2.0), 10
-    angles = np.linspace(0, 1, n + 1) * np.array([[0.0], [1.0], [4.0]])
-    quaternion = np.stack([np.cos(angles / 2), np.sin(angles / 2), 0 * angles, 0 * angles], axis=-1)
-    x = np.tile(np.linspace(-1, 1, n + 1), (3, 1))
-    fields = {name: (("time", "node"), one) for name, one in (("x", x), ("y", 0 * x), ("z", 0 * x))}
-    data = xr.Dataset(
-        {**fields, "quaternion": (("time", "node", "component"), quaternion)}, coords={"X_cell": ("cell", np.arange(n))}
-    )
-    run: Any = SimpleNamespace(data=data)
-    places, lines = in_its_words(rod, axes_of(rod, (0.0, 0.0, 0.0)), run, still=False)
-    assert np.allclose(places, rod.nodes(n))
-    middle = (angles[:, 1:] + angles[:, :-1]) / 2
-    # Right-handed about the rod, which points down.
-    expected = np.cos(middle)[..., None] * [0.6, 0.8, 0] + np.sin(middle)[..., None] * np.cross(
-        [0, 0, -1], [0.6, 0.8, 0]
-    )
-    assert np.allclose(lines, expected, atol=1e-12)
+    turns, twists = [(0.0, 0.0, 0.0), (0.3, -0.8, 0.5), (1.0, 0.4, -2.0)], (0.0, 1.0, 4.0)
+    axes, s = axes_of(rod, (0.0, 0.0, 0.0)), np.linspace(0, 1, n + 1)
+    places, quaternions = [], []
+    for turn, twist in zip(turns, twists, strict=True):
+        sections = Rotation.from_rotvec(turn) * Rotation.from_rotvec(np.outer(twist * s, [1, 0, 0]))
+        places.append(Rotation.from_rotvec(turn).apply(np.outer(2 * s, [1, 0, 0])) - [1, 0, 0])
+        quaternions.append(np.roll(sections.as_quat(), 1, axis=-1))
+    fields = {name: (("time", "node"), one) for name, one in zip("xyz", np.moveaxis(places, -1, 0), strict=True)}
+    turned_by = {"quaternion": (("time", "node", "component"), np.array(quaternions))}
+    run: Any = SimpleNamespace(data=xr.Dataset({**fields, **turned_by}, coords={"X_cell": ("cell", np.arange(n))}))
+    found, lines = in_its_words(rod, axes, run, still=False)
+    middle = (s[1:] + s[:-1]) / 2
+    for k, (turn, twist) in enumerate(zip(turns, twists, strict=True)):
+        whole = Rotation.from_rotvec(np.array(turn) @ axes)
+        assert np.allclose(found[k], whole.apply(rod.nodes(n)))
+        # Right-handed about the rod, which points down.
+        twisting = Rotation.from_rotvec(np.outer(twist * middle, [0, 0, -1]))
+        assert np.allclose(lines[k], whole.apply(twisting.apply(rod.normal)), atol=1e-12)

@@ -275,6 +275,13 @@ def test_a_filament_let_go_from_a_curve_has_inertia() -> None:
         choose_effects(scene({**curve, "run.effects": [*IN_SPACE, "viscous-flow", "yielding"]}))
 
 
+def test_a_filament_that_begins_on_a_curve_need_not_hang() -> None:
+    """What is longer than its supports are apart needs a weight to hang in, unless it is said where it begins."""
+    weightless = {"filament.rest_length": "0.21 m", "load.gravity": "0 m/s^2"}
+    assert [fault.path for fault in faults_of(spoiled(weightless))] == ["load.gravity"]
+    assert not faults_of(spoiled({**weightless, "initial.centreline": BENT}))
+
+
 def test_rotary_inertia_cannot_be_named() -> None:
     with pytest.raises(SceneError, match="'rotary-inertia' cannot be had: in three dimensions"):
         names = [*IN_SPACE, "inertia", "viscous-flow", "yielding", "rotary-inertia"]
