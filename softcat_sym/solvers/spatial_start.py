@@ -27,7 +27,7 @@ def spatial_start(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], G
     if graph.positions_are_algebraic:
         found = _loaded(graph, x, z, p)
         return None if found is None else Start(x, found)
-    if is_held(scene) and _is_forced(scene) and not scene.initial.centreline:
+    if is_held(scene) and _is_forced(scene):
         rest = statics() if statics is not None else graph
         if not rest.positions_are_algebraic:
             return None
@@ -142,12 +142,12 @@ def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape
 
 
 def _is_forced(scene: Scene) -> bool:
-    """Whether a straight filament between its ends is not without stress before its weight acts."""
+    """Whether a straight filament between its ends is not without stress before its weight acts: that is sought."""
     ends, along = scene.ends, chord_angle(scene)
     clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
     curved = scene.filament.curvature != 0 or scene.filament.twist != 0
-    return turned or curved or len(set(scene.initial.P)) > 1
+    return not scene.initial.centreline and (turned or curved or len(set(scene.initial.P)) > 1)
 
 
 def _loaded(graph: Graph, x: Floats, z: Floats, p: Floats) -> Floats | None:
