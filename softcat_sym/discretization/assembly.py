@@ -107,7 +107,7 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     """Cells graded towards the clamps, unless the scene says how; half the span when it is symmetric."""
     cells = choose_cells(scene, effects)
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
-    left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
+    left, right = _ENDS[scene.ends.left], End.SLIDING if scene.ends.right_slides else _ENDS[scene.ends.right]
     middle = towards_middle(scene, effects)
     densities = (effects or choose_effects(scene)).terms().densities
     if is_symmetric(scene) and all(one.symmetric for one in densities):

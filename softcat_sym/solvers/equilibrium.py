@@ -71,14 +71,8 @@ class Equilibrium:
         # Only positions and angles make the equations nonlinear: velocities may be as large as they are.
         self._shape = np.isin(graph.z_kinds, _POSITIONS)
         self._bends = graph.terms.bending
-        inputs = [graph.t, graph.x, graph.z, graph.p]
-        # As built: a handful of evaluations is not worth the search for common subexpressions.
-        alg = ca.densify(graph.raw.rates[1])
-        jacobian = ca.jacobian(alg, graph.z)
-        # Of a beam that does not stretch: the first whole step ends at the answer, however far that is.
-        self._linear = not ca.depends_on(jacobian, graph.z)
-        self._residual = ca.Function("residual", inputs, [alg])
-        self._jacobian = ca.Function("jacobian", inputs, [jacobian])
+        # Linear is a beam that does not stretch: the first whole step ends at the answer, however far that is.
+        self._residual, self._jacobian, self._linear = graph.balance
         self._stiffness = Stiffness(self._jacobian.sparsity_out(0))
 
     def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:

@@ -1,4 +1,4 @@
-"""Where a filament in three dimensions begins: relaxed in its natural shape, or straight between its ends."""
+"""Where a filament in three dimensions begins: in its natural shape, straight between its ends, or on a given curve."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 
 import numpy as np
+from scipy.interpolate import make_interp_spline
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
@@ -56,12 +57,15 @@ Shape = dict[tuple[str, int], float]
 def natural_shape(scene: Scene, graph: Graph) -> Shape:
     """Straight between two ends that are held; from the one that is, in the curve of its natural twist and curvature.
 
-    Node by node with the turn of the middle of each cell, so that no cell is strained.
+    Node by node with the turn of the middle of each cell, so that no cell is strained. Or on the curve of the scene.
     """
     nodes, grown = graph.grid.nodes, force_free_stretch(scene)
     ends, filament, length = scene.ends, scene.filament, rest_length(scene)
     run, fall = filament.span / length, ends.drop / length
-    if is_held(scene):
+    if scene.initial.centreline:
+        places, turns = _given(scene, nodes)
+        places += np.array([-run / 2, 0.0, 0.0])
+    elif is_held(scene):
         along = chord_angle(scene)
         places = np.column_stack([run * nodes, -fall / 2 - fall * nodes, 0 * nodes])
         turns = np.tile(_turn_in_plane(along), (len(nodes), 1))
@@ -74,6 +78,26 @@ def natural_shape(scene: Scene, graph: Graph) -> Shape:
         places += np.array([-run / 2, 0.0, 0.0]) if from_left else np.array([run / 2, -fall, 0.0])
     found = {(name, n): float(value) for k, name in enumerate(PLACES) for n, value in enumerate(places[:, k])}
     return found | {(name, n): float(value) for k, name in enumerate(TURN) for n, value in enumerate(turns[:, k])}
+
+
+def _given(scene: Scene, nodes: Floats) -> tuple[Floats, Floats]:
+    """Places over the rest length on the scene's curve, and sections square to it that do not turn about it."""
+    points = np.array(scene.initial.centreline) / rest_length(scene)
+    curve = make_interp_spline(np.linspace(-0.5, 0.5, len(points)), points, k=min(3, len(points) - 1))
+    tangents = curve(nodes, 1)
+    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
+    turn = _turn_in_plane(scene.ends.left_angle)
+    turns = []
+    for tangent in tangents:
+        turn = _times(_least_turn(_first_axis(turn), tangent), turn)
+        turns.append(turn)
+    return curve(nodes), np.array(turns)
+
+
+def _least_turn(first: Floats, second: Floats) -> Floats:
+    """Quaternion of the least turn that takes one direction into another."""
+    turn = np.append(1 + first @ second, np.cross(first, second))
+    return turn / np.linalg.norm(turn)
 
 
 def _integrated(cells: Floats, kappa: Floats, stretch: float, angle: float, from_left: bool) -> tuple[Floats, Floats]:
@@ -119,12 +143,12 @@ def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape
 
 
 def _is_forced(scene: Scene) -> bool:
-    """Whether a straight filament between its ends is not without stress before its weight acts."""
+    """Whether a straight filament between its ends is not without stress before its weight acts: that is sought."""
     ends, along = scene.ends, chord_angle(scene)
     clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
     curved = scene.filament.curvature != 0 or scene.filament.twist != 0
-    return turned or curved or len(set(scene.initial.P)) > 1
+    return not scene.initial.centreline and (turned or curved or len(set(scene.initial.P)) > 1)
 
 
 def _loaded(newton: Newton, graph: Graph, x: Floats, z: Floats, p: Floats) -> Floats | None:
