@@ -1,0 +1,313 @@
+"""Points of a section in three dimensions against exact laws: thin tubes, twisted shafts beyond yield and in flow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+import softcat_sym as sc
+from softcat_sym.discretization.grid import Floats
+from tests.common.table import show
+
+pytestmark = pytest.mark.slow
+
+# So short that what is squeezed does not buckle.
+SPAN, DIAMETER, MODULUS = 0.02, 0.006, 4e6
+POISSON = 0.5 - 1e-9  # Energies of Hencky's strain alone are those of what keeps its volume
+SHEAR = MODULUS / 3
+RADIUS = DIAMETER / 2
+AREA = np.pi * RADIUS**2
+TUBE = RADIUS / np.sqrt(2)  # Three points on one ring: all of the section at one radius
+EFFECTS = ["bending", "extensibility", "finite-stretch", "thinning", "large-rotation", "shear", "fibres"]
+EFFECTS += ["viscous-flow", "yielding"]
+
+
+def shaft(material: dict[str, Any], rows: list[tuple[float, float, float]], **changes: object) -> Any:
+    """A circular shaft between clamps that stretch and twist it: rows of time [s], stretch and twist [1/m]."""
+    scene = sc.Scene.from_dict(
+        {
+            "filament": {"span": SPAN, "thickness": DIAMETER, "section": "circle", "density": 1900.0},
+            "material": {"law": "bingham", "youngs_modulus": MODULUS, "poisson": POISSON, **material},
+            "load": {"gravity": 0.0},
+            "ends": {
+                "motion": [[time, SPAN * (stretch - 1), 0.0] for time, stretch, _ in rows],
+                "right_twist": [[time, SPAN * twist] for time, _, twist in rows],
+            },
+            "run": {"duration": rows[-1][0], "frames": 81, "effects": EFFECTS, "dimensions": 3},
+            "numerics": {"cells": 4, "grading": 1.0, "estimate": False, "rtol": 1e-9},
+        }
+    ).replace(changes)
+    run = sc.simulate(scene)
+    assert run.outcome.is_success, run.summary["message"]
+    # What is stretched and twisted at its ends alone is the same all along.
+    forces = [run.data.tension.values, run.data.torque.values / RADIUS]
+    assert max(np.ptp(one, axis=1).max() for one in forces) < 1e-4 * max(np.abs(one).max() for one in forces)
+    return run.data
+
+
+@dataclass(frozen=True)
+class Path:
+    """Stretch and shear of the wall of a tube: rows of time [s], stretch and twist times radius."""
+
+    name: str
+    rows: tuple[tuple[float, float, float], ...]
+
+    def at(self, time: float | Floats) -> tuple[Any, Any]:
+        """Stretch and twist times radius."""
+        times, *values = np.array(self.rows).T
+        stretch, turn = (np.interp(time, times, one) for one in values)
+        return stretch, turn
+
+
+PATHS = (
+    Path("stretch, then twist", ((0, 1, 0), (1, 1.3, 0), (2, 1.3, 0.6))),
+    Path("twist, then stretch", ((0, 1, 0), (1, 1, 0.6), (2, 1.3, 0.6))),
+    Path("both at once", ((0, 1, 0), (2, 1.3, 0.6))),
+    Path("twist, squeeze, untwist", ((0, 1, 0), (1, 1, 0.6), (2, 0.9, 0.6), (3, 0.9, 0))),
+)
+
+
+def bingham(limit: float, stress: float) -> float:
+    """Plastic rate of an equivalent stress [1/s]; viscous enough that a neck does not outgrow rounding."""
+    return max(stress - limit, 0.0) / (limit * 1.0)
+
+
+Answer = tuple[Floats, Floats]
+"""Tension over the undeformed area, and torque over it and the radius [Pa]."""
+
+
+def integrated(path: Path, state: Floats, rate: Callable[[float, Floats], Floats], times: Floats) -> Floats:
+    """A stiff integration from corner to corner of a path."""
+    corners = [row[0] for row in path.rows]
+    found = [state[:, None]]
+    for start, end in pairwise(corners):
+        inside = times[(times > start) & (times < end)]
+        part = solve_ivp(rate, (start, end), state, "LSODA", [*inside, end], rtol=1e-10, atol=1e-12)
+        assert part.success, part.message
+        found.append(part.y[:, : None if end in times else -1])
+        state = part.y[:, -1]
+    return np.hstack(found)
+
+
+def two_variables(path: Path, limit: float, times: Floats) -> Answer:
+    """The wall of a tube in its own two variables: plastic lengthening and plastic shear (THEORY3D 3.1 to 3.4)."""
+
+    def wall(time: float, state: Floats) -> tuple[float, float, float, float, float, float]:
+        stretch, turn = path.at(time)
+        lengthened, sheared = state
+        elastic = np.log(stretch) - lengthened
+        carried = np.exp(-1.5 * elastic)
+        twisted = turn * stretch**-1.5 - sheared * carried
+        along = MODULUS * (elastic + twisted**2 / 4)
+        across = SHEAR * twisted + along * twisted / 2
+        return along, across, carried, stretch, turn, sheared
+
+    def rate(time: float, state: Floats) -> Floats:
+        along, across, carried, *_ = wall(time, state)
+        drive = carried * across
+        equivalent = max(np.hypot(along, np.sqrt(3) * drive), 1e-12 * MODULUS)
+        flow = bingham(limit, equivalent) / equivalent
+        return np.array([flow * along, 3 * flow * drive - 1.5 * state[1] * flow * along])
+
+    states = integrated(path, np.zeros(2), rate, times)
+    answer = []
+    for time, state in zip(times, states.T, strict=True):
+        along, across, carried, stretch, turn, sheared = wall(time, state)
+        # A stretch at a fixed twist makes the shear less: the force along the tube is less, too.
+        sigma = along + 1.5 * carried * across * sheared - 1.5 * across * turn * stretch**-1.5
+        answer.append((sigma / stretch, across * stretch**-1.5))
+    tension, torque = np.array(answer).T
+    return tension, torque
+
+
+def added_shears(path: Path, limit: float, times: Floats) -> Answer:
+    """The same with shears that are added, as strains of a planar filament are: what the carried ones are for."""
+
+    def wall(time: float, state: Floats) -> tuple[float, float, float]:
+        stretch, turn = path.at(time)
+        return MODULUS * (np.log(stretch) - state[0]), SHEAR * (turn * stretch**-1.5 - state[1]), stretch
+
+    def rate(time: float, state: Floats) -> Floats:
+        along, across, _ = wall(time, state)
+        equivalent = max(np.hypot(along, np.sqrt(3) * across), 1e-12 * MODULUS)
+        flow = bingham(limit, equivalent) / equivalent
+        return np.array([flow * along, 3 * flow * across])
+
+    states = integrated(path, np.zeros(2), rate, times)
+    walls = np.array([wall(time, state) for time, state in zip(times, states.T, strict=True)])
+    along, across, stretch = walls.T
+    return (along - 1.5 * across * path.at(times)[1] * stretch**-1.5) / stretch, across * stretch**-1.5
+
+
+def multiplied(path: Path, limit: float, times: Floats, *, free: bool) -> Answer:
+    """F = Fe Fp in matrices of 3 x 3, Hencky's energy mu |log Ue|^2, J2 flow of the Mandel stress without plastic spin.
+
+    Either both sides of the wall contract alike, as the theory has them, or each as far as nothing pulls at it.
+    """
+
+    def gradient(time: float, aside: float) -> Floats:
+        stretch, turn = path.at(time)
+        contracted = stretch**-0.5
+        # The radius of a tube is that of its circumference: the shear of its wall follows.
+        round_, thick = contracted * np.exp(aside), contracted * np.exp(-aside)
+        return np.array([[stretch, 0, 0], [0, thick, 0], [turn * round_, 0, round_]])
+
+    def mandel(F: Floats, plastic: Floats) -> Floats:
+        elastic = F @ np.linalg.inv(plastic)
+        size, axes = np.linalg.eigh(elastic.T @ elastic)
+        stress = SHEAR * (axes * np.log(size)) @ axes.T
+        return stress - np.trace(stress) / 3 * np.eye(3)
+
+    def first_piola(F: Floats, plastic: Floats) -> Floats:
+        elastic = F @ np.linalg.inv(plastic)
+        kirchhoff = np.linalg.inv(elastic).T @ mandel(F, plastic) @ elastic.T
+        return kirchhoff @ np.linalg.inv(F).T
+
+    def slope(time: float, aside: float, way: int) -> Floats:
+        """Of F by the stretch, the twist times radius, or the sides."""
+        F, (stretch, turn) = gradient(time, aside), path.at(time)
+        thick, round_ = F[1, 1], F[2, 2]
+        if way == 0:
+            by = -0.5 / stretch
+            return np.array([[1, 0, 0], [0, by * thick, 0], [turn * by * round_, 0, by * round_]])
+        if way == 1:
+            return np.array([[0, 0, 0], [0, 0, 0], [round_, 0, 0]])
+        return np.array([[0, 0, 0], [0, -thick, 0], [turn * round_, 0, round_]])
+
+    def sides(time: float, plastic: Floats) -> float:
+        if not free:
+            return 0.0
+
+        def pull(aside: float) -> float:
+            return float(np.sum(first_piola(gradient(time, aside), plastic) * slope(time, aside, 2)))
+
+        return float(brentq(pull, -0.5, 0.5, xtol=1e-13))
+
+    def rate(time: float, state: Floats) -> Floats:
+        plastic = state.reshape(3, 3)
+        stress = mandel(gradient(time, sides(time, plastic)), plastic)
+        equivalent = max(np.sqrt(1.5) * np.linalg.norm(stress), 1e-12 * MODULUS)
+        return np.asarray(1.5 * bingham(limit, equivalent) / equivalent * stress @ plastic).ravel()
+
+    states = integrated(path, np.eye(3).ravel(), rate, times)
+    answer = []
+    for time, state in zip(times, states.T, strict=True):
+        plastic = state.reshape(3, 3)
+        aside = sides(time, plastic)
+        stress = first_piola(gradient(time, aside), plastic)
+        answer.append([np.sum(stress * slope(time, aside, way)) for way in (0, 1)])
+    tension, torque = np.array(answer).T
+    return tension, torque
+
+
+def off(found: Answer, exact: Answer) -> float:
+    """Largest error of the tension and of the torque, over the largest of the work that either does."""
+    size = max(np.abs(exact[0]).max(), np.abs(exact[1]).max())
+    return max(float(np.abs(one - other).max()) for one, other in zip(found, exact, strict=True)) / size
+
+
+def tube(path: Path, limit: float) -> tuple[Floats, Answer]:
+    """A run with all points on one ring."""
+    data = shaft(
+        {"yield_stress": limit, "viscosity": limit * 1.0},
+        [(time, stretch, turn / TUBE) for time, stretch, turn in path.rows],
+        **{"numerics.fibres": 3},
+    )
+    tension, torque, twist, stretch = (data[name].values[:, 3] for name in ("tension", "torque", "twist", "stretch"))
+    force = tension - 1.5 * torque * twist / stretch
+    return data.time.values, (force / AREA, torque / AREA / TUBE)
+
+
+LIMITS = (2e4, 8e4, 2e5)  # 0.5, 2 and 5 % of the modulus
+
+
+def test_stretched_and_twisted_tubes() -> None:
+    """A run is its own law to rounding, and that is the exact one to the square of the elastic strain."""
+    rows, apart = [], dict[tuple[str, float], float]()
+    for path in PATHS:
+        for limit in LIMITS:
+            times, found = tube(path, limit)
+            own, exact = two_variables(path, limit, times), multiplied(path, limit, times, free=False)
+            free, added = multiplied(path, limit, times, free=True), added_shears(path, limit, times)
+            errors = [off(found, own), off(found, exact), off(found, free), off(added, exact)]
+            apart[path.name, limit] = errors[1]
+            rows.append([path.name, f"{limit / MODULUS:.1%}", *(f"{one:.1e}" for one in errors)])
+            assert errors[0] < 1e-7
+            assert errors[1] < 1.2 * (limit / MODULUS) ** 2 + 1e-7
+            assert errors[2] < (limit / MODULUS)
+            assert errors[3] > 0.09
+    header = ("path", "yield strain", "two variables", "F = Fe Fp", "and free sides", "added shears, of F = Fe Fp")
+    show("tension and torque of a thin tube, stretched 1.3 times and sheared 0.6", header, rows)
+    assert max(error for (_, limit), error in apart.items() if limit == LIMITS[1]) < 1e-3
+
+
+RINGS = {3: 15, 4: 24, 6: 60}
+"""Points of a section that has so many rings; the first two are the usual ones."""
+LOW = 4e3  # A thousandth of the modulus: elastic strains are small
+
+
+def at_rings(rings: int, stress: Callable[[Floats], Floats]) -> float:
+    """Torque of a shear stress that depends on the radius over that of the surface, by the rings of a section."""
+    square, share = np.polynomial.legendre.leggauss(rings)
+    radius = np.sqrt((square + 1) / 2)
+    return float(np.sum(share / 2 * AREA * RADIUS * radius * stress(radius)))
+
+
+def torque_at(data: Any, cell: int = 3) -> Floats:
+    """Torque of a cell in the middle [N m]."""
+    values: Floats = data.torque.values[:, cell]
+    return values
+
+
+def test_torsion_beyond_yield() -> None:
+    """T/T_Y = (4/3)(1 - (theta_Y/theta)^3/4), as slowly as a viscosity does not matter."""
+    surface, rows = LOW / np.sqrt(3), []
+    at_yield, first = np.pi * RADIUS**3 * surface / 2, surface / SHEAR / RADIUS
+    strains = np.array([0.5, 1.0, 1.5, 2.0, 3.0, 5.0])
+    exact = np.where(strains <= 1, strains, 4 / 3 * (1 - np.maximum(strains, 1.0) ** -3 / 4))
+    worst = dict[int, float]()
+    for rings, points in RINGS.items():
+        material = {"yield_stress": LOW, "viscosity": 1e-4 * LOW / (5 * first * RADIUS)}
+        changes = {"numerics.fibres": points, "run.frames": 101, "numerics.rtol": 1e-7}
+        data = shaft(material, [(0, 1, 0), (1, 1, 5 * first)], **changes)
+        found = np.interp(strains / 5, data.time.values, torque_at(data)) / at_yield
+        sampled = [at_rings(rings, lambda r, n=n: surface * np.minimum(r * n, 1)) / at_yield for n in strains]
+        worst[rings] = float(np.max(np.abs(found / exact - 1)))
+        rows.append([f"{rings}", *(f"{one:.4f}" for one in found), f"{worst[rings]:.1e}"])
+        assert np.allclose(found, sampled, rtol=5e-4)
+    rows.append(["exact", *(f"{one:.4f}" for one in exact), ""])
+    show("T/T_Y at theta/theta_Y", ("rings", *(f"{one:g}" for one in strains), "largest error"), rows)
+    assert worst[3] < 0.03 and worst[4] < 0.02 and worst[6] < 5e-3
+
+
+def test_torsion_in_steady_flow() -> None:
+    """T = (2 pi/3) tau_Y R^3 + (eta/3)(pi/2) R^4 theta_t of a Bingham shaft that is turned at a steady rate."""
+    surface, rows = LOW / np.sqrt(3), []
+    rate = 200.0  # [1/(m s)]: the surface shears at 0.6 /s
+    worst = dict[int, float]()
+    for number in (0.1, 1.0, 10.0):
+        viscosity = 3 * number * surface / (rate * RADIUS)
+        exact = 2 * np.pi / 3 * surface * RADIUS**3 + viscosity / 3 * np.pi / 2 * RADIUS**4 * rate
+        # Until the innermost ring flows, too.
+        relaxed = 15 * surface / (SHEAR * rate * RADIUS) + 30 * viscosity / MODULUS
+        row = [f"{number:g}"]
+        for rings, points in RINGS.items():
+            material = {"yield_stress": LOW, "viscosity": viscosity}
+            rows_of_time = [(0, 1, 0), (relaxed, 1, rate * relaxed)]
+            changes = {"numerics.fibres": points, "run.frames": 11, "numerics.rtol": 1e-6}
+            data = shaft(material, rows_of_time, **changes)
+            found = torque_at(data)[-1]
+            sampled = at_rings(rings, lambda r, n=number: surface * (1 + n * r))
+            assert found == pytest.approx(sampled, rel=1e-6 + ((1 + number) * surface / SHEAR) ** 2)
+            worst[rings] = max(worst.get(rings, 0), abs(found / exact - 1))
+            row.append(f"{found / exact - 1:+.1e}")
+        rows.append(row)
+    show("steady torque of a Bingham shaft over the exact one, less 1", ("eta gamma_t/tau_Y", *RINGS), rows)
+    assert worst[3] < 5e-3 and worst[6] < 2e-3
