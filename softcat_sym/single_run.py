@@ -41,7 +41,7 @@ def build(scene: Scene, effects: Effects, clock: Clock | None = None, progress: 
     code = filament.code(backend, settings)
     if clock is not None and backend.compiled:
         clock.lap("compile")
-    return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
+    return prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
 
 
 def run_once(scene: Scene, resolved: Scene, effects: Effects, clock: Clock, progress: Progress, times: int = 0) -> Run:

@@ -134,8 +134,17 @@ OUT = {"load.direction": [0.1, -1.0, 0.4]}
             **{"ends.right": "free", "load.tip_force": ["0 N", "1 mN", "2 mN"], "load.tip_mass": "1 g"},
         ),
         strand("elastic", **OUT, **{"ends.right_twist": [["0 s", "0 deg"], ["1 s", "90 deg"]], "ends.left": "pinned"}),
+        strand(
+            "kelvin-voigt",
+            **{
+                "ends.right_slides": True,
+                "ends.right_twist": [["0 s", "0 deg"], ["1 s", "900 deg"]],
+                "load.tip_force": ["1 N", "0 N", "0 N"],
+                "initial.centreline": [["0 m"] * 3, ["10 cm", "2 mm", "-1 mm"], ["20 cm", "0 m", "0 m"]],
+            },
+        ),
     ],
-    ids=["bingham", "kelvin-voigt", "tip", "twist"],
+    ids=["bingham", "kelvin-voigt", "tip", "twist", "slides"],
 )
 @pytest.mark.slow
 def test_c_is_the_interpreter(scene: sc.Scene) -> None:
@@ -245,6 +254,59 @@ def test_a_planar_run_that_would_leave_its_plane_says_so() -> None:
         run = sc.simulate(load_scene("curled-rod", {**curl, "load.gravity": gravity}))
         assert (run.summary["sideways"] is not None) == unstable
         assert any("unstable sideways" in text for text in run.summary["warnings"]) == unstable
+
+
+SLIDES = {"load.gravity": "0 m/s^2", "ends.right_slides": True, "material.poisson": 0.5 - 1e-12}
+AT_REST = {"run": {"duration": "1 s", "frames": 2, "effects": EFFECTS[1:-1]}, "numerics.cells": 4}
+INTERPRETED = {"numerics.backend": "interpreted"}
+
+
+def test_a_clamp_slides_by_what_pulls() -> None:
+    """F = E A0 log(s)/s."""
+    stiffness = 4e6 * np.pi * 0.003**2
+    pulled = sc.simulate(strand("elastic", **SLIDES, **AT_REST, **{"load.tip_force": ["5 N", "0 N", "0 N"]})).data
+    stretch = (pulled.x.values[-1, -1] - pulled.x.values[-1, 0]) / 0.2
+    assert stiffness * np.log(stretch) / stretch == pytest.approx(5, rel=1e-9)
+
+
+def test_a_clamp_slides_by_what_twists() -> None:
+    """A twist k lengthens a round bar of Hencky's energy by (k R)^2/8 (Poynting's effect)."""
+    turns = {"ends.right_twist": [["0 s", "0 rad"], ["1 s", "1 rad"]]}
+    run = sc.simulate(strand("elastic", **SLIDES, **AT_REST, **turns))
+    length = run.data.x.values[-1, -1] - run.data.x.values[-1, 0]
+    assert length / 0.2 - 1 == pytest.approx((0.003 / 0.2) ** 2 / 8, rel=1e-3)
+    assert run.summary["energy_residual"] < 1e-8
+
+
+def test_it_begins_on_a_given_curve_with_what_that_strains() -> None:
+    """An arc of a straight rod holds E I/(2 R^2) a length; its sections do not turn about it."""
+    radius, angle = 0.3, 2 / 3
+    s = np.linspace(0, angle, 9)
+    arc = np.column_stack([radius * np.sin(s), radius * (1 - np.cos(s)), 0 * s])
+    span, rise, _ = arc[-1].tolist()
+    shape = {
+        "filament.rest_length": "0.2 m",
+        "filament.span": f"{span!r} m",
+        "ends": {"drop": f"{-rise!r} m", "right_angle": f"{angle!r} rad"},
+        "initial.centreline": [[f"{one!r} m" for one in point] for point in arc.tolist()],
+        "run": {"duration": "1 ms", "frames": 2, "effects": EFFECTS[:-1]},
+        "numerics.cells": 4,
+    }
+    run = sc.simulate(strand("elastic", **shape, **INTERPRETED))
+    first = run.data.isel(time=0)
+    assert np.allclose(np.stack([first.x - first.x[0], first.y, first.z], axis=-1), arc, atol=1e-15)
+    assert np.allclose(first.curvature, 1 / radius, rtol=1e-3)
+    bending = 4e6 * np.pi * 0.006**4 / 64
+    # Chords are shorter than the arc: 0.3 % of the energy.
+    assert float(first.energy_elastic) == pytest.approx(bending / (2 * radius**2) * 0.2, rel=5e-3)
+    assert float(first.energy_kinetic) == 0
+    aside = {
+        **shape,
+        "ends": {"right": "free"},
+        "initial.centreline": [[f"{x!r} m", f"{0.6 * y!r} m", f"{0.8 * y!r} m"] for x, y, _ in arc.tolist()],
+    }
+    first = sc.simulate(strand("elastic", **aside, **INTERPRETED)).data.isel(time=0)
+    assert np.allclose(first.z, 0.8 * arc[:, 1], atol=1e-15) and np.allclose(first.twist, 0, atol=1e-12)
 
 
 def test_what_is_planar_only_refuses_it() -> None:

@@ -9,6 +9,7 @@ import math
 import tomllib
 from typing import Any
 
+import numpy as np
 import pytest
 from rich.console import Console
 
@@ -37,6 +38,7 @@ FREE = {"ends.right": "free"}
 ASIDE = {"load.direction": [0, -1, 1]}
 OUT = [["0 s", "0 m", "0 m"], ["1 s", "1 mm", "2 mm", "3 mm"]]
 TURNS = [["0 s", "0 deg"], ["1 s", "720 deg"]]
+BENT = [["0 m", "0 m", "0 m"], ["10 cm", "1 cm", "2 mm"], ["20 cm", "0 m", "0 m"]]
 CASES: list[tuple[dict[str, Any], str]] = [
     (ASIDE, "load.direction points out"),
     ({"load.direction": [1, -1, 0]}, "load.direction is not straight down"),
@@ -47,6 +49,8 @@ CASES: list[tuple[dict[str, Any], str]] = [
     ({"ends.right_twist": TURNS}, "ends.right_twist"),
     ({"filament.twist": "-3 1/m"}, "filament.twist turns"),
     ({"filament.twist": "3 1/m", "filament.curvature": "2 1/m"}, "a helix"),
+    ({"ends.right_slides": True}, "ends.right_slides lets"),
+    ({"initial.centreline": BENT}, "initial.centreline says"),
     ({"run.dimensions": 3}, "run.dimensions asks"),
 ]
 
@@ -84,6 +88,7 @@ def test_it_is_read_back_as_it_was_written(changes: dict[str, Any]) -> None:
         {"ends.right_twist": "hold"},
         {"ends.right_twist": [["0 s", "0 deg"], ["1 s", "0 deg"]]},
         {"filament.curvature": "2 1/m"},
+        {"ends.right_slides": False, "initial.centreline": []},
     ],
 )
 def test_what_stays_in_the_plane_is_planar(changes: dict[str, Any]) -> None:
@@ -95,7 +100,7 @@ def test_what_stays_in_the_plane_is_planar(changes: dict[str, Any]) -> None:
 
 def test_a_planar_scene_writes_none_of_the_keys() -> None:
     text = scene({}).to_toml()
-    assert not any(key in text for key in ("twist", "direction", "tip_", "dimensions"))
+    assert not any(key in text for key in ("twist", "direction", "tip_", "dimensions", "slides", "centre"))
     assert is_symmetric(scene({}))
     assert scene({"load.direction": [0, -2, 0]}) == scene({})
     assert scene({"ends.motion": [["0 s", "0 m", "0 m", "0 m"]]}).ends.motion == ((0.0, 0.0, 0.0),)
@@ -120,6 +125,8 @@ def test_python_gives_numbers_in_si() -> None:
     ends = sc.Scene(**table).ends
     assert ends.motion[1] == (1.0, 0.0, 0.0, 0.003)
     assert ends.right_twist[1] == (1.0, 6.5)
+    table["initial"] = {"centreline": np.array([[0, 0, 0], [0.1, 0.01, 0.002], [0.2, 0, 0]]).tolist()}
+    assert sc.Scene(**table).initial.centreline[1] == (0.1, 0.01, 0.002)
 
 
 def test_the_command_line_sets_them() -> None:
@@ -165,6 +172,21 @@ REFUSED: list[tuple[dict[str, Any], str, str]] = [
     ({"load.tip_force": ["0 N", "1 N", "0 N"]}, "load.tip_force", "the right end is clamped"),
     ({"ends.right": "pinned", "load.tip_mass": "1 g"}, "load.tip_mass", "the right end is pinned"),
     ({"ends.right": "pinned", "ends.right_twist": TURNS}, "ends.right_twist", "the right end is pinned"),
+    ({"ends.right_slides": "yes"}, "ends.right_slides", "'yes' is neither true nor false"),
+    ({"ends.right_slides": True, "ends.right": "pinned"}, "ends.right_slides", "the right end is pinned"),
+    ({"ends.right_slides": True, "ends.right_angle": "5 deg"}, "ends.right_angle", "the clamp slides along the span"),
+    ({"ends.right_slides": True, "load.tip_force": ["0 N", "1 N", "0 N"]}, "load.tip_force", "across the way"),
+    ({"ends.right_slides": True, "load.tip_mass": "1 g"}, "load.tip_mass", "the right end is clamped"),
+    ({"ends.right_slides": True, "ends.motion": OUT}, "ends.motion", "along the span, where ends.right_slides"),
+    ({"initial.centreline": "straight"}, "initial.centreline", "'straight' is not a list of rows"),
+    ({"initial.centreline": BENT[::2]}, "initial.centreline", "a list of 2"),
+    ({"initial.centreline": [[0, 0, 0], *BENT[1:]]}, "initial.centreline", "0 has no unit"),
+    ({"initial.centreline": [row[:2] for row in BENT]}, "initial.centreline", "is not a row [x, y, z]"),
+    ({"initial.centreline": [["0 m", "0 m", "1 mm"], *BENT[1:]]}, "initial.centreline", "a left end at [0.0"),
+    ({"initial.centreline": BENT, "ends.drop": "1 mm"}, "initial.centreline", "the support is at [0.2, -0.001, 0.0]"),
+    ({"initial.centreline": [BENT[0], *BENT]}, "initial.centreline", "two neighbouring points in one place"),
+    ({"initial.centreline": BENT, "initial.stretch": 1.1}, "initial.stretch", "says where the filament begins"),
+    ({"initial.centreline": BENT, "run.dimensions": 2}, "run.dimensions", "initial.centreline says"),
     ({"ends.right_twist": "spin"}, "ends.right_twist", "'spin' is not a list of rows"),
     ({"ends.right_twist": [["0 s"]]}, "ends.right_twist", "['0 s'] is not a row [time, angle]"),
     ({"ends.right_twist": [["0 s", "0 m"]]}, "ends.right_twist", "'m' is a length, not an angle"),
@@ -217,8 +239,8 @@ def test_laws_and_models_of_the_plane_are_refused() -> None:
     assert in_space("drying-ink") == ["initial.C"]
     syrup = {**BINGHAM, "material": {"law": "newtonian", **LAWS["newtonian"]}}
     assert not faults_of(spoiled(SPATIAL, syrup))
-    twisted = spoiled({"filament.twist": "1 1/m"}, syrup)
-    assert [fault.path for fault in faults_of(twisted)] == ["filament.twist"]
+    for changes in ({"filament.twist": "1 1/m"}, {"initial.centreline": BENT}):
+        assert [fault.path for fault in faults_of(spoiled(changes, syrup))] == list(changes)
 
 
 # The effects.
@@ -244,6 +266,20 @@ def test_lists_without_them_are_one_error(asked: Any) -> None:
     assert fault.path == "run.effects"
     assert "'shear'" in fault.found and "three dimensions: load.direction" in fault.found
     assert "'fibres'" in fault.accepted
+
+
+def test_a_filament_let_go_from_a_curve_has_inertia() -> None:
+    curve = {"initial.centreline": BENT, "load.gravity": "0 m/s^2"}
+    assert "inertia" in choose_effects(scene(curve)).names
+    with pytest.raises(SceneError, match=r"without 'inertia', but initial\.centreline need not"):
+        choose_effects(scene({**curve, "run.effects": [*IN_SPACE, "viscous-flow", "yielding"]}))
+
+
+def test_a_filament_that_begins_on_a_curve_need_not_hang() -> None:
+    """What is longer than its supports are apart needs a weight to hang in, unless it is said where it begins."""
+    weightless = {"filament.rest_length": "0.21 m", "load.gravity": "0 m/s^2"}
+    assert [fault.path for fault in faults_of(spoiled(weightless))] == ["load.gravity"]
+    assert not faults_of(spoiled({**weightless, "initial.centreline": BENT}))
 
 
 def test_rotary_inertia_cannot_be_named() -> None:

@@ -326,7 +326,7 @@ def structure_of(
     """The structure of a scene's filament."""
     ends, fibres = (graph.grid.first, graph.grid.last), theory.fibres
     parts: tuple[object, ...] = (
-        effects.terms(),
+        equations.terms,
         equations.shape.name,
         scene.run.closure,
         theory.label,
@@ -338,9 +338,9 @@ def structure_of(
         body.tip_force,
         body.shaped,
     )
-    if effects.terms().shaking != 1:
-        parts = (*parts, effects.terms().shaking)
-    if effects.terms().hardens:
+    if equations.terms.shaking != 1:
+        parts = (*parts, equations.terms.shaking)
+    if equations.terms.hardens:
         parts = (*parts, "hardens")
     rule = fibres.label if fibres else ""
     return Structure(_digest(parts), rule, effects.names, equations, theory, ends, body)

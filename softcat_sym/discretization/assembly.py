@@ -107,7 +107,7 @@ def choose_grid(scene: Scene, effects: Effects | None = None) -> Grid:
     """Cells graded towards the clamps, unless the scene says how; half the span when it is symmetric."""
     cells = choose_cells(scene, effects)
     grading = scene.numerics.grading or choose_grading(scene, cells, effects)
-    left, right = _ENDS[scene.ends.left], _ENDS[scene.ends.right]
+    left, right = _ENDS[scene.ends.left], End.SLIDING if scene.ends.right_slides else _ENDS[scene.ends.right]
     middle = towards_middle(scene, effects)
     densities = (effects or choose_effects(scene)).terms().densities
     if is_symmetric(scene) and all(one.symmetric for one in densities):
@@ -145,17 +145,25 @@ def choose_theory(scene: Scene, equations: FilamentEquations) -> Theory:
     return Theory(scene.model, choose_rule(scene, equations) if equations.resolved is not None else None)
 
 
+def elastic_theory(scene: Scene, equations: FilamentEquations) -> Theory:
+    """The theory of a filament in three dimensions where nothing has flowed: with as few points as are exact then."""
+    return Theory(scene.model, _points(scene, equations, 0))
+
+
 def choose_points(scene: Scene, equations: FilamentEquations) -> PointRule:
     """Points of a section in three dimensions: few where nothing flows, which they follow exactly, more where it does.
 
     What counts is how many different heights the angles of a circle give (THEORY3D 6).
     """
-    filament, points = scene.filament, choose_fibres(scene) if equations.terms.flows else 0
+    return _points(scene, equations, choose_fibres(scene) if equations.terms.flows else 0)
+
+
+def _points(scene: Scene, equations: FilamentEquations, points: int) -> PointRule:
     if equations.shape.name == "circle":
         rings = max(1, round(math.sqrt(_RINGS * points)))
         return ring_rule(rings, max(3, math.ceil(points / rings)))
     count = max(2, math.ceil(math.sqrt(points)))
-    return warping_rule(count, count, filament.width / filament.thickness)
+    return warping_rule(count, count, scene.filament.width / scene.filament.thickness)
 
 
 def choose_rule(scene: Scene, equations: FilamentEquations) -> SectionRule:

@@ -189,6 +189,16 @@ class Graph:
         return self.rates[1]
 
     @cached_property
+    def balance(self) -> tuple[ca.Function, ca.Function, bool]:
+        """(t, x, z, p) to what must vanish, to its derivative by z, and whether that is the same for all z."""
+        inputs = [self.t, self.x, self.z, self.p]
+        # As built: a handful of evaluations is not worth the search for common subexpressions.
+        alg = ca.densify(self.raw.rates[1])
+        jacobian = ca.jacobian(alg, self.z)
+        linear = not ca.depends_on(jacobian, self.z)
+        return ca.Function("residual", inputs, [alg]), ca.Function("jacobian", inputs, [jacobian]), linear
+
+    @cached_property
     def powers(self) -> tuple[ca.SX, ...]:
         """Plastic power, power of the changing load, of the necking gradient, of effects: each place by place.
 

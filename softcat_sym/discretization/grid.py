@@ -28,21 +28,22 @@ class End(Enum):
     CLAMPED = "clamped: position and angle given"
     PINNED = "pinned: position given, no moment"
     FREE = "free: no force, no moment"
+    SLIDING = "sliding clamp: height and angle given, no force along x"
 
     @property
     def holds_angle(self) -> bool:
         """Whether the tangent is held, so that a moment acts there."""
-        return self in (End.SYMMETRY, End.CLAMPED)
+        return self in (End.SYMMETRY, End.CLAMPED, End.SLIDING)
 
     @property
     def holds_x(self) -> bool:
         """Whether x is given."""
-        return self is not End.FREE
+        return self not in (End.FREE, End.SLIDING)
 
     @property
     def holds_height(self) -> bool:
         """Whether y is given."""
-        return self in (End.CLAMPED, End.PINNED)
+        return self in (End.CLAMPED, End.PINNED, End.SLIDING)
 
 
 @dataclass(frozen=True)

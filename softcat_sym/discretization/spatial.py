@@ -129,20 +129,22 @@ def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
     """Places, velocities, velocities with those of supports, quaternions and spins of all nodes."""
     terms, at = b.equations.terms, b.supports
     moves, turns = terms.inertia or b.equations.law.viscosity is not None, b.equations.law.viscosity is not None
-    holds = (b.first.holds_x, b.last.holds_x)
+    across = (b.first.holds_height, b.last.holds_height)
+    holds = ((b.first.holds_x, b.last.holds_x), across, across)
     ends = ((at.left_x, at.right_x), (0, at.right_y), (0, at.right_z))
     places = [
-        b.unknown(Slot(name, "node", holds, moves, speed if moves else "", section=False), *end)
-        for name, speed, end in zip(PLACES, SPEEDS, ends, strict=True)
+        b.unknown(Slot(name, "node", are, moves, speed if moves else "", section=False), *end)
+        for name, speed, are, end in zip(PLACES, SPEEDS, holds, ends, strict=True)
     ]
     speeds: list[Neighbours] = [Same()] * 3
     moved = speeds
     if moves:
-        speeds = [b.unknown(Slot(name, "node", holds, terms.inertia, "", section=False)) for name in SPEEDS]
+        slots = zip(SPEEDS, holds, strict=True)
+        speeds = [b.unknown(Slot(name, "node", are, terms.inertia, "", section=False)) for name, are in slots]
         last = [one * b.scale for one in (at.right_u, at.right_v, at.right_w)]
         moved = [
-            plain if not holds[1] or ca.SX(end).is_zero() else b.unknown(b.slots[name], 0, end, f"{name}_moving")
-            for name, plain, end in zip(SPEEDS, speeds, last, strict=True)
+            plain if not are[1] or ca.SX(end).is_zero() else b.unknown(b.slots[name], 0, end, f"{name}_moving")
+            for name, plain, are, end in zip(SPEEDS, speeds, holds, last, strict=True)
         ]
     held = _quaternion(at.left_angle, ca.SX(0)), _quaternion(at.right_angle, at.right_twist)
     turn = [

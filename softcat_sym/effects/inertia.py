@@ -31,6 +31,11 @@ def outrunning_faults(scene: Scene) -> list[Fault]:
     return [Fault("ends.motion", found, "a slower path, or run.effects without inertia")]
 
 
+def _indispensable(scene: Scene) -> str:
+    """Why a filament has to be followed from where it is let go."""
+    return "initial.centreline need not be an equilibrium" if scene.initial.centreline else ""
+
+
 INERTIA = Effect(
     name="inertia",
     summary="acceleration of the filament",
@@ -43,5 +48,6 @@ INERTIA = Effect(
     example="maxwell-slow",
     derivation="01_balance",
     causes=("inertia", "flow"),
+    indispensable=_indispensable,
     faults=outrunning_faults,
 )

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 
+from softcat_sym.effects.bending import BENDING
 from softcat_sym.effects.choosing import bare, why_not
 from softcat_sym.effects.effect import Effect
 from softcat_sym.effects.extensibility import EXTENSIBILITY
 from softcat_sym.effects.fibres import FIBRES
+from softcat_sym.effects.finite_stretch import FINITE_STRETCH
 from softcat_sym.effects.gravity_ramp import GRAVITY_RAMP
 from softcat_sym.effects.inertia import INERTIA
+from softcat_sym.effects.large_rotation import LARGE_ROTATION
 from softcat_sym.effects.registry import REGISTRY
+from softcat_sym.effects.shear import SHEAR
+from softcat_sym.effects.thinning import THINNING
 from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.viscous_stress import VISCOUS_STRESS
 from softcat_sym.effects.yielding import YIELDING
@@ -59,6 +64,13 @@ def with_effects(scene: Scene, names: Names) -> Scene:
         if (scene.numerics.order or 0) > 1:
             changes["numerics.order"] = None
     return scene.replace(changes)
+
+
+def of_a_rod(*, moves: bool, damped: bool) -> Names:
+    """All that an elastic filament has which shears; with inertia if it moves, and with a viscous stress if damped."""
+    always = (BENDING, EXTENSIBILITY, FINITE_STRETCH, THINNING, LARGE_ROTATION, SHEAR)
+    sometimes = ((INERTIA, moves), (VISCOUS_STRESS, damped))
+    return ordered({effect.name for effect in (*always, *(effect for effect, holds in sometimes if holds))})
 
 
 def obstacle(effect: Effect, scene: Scene, names: Collection[str]) -> str:

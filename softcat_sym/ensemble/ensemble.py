@@ -114,7 +114,8 @@ class Workshop:
                     del self._filaments[next(iter(self._filaments))]
                 first = assembled(scene, effects)
                 shared = self._filaments[key] = SharedFilament(first, first.code(backend, settings))
-        return prepare(scene, shared.first.graph, settings, lambda: shared.statics, (backend, shared.code))
+        compiled, at_rest = (backend, shared.code), shared.first.code_at_rest
+        return prepare(scene, shared.first.graph, settings, lambda: shared.statics, compiled, at_rest)
 
     def run(self, member: Member, stop: Stop) -> tuple[Prepared, Solution]:
         """Integrate a member; one that Python integrates by itself, since CasADi keeps Python's lock meanwhile."""

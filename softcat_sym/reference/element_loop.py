@@ -44,6 +44,8 @@ _ONLY: dict[str, object] = {
     "load.direction": DOWN,
     "load.tip_force": (0.0, 0.0, 0.0),
     "ends.right_twist": (),
+    "ends.right_slides": False,
+    "initial.centreline": (),
     "run.until": "duration",
     "initial.stretch": 1.0,
 }

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -32,6 +34,8 @@ def out_of_plane(scene: Scene) -> str:
         (filament.twist != 0, "filament.twist turns the section along the filament"),
         (load.direction != DOWN, "load.direction is not straight down"),
         (any(load.tip_force), "load.tip_force pulls at the end"),
+        (ends.right_slides, "ends.right_slides lets a clamp slide"),
+        (scene.initial.centreline, "initial.centreline says where it begins"),
         (load.tip_mass != 0, "load.tip_mass hangs at the end"),
     )
     return next((why for holds, why in reasons if holds), "")
@@ -60,14 +64,46 @@ def dimension_rules(scene: Scene) -> Iterator[Rule]:
     ends, load, out = scene.ends, scene.load, "leaving it out"
     found = f"given, but the right end is {ends.right}"
     loose = f'{out}, or ends.right = "free"'
-    yield any(load.tip_force) and ends.right != "free", "load.tip_force", found, loose
+    slides = ends.right_slides
+    pulled = any(load.tip_force) and ends.right != "free" and not slides
+    yield pulled, "load.tip_force", found, f"{loose}, or ends.right_slides"
+    along = "a force along the span, right or left"
+    yield slides and any(load.tip_force[1:]), "load.tip_force", "across the way that the clamp slides", along
     yield load.tip_mass > 0 and ends.right != "free", "load.tip_mass", found, loose
     clamped = f'{out}, or ends.right = "clamped"'
     yield ends.right_twist and ends.right != "clamped", "ends.right_twist", found, clamped
+    yield slides and ends.right != "clamped", "ends.right_slides", found, clamped
+    yield slides and ends.right_angle, "ends.right_angle", "given, but the clamp slides along the span", out
+    pushed = slides and any(row[1] for row in ends.motion)
+    yield pushed, "ends.motion", "along the span, where ends.right_slides leaves the end free", "rows with dx = 0"
+    yield from _of_centreline(scene)
     why = out_of_plane(scene)
     yield scene.run.dimensions == 2 and why, "run.dimensions", f"2, but {why}", "auto or 3, or a scene in one plane"
     if is_spatial(scene):
         yield from _of_space(scene)
+
+
+_APART = 1e-9
+"""Part of the span by which a centreline may miss a support."""
+
+
+def _of_centreline(scene: Scene) -> Iterator[Rule]:
+    """List what does not go with a filament that begins on a given curve."""
+    points, ends, filament = scene.initial.centreline, scene.ends, scene.filament
+    if not points:
+        return
+    supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (filament.span, 0.0 - ends.drop, 0.0))
+    for side, (how, found, asked) in zip(("left", "right"), supports, strict=True):
+        missed = how != "free" and math.dist(found, asked) > _APART * filament.span
+        given = f"a {side} end at {list(found)} m, but the support is at {list(asked)} m"
+        yield missed, "initial.centreline", given, f"a curve that ends at its support, or a free {side} end"
+    double = any(a == b for a, b in pairwise(points))
+    yield double, "initial.centreline", "two neighbouring points in one place", "a curve with a length"
+    given, out = "given, but initial.centreline says where the filament begins", "leaving it out"
+    yield scene.initial.stretch != 1, "initial.stretch", given, out
+    yield scene.initial.surface != "fresh", "initial.surface", given, out
+    newtonian = f"given, but a fluid has no strain to begin with: the law is '{scene.material.law}'"
+    yield scene.material.law == "newtonian", "initial.centreline", newtonian, "another law"
 
 
 def _of_space(scene: Scene) -> Iterator[Rule]:

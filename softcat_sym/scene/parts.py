@@ -27,6 +27,7 @@ from softcat_sym.scene.units import (
     Names,
     Number,
     Numbers,
+    Points,
     Quantity,
     Three,
     Turns,
@@ -256,6 +257,8 @@ class Ends(Part):
     """Path of the right support, right, up and towards the viewer, linear between rows, held after the last."""
     right_twist: Annotated[tuple[tuple[float, ...], ...], Turns()] = ()
     """Turn of a right clamp about its own normal, linear between rows, held after the last; any number of turns."""
+    right_slides: Annotated[bool, Flag()] = False
+    """Whether a right clamp is free to slide along the span, as under load.tip_force; in three dimensions."""
 
     @field_validator("left_angle", "right_angle", mode="wrap")
     @classmethod
@@ -270,7 +273,7 @@ _FORCES = 'three forces with their units, right, up and towards the viewer, such
 
 
 class Load(Part):
-    """Gravity, its ramp and its shaking, and what hangs or pulls at a free right end; SI."""
+    """Gravity, its ramp and its shaking, and what hangs or pulls at a right end that is free or slides; SI."""
 
     table_name: ClassVar[str] = "load"
 
@@ -285,7 +288,7 @@ class Load(Part):
     tip_mass: Annotated[float, Quantity("mass", "0 kg", "non-negative")] = 0.0
     """Mass at a free right end; in three dimensions."""
     tip_force: Annotated[tuple[float, ...], Three(Quantity("force", "1 N", "any"), _FORCES)] = (0.0, 0.0, 0.0)
-    """Dead force on a free right end: right, up and towards the viewer; in three dimensions."""
+    """Dead force on a right end that is free, or slides: right, up, towards the viewer; in three dimensions."""
     shake: Annotated[float, Number(above=0, closed=True)] = 0.0
     """Amplitude a of oscillating gravity over g, after the ramp: g (1 + a sin(2 pi f t)); 0: steady."""
     shake_frequency: Annotated[float, Quantity("frequency", "5 Hz", "non-negative")] = 0.0
@@ -308,6 +311,8 @@ class Initial(Part):
     """Mean plastic strain P/A0 at equally spaced material points from left to right; one value: everywhere."""
     C: Annotated[tuple[float, ...], Numbers()] = ()
     """Bending plastic strain at the surface, C/(A0 (h0/2) <zeta^2>), likewise."""
+    centreline: Annotated[tuple[Point, ...], Points()] = ()
+    """Places of equally spaced material points, from the left support: begins there, strained; in three dimensions."""
     surface: Annotated[SurfaceAge, Choice(SurfaceAge)] = "fresh"
     """Whether surface tension acts at once on a filament without stress, or has shortened it before it was held."""
 

@@ -83,8 +83,12 @@ def is_held(scene: Scene) -> bool:
 
 
 def is_slack(scene: Scene) -> bool:
-    """Tell whether both ends are held and the filament is longer without stress than they are apart."""
-    return is_held(scene) and stress_free_length(scene) > distance(scene) * (1 + _ROUNDING)
+    """Tell whether both ends are held and the filament is longer without stress than they are apart.
+
+    One that begins on a given curve need not hang in its weight.
+    """
+    hangs = is_held(scene) and not scene.initial.centreline
+    return hangs and stress_free_length(scene) > distance(scene) * (1 + _ROUNDING)
 
 
 def is_symmetric(scene: Scene) -> bool:

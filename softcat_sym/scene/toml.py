@@ -81,6 +81,7 @@ def _value(text: str) -> object:
 
 _IDLE = {
     "filament": ("twist",),
+    "ends": ("right_slides",),
     "load": ("shake", "shake_frequency", "direction", "tip_mass", "tip_force"),
     "material": ("loss_tangent", "natural_strain", "natural_strain_difference"),
     "surroundings": ("density", "viscosity"),

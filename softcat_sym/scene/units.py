@@ -569,6 +569,25 @@ class Turns(Kind):
         return [[_TIME.write(time), _TURN.write(angle)] for time, angle in value] or "hold"
 
 
+class Points(Kind):
+    """Places in space."""
+
+    si = True
+    accepted = (
+        "a list of three points [x, y, z] or more, such as "
+        '[["0 m", "0 m", "0 m"], ["10 cm", "-1 mm", "0 m"], ["20 cm", "0 m", "0 m"]]'
+    )
+
+    def read(self, value: object) -> tuple[tuple[float, ...], ...]:
+        points = _rows(self, value, (_SHIFT, _SHIFT, _SHIFT), 3, "[x, y, z]")
+        if 0 < len(points) < 3:
+            raise self.refuse(f"a list of {len(points)}")
+        return points
+
+    def write(self, value: tuple[tuple[float, ...], ...]) -> object:
+        return [[*map(_SHIFT.write, point)] for point in value]
+
+
 def _rows(
     kind: Kind, value: object, columns: Sequence[Quantity], least: int, named: str
 ) -> tuple[tuple[float, ...], ...]:

@@ -197,6 +197,15 @@ class CModel:
         self._call(run, states, work, given, status, stop)
         return states, slopes
 
+    def consistent(self, run: RunInput, status: Status) -> Floats:
+        """The state that a run begins with, its algebraic unknowns in balance."""
+        state, absolute = run.state.copy(), np.full(run.state.shape[1], run.absolute)
+        filament = Filament(len(state), doubles(run.parameters), doubles(run.places))
+        options = Options(relative=run.relative, absolute=doubles(absolute), method=run.method)
+        found = [ct.byref(part) for part in (filament, options)]
+        self._runtime.softcat_consistent(self._address, *found, run.times[0], doubles(state), ct.byref(status))
+        return state
+
     def _call(
         self,
         run: RunInput,
@@ -246,6 +255,7 @@ def _runtime() -> ct.CDLL:
     setup: list[Any] = [ct.c_void_p, ct.POINTER(Filament), ct.POINTER(Options), Doubles, Doubles, ct.c_int]
     results: list[Any] = [Doubles, Doubles, ct.POINTER(CDirections), ct.POINTER(Status)]
     library.softcat_sensitivities.argtypes = [*setup, *results]
+    library.softcat_consistent.argtypes = [*setup[:3], ct.c_double, Doubles, ct.POINTER(Status)]
     library.softcat_message.restype = ct.c_char_p
     return library
 
@@ -263,6 +273,37 @@ class CompiledFilament:
     model: CModel
     sites: Sites  # Where the unknowns of the graph are in it
     places: Floats  # Geometry, shape (sites, places)
+
+
+@dataclass(frozen=True)
+class CompiledNewton:
+    """Newton's method in C: for what :data:`softcat_sym.solvers.equilibrium.Newton` asks."""
+
+    graph: Graph
+    filament: CompiledFilament
+    at_rest: Callable[[Graph], CompiledFilament]  # Of another graph: of the filament at rest
+    settings: Settings
+
+    def __call__(self, graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
+        """Algebraic unknowns in balance; None where none are found."""
+        filament = self.filament if graph is self.graph else self.at_rest(graph)
+        run, status = (
+            RunInput(
+                parameters=np.ascontiguousarray(p),
+                places=filament.places,
+                state=filament.sites.state(x, guess),
+                times=np.zeros(1),
+                relative=self.settings.rtol,
+                absolute=self.settings.absolute(slot.name for slot in filament.model.model.slots),
+                work_absolute=0.0,
+                kinks=np.empty(0),
+                max_steps=0,
+            ),
+            Status(),
+        )
+        state = filament.model.consistent(run, status)
+        refuse(status.code, filament.model.message(status.code))
+        return filament.sites.vectors(state[None])[1][:, 0] if status.code == SOLVED else None
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import casadi as ca
@@ -71,14 +71,8 @@ class Equilibrium:
         # Only positions and angles make the equations nonlinear: velocities may be as large as they are.
         self._shape = np.isin(graph.z_kinds, _POSITIONS)
         self._bends = graph.terms.bending
-        inputs = [graph.t, graph.x, graph.z, graph.p]
-        # As built: a handful of evaluations is not worth the search for common subexpressions.
-        alg = ca.densify(graph.raw.rates[1])
-        jacobian = ca.jacobian(alg, graph.z)
-        # Of a beam that does not stretch: the first whole step ends at the answer, however far that is.
-        self._linear = not ca.depends_on(jacobian, graph.z)
-        self._residual = ca.Function("residual", inputs, [alg])
-        self._jacobian = ca.Function("jacobian", inputs, [jacobian])
+        # Linear is a beam that does not stretch: the first whole step ends at the answer, however far that is.
+        self._residual, self._jacobian, self._linear = graph.balance
         self._stiffness = Stiffness(self._jacobian.sparsity_out(0))
 
     def search(self, time: float, x: Floats, p: Floats, guesses: Iterable[Floats]) -> Floats | None:
@@ -119,6 +113,15 @@ class Equilibrium:
 
     def _evaluate(self, time: float, x: Floats, z: Floats, p: Floats) -> Floats:
         return np.asarray(self._residual(time, x, z, p), dtype=float).ravel()
+
+
+Newton = Callable[[Graph, Floats, Floats, Floats], Floats | None]
+"""Algebraic unknowns in balance at t = 0, of a graph, its differential unknowns, parameters and a guess."""
+
+
+def newton_of_graph(graph: Graph, x: Floats, p: Floats, guess: Floats) -> Floats | None:
+    """As `Newton`, by CasADi."""
+    return Equilibrium(graph).search(0.0, x, p, [guess])
 
 
 def with_plastic_strain(x: Floats, graph: Graph, scene: Scene, share: float) -> Floats:

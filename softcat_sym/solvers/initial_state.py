@@ -24,7 +24,14 @@ from softcat_sym.scene.scene import (
     rest_length,
     stress_free_length,
 )
-from softcat_sym.solvers.equilibrium import Equilibrium, Start, Stiffness, with_plastic_strain
+from softcat_sym.solvers.equilibrium import (
+    Equilibrium,
+    Newton,
+    Start,
+    Stiffness,
+    newton_of_graph,
+    with_plastic_strain,
+)
 from softcat_sym.solvers.spatial_start import spatial_start
 
 _NUDGE = 1e-3  # of a span
@@ -117,10 +124,12 @@ class _Slope:
         return best
 
 
-def starting_state(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None) -> Start | None:
+def starting_state(
+    scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None, newton: Newton | None = None
+) -> Start | None:
     """Begin at rest; None if no equilibrium is found."""
     if is_spatial(scene):
-        return spatial_start(scene, graph, p, statics)
+        return spatial_start(scene, graph, p, statics, newton or newton_of_graph)
     x = with_plastic_strain(_with_positions(graph.start, graph.x_kinds, graph.x_where, scene), graph, scene, 1.0)
     straight = _with_positions(graph.straight, graph.z_kinds, graph.z_where, scene)
     if graph.positions_are_algebraic:

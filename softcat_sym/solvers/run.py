@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from softcat_sym.codegen.model import Structure, structure_of
-from softcat_sym.discretization.assembly import Theory, assemble, choose_body, choose_grid, choose_theory
+from softcat_sym.discretization.assembly import (
+    Theory,
+    assemble,
+    choose_body,
+    choose_grid,
+    choose_theory,
+    elastic_theory,
+)
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.parameters import TIME_SCALE, parameter_values
@@ -18,7 +26,7 @@ from softcat_sym.physics.filament import FilamentEquations, derive
 from softcat_sym.physics.sections import SECTIONS
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.temperature import kinks as temperature_kinks
-from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, compile_filament
+from softcat_sym.solvers.compiled import CompiledFilament, CompiledIntegration, CompiledNewton, compile_filament
 from softcat_sym.solvers.equilibrium import Start
 from softcat_sym.solvers.initial_state import starting_state
 from softcat_sym.solvers.interpreted import External, Integration, compiled_rhs
@@ -44,9 +52,20 @@ class Assembled:
 
     def at_rest(self) -> Graph:
         """The same filament without inertia and viscous stress: where a start that is not straight is sought."""
+        still, theory = self._still
+        return assemble(still, self.graph.grid, self.effects.names, theory, self.body)
+
+    @cached_property
+    def _still(self) -> tuple[FilamentEquations, Theory]:
         scene = self.scene
         still = derive(self.effects.at_rest(), SECTIONS[scene.filament.section], scene.run.closure)
-        return assemble(still, self.graph.grid, self.effects.names, choose_theory(scene, still), self.body)
+        # Nothing has flowed yet: few points hold what an elastic section does in three dimensions.
+        return still, elastic_theory(scene, still) if self.theory.is_spatial else choose_theory(scene, still)
+
+    def code_at_rest(self, graph: Graph) -> CompiledFilament:
+        """What is compiled of the filament at rest."""
+        still, theory = self._still
+        return compile_filament(graph, structure_of(self.scene, self.effects, graph, still, theory, self.body))
 
     def structure(self) -> Structure:
         """What its C text depends on."""
@@ -130,21 +149,25 @@ def prepare(
     settings: Settings,
     statics: Callable[[], Graph] | None = None,
     compiled: tuple[Backend, Code] = (_INTERPRETED, None),
+    code_at_rest: Callable[[Graph], CompiledFilament] | None = None,
 ) -> Prepared:
     """Fill in the scene's parameters, find the starting shape and build the integrator.
 
     `statics` returns the same filament without inertia and viscous stress, for a starting shape that is not straight;
-    without it such a run finds none.
+    without it such a run finds none. `code_at_rest` compiles that, so that it is sought in C, too.
     """
     values = parameter_values(scene)
     scale = values[TIME_SCALE]
     p = graph.vector(values)
     times = np.linspace(0.0, scene.run.duration / scale, scene.run.frames)
-    start = starting_state(scene, graph, p, statics)
     # A frame at which a support or a furnace changes pace is one too, but for the first.
     bends = (*(row[0] for row in (*scene.ends.motion, *scene.ends.right_twist)), *temperature_kinks(scene))
     kinks = np.array(sorted({time / scale for time in bends if 0 < time <= scene.run.duration}))
     backend, code = compiled
+    newton = None
+    if isinstance(code, CompiledFilament) and code_at_rest is not None:
+        newton = CompiledNewton(graph, code, code_at_rest, settings)
+    start = starting_state(scene, graph, p, statics, newton)
     integration: Integration | CompiledIntegration | None = None
     if isinstance(code, CompiledFilament):
         integration = CompiledIntegration(graph, settings, code, scene.run.frames, kinks)

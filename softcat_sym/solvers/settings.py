@@ -150,6 +150,7 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     noise = _roundoff(scene, effects)
     # Noise along the filament shows across it by its slope.
     level = is_held(scene) and scene.ends.drop == 0 and not scene.ends.motion and not is_slack(scene)
+    level = level and not scene.initial.centreline
     slope = min(1.0, 4 * expected_sag(scene)) if level and scene.filament.curvature == 0 else 1.0
     across = max(rtol * smallest, noise * slope)
     longest = _max_step(scene, effects, rtol) if share == _RINGING else None

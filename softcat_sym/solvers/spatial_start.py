@@ -1,4 +1,4 @@
-"""Where a filament in three dimensions begins: relaxed in its natural shape, or straight between its ends."""
+"""Where a filament in three dimensions begins: in its natural shape, straight between its ends, or on a given curve."""
 
 from __future__ import annotations
 
@@ -6,45 +6,47 @@ import math
 from collections.abc import Callable
 
 import numpy as np
+from scipy.interpolate import make_interp_spline
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.spatial import PLACES, TURN
 from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FORCE
 from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_held, rest_length
-from softcat_sym.solvers.equilibrium import Equilibrium, Start, with_plastic_strain
+from softcat_sym.solvers.equilibrium import Newton, Start, with_plastic_strain
 
-_FIRST, _LEAST, _GROWTH = 0.25, 1 / 4096, 2.0
-"""Share of the load in the first step of a continuation, the least, and how steps grow."""
+_LEAST = 1 / 4096
+"""Share of the load in the least step of a continuation."""
 
 
-def spatial_start(scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None) -> Start | None:
-    """Begin at rest; None if no equilibrium is found."""
+def spatial_start(
+    scene: Scene, graph: Graph, p: Floats, statics: Callable[[], Graph] | None, newton: Newton
+) -> Start | None:
+    """Begin at rest; None if no equilibrium is found.
+
+    What is not without stress is sought in a section of few points, which is as good where nothing has flowed; what
+    little remains is settled in the section of the run.
+    """
     shape = natural_shape(scene, graph)
-    x = with_plastic_strain(_placed(graph.start, graph.x_kinds, graph.x_places, shape), graph, scene, 1.0)
-    z = _placed(graph.straight, graph.z_kinds, graph.z_places, shape)
-    if graph.positions_are_algebraic:
-        found = _loaded(graph, x, z, p)
-        return None if found is None else Start(x, found)
-    if is_held(scene) and _is_forced(scene):
+    if graph.positions_are_algebraic or (is_held(scene) and _is_forced(scene)):
         rest = statics() if statics is not None else graph
         if not rest.positions_are_algebraic:
             return None
-        values = dict(zip(graph.parameters, p.tolist(), strict=True)) | {"gravity": 0.0}
+        values = dict(zip(graph.parameters, p.tolist(), strict=True))
+        if not graph.positions_are_algebraic:
+            values["gravity"] = 0.0
         constants = np.array([values[name] for name in rest.parameters])
         straight = _placed(rest.straight, rest.z_kinds, rest.z_places, shape)
-        bent = _loaded(rest, with_plastic_strain(rest.start, rest, scene, 1.0), straight, constants)
+        bent = _loaded(newton, rest, with_plastic_strain(rest.start, rest, scene, 1.0), straight, constants)
         if bent is None:
             return None
         places = zip(rest.z_kinds, rest.z_places, bent, strict=True)
         shape = {**shape, **{(kind, place): float(value) for kind, place, value in places if (kind, place) in shape}}
-        x, z = (
-            _placed(state, kinds, where, shape)
-            for state, kinds, where in ((x, graph.x_kinds, graph.x_places), (z, graph.z_kinds, graph.z_places))
-        )
+    x = with_plastic_strain(_placed(graph.start, graph.x_kinds, graph.x_places, shape), graph, scene, 1.0)
+    start = Start(x, _placed(graph.straight, graph.z_kinds, graph.z_places, shape))
     if not graph.is_dae:
-        return Start(x, z)
-    settled = Equilibrium(graph).search(0.0, x, p, [z])
+        return start
+    settled = newton(graph, start.x, p, start.z)
     return None if settled is None else Start(x, settled)
 
 
@@ -55,12 +57,15 @@ Shape = dict[tuple[str, int], float]
 def natural_shape(scene: Scene, graph: Graph) -> Shape:
     """Straight between two ends that are held; from the one that is, in the curve of its natural twist and curvature.
 
-    Node by node with the turn of the middle of each cell, so that no cell is strained.
+    Node by node with the turn of the middle of each cell, so that no cell is strained. Or on the curve of the scene.
     """
     nodes, grown = graph.grid.nodes, force_free_stretch(scene)
     ends, filament, length = scene.ends, scene.filament, rest_length(scene)
     run, fall = filament.span / length, ends.drop / length
-    if is_held(scene):
+    if scene.initial.centreline:
+        places, turns = _given(scene, nodes)
+        places += np.array([-run / 2, 0.0, 0.0])
+    elif is_held(scene):
         along = chord_angle(scene)
         places = np.column_stack([run * nodes, -fall / 2 - fall * nodes, 0 * nodes])
         turns = np.tile(_turn_in_plane(along), (len(nodes), 1))
@@ -73,6 +78,26 @@ def natural_shape(scene: Scene, graph: Graph) -> Shape:
         places += np.array([-run / 2, 0.0, 0.0]) if from_left else np.array([run / 2, -fall, 0.0])
     found = {(name, n): float(value) for k, name in enumerate(PLACES) for n, value in enumerate(places[:, k])}
     return found | {(name, n): float(value) for k, name in enumerate(TURN) for n, value in enumerate(turns[:, k])}
+
+
+def _given(scene: Scene, nodes: Floats) -> tuple[Floats, Floats]:
+    """Places over the rest length on the scene's curve, and sections square to it that do not turn about it."""
+    points = np.array(scene.initial.centreline) / rest_length(scene)
+    curve = make_interp_spline(np.linspace(-0.5, 0.5, len(points)), points, k=min(3, len(points) - 1))
+    tangents = curve(nodes, 1)
+    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
+    turn = _turn_in_plane(scene.ends.left_angle)
+    turns = []
+    for tangent in tangents:
+        turn = _times(_least_turn(_first_axis(turn), tangent), turn)
+        turns.append(turn)
+    return curve(nodes), np.array(turns)
+
+
+def _least_turn(first: Floats, second: Floats) -> Floats:
+    """Quaternion of the least turn that takes one direction into another."""
+    turn = np.append(1 + first @ second, np.cross(first, second))
+    return turn / np.linalg.norm(turn)
 
 
 def _integrated(cells: Floats, kappa: Floats, stretch: float, angle: float, from_left: bool) -> tuple[Floats, Floats]:
@@ -118,30 +143,27 @@ def _placed(state: Floats, kinds: tuple[str, ...], where: tuple[int, ...], shape
 
 
 def _is_forced(scene: Scene) -> bool:
-    """Whether a straight filament between its ends is not without stress before its weight acts."""
+    """Whether a straight filament between its ends is not without stress before its weight acts: that is sought."""
     ends, along = scene.ends, chord_angle(scene)
     clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
     curved = scene.filament.curvature != 0 or scene.filament.twist != 0
-    return turned or curved or len(set(scene.initial.P)) > 1
+    return not scene.initial.centreline and (turned or curved or len(set(scene.initial.P)) > 1)
 
 
-def _loaded(graph: Graph, x: Floats, z: Floats, p: Floats) -> Floats | None:
+def _loaded(newton: Newton, graph: Graph, x: Floats, z: Floats, p: Floats) -> Floats | None:
     """Equilibrium under a load that grows from nothing, with clamps that turn into their places, from a shape."""
-    equilibrium, reached, step = Equilibrium(graph), 0.0, _FIRST
+    reached, step = 0.0, 1.0
     grows = np.array(
         [name in ("gravity", *TIP_FORCE, LEFT_ANGLE, RIGHT_ANGLE, "curvature", "twist") for name in graph.parameters]
     )
-    whole = equilibrium.search(0.0, x, p, [z])
-    if whole is not None:
-        return whole
     while reached < 1.0:
         share = min(1.0, reached + step)
-        found = equilibrium.search(0.0, x, np.where(grows, share * p, p), [z])
+        found = newton(graph, x, np.where(grows, share * p, p), z)
         if found is None:
-            step /= 2
+            step /= 4
             if step < _LEAST:
                 return None
             continue
-        z, reached, step = found, share, _GROWTH * step
+        z, reached, step = found, share, 2 * step
     return z

@@ -308,7 +308,7 @@ class Bench:
         code = filament.code(backend, settings)
         if task.program.endswith("-5"):
             settings = _FifthOrder(settings.solver, settings.rtol, settings.atol, settings.reason)
-        prepared = prepare(scene, filament.graph, settings, filament.at_rest, (backend, code))
+        prepared = prepare(scene, filament.graph, settings, filament.at_rest, (backend, code), filament.code_at_rest)
         whole = prepared.integration
         if task.program == "compiled-rodas4" and isinstance(whole, CompiledIntegration):
             other = replace(whole.filament, model=_Rodas4(whole.filament.model))
