@@ -401,7 +401,7 @@ class Spring:
         return found
 
 
-SPRINGS = ((10, 5, 1, 20), (10, 5, 1, 40), (10, 5, 3, 60), (10, 30, 1, 20), (5, 10, 1, 20), (30, 5, 1, 20))
+SPRINGS = ((10, 5, 1, 20), (10, 5, 1, 40), (10, 5, 3, 60), (10, 30, 3, 60), (5, 10, 3, 60), (30, 5, 3, 60))
 """D/d, pitch in degrees, coils and cells."""
 
 
@@ -412,14 +412,7 @@ def test_helical_springs() -> None:
     does to the stresses inside, of the order of d^2/D^2, no theory of rods has.
     """
     rows = []
-    for index, degrees, coils, cells in (
-        (10, 5, 1, 20),
-        (10, 5, 1, 40),
-        (10, 5, 3, 60),
-        (10, 30, 3, 60),
-        (5, 10, 3, 60),
-        (30, 5, 3, 60),
-    ):
+    for index, degrees, coils, cells in SPRINGS:
         spring = Spring(index, np.radians(degrees), coils, cells)
         found = spring.compliances()
         free = found[0, 0]
