@@ -43,6 +43,7 @@ from softcat_sym.errors import SceneError
 from softcat_sym.reference.calculix import calculix_deck
 from softcat_sym.reference.element_loop import problem_of
 from softcat_sym.scene.bundled import bundled_names
+from softcat_sym.scene.dimensions import is_spatial
 from softcat_sym.scene.material import POLYMERS
 from softcat_sym.scene.reading import load_scene
 from softcat_sym.scene.scene import Scene
@@ -76,6 +77,10 @@ def test_paper_takes_the_published_effects_that_apply() -> None:
         if scene.material.law in POLYMERS:
             # Its bending is not linear through the thickness, which the published list takes for granted.
             with pytest.raises(SceneError, match="fibres"):
+                choose_effects(scene)
+            continue
+        if is_spatial(scene):
+            with pytest.raises(SceneError, match="three dimensions"):
                 choose_effects(scene)
             continue
         effects = choose_effects(scene)

@@ -225,7 +225,7 @@ def test_what_is_no_film_is_refused(monkeypatch):
 
 FINAL = {"gallery.html", "gallery.png", "gallery.csv", "gallery.json"}
 QUICK = ("--set", "numerics.cells=4", "--set", "run.frames=5", "--set", "run.effects=paper")
-UNITS = {"um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}
+UNITS = {"uN m": 1e-6, "um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}
 # What a lesson may state as a number, and where it is read in the run.
 STATED: dict[str, Callable[[Run], float]] = {
     r"largest sag (NUMBER) (um|mm)": lambda run: -run.fields["midpoint"].min(),
@@ -241,10 +241,23 @@ STATED: dict[str, Callable[[Run], float]] = {
     r"G = (NUMBER)()": lambda run: (
         run.scene.filament.density * run.scene.load.gravity * run.scene.filament.span / run.scene.material.yield_stress
     ),
+    r"(NUMBER) (um) down": lambda run: -run.fields["midpoint"][-1],
+    r"(NUMBER) (um|mm) to the side": lambda run: float(abs(run.fields["z"][-1]).max()),
+    r"(NUMBER) (mm) high": lambda run: height(run, 0),
+    r"creeps to (NUMBER) (mm)": lambda run: height(run, -1),
+    r"torque of (NUMBER) (uN m)": lambda run: float(abs(run.fields["torque"]).max()),
     r"10 ms to (NUMBER) (s)": lambda run: (
         run.scene.material.modes[-1].viscosity / run.scene.material.modes[-1].youngs_modulus
     ),
 }
+
+
+def height(run: Run, frame: int) -> float:
+    """How far the last node of a filament lies below the first one, along its weight [m]."""
+    nodes, down = np.array([run.fields[name][frame] for name in "xyz"]), np.array(run.scene.load.direction)
+    return float((nodes[:, -1] - nodes[:, 0]) @ down / np.linalg.norm(down))
+
+
 # Names and formulas that hold digits, and are no measurement; the shaken strand's two are held by tests of shaking.
 FORMULAS = ("3/4 of its first frequency", "sqrt 2", "1/3 law", "4/3", "ASTM C598", "w L^3/(E I)", "c/(2 L)")
 REGIMES = {
