@@ -225,7 +225,7 @@ def test_what_is_no_film_is_refused(monkeypatch):
 
 FINAL = {"gallery.html", "gallery.png", "gallery.csv", "gallery.json"}
 QUICK = ("--set", "numerics.cells=4", "--set", "run.frames=5", "--set", "run.effects=paper")
-UNITS = {"uN m": 1e-6, "um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}
+UNITS = {"um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}
 # What a lesson may state as a number, and where it is read in the run.
 STATED: dict[str, Callable[[Run], float]] = {
     r"largest sag (NUMBER) (um|mm)": lambda run: -run.fields["midpoint"].min(),
@@ -245,7 +245,6 @@ STATED: dict[str, Callable[[Run], float]] = {
     r"(NUMBER) (um|mm) to the side": lambda run: float(abs(run.fields["z"][-1]).max()),
     r"(NUMBER) (mm) high": lambda run: height(run, 0),
     r"creeps to (NUMBER) (mm)": lambda run: height(run, -1),
-    r"torque of (NUMBER) (uN m)": lambda run: float(abs(run.fields["torque"]).max()),
     r"10 ms to (NUMBER) (s)": lambda run: (
         run.scene.material.modes[-1].viscosity / run.scene.material.modes[-1].youngs_modulus
     ),
