@@ -336,7 +336,7 @@ def structure_of(
         body.weighted,
         body.tip_mass,
         body.tip_force,
-        body.shaped,
+        body.natural is not None,
     )
     if equations.terms.shaking != 1:
         parts = (*parts, equations.terms.shaking)

@@ -22,14 +22,16 @@ from softcat_sym.discretization.grid import (
     towards_middle,
     whole_span,
 )
+from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.point_rule import PointRule, ring_rule, warping_rule
 from softcat_sym.discretization.section_rule import SectionRule, fibre_rule, order_rule
 from softcat_sym.discretization.stencil import INVERTED, PER
-from softcat_sym.discretization.supports import Body, Profile, Supports, node_mass
+from softcat_sym.discretization.supports import NATURAL_PLACES, Body, Profile, Supports, node_mass
 from softcat_sym.effects.choosing import Effects, choose_effects
 from softcat_sym.effects.scaling_estimates import first_yield_gravity_number, gravity_number_of
 from softcat_sym.physics.filament import FilamentEquations
 from softcat_sym.scene.dimensions import DOWN, is_spatial
+from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import Scene, is_symmetric, rest_length
 
 _ENDS = {"clamped": End.CLAMPED, "pinned": End.PINNED, "free": End.FREE}
@@ -128,6 +130,7 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
         sideways=any(len(row) > _IN_THE_PLANE for row in ends.motion),
         turns=len(ends.right_twist),
         directed=scene.load.direction != DOWN,
+        curved=(has_shape(scene) and ends.left == "clamped", has_shape(scene) and ends.right == "clamped"),
     )
     return Body(
         supports,
@@ -135,6 +138,7 @@ def choose_body(scene: Scene, grid: Grid) -> Body:
         weighted=scene.load.point_mass > 0,
         tip_mass=scene.load.tip_mass > 0,
         tip_force=any(scene.load.tip_force),
+        natural=shaped(scene, grid.nodes)[2] if has_shape(scene) else None,
     )
 
 
@@ -252,4 +256,6 @@ def places_of(grid: Grid, body: Body, power: int) -> dict[str, Floats]:
     }
     if profile.nodes is not None and profile.cells is not None:
         known |= {"h_node": np.asarray(profile.nodes), "h_cell": np.append(np.asarray(profile.cells), 1.0)}
+    if body.natural is not None:
+        known |= dict(zip(NATURAL_PLACES, np.vstack([body.natural, np.ones(3)]).T, strict=True))
     return known | {PER + name: 1 / known[name] for name in INVERTED}

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
+
+import numpy as np
 
 from softcat_sym.discretization.supports import (
     DIRECTION,
     DROP,
+    END_TURNS,
     LEFT_ANGLE,
     POINT_MASS,
     RIGHT_ANGLE,
@@ -25,6 +29,7 @@ from softcat_sym.physics.necking import aspect
 from softcat_sym.physics.spatial import natural_twist
 from softcat_sym.scene.history import History, named_numbers
 from softcat_sym.scene.material import Material, constant_in_c
+from softcat_sym.scene.natural_curve import has_shape, natural_curve
 from softcat_sym.scene.scene import Scene, elastic_time, gravity_time, rest_length, undeformed_area
 
 REST_LENGTH = "rest_length"
@@ -121,7 +126,17 @@ def parameter_values(scene: Scene) -> dict[str, float]:
         **_histories(scene.material),
         **{constant_in_c(path): one.value for path, one in scene.named_constants().items()},
         **path,
+        **_of_clamps(scene),
     }
+
+
+def _of_clamps(scene: Scene) -> dict[str, float]:
+    """Turns of clamps that hold the ends of a shape; none of a straight filament."""
+    if not has_shape(scene):
+        return {}
+    curve = natural_curve(scene)
+    turns = curve.quaternions(np.array([0.0, curve.length]))
+    return dict(zip(itertools.chain(*END_TURNS), turns.ravel().tolist(), strict=True))
 
 
 def _of_temperature(scene: Scene) -> dict[str, float]:

@@ -34,7 +34,7 @@ from softcat_sym.discretization.cell import (
 from softcat_sym.discretization.grid import End, Floats
 from softcat_sym.discretization.point_rule import OnePoint, SpatialSampling
 from softcat_sym.discretization.stencil import CELLS, FIBRE, INNER, NODES, Field, Leaf, Neighbours, Same, Where
-from softcat_sym.discretization.supports import TIP_FORCE, TIP_MASS
+from softcat_sym.discretization.supports import NATURAL_PLACES, TIP_FORCE, TIP_MASS, Held
 from softcat_sym.physics import spatial, symbols
 from softcat_sym.physics.bulk import sigma_eq
 from softcat_sym.physics.reissner import eps_e, eps_p
@@ -120,7 +120,7 @@ def spatial_filament(b: Builder, rule: SpatialSampling) -> Program:
         powers=powers,
         shown=shown,
         parameters=parameters_of(b, everything),
-        places=(*place_names(b.body), *(("k0_1", "k0_2", "k0_3") if b.body.shaped else ())),
+        places=(*place_names(b.body), *(NATURAL_PLACES if b.body.natural is not None else ())),
         profiles={name: (1.0, 0.0) for name in b.slots if name.startswith("axial_")},
     )
 
@@ -146,7 +146,7 @@ def _unknowns(b: Builder) -> tuple[list[Neighbours], ...]:
             plain if not are[1] or ca.SX(end).is_zero() else b.unknown(b.slots[name], 0, end, f"{name}_moving")
             for name, plain, are, end in zip(SPEEDS, speeds, holds, last, strict=True)
         ]
-    held = _quaternion(at.left_angle, ca.SX(0)), _quaternion(at.right_angle, at.right_twist)
+    held = at.turns[0] or _quaternion(at.left_angle, ca.SX(0)), _right_clamp(at)
     turn = [
         b.unknown(Slot(name, "node", b.bends, turns, "", section=False), *pair)
         for name, pair in zip(TURN, zip(*held, strict=True), strict=True)
@@ -167,10 +167,19 @@ def _quaternion(angle: Any, twist: Any) -> list[ca.SX]:
     return [c * a, c * t, s * t, s * a]
 
 
+def _right_clamp(at: Held) -> list[ca.SX]:
+    """The right clamp, turned about its own normal."""
+    if not at.turns[1]:
+        return _quaternion(at.right_angle, at.right_twist)
+    w, x, y, z = at.turns[1]
+    c, s = ca.cos(at.right_twist / 2), ca.sin(at.right_twist / 2)
+    return [w * c - x * s, x * c + w * s, y * c + z * s, z * c - y * s]
+
+
 def _natural(b: Builder) -> list[ca.SX]:
     """Natural twist and curvatures of a cell [1/m]: the scene's, or those of its shape."""
-    if b.body.shaped:
-        return [b.place(f"k0_{n}")[0] for n in (1, 2, 3)]
+    if b.body.natural is not None:
+        return [b.place(name)[0] for name in NATURAL_PLACES]
     return [b.values[spatial.natural_twist], ca.SX(0), b.values[symbols.kappa_0]]
 
 

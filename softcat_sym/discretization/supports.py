@@ -71,6 +71,10 @@ POINT_MASS = "point_mass_per_area"
 SPAN, DROP, LEFT_ANGLE, RIGHT_ANGLE = "span", "drop", "left_angle", "right_angle"
 TIP_MASS, TIP_FORCE = "tip_mass_per_area", ("tip_force_x", "tip_force_y", "tip_force_z")
 """What hangs at the right end, and what pulls there, over the undeformed area."""
+NATURAL_PLACES = ("k0_1", "k0_2", "k0_3")
+"""Natural twist and curvatures of a cell."""
+END_TURNS = tuple(tuple(f"{side}_turn_{n}" for n in range(4)) for side in ("left", "right"))
+"""Quaternions of clamps that hold the ends of a shape."""
 DIRECTION = ("direction_x", "direction_y", "direction_z")
 
 
@@ -85,6 +89,7 @@ class Supports:
     rows: int = 0  # Points of the path of the right one; none if it stays
     sideways: bool = False  # Whether that path leaves the plane
     turns: int = 0  # Rows of the twist of the right clamp about its own normal
+    curved: tuple[bool, bool] = (False, False)  # Whether the left and the right clamp hold the ends of a shape
     directed: bool = False  # Whether gravity points anywhere but down
 
     @property
@@ -95,6 +100,7 @@ class Supports:
         kinds = ("time", "dx", "dy", *(("dz",) if self.sideways else ()))
         names += [path_name(kind, row) for row in range(self.rows) for kind in kinds]
         names += [turn_name(kind, row) for row in range(self.turns) for kind in ("time", "angle")]
+        names += [name for turn, needed in zip(END_TURNS, self.curved, strict=True) for name in turn if needed]
         return (*names, *(DIRECTION if self.directed else ()))
 
 
@@ -107,7 +113,7 @@ class Body:
     weighted: bool = False  # Whether a mass hangs at midspan
     tip_mass: bool = False  # Whether one hangs at a free right end, and whether a force acts there
     tip_force: bool = False
-    shaped: bool = False  # Whether every cell has natural twist and curvatures of its own
+    natural: Floats | None = None  # Twist and curvatures of each cell in its shape [1/m], if it has one
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -141,6 +147,7 @@ class Held:
     right_w: ca.SX
     right_twist: ca.SX  # Of the right clamp about its own normal, and its rate [1/s]
     right_spin: ca.SX
+    turns: tuple[list[ca.SX], ...]  # Quaternions of clamps that hold the ends of a shape; empty elsewhere
     direction: tuple[ca.SX, ca.SX, ca.SX]  # Of gravity, of length one
 
 
@@ -166,6 +173,10 @@ def held(supports: Supports, given: Mapping[str, ca.SX], length: ca.SX, seconds:
         right_w=aside_speed,
         right_twist=twist,
         right_spin=spin,
+        turns=tuple(
+            [given[name] for name in turn] if needed else []
+            for turn, needed in zip(END_TURNS, supports.curved, strict=True)
+        ),
         direction=tuple(down),  # type: ignore[arg-type]
     )
 

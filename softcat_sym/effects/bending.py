@@ -7,6 +7,7 @@ from functools import partial
 
 from softcat_sym.effects.effect import Effect, Estimate, Motion, always
 from softcat_sym.scene.dimensions import needed_in_space
+from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, chord_angle, groups_of
 
 _LAYER, _PINNED = 0.5, 0.1
@@ -18,7 +19,7 @@ _LEVEL = 1e-9
 def _indispensable(scene: Scene) -> str:
     if why := needed_in_space(scene):
         return why
-    if scene.filament.curvature != 0:
+    if is_curved(scene):
         return "the filament is curved by nature"
     ends, along = scene.ends, chord_angle(scene)
     held = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))

@@ -23,6 +23,7 @@ from softcat_sym.effects.viscous_flow import VISCOUS_FLOW
 from softcat_sym.effects.yielding import YIELDING
 from softcat_sym.errors import Fault, SceneError
 from softcat_sym.physics.filament import Terms
+from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene
 from softcat_sym.scene.units import same_dimension, si_unit
 
@@ -270,7 +271,7 @@ def choose_effects(scene: Scene, shown: Mapping[str, str] | None = None) -> Effe
 def bare(scene: Scene) -> Terms:
     """The filament of this material and shape without any effect; the small-deflection model has its own tension."""
     stretches = scene.model == "small-deflection"
-    return Terms(law=law_in(scene), curved=scene.filament.curvature != 0, stretches=stretches)
+    return Terms(law=law_in(scene), curved=is_curved(scene), stretches=stretches)
 
 
 def estimated(effect: Effect, scene: Scene) -> Estimate:

@@ -104,7 +104,7 @@ class Workshop:
         settings = tolerances(member)
         grid = choose_grid(scene, effects)
         body = choose_body(scene, grid)
-        arrays = tuple(map(_bytes, (grid.nodes, body.profile.nodes, body.profile.cells)))
+        arrays = tuple(map(_bytes, (grid.nodes, body.profile.nodes, body.profile.cells, body.natural)))
         place = (*arrays, grid.first, grid.last, body.supports, body.weighted)
         with self._lock:
             key = (member.pattern, effects.names, backend, settings.solver, *place)

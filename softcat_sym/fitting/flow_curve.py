@@ -14,7 +14,8 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.fitting.csv_reader import (
+from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
+from softcat_sym.scene.csv_reader import (
     Column,
     CsvTable,
     absent,
@@ -28,7 +29,6 @@ from softcat_sym.fitting.csv_reader import (
     text_of,
     unit_of,
 )
-from softcat_sym.fitting.identifiability import Estimate, estimate, standard_errors, student_quantile
 from softcat_sym.scene.units import NotAQuantity, did_you_mean, shown
 
 if TYPE_CHECKING:

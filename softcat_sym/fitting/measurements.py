@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from softcat_sym.errors import Fault, SoftcatError
-from softcat_sym.fitting.csv_reader import (
+from softcat_sym.scene.csv_reader import (
     Column,
     CsvTable,
     Table,

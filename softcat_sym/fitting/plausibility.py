@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.fitting.csv_reader import refusal
 from softcat_sym.fitting.measurements import Measurements, Series, Shapes, read_measurements
+from softcat_sym.scene.csv_reader import refusal
 from softcat_sym.scene.parts import farthest
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack, stress_free_length
 from softcat_sym.scene.toml import read_overrides

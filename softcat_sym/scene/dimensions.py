@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING
+
+from softcat_sym.scene.natural_curve import misses_supports
 
 if TYPE_CHECKING:
     from softcat_sym.scene.parts import Rule
@@ -30,6 +31,7 @@ def out_of_plane(scene: Scene) -> str:
         (load.tip_force[2] != 0, "load.tip_force points out of the plane"),
         (any(len(row) > _IN_THE_PLANE for row in ends.motion), "ends.motion leaves the plane"),
         (any(angle != 0 for _, angle in ends.right_twist), "ends.right_twist turns a clamp about its own normal"),
+        (filament.shape != "straight", "filament.shape gives it a curve in space"),
         (filament.twist != 0 and filament.curvature != 0, "filament.curvature and filament.twist make a helix"),
         (filament.twist != 0, "filament.twist turns the section along the filament"),
         (load.direction != DOWN, "load.direction is not straight down"),
@@ -83,20 +85,12 @@ def dimension_rules(scene: Scene) -> Iterator[Rule]:
         yield from _of_space(scene)
 
 
-_APART = 1e-9
-"""Part of the span by which a centreline may miss a support."""
-
-
 def _of_centreline(scene: Scene) -> Iterator[Rule]:
     """List what does not go with a filament that begins on a given curve."""
-    points, ends, filament = scene.initial.centreline, scene.ends, scene.filament
+    points = scene.initial.centreline
     if not points:
         return
-    supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (filament.span, 0.0 - ends.drop, 0.0))
-    for side, (how, found, asked) in zip(("left", "right"), supports, strict=True):
-        missed = how != "free" and math.dist(found, asked) > _APART * filament.span
-        given = f"a {side} end at {list(found)} m, but the support is at {list(asked)} m"
-        yield missed, "initial.centreline", given, f"a curve that ends at its support, or a free {side} end"
+    yield from misses_supports(scene, points, "initial.centreline")
     double = any(a == b for a, b in pairwise(points))
     yield double, "initial.centreline", "two neighbouring points in one place", "a curve with a length"
     given, out = "given, but initial.centreline says where the filament begins", "leaving it out"

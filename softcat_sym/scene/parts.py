@@ -18,6 +18,7 @@ from pydantic import (
 )
 
 from softcat_sym.scene.dimensions import DOWN
+from softcat_sym.scene.shapes import Shape
 from softcat_sym.scene.units import (
     Choice,
     Direction,
@@ -87,6 +88,7 @@ def kinds_of(part: type[BaseModel]) -> dict[str, Kind]:
     return {name: kind for name, info in part.model_fields.items() for kind in info.metadata if isinstance(kind, Kind)}
 
 
+Point = tuple[float, ...]
 Section = Literal["rectangle", "circle", "sheet"]
 _THICKNESS = Quantity("length", "6 mm")
 Length = Annotated[float, _THICKNESS]
@@ -113,6 +115,8 @@ class Filament(Part):
     """Mass per volume, rho."""
     profile: Annotated[tuple[float, ...], Numbers(above=0, least=2)] = ()
     """Relative thickness at equally spaced points from left to right, linear between them; empty: 1."""
+    shape: Annotated[str | tuple[Point, ...], Shape()] = "straight"
+    """Natural curve between the supports: straight, arc, helix, or through points of a CSV file; in space."""
     curvature: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
     """Natural curvature, in the plane."""
     twist: Annotated[float, Quantity("curvature", "0 1/m", "any")] = 0.0
@@ -173,7 +177,6 @@ class Filament(Part):
         return {"width": "thickness"} if self.width == self.thickness else {}
 
 
-Point = tuple[float, ...]
 Rule = tuple[object, str, str, str]
 """Whether it is broken; by which key, what was found, and what is accepted."""
 

@@ -15,6 +15,7 @@ from softcat_sym.scene.bundled import bundled_names, bundled_text
 from softcat_sym.scene.groups import determined_by_groups
 from softcat_sym.scene.material import physical_path
 from softcat_sym.scene.scene import LATE, Scene
+from softcat_sym.scene.shapes import CSV
 from softcat_sym.scene.toml import Override, apply, read_overrides
 from softcat_sym.scene.units import did_you_mean, shown
 
@@ -76,6 +77,7 @@ def load_scene(name_or_path: str | os.PathLike[str], overrides: Mapping[str, obj
     """
     source = str(name_or_path)
     table = _table_of(_text_of(name_or_path, source), source)
+    _beside_the_scene(table, Path(source).parent)
     changes, faults = read_overrides(overrides)
     faults += apply([change for change in changes if _is_group(change)], table)
     determined = determined_by_groups(table)
@@ -115,6 +117,14 @@ def _text_of(name_or_path: str | os.PathLike[str], source: str) -> str:
     except UnicodeDecodeError as error:
         line = content[: error.start].count(b"\n") + 1
         raise _refuse(source, f"not UTF-8 text (line {line})", "TOML in UTF-8") from None
+
+
+def _beside_the_scene(table: dict[str, Any], folder: Path) -> None:
+    """A file that a scene names lies beside it."""
+    filament = table.get("filament")
+    shape = filament.get("shape") if isinstance(filament, dict) else None
+    if isinstance(shape, str) and shape.lower().endswith(CSV):
+        table["filament"]["shape"] = str(folder / shape)
 
 
 def _table_of(text: str, source: str) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.dimensions import DOWN, dimension_rules, is_spatial
 from softcat_sym.scene.groups import GroupBlock, Table, resolve_groups
 from softcat_sym.scene.material import POLYMERS, SOLIDS, EffectTable, EffectTables, Material, Parameter, power
+from softcat_sym.scene.natural_curve import has_shape, natural_curve, shape_rules
 from softcat_sym.scene.parts import (
     Ends,
     Filament,
@@ -47,8 +48,10 @@ def distance(scene: Scene) -> float:
 def rest_length(scene: Scene) -> float:
     """Return the length of the reference configuration, to which the undeformed section belongs [m].
 
-    As given, or the distance over the initial stretch.
+    As given, or the distance over the initial stretch, or that of its natural shape.
     """
+    if has_shape(scene):
+        return natural_curve(scene).length
     given = scene.filament.rest_length
     return distance(scene) / (scene.initial.stretch * surface_stretch(scene)) if given is None else given
 
@@ -85,9 +88,9 @@ def is_held(scene: Scene) -> bool:
 def is_slack(scene: Scene) -> bool:
     """Tell whether both ends are held and the filament is longer without stress than they are apart.
 
-    One that begins on a given curve need not hang in its weight.
+    One that begins on a given curve, or in its natural shape, need not hang in its weight.
     """
-    hangs = is_held(scene) and not scene.initial.centreline
+    hangs = is_held(scene) and not scene.initial.centreline and not has_shape(scene)
     return hangs and stress_free_length(scene) > distance(scene) * (1 + _ROUNDING)
 
 
@@ -131,6 +134,8 @@ _REFUSED_LATER = ("bingham", "herschel-bulkley")
 
 def faults_between_parts(scene: Scene) -> list[Fault]:
     """List everything that does not go together."""
+    if faults := [Fault(*words) for broken, *words in shape_rules(scene) if broken]:
+        return faults  # Without a shape it has no length
     checks = (_of_ends, motion_rules, _of_reach, _of_slack, _of_initial_state, _of_surface, temperature_rules)
     others = (_of_newtonian, _of_small_deflection, _of_load_and_loss, dimension_rules)
     rules = (rule for check in (*checks, *others) for rule in check(scene))

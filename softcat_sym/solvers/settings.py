@@ -25,6 +25,7 @@ from softcat_sym.effects.scaling_estimates import (
     yields_throughout,
 )
 from softcat_sym.errors import Fault, SceneError
+from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, gravity_time, groups_of, is_held, is_slack
 
 Name = Literal["cvodes", "idas", "rosenbrock"]
@@ -150,8 +151,8 @@ def compiled_settings(scene: Scene, effects: Effects) -> Settings:
     noise = _roundoff(scene, effects)
     # Noise along the filament shows across it by its slope.
     level = is_held(scene) and scene.ends.drop == 0 and not scene.ends.motion and not is_slack(scene)
-    level = level and not scene.initial.centreline
-    slope = min(1.0, 4 * expected_sag(scene)) if level and scene.filament.curvature == 0 else 1.0
+    level = level and not scene.initial.centreline and not is_curved(scene)
+    slope = min(1.0, 4 * expected_sag(scene)) if level else 1.0
     across = max(rtol * smallest, noise * slope)
     longest = _max_step(scene, effects, rtol) if share == _RINGING else None
     return Settings("rosenbrock", rtol, max(rtol * smallest, noise), "the compiled one", across, longest)

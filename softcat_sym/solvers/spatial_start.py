@@ -10,8 +10,10 @@ from scipy.interpolate import make_interp_spline
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
+from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.spatial import PLACES, TURN
 from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FORCE
+from softcat_sym.scene.natural_curve import has_shape, is_curved
 from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_held, rest_length
 from softcat_sym.solvers.equilibrium import Newton, Start, with_plastic_strain
 
@@ -57,12 +59,16 @@ Shape = dict[tuple[str, int], float]
 def natural_shape(scene: Scene, graph: Graph) -> Shape:
     """Straight between two ends that are held; from the one that is, in the curve of its natural twist and curvature.
 
-    Node by node with the turn of the middle of each cell, so that no cell is strained. Or on the curve of the scene.
+    Node by node with the turn of the middle of each cell, so that no cell is strained. Or as the scene's shape or
+    centreline has it.
     """
     nodes, grown = graph.grid.nodes, force_free_stretch(scene)
     ends, filament, length = scene.ends, scene.filament, rest_length(scene)
     run, fall = filament.span / length, ends.drop / length
-    if scene.initial.centreline:
+    if has_shape(scene):
+        places, turns, _ = shaped(scene, nodes)
+        places += np.array([-run / 2, 0.0, 0.0])
+    elif scene.initial.centreline:
         places, turns = _given(scene, nodes)
         places += np.array([-run / 2, 0.0, 0.0])
     elif is_held(scene):
@@ -147,8 +153,8 @@ def _is_forced(scene: Scene) -> bool:
     ends, along = scene.ends, chord_angle(scene)
     clamps = ((ends.left, ends.left_angle), (ends.right, ends.right_angle))
     turned = any(kind == "clamped" and not math.isclose(angle, along, abs_tol=1e-12) for kind, angle in clamps)
-    curved = scene.filament.curvature != 0 or scene.filament.twist != 0
-    return not scene.initial.centreline and (turned or curved or len(set(scene.initial.P)) > 1)
+    bent = not has_shape(scene) and (turned or is_curved(scene))
+    return not scene.initial.centreline and (bent or len(set(scene.initial.P)) > 1)
 
 
 def _loaded(newton: Newton, graph: Graph, x: Floats, z: Floats, p: Floats) -> Floats | None:

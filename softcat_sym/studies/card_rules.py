@@ -34,6 +34,7 @@ from softcat_sym.results.breaking import unbreakable
 from softcat_sym.results.motion import ARREST_RATE, ARREST_TIME, TURNED_BACK, turned_back
 from softcat_sym.results.run import Run
 from softcat_sym.scene.history import values_at
+from softcat_sym.scene.natural_curve import is_curved
 from softcat_sym.scene.scene import Scene, undeformed_area
 from softcat_sym.simulate import recalled, without_estimate
 from softcat_sym.solvers.solution import Progress
@@ -212,7 +213,7 @@ def unusual(scene: Scene) -> str:
         "the supports are not level, or move": ends.drop != 0 or bool(ends.motion),
         "a clamp is turned": ends.left_angle != 0 or ends.right_angle != 0,
         "its thickness varies": bool(filament.profile),
-        "it is curved by nature": filament.curvature != 0,
+        "it is curved by nature": is_curved(scene),
         "it starts slack or stretched": filament.rest_length is not None,
         "a weight hangs at its middle": scene.load.point_mass > 0,
         "it starts stressed": bool(scene.initial.P) or bool(scene.initial.C) or scene.initial.stretch != 1,

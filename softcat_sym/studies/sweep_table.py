@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from softcat_sym.ensemble.members import Row, is_group, is_number, kind_of
 from softcat_sym.errors import Fault, SceneError, SoftcatError
-from softcat_sym.fitting.csv_reader import cells_of, data_lines, number_in, refusal, text_of
+from softcat_sym.scene.csv_reader import cells_of, data_lines, number_in, refusal, text_of
 from softcat_sym.scene.keys import scene_keys
 from softcat_sym.scene.material import OF_THE_INDEX
 from softcat_sym.scene.scene import Scene

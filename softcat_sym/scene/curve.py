@@ -1,0 +1,114 @@
+"""A curve in space with turns of sections along it: of constant twist and curvature, or through points."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import make_interp_spline
+from scipy.spatial.transform import Rotation
+
+Floats = NDArray[np.float64]
+
+_SAMPLES = 50
+"""Pieces of the curve between two given points, over which its length is summed."""
+_FIRST = np.array([1.0, 0.0, 0.0])
+
+
+class Curve:
+    """Places and turns of sections by the length along a curve [m]; it begins at the origin."""
+
+    length: float
+    _steps: Floats  # Lengths along the curve, near enough to each other to follow its turns
+
+    def places(self, along: Floats) -> Floats:
+        """Places, shape (..., 3)."""
+        raise NotImplementedError
+
+    def _turns(self, along: Floats) -> Rotation:
+        raise NotImplementedError
+
+    def quaternions(self, along: Floats) -> Floats:
+        """Turns w, x, y, z of the sections at lengths that grow, without a change of sign, shape (..., 4)."""
+        fine = np.union1d(along, self._steps)
+        found = np.roll(self._turns(fine).as_quat(), 1, axis=1)
+        signs = np.where(np.sum(found[1:] * found[:-1], axis=1) < 0, -1.0, 1.0)
+        found[1:] *= np.cumprod(signs)[:, None]
+        at_nodes: Floats = found[np.searchsorted(fine, along)]
+        return at_nodes
+
+
+class SteadyCurve(Curve):
+    """An arc or a helix: twist and curvature, about the axes of the section, are the same everywhere.
+
+    Parameters
+    ----------
+    length : float
+        Along the curve [m].
+    kappa : ndarray, shape (3,)
+        Twist and curvatures [1/m].
+    chord : ndarray, shape (3,)
+        Direction from its first point to its last one; it is turned there by the least turn.
+    """
+
+    def __init__(self, length: float, kappa: Floats, chord: Floats) -> None:
+        self.length, self._kappa = length, kappa
+        self._omega = float(np.linalg.norm(kappa))
+        self._steps = np.linspace(0, length, 2 + int(4 * self._omega * length))
+        self._start = least_turn(self._own(np.array([length]))[0], chord)
+
+    def _own(self, along: Floats) -> Floats:
+        """Places seen from the first section."""
+        axis, s = self._kappa / self._omega, along[:, None]
+        straight = axis[0] * axis
+        angle = self._omega * s
+        around = np.sin(angle) * (_FIRST - straight) + (1 - np.cos(angle)) * np.cross(axis, _FIRST)
+        found: Floats = s * straight + around / self._omega
+        return found
+
+    def places(self, along: Floats) -> Floats:
+        """Places, shape (..., 3)."""
+        return np.asarray(self._start.apply(self._own(along)))
+
+    def _turns(self, along: Floats) -> Rotation:
+        return self._start * Rotation.from_rotvec(along[:, None] * self._kappa)
+
+
+class SplineCurve(Curve):
+    """A cubic spline through points over the distances between them; its sections do not turn about it.
+
+    Parameters
+    ----------
+    points : ndarray, shape (points, 3)
+        Places [m], the first one the origin.
+    """
+
+    def __init__(self, points: Floats) -> None:
+        at = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+        self._spline: Any = make_interp_spline(at, points, k=3)
+        fine = np.interp(np.linspace(0, len(at) - 1, _SAMPLES * (len(at) - 1) + 1), np.arange(len(at)), at)
+        nodes, weights = np.polynomial.legendre.leggauss(4)
+        half = np.diff(fine) / 2
+        speeds = np.linalg.norm(self._spline(fine[:-1, None] + half[:, None] * (1 + nodes), 1), axis=-1)
+        self._steps, self._parameters = np.append(0.0, np.cumsum(half * (speeds @ weights))), fine
+        self.length = float(self._steps[-1])
+        self._parameter_at: Any = make_interp_spline(self._steps, fine, k=3)
+
+    def places(self, along: Floats) -> Floats:
+        """Places, shape (..., 3)."""
+        return np.asarray(self._spline(self._parameter_at(along)))
+
+    def _turns(self, along: Floats) -> Rotation:
+        tangents = self._spline(self._parameter_at(along), 1)
+        found = [least_turn(_FIRST, tangents[0])]
+        for before, now in pairwise(tangents):
+            found.append(least_turn(before, now) * found[-1])
+        return Rotation.concatenate(found)
+
+
+def least_turn(first: Floats, second: Floats) -> Rotation:
+    """Least turn that takes one direction into another."""
+    a, b = first / np.linalg.norm(first), second / np.linalg.norm(second)
+    return Rotation.from_quat(np.append(np.cross(a, b), 1 + a @ b))

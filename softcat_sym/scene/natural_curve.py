@@ -1,0 +1,132 @@
+"""The curve that a filament follows without stress: straight, an arc, a helix, or through given points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from softcat_sym.scene.shapes import ARC, HELIX, STRAIGHT
+
+if TYPE_CHECKING:
+    from softcat_sym.scene.curve import Curve
+    from softcat_sym.scene.parts import Filament, Point, Rule
+    from softcat_sym.scene.scene import Scene
+
+_APART = 1e-9
+"""Part of the span by which a curve may miss a support."""
+
+
+def has_shape(scene: Scene) -> bool:
+    """Tell whether `filament.shape` says anything but straight."""
+    return scene.filament.shape != STRAIGHT
+
+
+def is_curved(scene: Scene) -> bool:
+    """Tell whether a relaxed filament is bent or twisted."""
+    filament = scene.filament
+    return filament.curvature != 0 or filament.twist != 0 or has_shape(scene)
+
+
+@lru_cache(maxsize=64)
+def _curve(shape: object, chord: Point, twist: float, curvature: float, rest_length: float | None) -> Curve:
+    from softcat_sym.scene.curve import SplineCurve, SteadyCurve
+
+    distance = math.hypot(*chord)
+    if isinstance(shape, tuple):
+        return SplineCurve(np.array(shape) - shape[0])
+    if shape == HELIX:
+        length = _of_helix(distance, curvature, twist)
+    elif rest_length is not None:
+        half = _root(lambda x: math.sin(x) / x - distance / rest_length, 1e-9, math.pi)
+        length, curvature = rest_length, 2 * half / rest_length
+    else:
+        length = 2 / abs(curvature) * math.asin(abs(curvature) * distance / 2)
+    return SteadyCurve(length, np.array([twist, 0.0, curvature]), np.array(chord))
+
+
+def _root(function: Callable[[float], float], low: float, high: float) -> float:
+    from scipy.optimize import brentq
+
+    return float(brentq(function, low, high, xtol=1e-15 * high))
+
+
+def _of_helix(distance: float, curvature: float, twist: float) -> float:
+    """Length of a helix whose ends are so far apart: 4 R^2 sin^2(omega l/2) + (l twist/omega)^2 = distance^2."""
+    omega = math.hypot(curvature, twist)
+    radius, climb = abs(curvature) / omega**2, abs(twist) / omega
+
+    def beyond(length: float) -> float:
+        return (2 * radius * math.sin(omega * length / 2)) ** 2 + (climb * length) ** 2 - distance**2
+
+    return _root(beyond, math.sqrt(distance**2 - 4 * radius**2) / climb, distance / climb)
+
+
+def natural_curve(scene: Scene) -> Curve:
+    """Return the curve of a filament that has a shape, from its first end to its last one."""
+    filament = scene.filament
+    chord = (filament.span, 0.0 - scene.ends.drop, 0.0)
+    return _curve(filament.shape, chord, filament.twist, filament.curvature, filament.rest_length)
+
+
+def shape_rules(scene: Scene) -> Iterator[Rule]:
+    """List what does not go with a shape."""
+    filament, ends, out = scene.filament, scene.ends, "leaving it out"
+    if not has_shape(scene):
+        return
+    shape = "through points" if isinstance(filament.shape, tuple) else filament.shape
+    given = f"given, but filament.shape is {shape!r}"
+    yield scene.initial.stretch != 1, "initial.stretch", given, out
+    yield scene.initial.surface != "fresh", "initial.surface", given, out
+    yield scene.initial.centreline, "initial.centreline", f"{given}: it begins there", out
+    yield ends.left_angle, "ends.left_angle", f"{given}: a clamp holds its end as it is", out
+    yield ends.right_angle, "ends.right_angle", f"{given}: a clamp holds its end as it is", out
+    yield ends.right_slides, "ends.right_slides", given, out
+    fluid = f"{shape!r}, but a fluid has no shape of its own: the law is '{scene.material.law}'"
+    yield scene.material.law == "newtonian", "filament.shape", fluid, "another law"
+    if shape == ARC:
+        yield from _of_arc(filament, math.hypot(filament.span, ends.drop))
+        return
+    yield filament.rest_length is not None, "filament.rest_length", f"{given}, which has a length", out
+    if shape == HELIX:
+        yield from _of_turns(filament, math.hypot(filament.span, ends.drop))
+        return
+    yield filament.curvature, "filament.curvature", given, out
+    yield filament.twist, "filament.twist", given, out
+    yield from misses_supports(scene, filament.shape, "filament.shape")  # type: ignore[arg-type]
+
+
+def _of_arc(filament: Filament, distance: float) -> Iterator[Rule]:
+    yield filament.twist, "filament.twist", "given, but filament.shape is 'arc'", "leaving it out, or 'helix'"
+    both = filament.rest_length is not None and filament.curvature != 0
+    none = filament.rest_length is None and filament.curvature == 0
+    how = "filament.curvature, or filament.rest_length, one of them"
+    yield both, "filament.shape", "'arc', with a curvature and a rest length, which need not agree", how
+    yield none, "filament.shape", "'arc', but nothing says how much it is bent", how
+    long = filament.rest_length is not None and filament.rest_length <= distance
+    yield long, "filament.rest_length", f"{filament.rest_length} m, no longer than the chord", f"more than {distance} m"
+    most = 2 / distance
+    bent = abs(filament.curvature) > most
+    yield bent, "filament.curvature", f"{filament.curvature} 1/m, of a circle smaller than the chord", f"{most} 1/m"
+
+
+def _of_turns(filament: Filament, distance: float) -> Iterator[Rule]:
+    lacks = [name for name in ("curvature", "twist") if getattr(filament, name) == 0]
+    yield lacks, "filament.shape", f"'helix' without {' and '.join(lacks)}", "filament.curvature and filament.twist"
+    if not lacks:
+        diameter = 2 * abs(filament.curvature) / (filament.curvature**2 + filament.twist**2)
+        wide = f"a helix {diameter:.4g} m wide between ends {distance:.4g} m apart"
+        yield diameter >= distance, "filament.curvature", wide, "one that is narrower than its chord"
+
+
+def misses_supports(scene: Scene, points: tuple[Point, ...], path: str) -> Iterator[Rule]:
+    """List the ends that are held away from those of a curve."""
+    ends, span = scene.ends, scene.filament.span
+    supports = (ends.left, points[0], (0.0, 0.0, 0.0)), (ends.right, points[-1], (span, 0.0 - ends.drop, 0.0))
+    for side, (how, found, asked) in zip(("left", "right"), supports, strict=True):
+        missed = how != "free" and math.dist(found, asked) > _APART * span
+        given = f"a {side} end at {list(found)} m, but the support is at {list(asked)} m"
+        yield missed, path, given, f"a curve that ends at its support, or a free {side} end"
