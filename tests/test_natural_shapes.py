@@ -183,7 +183,6 @@ BAD: dict[str, tuple[Any, dict[str, Any], str]] = {
     "a small circle": ("arc", {"filament": {"curvature": 25.0}}, "filament.curvature: 25.0 1/m, of a circle"),
     "a twisted arc": ("arc", {"filament": {"curvature": 2.0, "twist": 1.0}}, "filament.twist: given"),
     "a flat helix": ("helix", {"filament": {"curvature": 100.0}}, "filament.shape: 'helix' without twist"),
-    "a wide helix": ("helix", {"filament": {"curvature": 10.0, "twist": 1.0}}, "filament.curvature: a helix .* wide"),
     "a turned clamp": ("arc", {"filament": {"curvature": 2.0}, "ends": {"left_angle": 0.1}}, "ends.left_angle: given"),
     "a fluid": (CURVED, {"material": {"law": "newtonian", "viscosity": 1.0}}, "filament.shape: .*a fluid"),
     "a stretch": (CURVED, {"initial": {"stretch": 1.1}}, "initial.stretch: given"),

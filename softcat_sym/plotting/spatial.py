@@ -88,8 +88,8 @@ def spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
         axes.set_aspect("equal")
         axes.view_init(*_VIEW)
         axes.tick_params(labelsize=7, pad=-2)
-        axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=-6)
-        axes.set_ylabel("-z", labelpad=-8)
+        axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=2)
+        axes.set_ylabel("-z", labelpad=0)
         axes.set_zlabel("y", labelpad=-8)
         axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
     if sheet.on_screen:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from softcat_sym.scene.parts import Filament, Point, Rule
     from softcat_sym.scene.scene import Scene
 
+_STEP = 0.05
+"""Part of a turn, over 2 pi, by which the end of a helix is sought."""
 _APART = 1e-9
 """Part of the span by which a curve may miss a support."""
 
@@ -55,14 +57,17 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
 
 
 def _of_helix(distance: float, curvature: float, twist: float) -> float:
-    """Length of a helix whose ends are so far apart: 4 R^2 sin^2(omega l/2) + (l twist/omega)^2 = distance^2."""
+    """Longest helix whose ends are so far apart: 4 R^2 sin^2(omega l/2) + (l twist/omega)^2 = distance^2."""
     omega = math.hypot(curvature, twist)
     radius, climb = abs(curvature) / omega**2, abs(twist) / omega
 
     def beyond(length: float) -> float:
         return (2 * radius * math.sin(omega * length / 2)) ** 2 + (climb * length) ** 2 - distance**2
 
-    return _root(beyond, math.sqrt(distance**2 - 4 * radius**2) / climb, distance / climb)
+    longest, low = distance / climb, distance / climb
+    while beyond(low) >= 0:
+        low -= _STEP * min(longest, 1 / omega)
+    return _root(beyond, low, min(longest, low + _STEP * min(longest, 1 / omega)))
 
 
 def natural_curve(scene: Scene) -> Curve:
@@ -92,7 +97,7 @@ def shape_rules(scene: Scene) -> Iterator[Rule]:
         return
     yield filament.rest_length is not None, "filament.rest_length", f"{given}, which has a length", out
     if shape == HELIX:
-        yield from _of_turns(filament, math.hypot(filament.span, ends.drop))
+        yield from _of_turns(filament)
         return
     yield filament.curvature, "filament.curvature", given, out
     yield filament.twist, "filament.twist", given, out
@@ -113,13 +118,9 @@ def _of_arc(filament: Filament, distance: float) -> Iterator[Rule]:
     yield bent, "filament.curvature", f"{filament.curvature} 1/m, of a circle smaller than the chord", f"{most} 1/m"
 
 
-def _of_turns(filament: Filament, distance: float) -> Iterator[Rule]:
+def _of_turns(filament: Filament) -> Iterator[Rule]:
     lacks = [name for name in ("curvature", "twist") if getattr(filament, name) == 0]
     yield lacks, "filament.shape", f"'helix' without {' and '.join(lacks)}", "filament.curvature and filament.twist"
-    if not lacks:
-        diameter = 2 * abs(filament.curvature) / (filament.curvature**2 + filament.twist**2)
-        wide = f"a helix {diameter:.4g} m wide between ends {distance:.4g} m apart"
-        yield diameter >= distance, "filament.curvature", wide, "one that is narrower than its chord"
 
 
 def misses_supports(scene: Scene, points: tuple[Point, ...], path: str) -> Iterator[Rule]:
