@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -174,33 +173,6 @@ def test_planar_and_spatial_runs_agree_and_keep_their_energy() -> None:
         assert np.allclose(deep.data.y.values, flat.data.y.values, atol=1e-5 * size), law
         assert deep.summary["energy_residual"] < 1e-5
         assert (flat.summary["dimensions"], deep.summary["dimensions"]) == (2, 3)
-
-
-def bend(cells: int, force: float) -> Floats:
-    """Tip of Bathe & Bolourchi's bend of 45 degrees, radius 100, under a force out of its plane."""
-    scene = sc.Scene.from_dict(
-        {
-            "filament": {"span": 78.5398163, "thickness": 1.0, "density": 1.0, "curvature": 0.01},
-            "material": {"law": "elastic", "youngs_modulus": 1e7, "poisson": 0.0},
-            "ends": {"right": "free"},
-            "load": {"gravity": 0.0, "tip_force": [0, 0, force]},
-            "run": {"duration": 1.0, "frames": 2, "effects": EFFECTS[1:-1]},
-            "numerics": {"cells": cells, "grading": 1.0, "estimate": False},
-        }
-    )
-    run = sc.simulate(scene)
-    assert run.outcome.is_success
-    return np.array([run.data[name].values[-1, -1] - run.data[name].values[-1, 0] for name in "xyz"])
-
-
-@pytest.mark.slow
-def test_bend_of_bathe_and_bolourchi() -> None:
-    """Eight elements and twice and four times as many: of second order, near what Simo & Vu-Quoc (1986) found."""
-    for force, published in ((300.0, (58.84, 22.33, 40.08)), (600.0, (47.23, 15.79, 53.37))):
-        tips = [bend(cells, force) for cells in (4, 8, 16)]
-        assert np.allclose(tips[0], published, atol=0.35)
-        coarse, fine = (np.linalg.norm(a - b) for a, b in pairwise(tips))
-        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.15)
 
 
 @pytest.mark.slow

@@ -19,6 +19,9 @@ from softcat_sym.solvers.equilibrium import Newton, Start, with_plastic_strain
 
 _LEAST = 1 / 4096
 """Share of the load in the least step of a continuation."""
+_LOADS = ("gravity", *TIP_FORCE)
+_GROWING = (*_LOADS, LEFT_ANGLE, RIGHT_ANGLE, "curvature", "twist")
+"""What grows in it: what is straight between its ends is turned and bent into its place, too."""
 
 
 def spatial_start(
@@ -39,7 +42,8 @@ def spatial_start(
             values["gravity"] = 0.0
         constants = np.array([values[name] for name in rest.parameters])
         straight = _placed(rest.straight, rest.z_kinds, rest.z_places, shape)
-        bent = _loaded(newton, rest, with_plastic_strain(rest.start, rest, scene, 1.0), straight, constants)
+        guess = Start(with_plastic_strain(rest.start, rest, scene, 1.0), straight)
+        bent = _loaded(newton, rest, guess, constants, _GROWING if is_held(scene) else _LOADS)
         if bent is None:
             return None
         places = zip(rest.z_kinds, rest.z_places, bent, strict=True)
@@ -157,15 +161,13 @@ def _is_forced(scene: Scene) -> bool:
     return not scene.initial.centreline and (bent or len(set(scene.initial.P)) > 1)
 
 
-def _loaded(newton: Newton, graph: Graph, x: Floats, z: Floats, p: Floats) -> Floats | None:
-    """Equilibrium under a load that grows from nothing, with clamps that turn into their places, from a shape."""
-    reached, step = 0.0, 1.0
-    grows = np.array(
-        [name in ("gravity", *TIP_FORCE, LEFT_ANGLE, RIGHT_ANGLE, "curvature", "twist") for name in graph.parameters]
-    )
+def _loaded(newton: Newton, graph: Graph, guess: Start, p: Floats, named: tuple[str, ...]) -> Floats | None:
+    """Equilibrium under what grows from nothing, from a shape that is one without it."""
+    reached, step, z = 0.0, 1.0, guess.z
+    grows = np.array([name in named for name in graph.parameters])
     while reached < 1.0:
         share = min(1.0, reached + step)
-        found = newton(graph, x, np.where(grows, share * p, p), z)
+        found = newton(graph, guess.x, np.where(grows, share * p, p), z)
         if found is None:
             step /= 4
             if step < _LEAST:
