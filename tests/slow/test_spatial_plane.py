@@ -47,12 +47,17 @@ SCENES: dict[str, dict[str, Any]] = {
     "clamped strand": {},
     "curled, one end free": {"filament": {"curvature": 4.0, "span": 0.1}, "ends": {"right": "free"}},
     "slope that is drawn": {
-        "ends": {"drop": 0.02, "left": "pinned", "motion": [[0.0, 0.0, 0.0], [0.1, 0.01, -0.01]]},
+        "ends": {
+            "drop": 0.02,
+            "left": "pinned",
+            "right_angle": -float(np.arctan(0.1)),
+            "motion": [[0.0, 0.0, 0.0], [0.1, 0.01, -0.01]],
+        },
     },
 }
 COMPARED = ("x", "y", "stretch", "curvature", "tension", "moment", "shear_force")
 HEIGHTS, RINGS = 4, 15
-"""Of a rectangle, with as many points beside each other in three dimensions; points of a circle, three rings of five."""
+"""Heights in a rectangle, with as many points beside each other in three dimensions; points of a circle, 3 x 5."""
 
 
 def heights_of_points(scene: sc.Scene, equations: FilamentEquations) -> SectionRule:
