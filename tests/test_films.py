@@ -223,6 +223,25 @@ def test_what_is_no_film_is_refused(monkeypatch):
     assert film_order("gif", 8.0).pictures == 100
 
 
+def test_a_film_in_space_shows_the_tube_where_it_is(tmp_path: Path) -> None:
+    """A curl that falls: its first and its last picture differ where it moves, and nowhere else."""
+    scene = sc.load_scene("hanging-curl", ["numerics.cells=4", "run.frames=21", "numerics.estimate=false"])
+    scene = scene.replace({"run.duration": "0.3 s", "numerics.backend": "interpreted"})
+    run = sc.simulate(scene)
+    order = film_order("gif", 1.0)
+    path, note = write_film(order, tmp_path, (run.fields, run.summary, scene), width=320)
+    with Image.open(path) as film:
+        assert film.n_frames == order.pictures == 12
+        assert film.size == (320, 200)
+        shown = []
+        for number in (0, 11):
+            film.seek(number)
+            shown.append(np.asarray(film.convert("RGB"), dtype=int))
+    moved = np.abs(shown[0] - shown[1]).max(axis=2) > 60
+    assert 20 < moved.sum() < 0.2 * moved.size
+    assert note == ""
+
+
 FINAL = {"gallery.html", "gallery.png", "gallery.csv", "gallery.json"}
 QUICK = ("--set", "numerics.cells=4", "--set", "run.frames=5", "--set", "run.effects=paper")
 UNITS = {"um": 1e-6, "mm": 1e-3, "": 1.0, "%": 0.01, "s": 1.0}

@@ -31,6 +31,7 @@ from softcat_sym.plotting.section import (
     vertical_stretch,
     yielding_of,
 )
+from softcat_sym.plotting.spatial import SpatialAnimation
 from softcat_sym.plotting.style import Fields, axes_in_inches, new_figure, shown_part, stamp
 from softcat_sym.plotting.units import length_unit, significant, stress_unit, time_unit
 
@@ -176,7 +177,7 @@ def write_film(
     width: int = 1280,
 ) -> tuple[Path, str]:
     """Draw a film and write it, whole or not at all."""
-    animation = Animation(*run, order.pictures, width)
+    animation = animation_of(*run, order.pictures, width)
 
     def fill(path: Path) -> None:
         if order.kind == "gif":
@@ -187,7 +188,19 @@ def write_film(
     return fill_atomically(directory / order.name, fill), animation.note
 
 
-def _gif(animation: Animation, path: Path, step: Callable[[str], None]) -> None:
+def animation_of(
+    data: Fields, summary: Summary, scene: Scene, moments: int, width: int
+) -> Animation | SpatialAnimation:
+    """The film of a run in its plane, or in space."""
+    if "quaternion" not in data:
+        return Animation(data, summary, scene, moments, width)
+    data, summary = shown_part(data, summary)
+    time = array(data, "time")
+    times = np.linspace(time[0], time[-1], moments)
+    return SpatialAnimation(data, summary, scene, times, film_note(times, data, summary), width)
+
+
+def _gif(animation: Animation | SpatialAnimation, path: Path, step: Callable[[str], None]) -> None:
     """All pictures with the colours of a few of them, so that what does not move is the same number in all."""
     from PIL import Image
 
@@ -209,7 +222,7 @@ def _gif(animation: Animation, path: Path, step: Callable[[str], None]) -> None:
         first.save(stream, format="GIF", save_all=True, append_images=rest, duration=pauses, loop=0, optimize=False)
 
 
-def _mp4(animation: Animation, path: Path, ffmpeg: str, step: Callable[[str], None]) -> None:
+def _mp4(animation: Animation | SpatialAnimation, path: Path, ffmpeg: str, step: Callable[[str], None]) -> None:
     """Hand raw pictures to ffmpeg; H.264 that every player shows."""
     width, height = animation.size
     taken = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{KINDS['mp4']:g}", "-i", "-"]

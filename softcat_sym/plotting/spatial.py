@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -13,10 +14,13 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from softcat_sym.plotting import style
 from softcat_sym.plotting.section import Floats, array, telling_frames
 from softcat_sym.plotting.style import Fields
-from softcat_sym.plotting.units import length_unit
+from softcat_sym.plotting.units import length_unit, time_unit
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from softcat_sym.plotting.run import Sheet
+    from softcat_sym.plotting.units import Summary
     from softcat_sym.scene.scene import Scene
 
 _ROUND = 16
@@ -57,6 +61,9 @@ def tube(data: Fields, scene: Scene, frame: int, radius: float) -> Floats:
     return turned
 
 
+_WIDE, _TALL = 12.8, 8.0
+"""Of a film [inch]."""
+
 _PANELS, _PANEL = 4, 2.9
 """Shapes at most, and the height of each [inch]."""
 
@@ -81,16 +88,7 @@ def spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
         place = (column / columns, (rows - 1 - row) * height, 1 / columns, 0.93 * height)
         axes: Axes3D = figure.add_axes(place, projection="3d")
         _draw(axes, ruler.of(shape))
-        for part, (least, most) in zip("xyz", zip(ruler.of(low), ruler.of(high), strict=True), strict=True):
-            middle, half = (least + most) / 2, max((most - least) / 2, 0.12 * float(ruler.of(high - low).max()))
-            getattr(axes, f"set_{part}lim")(middle - half, middle + half)
-            getattr(axes, f"{part}axis").set_major_locator(MaxNLocator(3))
-        axes.set_aspect("equal")
-        axes.view_init(*_VIEW)
-        axes.tick_params(labelsize=7, pad=-2)
-        axes.set_xlabel(f"x [{ruler.symbol}]", labelpad=2)
-        axes.set_ylabel("-z", labelpad=0)
-        axes.set_zlabel("y", labelpad=-8)
+        _frame(axes, ruler.of(low), ruler.of(high), ruler.symbol)
         axes.set_title(f"t = {sheet.clock.text(float(sheet.time[frame]))}", fontsize=8, pad=-4)
     if sheet.on_screen:
         drawn = "true thickness" if radius == 1 else f"thickness × {radius:g}"
@@ -100,7 +98,85 @@ def spatial_shapes(sheet: Sheet, width: float, radius: float) -> Figure:
     return figure
 
 
-def _draw(axes: Axes3D, rings: Floats) -> None:
+def _frame(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
+    """Room for all shapes, to one scale."""
+    for part, least, most in zip("xyz", low, high, strict=True):
+        middle, half = (least + most) / 2, max((most - least) / 2, 0.12 * float((high - low).max()))
+        getattr(axes, f"set_{part}lim")(middle - half, middle + half)
+        getattr(axes, f"{part}axis").set_major_locator(MaxNLocator(3))
+    axes.set_aspect("equal")
+    axes.view_init(*_VIEW)
+    axes.tick_params(labelsize=7, pad=-2)
+    axes.set_xlabel(f"x [{unit}]", labelpad=2)
+    axes.set_ylabel("-z", labelpad=0)
+    axes.set_zlabel("y", labelpad=-8)
+
+
+class SpatialAnimation:
+    """Draws one moment of a filament in space after another, with a clock and the height of its midpoint."""
+
+    def __init__(
+        self, data: Fields, summary: Summary, scene: Scene, times: Floats, note: str, width: int = 1280
+    ) -> None:
+        time = array(data, "time")
+        self.times, self.note = times, note
+        nearest = np.abs(time[:, None] - times).argmin(axis=0)
+        tubes = {frame: tube(data, scene, frame, 1.0) for frame in np.unique(nearest).tolist()}
+        corners = np.concatenate([one.reshape(-1, 3) for one in tubes.values()])
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        ruler = length_unit(float(np.abs(corners).max()), scene.filament.span)
+        self._clock = time_unit(float(np.abs(times).max()))
+        self._shapes = [ruler.of(tubes[frame]) for frame in nearest.tolist()]
+        self._shown = [(float(time[frame]), float(array(data, "midpoint")[frame])) for frame in nearest.tolist()]
+        self._ruler = ruler
+        with style.styled():
+            self.figure: Figure = style.new_figure(_WIDE, _TALL)
+            self.figure.set_dpi(width / _WIDE)
+            self.axes: Axes3D = self.figure.add_axes((0.0, 0.24, 1.0, 0.72), projection="3d")
+            _frame(self.axes, ruler.of(low), ruler.of(high), ruler.symbol)
+            title = style.printable(scene.title, 70) or "Filament"
+            self.figure.text(0.05, 0.98, title, fontsize=16, fontweight="bold", va="top", parse_math=False)
+            self.figure.text(0.95, 0.94, note, fontsize=10, color=style.VERMILLION, va="top", ha="right")
+            self._now = self.figure.text(0.95, 0.98, "", fontsize=16, va="top", ha="right")
+            below = self.figure.add_axes((0.1, 0.08, 0.82, 0.12))
+            style.lighten(below)
+            below.plot(self._clock.of(time), ruler.of(array(data, "midpoint")), color=style.BLUE, linewidth=1.6)
+            below.set_xlabel(f"time [{self._clock.symbol}]")
+            below.set_ylabel(f"midpoint [{ruler.symbol}]")
+            (self._dot,) = below.plot([], [], "o", color=style.BLUE, ms=8, markeredgecolor="white", clip_on=False)
+            style.stamp(self.figure, summary)
+        self._body: Poly3DCollection | None = None
+
+    def __len__(self) -> int:
+        return len(self._shapes)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height [pixel], both even, as video wants them."""
+        width, height = self.figure.canvas.get_width_height()
+        return width - width % 2, height - height % 2
+
+    def pictures(self) -> Iterator[NDArray[np.uint8]]:
+        """Draw the moments."""
+        return map(self.picture, range(len(self)))
+
+    def picture(self, number: int) -> NDArray[np.uint8]:
+        """Draw one moment, shape (height, width, 3)."""
+        canvas: Any = self.figure.canvas
+        with style.styled():
+            if self._body is not None:
+                self._body.remove()
+            self._body = _draw(self.axes, self._shapes[number])
+            time, height = self._shown[number]
+            self._dot.set_data([self._clock.of(time)], [self._ruler.of(height)])
+            self._now.set_text(f"t = {self._clock.text(time)}")
+            canvas.draw()
+        wide, tall = self.size
+        drawn: NDArray[np.uint8] = np.asarray(canvas.buffer_rgba())[:tall, :wide, :3].copy()
+        return drawn
+
+
+def _draw(axes: Axes3D, rings: Floats) -> Poly3DCollection:
     """Faces between neighbouring rings; the first few sides are the stripe."""
     following = np.roll(rings, -1, axis=1)
     faces = np.stack([rings[:-1], following[:-1], following[1:], rings[1:]], axis=2)
@@ -109,4 +185,6 @@ def _draw(axes: Axes3D, rings: Floats) -> None:
     colours = np.array([style.VERMILLION if side < stripe else style.FILAMENT for side in range(sides)])
     quads = faces.reshape(-1, 4, 3)
     painted = np.tile(colours, len(faces))
-    axes.add_collection3d(Poly3DCollection(list(quads), facecolors=painted, edgecolors=painted, lw=0.1, shade=True))
+    body = Poly3DCollection(list(quads), facecolors=painted, edgecolors=painted, lw=0.1, shade=True)
+    axes.add_collection3d(body)
+    return body
