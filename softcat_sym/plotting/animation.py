@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, Final, cast
@@ -21,6 +21,7 @@ from matplotlib.ticker import MaxNLocator
 from softcat_sym.errors import SoftcatError
 from softcat_sym.files import fill_atomically
 from softcat_sym.plotting import style
+from softcat_sym.plotting.pictures import Pictures
 from softcat_sym.plotting.run import yielded_label
 from softcat_sym.plotting.section import (
     Floats,
@@ -188,9 +189,7 @@ def write_film(
     return fill_atomically(directory / order.name, fill), animation.note
 
 
-def animation_of(
-    data: Fields, summary: Summary, scene: Scene, moments: int, width: int
-) -> Animation | SpatialAnimation:
+def animation_of(data: Fields, summary: Summary, scene: Scene, moments: int, width: int) -> Pictures:
     """The film of a run in its plane, or in space."""
     if "quaternion" not in data:
         return Animation(data, summary, scene, moments, width)
@@ -200,7 +199,7 @@ def animation_of(
     return SpatialAnimation(data, summary, scene, times, film_note(times, data, summary), width)
 
 
-def _gif(animation: Animation | SpatialAnimation, path: Path, step: Callable[[str], None]) -> None:
+def _gif(animation: Pictures, path: Path, step: Callable[[str], None]) -> None:
     """All pictures with the colours of a few of them, so that what does not move is the same number in all."""
     from PIL import Image
 
@@ -222,7 +221,7 @@ def _gif(animation: Animation | SpatialAnimation, path: Path, step: Callable[[st
         first.save(stream, format="GIF", save_all=True, append_images=rest, duration=pauses, loop=0, optimize=False)
 
 
-def _mp4(animation: Animation | SpatialAnimation, path: Path, ffmpeg: str, step: Callable[[str], None]) -> None:
+def _mp4(animation: Pictures, path: Path, ffmpeg: str, step: Callable[[str], None]) -> None:
     """Hand raw pictures to ffmpeg; H.264 that every player shows."""
     width, height = animation.size
     taken = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{KINDS['mp4']:g}", "-i", "-"]
@@ -269,7 +268,7 @@ _HATCHED: Final[dict[str, Any]] = {
 _DASHED: Final[dict[str, Any]] = {"facecolor": "none", "edgecolor": style.GREY, "linestyle": (0, (4, 3))}
 
 
-class Animation:
+class Animation(Pictures):
     """Draws one moment after another; only what moves is drawn anew."""
 
     def __init__(
@@ -311,16 +310,6 @@ class Animation:
     def __len__(self) -> int:
         return self._film.times.size
 
-    @property
-    def size(self) -> tuple[int, int]:
-        """Width and height [pixel], both even, as video wants them."""
-        width, height = self.figure.canvas.get_width_height()
-        return width - width % 2, height - height % 2
-
-    def pictures(self) -> Iterator[NDArray[np.uint8]]:
-        """Draw the moments."""
-        return map(self.picture, range(len(self)))
-
     def picture(self, number: int) -> NDArray[np.uint8]:
         """Draw one moment, shape (height, width, 3)."""
         canvas: Any = self.figure.canvas
@@ -332,9 +321,7 @@ class Animation:
             self._show(self._film.moment(number))
             for artist in self._moving:
                 self.figure.draw_artist(artist)
-        width, height = self.size
-        drawn: NDArray[np.uint8] = np.asarray(canvas.buffer_rgba())[:height, :width, :3].copy()
-        return drawn
+        return self.pixels()
 
     def _show(self, moment: Moment) -> None:
         """Move everything to where it is at a moment."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from softcat_sym.plotting import style
+from softcat_sym.plotting.pictures import Pictures
 from softcat_sym.plotting.section import Floats, array, telling_frames
 from softcat_sym.plotting.style import Fields
 from softcat_sym.plotting.units import length_unit, time_unit
@@ -112,7 +112,7 @@ def _frame(axes: Axes3D, low: Floats, high: Floats, unit: str) -> None:
     axes.set_zlabel("y", labelpad=-8)
 
 
-class SpatialAnimation:
+class SpatialAnimation(Pictures):
     """Draws one moment of a filament in space after another, with a clock and the height of its midpoint."""
 
     def __init__(
@@ -150,16 +150,6 @@ class SpatialAnimation:
     def __len__(self) -> int:
         return len(self._shapes)
 
-    @property
-    def size(self) -> tuple[int, int]:
-        """Width and height [pixel], both even, as video wants them."""
-        width, height = self.figure.canvas.get_width_height()
-        return width - width % 2, height - height % 2
-
-    def pictures(self) -> Iterator[NDArray[np.uint8]]:
-        """Draw the moments."""
-        return map(self.picture, range(len(self)))
-
     def picture(self, number: int) -> NDArray[np.uint8]:
         """Draw one moment, shape (height, width, 3)."""
         canvas: Any = self.figure.canvas
@@ -171,9 +161,7 @@ class SpatialAnimation:
             self._dot.set_data([self._clock.of(time)], [self._ruler.of(height)])
             self._now.set_text(f"t = {self._clock.text(time)}")
             canvas.draw()
-        wide, tall = self.size
-        drawn: NDArray[np.uint8] = np.asarray(canvas.buffer_rgba())[:tall, :wide, :3].copy()
-        return drawn
+        return self.pixels()
 
 
 def _draw(axes: Axes3D, rings: Floats) -> Poly3DCollection:
