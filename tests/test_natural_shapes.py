@@ -13,6 +13,7 @@ from scipy.integrate import solve_bvp
 import softcat_sym as sc
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.natural_shape import shaped
+from softcat_sym.effects.free_vibration import first_vibration
 from softcat_sym.errors import SceneError
 from softcat_sym.scene.natural_curve import natural_curve
 from tests.common.spatial_statics import Statics
@@ -169,6 +170,13 @@ def test_a_polyline_is_read_from_a_file_beside_its_scene(tmp_path: Path, monkeyp
     assert sc.load_scene(tmp_path / "again.toml") == read
     monkeypatch.chdir(tmp_path)
     assert scene_of("curve.csv").filament.shape == read.filament.shape
+
+
+def test_a_filament_with_a_shape_vibrates_without_weight_too() -> None:
+    for shape, filament in SHAPES.values():
+        for gravity in (0.0, 9.81):
+            found = first_vibration(scene_of(shape, filament=filament, load={"gravity": gravity}))
+            assert found is not None and math.isfinite(found.frequency) and found.frequency > 0
 
 
 BAD: dict[str, tuple[Any, dict[str, Any], str]] = {

@@ -23,6 +23,7 @@ from softcat_sym.effects.quasi_static import (
 from softcat_sym.physics import regimes
 from softcat_sym.physics.section_response import PLANE_STRAIN
 from softcat_sym.physics.sections import SECTIONS, Section
+from softcat_sym.scene.natural_curve import has_shape
 from softcat_sym.scene.scene import (
     Scene,
     chord_angle,
@@ -174,7 +175,9 @@ def eigen(stiffness: Floats, mass: Floats) -> tuple[Floats, Floats]:
 
 
 def _strand(scene: Scene, modulus: float) -> _Strand:
-    section, length, drawn = SECTIONS[scene.filament.section], distance(scene), distance(scene) / rest_length(scene)
+    section, length = SECTIONS[scene.filament.section], distance(scene)
+    # What has a shape is longer than the distance, and not pressed together by it.
+    drawn = 1.0 if has_shape(scene) else length / rest_length(scene)
     # A drawn strand is thinner: A0/s, I0/s^2.
     area, stiff = undeformed_area(scene) / drawn, modulus / _held_width(section, scene.material.poisson)
     gyration = float(regimes.gyration(section)) * scene.filament.thickness**2 / drawn
@@ -196,7 +199,7 @@ def _strand(scene: Scene, modulus: float) -> _Strand:
     free = _free_places((scene.ends.left, scene.ends.right), size)
     cut = np.ix_(free, free)
     held = is_held(scene)
-    relaxed = stress_free_length(scene) * math.exp(mean_of(scene.initial.P))
+    relaxed = (length if has_shape(scene) else stress_free_length(scene)) * math.exp(mean_of(scene.initial.P))
     return _Strand(
         bending=bending[cut],
         geometric=geometric[cut],
