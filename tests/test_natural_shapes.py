@@ -179,6 +179,24 @@ def test_a_filament_with_a_shape_vibrates_without_weight_too() -> None:
             assert found is not None and math.isfinite(found.frequency) and found.frequency > 0
 
 
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "the file holds no data"),
+        ("x,y,z\n0,0,0\n", "line 1: column 'x': no unit in its name"),
+        ("x_m,z_m\n0,0\n", "line 1: no column y"),
+        ("x_m,y_m,z_m\n0,0,0\n0.05,a,0\n", "line 3, y_m: 'a' is not a number"),
+        ("x_m,y_m,z_m\n0,0,0\n0.05,,0\n", "line 3: not a number"),
+    ],
+)
+def test_a_bad_file_is_one_fault_with_its_line(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "curve.csv").write_text(text)
+    with pytest.raises(
+        SceneError, match=f"scene: 1 fault\n  filament.shape: 'curve.csv': {said}.*; accepted: straight"
+    ):
+        scene_of(str(tmp_path / "curve.csv"))
+
+
 BAD: dict[str, tuple[Any, dict[str, Any], str]] = {
     "an unknown word": ("arch", {}, "filament.shape: 'arch' is neither"),
     "no such file": ("nowhere.csv", {}, "filament.shape: .*no such file"),

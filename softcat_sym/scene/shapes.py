@@ -55,8 +55,9 @@ class Shape(Kind):
         try:
             return _points_in(file)
         except SoftcatError as error:
-            found = " ".join(str(error).split())
-            raise self.refuse(found) from None
+            # The first fault says enough, and what is accepted is said below.
+            first = str(error).splitlines()[1].partition("; accepted: ")[0].strip()
+            raise self.refuse(f"{shown(file.name)}: {first}") from None
 
     def _long_enough(self, points: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ...], ...]:
         if not _LEAST <= len(points) <= _MOST:
@@ -81,7 +82,8 @@ def _points_in(file: Path) -> tuple[tuple[float, ...], ...]:
             columns[axis] = Column(name, place, unit_of(unit, "length", "m"))
         except NotAQuantity as found:
             faults.append(Fault(f"line {table.line}", f"column {shown(name)}: {found}", _COLUMNS))
-    faults += [absent(f"column {axis}", axis, _COLUMNS, table, pattern) for axis in "xyz" if axis not in columns]
+    missing = [axis for axis in "xyz" if axis not in columns]
+    faults = faults or [absent(f"column {axis}", axis, _COLUMNS, table, pattern) for axis in missing]
     if not faults:
         values, faults = numbers_in(table, columns, lambda _, value: None if np.isfinite(value) else _NO_NUMBER)
         points = np.column_stack([values[axis] for axis in "xyz"])
