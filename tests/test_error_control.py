@@ -30,6 +30,7 @@ class Known:
     section: float = 0.0
     order: float = 2.0
     fails_below: int = 0
+    fails_above: float = 1.0  # Tolerance
     asked: list[Resolution] = field(default_factory=list)
 
     def parts(self, at: Resolution) -> tuple[float, float, float]:
@@ -37,7 +38,7 @@ class Known:
 
     def __call__(self, at: Resolution) -> Floats | None:
         self.asked.append(at)
-        return None if at.cells < self.fails_below else EXACT * (1 + sum(self.parts(at)))
+        return None if at.cells < self.fails_below or at.rtol > self.fails_above else EXACT * (1 + sum(self.parts(at)))
 
     def judged(self, at: Resolution, before: Before | None = None) -> Differences:
         """What is found of an answer at this resolution; `asked` holds its companions."""
@@ -69,6 +70,11 @@ def test_each_error_is_found_in_its_place() -> None:
     assert len(known.asked) == 2, "what has nothing to resolve is not run"
     found = Known(space=2.0, fails_below=30).judged(FIRST)
     assert (found.space, found.failed) == (None, ("20 cells",))
+
+
+def test_the_error_of_the_steps_is_found_where_larger_ones_have_no_answer() -> None:
+    found = Known(time=3.0, fails_above=FIRST.rtol).judged(LINEAR)
+    assert found.time == pytest.approx(3.0 * FIRST.rtol, rel=1e-2) and found.failed == ()
 
 
 def test_another_order_is_missed_by_a_known_factor() -> None:

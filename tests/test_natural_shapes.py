@@ -69,8 +69,25 @@ def test_nodes_are_on_the_curve_but_for_the_square_of_a_cell() -> None:
             nodes = np.linspace(-0.5, 0.5, cells + 1)
             places, turns, _ = shaped(scene, nodes)
             assert np.abs(np.linalg.norm(turns, axis=1) - 1).max() < 1e-14
+            assert places[-1] * curve.length == pytest.approx([SPAN, 0, 0], abs=1e-13)
             missed.append(np.abs(places * curve.length - curve.places((nodes + 0.5) * curve.length)).max())
         assert missed[0] / missed[1] == pytest.approx(4, rel=0.15)
+
+
+def test_a_polyline_may_begin_backwards() -> None:
+    points = [[0, 0, 0], [-0.01, 0, 0], [-0.02, 0.01, 0], [0.04, 0.03, 0], [SPAN, 0, 0]]
+    scene = scene_of(points, ends={"right": "free"})
+    assert natural_curve(scene).length > 0.15
+    _, turns, _ = shaped(scene, np.linspace(-0.5, 0.5, 101))
+    assert np.isfinite(turns).all()
+
+
+def test_a_straight_rod_that_is_twisted_by_nature_resists_being_held_untwisted() -> None:
+    twist = 5.0
+    held = Statics(scene_of("straight", filament={"twist": twist}, load={"gravity": 0.0}, numerics={"cells": 4}))
+    torque = held.fields(0.0, held.start, held.p())["torque"]
+    poisson = held.scene.material.poisson
+    assert torque == pytest.approx(-MODULUS / (2 * (1 + poisson)) * THIN**2 / 8 * twist, rel=1e-4)
 
 
 def test_lengths_are_those_of_circles_helices_and_sums_over_points() -> None:

@@ -12,7 +12,7 @@ from softcat_sym.errors import Fault, SceneError
 from softcat_sym.scene.natural_curve import natural_curve
 from softcat_sym.scene.scene import Scene
 
-_CLOSED = 1e-15
+_CLOSED = 1e-13
 """Part of the length by which a chain of cells may miss the end of its curve."""
 _TRIES = 50
 _MOST_TURN = 1.0
@@ -57,7 +57,7 @@ def shaped(scene: Scene, nodes: Floats) -> tuple[Floats, Floats, Floats]:
         slopes = (turns[:-1] * Rotation.from_rotvec(steps / 2)).apply([1.0, 0.0, 0.0])
         places = np.vstack([np.zeros(3), np.cumsum(cells * slopes, axis=0)])
         missed = goal - places[-1]
-        if np.abs(missed).max() < _CLOSED * len(nodes):
+        if np.abs(missed).max() < _CLOSED:
             break
         # Turned by d1 x lam, a cell leads on by lam - d1 (d1 . lam).
         weight = cells * (bump[1:] + bump[:-1]) / 2
@@ -66,4 +66,7 @@ def shaped(scene: Scene, nodes: Floats) -> tuple[Floats, Floats, Floats]:
         corrected = Rotation.from_rotvec(bump * np.cross(turns.apply([1.0, 0.0, 0.0]), lam)) * turns
         found = np.roll(corrected.as_quat(), 1, axis=1)
         quaternions = found * np.sign(np.sum(found * quaternions, axis=1, keepdims=True))
+    else:
+        found = "a curve whose end a chain of cells does not reach"
+        raise SceneError([Fault("filament.shape", found, "a curve that bends less, or more numerics.cells")])
     return places, quaternions, steps / (cells * curve.length)

@@ -223,7 +223,8 @@ def differences(
         order = RINGING_ORDER if judge.windows else 1
         # What has no answer with larger steps has one with smaller ones.
         for factor in (TIGHTER,) if judge.windows else (LOOSER, TIGHTER):
-            stepped, failed = replace(coarser, rtol=min(factor * at.rtol, 0.5)), []
+            stepped = replace(coarser, rtol=min(factor * at.rtol, 0.5))
+            failed.clear()
             late = change(stepped, f"a tolerance of {stepped.rtol:.2g}", (stepped.rtol / at.rtol) ** order - 1)
             if late is not None:
                 break

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -14,30 +15,28 @@ Floats = NDArray[np.float64]
 
 _SAMPLES = 50
 """Pieces of the curve between two given points, over which its length is summed."""
+_OPPOSITE = 1e-14
 _FIRST = np.array([1.0, 0.0, 0.0])
 
 
-class Curve:
+class Curve(ABC):
     """Places and turns of sections by the length along a curve [m]; it begins at the origin."""
 
     length: float
     _steps: Floats  # Lengths along the curve, near enough to each other to follow its turns
 
+    @abstractmethod
     def places(self, along: Floats) -> Floats:
         """Places, shape (..., 3)."""
-        raise NotImplementedError
 
-    def _turns(self, along: Floats) -> Rotation:
-        raise NotImplementedError
+    @abstractmethod
+    def _turns(self, along: Floats) -> Rotation: ...
 
     def quaternions(self, along: Floats) -> Floats:
         """Turns w, x, y, z of the sections at lengths that grow, without a change of sign, shape (..., 4)."""
         fine = np.union1d(along, self._steps)
-        found = np.roll(self._turns(fine).as_quat(), 1, axis=1)
-        signs = np.where(np.sum(found[1:] * found[:-1], axis=1) < 0, -1.0, 1.0)
-        found[1:] *= np.cumprod(signs)[:, None]
-        at_nodes: Floats = found[np.searchsorted(fine, along)]
-        return at_nodes
+        found: Floats = continuous(self._turns(fine))[np.searchsorted(fine, along)]
+        return found
 
 
 class SteadyCurve(Curve):
@@ -101,14 +100,29 @@ class SplineCurve(Curve):
         return np.asarray(self._spline(self._parameter_at(along)))
 
     def _turns(self, along: Floats) -> Rotation:
-        tangents = self._spline(self._parameter_at(along), 1)
-        found = [least_turn(_FIRST, tangents[0])]
-        for before, now in pairwise(tangents):
-            found.append(least_turn(before, now) * found[-1])
-        return Rotation.concatenate(found)
+        return carried(Rotation.identity(), self._spline(self._parameter_at(along), 1))
+
+
+def carried(first: Rotation, tangents: Iterable[Floats]) -> Rotation:
+    """Turns of sections square to tangents, which do not turn about them, from one that need not be square yet."""
+    found = [first]
+    for tangent in tangents:
+        found.append(least_turn(found[-1].apply(_FIRST), tangent) * found[-1])
+    return Rotation.concatenate(found[1:])
+
+
+def continuous(turns: Rotation) -> Floats:
+    """Quaternions w, x, y, z of neighbouring turns, without a change of sign, shape (..., 4)."""
+    found: Floats = np.roll(turns.as_quat(), 1, axis=1)
+    signs = np.where(np.sum(found[1:] * found[:-1], axis=1) < 0, -1.0, 1.0)
+    found[1:] *= np.cumprod(signs)[:, None]
+    return found
 
 
 def least_turn(first: Floats, second: Floats) -> Rotation:
-    """Least turn that takes one direction into another."""
+    """Least turn that takes one direction into another; of two that are opposite, about an axis across them."""
     a, b = first / np.linalg.norm(first), second / np.linalg.norm(second)
+    if 1 + a @ b < _OPPOSITE:
+        across = np.cross(a, np.eye(3)[np.argmin(np.abs(a))])
+        return Rotation.from_rotvec(np.pi * across / np.linalg.norm(across))
     return Rotation.from_quat(np.append(np.cross(a, b), 1 + a @ b))

@@ -7,12 +7,14 @@ from collections.abc import Callable
 
 import numpy as np
 from scipy.interpolate import make_interp_spline
+from scipy.spatial.transform import Rotation
 
 from softcat_sym.discretization.graph import Graph
 from softcat_sym.discretization.grid import Floats
 from softcat_sym.discretization.natural_shape import shaped
 from softcat_sym.discretization.spatial import PLACES, TURN
 from softcat_sym.discretization.supports import LEFT_ANGLE, RIGHT_ANGLE, TIP_FORCE
+from softcat_sym.scene.curve import carried, continuous
 from softcat_sym.scene.natural_curve import has_shape, is_curved
 from softcat_sym.scene.scene import Scene, chord_angle, force_free_stretch, is_held, rest_length
 from softcat_sym.solvers.equilibrium import Newton, Start, with_plastic_strain
@@ -94,20 +96,8 @@ def _given(scene: Scene, nodes: Floats) -> tuple[Floats, Floats]:
     """Places over the rest length on the scene's curve, and sections square to it that do not turn about it."""
     points = np.array(scene.initial.centreline) / rest_length(scene)
     curve = make_interp_spline(np.linspace(-0.5, 0.5, len(points)), points, k=min(3, len(points) - 1))
-    tangents = curve(nodes, 1)
-    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
-    turn = _turn_in_plane(scene.ends.left_angle)
-    turns = []
-    for tangent in tangents:
-        turn = _times(_least_turn(_first_axis(turn), tangent), turn)
-        turns.append(turn)
-    return curve(nodes), np.array(turns)
-
-
-def _least_turn(first: Floats, second: Floats) -> Floats:
-    """Quaternion of the least turn that takes one direction into another."""
-    turn = np.append(1 + first @ second, np.cross(first, second))
-    return turn / np.linalg.norm(turn)
+    first = Rotation.from_euler("z", scene.ends.left_angle)
+    return curve(nodes), continuous(carried(first, curve(nodes, 1)))
 
 
 def _integrated(cells: Floats, kappa: Floats, stretch: float, angle: float, from_left: bool) -> tuple[Floats, Floats]:
